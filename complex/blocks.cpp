@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "complex/blocks.h"
+
+#include "complex/disjoint_sets.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace polydec {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+
+class Joining {
+public:
+    Joining(const SimplicialComplex& complex, const Straightness& straight)
+        : complex_(complex), straight_(straight) {
+        for (int k = 0; k <= complex.dimension(); ++k) {
+            auto& carriers = blocks_.carriers.emplace_back();
+            carriers.reserve(complex.size(k));
+            for (Index s = 0; s < complex.size(k); ++s)
+                carriers.push_back({k, s});
+            sets_.emplace_back(complex.size(k));
+            clashes_.emplace_back();
+        }
+    }
+
+    void join_tops(const std::vector<bool>& removed_facets) {
+        const int n = complex_.dimension();
+        const IncidenceMatrix cofaces = complex_.boundary(n);
+        for (Index f = 0; f < complex_.size(n - 1); ++f)
+            if (removed_facets[f])
+                join(n, f, Row(cofaces, f));
+    }
+
+    /// Joins k-simplices across (k-1)-simplices and removes the latter where they lie inside.
+    void join_degree(int k) {
+        const IncidenceMatrix cofaces = complex_.boundary(k);
+        const auto& around = blocks_.active_cofaces[k];
+        for (Index s = 0; s < complex_.size(k - 1); ++s) {
+            Index active[2] = {-1, -1};
+            Index count = 0;
+            for (Row f(cofaces, s); f; ++f)
+                if (is_active(k, static_cast<Index>(f.col())) && ++count <= 2)
+                    active[count - 1] = static_cast<Index>(f.col());
+
+            if (count == 0)
+                remove_inside(k, s, cofaces);
+            else if (count == 2 && around[active[0]] == around[active[1]] &&
+                     straight_(k, s, active[0], active[1]))
+                join(k, s, Row(cofaces, s));
+        }
+    }
+
+    /// Counts the active cofaces of the k-simplices, which is final once degree k+1 is joined.
+    void count_active(int k) {
+        auto& counts = blocks_.active_cofaces;
+        counts.resize(complex_.dimension() + 1);
+        counts[k].assign(complex_.size(k), 0);
+        for (Index t = 0; t < complex_.size(k + 1); ++t)
+            if (is_active(k + 1, t))
+                for (Row s(complex_.coboundary(k), t); s; ++s)
+                    ++counts[k][s.col()];
+    }
+
+    Blocks finish();
+
+private:
+    bool is_active(int k, Index s) const { return blocks_.carriers[k][s].dimension == k; }
+
+    /// Unites the two active k-simplices around s; a coherent block has opposite signs there.
+    void join(int k, Index s, Row coface) {
+        std::optional<std::pair<Index, int>> first;
+        for (; coface; ++coface) {
+            const auto f = static_cast<Index>(coface.col());
+            if (!is_active(k, f))
+                continue;
+            if (!first)
+                first = {f, coface.value()};
+            else if (!sets_[k].join(first->first, f, -first->second * coface.value()))
+                clashes_[k].push_back(f);
+        }
+        blocks_.carriers[k - 1][s] = {k, first->first};
+    }
+
+    /// The carrier of s is the smallest among those of its cofaces.
+    void remove_inside(int k, Index s, const IncidenceMatrix& cofaces) {
+        for (Row f(cofaces, s); f; ++f) {
+            const auto& carrier = blocks_.carriers[k][f.col()];
+            auto& own = blocks_.carriers[k - 1][s];
+            if (own.dimension < k || carrier.dimension < own.dimension)
+                own = carrier;
+        }
+    }
+
+    const SimplicialComplex& complex_;
+    const Straightness& straight_;
+    Blocks blocks_;
+    std::vector<DisjointSets> sets_;
+    std::vector<std::vector<Index>> clashes_;
+};
+
+Blocks Joining::finish() {
+    const int n = complex_.dimension();
+
+    // the first piece of each class, and signs relative to it
+    std::vector<std::vector<Index>> first(n + 1);
+    blocks_.signs.resize(n + 1);
+    blocks_.twisted.resize(n + 1);
+    for (int k = 0; k <= n; ++k) {
+        first[k].assign(complex_.size(k), -1);
+        blocks_.signs[k].assign(complex_.size(k), 0);
+        blocks_.twisted[k].assign(complex_.size(k), false);
+        for (Index s = 0; s < complex_.size(k); ++s) {
+            if (!is_active(k, s))
+                continue;
+            const auto root = sets_[k].find(s);
+            Index& piece = first[k][root.element];
+            if (piece < 0)
+                piece = s;
+            const auto sign_of_first = sets_[k].find(piece).sign;
+            blocks_.signs[k][s] = static_cast<std::int8_t>(root.sign * sign_of_first);
+        }
+    }
+    for (int k = 0; k <= n; ++k)
+        for (auto& carrier : blocks_.carriers[k]) {
+            auto& sets = sets_[carrier.dimension];
+            carrier.piece = first[carrier.dimension][sets.find(carrier.piece).element];
+        }
+    for (int k = 0; k <= n; ++k)
+        for (const Index s : clashes_[k])
+            blocks_.twisted[k][blocks_.carriers[k][s].piece] = true;
+    return std::move(blocks_);
+}
+
+} // namespace
+
+Blocks join_blocks(const SimplicialComplex& complex, const std::vector<bool>& removed_facets,
+                   const Straightness& straight) {
+    const int n = complex.dimension();
+    Joining joining(complex, straight);
+    joining.join_tops(removed_facets);
+    joining.count_active(n - 1);
+    for (int k = n - 1; k >= 1; --k) {
+        if (k >= 2)
+            joining.join_degree(k);
+        joining.count_active(k - 1);
+    }
+    return joining.finish();
+}
+
+std::vector<bool> facets_within_labels(const SimplicialComplex& complex,
+                                       const std::vector<Index>& labels) {
+    const int n = complex.dimension();
+    const IncidenceMatrix cofaces = complex.boundary(n);
+    std::vector<bool> removed(complex.size(n - 1), false);
+    for (Index f = 0; f < complex.size(n - 1); ++f) {
+        if (complex.coface_counts(n - 1)[f] != 2)
+            continue;
+        Row side(cofaces, f);
+        const auto first = side.col();
+        ++side;
+        removed[f] = labels[first] == labels[side.col()];
+    }
+    return removed;
+}
+
+std::vector<InadmissibleBlock> inadmissible_blocks(const SimplicialComplex& complex,
+                                                   const Blocks& blocks) {
+    const int n = complex.dimension();
+    std::vector<std::vector<Index>> euler(n + 1);
+    for (int k = 0; k <= n; ++k)
+        euler[k].assign(complex.size(k), 0);
+    for (int k = 0; k <= n; ++k)
+        for (const auto& carrier : blocks.carriers[k])
+            euler[carrier.dimension][carrier.piece] += k % 2 == 0 ? 1 : -1;
+
+    std::vector<std::vector<bool>> bad(n + 1);
+    for (int k = 0; k <= n; ++k) {
+        bad[k].resize(complex.size(k));
+        for (Index s = 0; s < complex.size(k); ++s)
+            bad[k][s] = blocks.carriers[k][s].dimension == k && blocks.carriers[k][s].piece == s &&
+                        (blocks.twisted[k][s] || euler[k][s] != (k % 2 == 0 ? 1 : -1));
+    }
+    for (Index e = 0; e < complex.size(1); ++e)
+        for (Row v(complex.coboundary(0), e); v; ++v)
+            if (blocks.active_cofaces[0][v.col()] == 0)
+                bad[blocks.carriers[1][e].dimension][blocks.carriers[1][e].piece] = true;
+
+    std::vector<InadmissibleBlock> result;
+    std::vector<std::vector<Index>> number(n + 1);
+    for (int k = 0; k <= n; ++k) {
+        number[k].assign(complex.size(k), -1);
+        for (Index s = 0; s < complex.size(k); ++s)
+            if (bad[k][s]) {
+                number[k][s] = static_cast<Index>(result.size());
+                result.push_back({k, s, {}});
+            }
+    }
+    for (int k = 0; k < n; ++k)
+        for (Index s = 0; s < complex.size(k); ++s) {
+            const auto& carrier = blocks.carriers[k][s];
+            if (carrier.dimension == k + 1 && number[k + 1][carrier.piece] >= 0)
+                result[number[k + 1][carrier.piece]].interfaces.push_back(s);
+        }
+    return result;
+}
+
+} // namespace polydec

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/simplicial_complex.h"
+
+#include <functional>
+
+namespace polydec {
+
+/// Whether the k-simplices f and g are one flat piece across their common (k-1)-face s.
+using Straightness = std::function<bool(int k, Index s, Index f, Index g)>;
+
+/// A simplicial complex divided into open blocks, the cells of the merged complex before they are
+/// numbered. Every open simplex lies in the interior of one block, its carrier; a simplex whose
+/// carrier has its own dimension is a piece of it, any other has been removed.
+struct Blocks {
+    struct Carrier {
+        int dimension; ///< of the block
+        Index piece;   ///< the block's first piece stands for the block
+    };
+    std::vector<std::vector<Carrier>> carriers;     ///< of simplex s of degree k: carriers[k][s]
+    std::vector<std::vector<std::int8_t>> signs;    ///< orientation of a piece in its block
+    std::vector<std::vector<Index>> active_cofaces; ///< cofaces of s that are not removed
+    std::vector<std::vector<bool>> twisted;         ///< blocks, by first piece, with clashing signs
+};
+
+/// Joins n-simplices across the removed facets, then downwards, k = n-1 .. 2, k-simplices across a
+/// (k-1)-simplex with exactly two active cofaces that are straight across it and have as many
+/// cofaces each. A (k-1)-simplex without active coface is removed: it lies inside a larger block.
+/// Vertices are never removed. removed_facets has one entry per (n-1)-simplex and may be true only
+/// for facets with two cofaces. Near-linear in the number of incidences.
+Blocks join_blocks(const SimplicialComplex& complex, const std::vector<bool>& removed_facets,
+                   const Straightness& straight);
+
+/// The facets that a merging by label removes: two cofaces, both with the same label. labels has
+/// one entry per n-simplex.
+std::vector<bool> facets_within_labels(const SimplicialComplex& complex,
+                                       const std::vector<Index>& labels);
+
+/// A block that is no open ball, so no cell: its pieces induce clashing orientations, its Euler
+/// number (the sum of (-1)^dim over its open simplices) is not (-1)^dimension, or a vertex at it
+/// has lost all its edges.
+struct InadmissibleBlock {
+    int dimension;
+    Index piece;                   ///< first piece
+    std::vector<Index> interfaces; ///< removed simplices of one dimension less that joined it
+};
+std::vector<InadmissibleBlock> inadmissible_blocks(const SimplicialComplex& complex,
+                                                   const Blocks& blocks);
+
+} // namespace polydec

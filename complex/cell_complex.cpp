@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "complex/cell_complex.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+void check_shapes(const std::vector<IncidenceMatrix>& d) {
+    if (d.empty())
+        throw InvalidInput("a cell complex needs at least d_0, that is dimension 1");
+    for (std::size_t k = 0; k + 1 < d.size(); ++k) {
+        if (d[k].rows() != d[k + 1].cols())
+            throw InvalidInput(fmt::format(
+                "d_{} has {} rows but d_{} has {} columns: both are the number of {}-cells", k,
+                d[k].rows(), k + 1, d[k + 1].cols(), k + 1));
+    }
+}
+
+/// Throws, naming the cells, unless upper * lower = 0.
+void check_product(const IncidenceMatrix& upper, const IncidenceMatrix& lower, std::size_t k) {
+    std::vector<int> sum(static_cast<std::size_t>(lower.cols()), 0);
+    for (Index t = 0; t < upper.rows(); ++t) {
+        for (IncidenceMatrix::InnerIterator f(upper, t); f; ++f)
+            for (IncidenceMatrix::InnerIterator s(lower, f.col()); s; ++s)
+                sum[s.col()] += f.value() * s.value();
+        for (IncidenceMatrix::InnerIterator f(upper, t); f; ++f)
+            for (IncidenceMatrix::InnerIterator s(lower, f.col()); s; ++s)
+                if (sum[s.col()] != 0)
+                    throw InvalidInput(fmt::format(
+                        "d_{} d_{} is {} instead of 0 from {}-cell {} to {}-cell {}: the faces of "
+                        "the latter do not close up; check their signs",
+                        k + 1, k, sum[s.col()], k, s.col(), k + 2, t));
+    }
+}
+
+std::vector<std::vector<Index>> count_cofaces(const std::vector<IncidenceMatrix>& d) {
+    std::vector<std::vector<Index>> counts;
+    for (const auto& D : d) {
+        auto& count = counts.emplace_back(static_cast<std::size_t>(D.cols()), 0);
+        for (Index t = 0; t < D.rows(); ++t)
+            for (IncidenceMatrix::InnerIterator s(D, t); s; ++s)
+                ++count[s.col()];
+    }
+    return counts;
+}
+
+} // namespace
+
+CellComplex::CellComplex(std::vector<IncidenceMatrix> coboundaries) {
+    check_shapes(coboundaries);
+    for (auto& D : coboundaries)
+        D.makeCompressed();
+    for (std::size_t k = 0; k + 1 < coboundaries.size(); ++k)
+        check_product(coboundaries[k + 1], coboundaries[k], k);
+    auto counts = count_cofaces(coboundaries);
+    assign(std::move(coboundaries), std::move(counts));
+}
+
+CellComplex::CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
+                         std::vector<std::vector<Index>> coface_counts) {
+    check_shapes(coboundaries);
+    assign(std::move(coboundaries), std::move(coface_counts));
+}
+
+void CellComplex::assign(std::vector<IncidenceMatrix> coboundaries,
+                         std::vector<std::vector<Index>> coface_counts) {
+    const auto vertices = coboundaries.front().cols();
+    const auto tops = coboundaries.back().rows();
+    coboundaries_.clear();
+    coboundaries_.emplace_back(vertices, 0);
+    for (auto& D : coboundaries)
+        coboundaries_.push_back(std::move(D));
+    coboundaries_.emplace_back(0, tops);
+
+    coface_counts_ = std::move(coface_counts);
+    coface_counts_.emplace_back(static_cast<std::size_t>(tops), 0);
+}
+
+Index CellComplex::size(int k) const {
+    if (k < 0 || k > dimension())
+        return 0;
+    return static_cast<Index>(coface_counts_[k].size());
+}
+
+const IncidenceMatrix& CellComplex::coboundary(int k) const {
+    if (k < -1 || k > dimension())
+        throw InvalidInput(
+            fmt::format("coboundary {} asked of a complex of dimension {}: expected -1 to {}", k,
+                        dimension(), dimension()));
+    return coboundaries_[k + 1];
+}
+
+Index euler_characteristic(const CellComplex& complex) {
+    Index sum = 0;
+    for (int k = 0; k <= complex.dimension(); ++k)
+        sum += (k % 2 == 0 ? 1 : -1) * complex.size(k);
+    return sum;
+}
+
+} // namespace polydec

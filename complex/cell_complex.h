@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// A finite complex of oriented cells of degrees 0..n: simplices, merged polytopes, cubes or cells
+/// made by hand. It is its tower of signed incidence matrices and knows no lengths.
+class CellComplex {
+public:
+    /// For makers of complexes that satisfy d d = 0 by construction.
+    struct Unchecked {};
+
+    /// The complex with coboundaries d_0, .., d_(n-1), n >= 1; d_k is size(k+1) x size(k).
+    /// Throws InvalidInput, naming the cells, if shapes do not fit or d_(k+1) d_k is not zero.
+    explicit CellComplex(std::vector<IncidenceMatrix> coboundaries);
+
+    /// As above without the check d d = 0. coface_counts[k][s] is the number of (k+1)-cells around
+    /// cell s of degree k < n, counting one that is glued to itself along s as often as it is.
+    CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
+                std::vector<std::vector<Index>> coface_counts);
+
+    int dimension() const { return static_cast<int>(coface_counts_.size()) - 1; }
+
+    /// Number of cells of degree k; 0 outside 0..n.
+    Index size(int k) const;
+
+    /// d_k, size(k+1) x size(k), entries -1, 0, 1 (2 on one-sided surfaces), for k = -1..n: the
+    /// ends are 0-column and 0-row matrices.
+    const IncidenceMatrix& coboundary(int k) const;
+
+    /// Boundary matrix of the k-cells, size(k-1) x size(k): the transpose of d_(k-1). Row s lists
+    /// the cofaces of s. Made anew at each call, in linear time.
+    IncidenceMatrix boundary(int k) const { return coboundary(k - 1).transpose(); }
+
+    /// Number of (k+1)-cells around each k-cell; not to be read off d_k, in which a cell that lies
+    /// on both sides of s cancels. All zero for k = n.
+    const std::vector<Index>& coface_counts(int k) const { return coface_counts_.at(k); }
+
+protected:
+    CellComplex() = default;
+    void assign(std::vector<IncidenceMatrix> coboundaries,
+                std::vector<std::vector<Index>> coface_counts);
+
+private:
+    std::vector<IncidenceMatrix> coboundaries_;     // at k + 1: d_k, for k = -1..n
+    std::vector<std::vector<Index>> coface_counts_; // at k: for k = 0..n
+};
+
+/// Euler characteristic: the alternating sum of the numbers of cells.
+Index euler_characteristic(const CellComplex& complex);
+
+} // namespace polydec

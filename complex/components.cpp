@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "complex/components.h"
+
+#include "complex/disjoint_sets.h"
+
+namespace polydec {
+
+namespace {
+
+/// Components of the graph of marked vertices and edges.
+template <class Vertex, class Edge>
+Components graph_components(const CellComplex& complex, Vertex has_vertex, Edge has_edge) {
+    const IncidenceMatrix& D = complex.coboundary(0);
+    DisjointSets sets(complex.size(0));
+    for (Index e = 0; e < D.rows(); ++e) {
+        if (!has_edge(e))
+            continue;
+        Index first = -1;
+        for (IncidenceMatrix::InnerIterator v(D, e); v; ++v) {
+            if (first >= 0)
+                sets.join(first, static_cast<Index>(v.col()));
+            first = static_cast<Index>(v.col());
+        }
+    }
+
+    Components result{0, std::vector<Index>(complex.size(0), -1)};
+    std::vector<Index> number(complex.size(0), -1);
+    for (Index v = 0; v < complex.size(0); ++v) {
+        if (!has_vertex(v))
+            continue;
+        Index& of_root = number[sets.find(v).element];
+        if (of_root < 0)
+            of_root = result.count++;
+        result.of_vertex[v] = of_root;
+    }
+    return result;
+}
+
+} // namespace
+
+CellMarks boundary_cells(const CellComplex& complex) {
+    const int n = complex.dimension();
+    CellMarks marks;
+    for (int k = 0; k <= n; ++k)
+        marks.emplace_back(complex.size(k), false);
+    for (Index f = 0; f < complex.size(n - 1); ++f)
+        marks[n - 1][f] = complex.coface_counts(n - 1)[f] == 1;
+
+    for (int k = n - 1; k > 0; --k)
+        for (Index t = 0; t < complex.size(k); ++t)
+            if (marks[k][t])
+                for (IncidenceMatrix::InnerIterator s(complex.coboundary(k - 1), t); s; ++s)
+                    marks[k - 1][s.col()] = true;
+    return marks;
+}
+
+Components components(const CellComplex& complex) {
+    const auto all = [](Index) { return true; };
+    return graph_components(complex, all, all);
+}
+
+Components boundary_components(const CellComplex& complex) {
+    // in dimension 1 the edges are the top cells, none of which is marked
+    const auto marks = boundary_cells(complex);
+    return graph_components(
+        complex, [&](Index v) { return marks[0][v]; }, [&](Index e) { return marks[1][e]; });
+}
+
+} // namespace polydec

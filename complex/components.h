@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/cell_complex.h"
+
+namespace polydec {
+
+/// Which cells of each degree 0..n belong to something: marks[k][s].
+using CellMarks = std::vector<std::vector<bool>>;
+
+/// The cells of the boundary: facets with one coface, and their faces of every degree.
+CellMarks boundary_cells(const CellComplex& complex);
+
+struct Components {
+    Index count = 0;
+    std::vector<Index> of_vertex; ///< 0..count-1, in the order of first vertices; -1 if in none
+};
+
+/// Connected components; cells are connected by shared vertices.
+Components components(const CellComplex& complex);
+
+/// Connected components of the boundary; vertices off the boundary belong to none.
+Components boundary_components(const CellComplex& complex);
+
+} // namespace polydec

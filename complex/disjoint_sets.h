@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+/// Union-find over 0..size-1 in which each element also has a sign relative to its root: joining a
+/// and b with relative sign s states sign(a) = s * sign(b). Near-linear in the number of calls.
+class DisjointSets {
+public:
+    explicit DisjointSets(Index size) : parent_(size), sign_(size, 1), weight_(size, 1) {
+        std::iota(parent_.begin(), parent_.end(), Index{0});
+    }
+
+    struct Root {
+        Index element;
+        std::int8_t sign; ///< of the element asked for, relative to the root
+    };
+
+    Root find(Index a) {
+        Index root = a;
+        std::int8_t sign = 1;
+        while (parent_[root] != root) {
+            sign = static_cast<std::int8_t>(sign * sign_[root]);
+            root = parent_[root];
+        }
+        const Root result{root, sign};
+
+        // path compression: everything passed on the way now hangs from the root
+        while (parent_[a] != root) {
+            const auto next = parent_[a];
+            const auto rest = static_cast<std::int8_t>(sign * sign_[a]);
+            parent_[a] = root;
+            sign_[a] = sign;
+            sign = rest;
+            a = next;
+        }
+        return result;
+    }
+
+    /// False iff the two were joined before with the opposite relative sign; nothing changes then.
+    bool join(Index a, Index b, int relative_sign = 1) {
+        Root s = find(a), t = find(b);
+        const auto sign = static_cast<std::int8_t>(s.sign * t.sign * relative_sign);
+        if (s.element == t.element)
+            return sign == 1;
+        if (weight_[s.element] < weight_[t.element])
+            std::swap(s, t);
+        parent_[t.element] = s.element;
+        sign_[t.element] = sign;
+        weight_[s.element] += weight_[t.element];
+        return true;
+    }
+
+private:
+    std::vector<Index> parent_;
+    std::vector<std::int8_t> sign_;
+    std::vector<Index> weight_;
+};
+
+} // namespace polydec

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/blocks.h"
+#include "complex/simplicial_complex.h"
+
+namespace polydec {
+
+/// A simplicial complex K, the complex P of its merged cells, and how they belong together.
+///
+/// Cells of P are numbered in the order of their first pieces and oriented like them.
+class Merging {
+public:
+    /// The merged complex that the blocks make; d^P d^P = 0 and dia d = d^P dia hold by
+    /// construction. Linear time.
+    Merging(SimplicialComplex input, const Blocks& blocks);
+
+    const SimplicialComplex& input() const { return input_; }
+    const CellComplex& merged() const { return merged_; }
+
+    /// Where an open simplex of K lies: in the interior of this cell of P.
+    struct Carrier {
+        int dimension;
+        Index cell;
+    };
+    const std::vector<Carrier>& carriers(int k) const { return carriers_.at(k); }
+
+    /// dia_k, size of P times size of K: the orientation 1 or -1 of each piece s in its cell F, 0
+    /// for removed simplices. Primal k-forms on K are mapped to P by it; it is a cochain map.
+    const IncidenceMatrix& diamond(int k) const { return diamonds_.at(k); }
+
+    /// The vertices of k-cell F of P: ascending vertex numbers of the input.
+    std::vector<Index> vertices(int k, Index cell) const;
+
+private:
+    SimplicialComplex input_;
+    std::vector<std::vector<Carrier>> carriers_;
+    std::vector<IncidenceMatrix> diamonds_;
+    CellComplex merged_;
+};
+
+/// The merging that merges nothing: P is K.
+Merging unmerged(SimplicialComplex complex);
+
+} // namespace polydec

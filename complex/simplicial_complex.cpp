@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "complex/simplicial_complex.h"
+
+#include "base/errors.h"
+#include "complex/disjoint_sets.h"
+#include "complex/faces.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+std::span<const Index> row(const Simplices& table, Index i) {
+    return {table.data() + i * table.cols(), static_cast<std::size_t>(table.cols())};
+}
+
+/// Sorts the list; 1 or -1 is the sign of the permutation that did it.
+std::int8_t sort_with_sign(std::span<Index> list) {
+    std::int8_t sign = 1;
+    for (std::size_t i = 1; i < list.size(); ++i) {
+        for (std::size_t j = i; j > 0 && list[j] < list[j - 1]; --j) {
+            std::swap(list[j], list[j - 1]);
+            sign = static_cast<std::int8_t>(-sign);
+        }
+    }
+    return sign;
+}
+
+struct SortedTops {
+    Simplices simplices;
+    std::vector<Index> input_rows;
+    std::vector<std::int8_t> signs; // of the input's order against the ascending one
+};
+
+void check_tops(const SortedTops& tops) {
+    for (Index s = 0; s < tops.simplices.rows(); ++s) {
+        const auto list = row(tops.simplices, s);
+        if (std::adjacent_find(list.begin(), list.end()) != list.end())
+            throw InvalidInput(fmt::format("cell {} has a repeated corner: its vertices are {}",
+                                           tops.input_rows[s], fmt::join(list, ", ")));
+        if (s > 0 && std::ranges::equal(row(tops.simplices, s - 1), list))
+            throw InvalidInput(
+                fmt::format("cells {} and {} have the same vertices {}: remove one of them",
+                            tops.input_rows[s - 1], tops.input_rows[s], fmt::join(list, ", ")));
+    }
+}
+
+SortedTops sort_tops(Simplices tops) {
+    if (tops.rows() == 0 || tops.cols() < 2)
+        throw InvalidInput(
+            "a simplicial complex needs at least one simplex of dimension 1 or more");
+    if (tops.minCoeff() < 0)
+        throw InvalidInput(fmt::format("vertex number {}: expected 0 or more", tops.minCoeff()));
+
+    std::vector<std::int8_t> signs(tops.rows());
+    for (Index s = 0; s < tops.rows(); ++s)
+        signs[s] = sort_with_sign({&tops(s, 0), static_cast<std::size_t>(tops.cols())});
+
+    SortedTops sorted{Simplices(tops.rows(), tops.cols()), lexicographic_order(tops), {}};
+    sorted.signs.resize(signs.size());
+    for (Index s = 0; s < tops.rows(); ++s) {
+        sorted.simplices.row(s) = tops.row(sorted.input_rows[s]);
+        sorted.signs[s] = signs[sorted.input_rows[s]];
+    }
+    check_tops(sorted);
+    return sorted;
+}
+
+/// d_(m-2) from the faces of simplices with m vertices, whose signs are (-1)^omitted.
+IncidenceMatrix incidence(const Faces& faces, Index simplices, Index m) {
+    IncidenceMatrix D(simplices, static_cast<Index>(faces.counts.size()));
+    D.resizeNonZeros(static_cast<Index>(faces.of.size()));
+    std::copy(faces.of.begin(), faces.of.end(), D.innerIndexPtr());
+    for (Index s = 0; s <= simplices; ++s)
+        D.outerIndexPtr()[s] = s * m;
+    for (std::size_t e = 0; e < faces.of.size(); ++e)
+        D.valuePtr()[e] = (m - 1 - Index(e) % m) % 2 == 0 ? 1 : -1;
+    return D;
+}
+
+struct Orientation {
+    std::vector<std::int8_t> signs;
+    bool coherent = true;
+    Index turned = 0;
+};
+
+/// Signs of the tops, coherent across facets with exactly two cofaces wherever that is possible:
+/// in each part connected by such facets the given signs or their opposites, whichever turns
+/// fewer. A part that cannot be oriented keeps what was given.
+Orientation orient(const IncidenceMatrix& D, const std::vector<Index>& coface_counts,
+                   const std::vector<std::int8_t>& given) {
+    const auto tops = static_cast<Index>(given.size());
+    DisjointSets parts(tops);
+    std::vector<Index> first(coface_counts.size(), -1), conflicts;
+    for (Index t = 0; t < tops; ++t) {
+        for (IncidenceMatrix::InnerIterator f(D, t); f; ++f) {
+            if (coface_counts[f.col()] != 2)
+                continue;
+            if (const Index other = first[f.col()]; other < 0) {
+                first[f.col()] = t;
+            } else if (!parts.join(t, other, -f.value() * D.coeff(other, f.col()))) {
+                conflicts.push_back(t);
+            }
+        }
+    }
+
+    std::vector<Index> balance(tops, 0); // at roots: agreeing minus disagreeing, 0 if one-sided
+    for (Index t = 0; t < tops; ++t) {
+        const auto root = parts.find(t);
+        balance[root.element] += root.sign * given[t];
+    }
+    std::vector<bool> one_sided(tops, false);
+    for (const Index t : conflicts)
+        one_sided[parts.find(t).element] = true;
+
+    Orientation result{given, conflicts.empty(), 0};
+    for (Index t = 0; t < tops; ++t) {
+        const auto root = parts.find(t);
+        if (one_sided[root.element])
+            continue;
+        // a tie is decided by the part's first cell, so that it does not depend on the root
+        if (balance[root.element] == 0)
+            balance[root.element] = root.sign * given[t];
+        const int sign = balance[root.element] > 0 ? root.sign : -root.sign;
+        result.turned += sign != given[t];
+        result.signs[t] = static_cast<std::int8_t>(sign);
+    }
+    return result;
+}
+
+} // namespace
+
+SimplicialComplex::SimplicialComplex(const Simplices& tops) {
+    auto sorted = sort_tops(tops);
+    const auto n = static_cast<int>(tops.cols()) - 1;
+    simplices_.resize(n + 1);
+    simplices_[n] = std::move(sorted.simplices);
+    input_rows_ = std::move(sorted.input_rows);
+
+    std::vector<IncidenceMatrix> coboundaries(n);
+    std::vector<std::vector<Index>> counts(n);
+    for (int k = n - 1; k >= 0; --k) {
+        auto faces = faces_of(simplices_[k + 1]);
+        coboundaries[k] = incidence(faces, static_cast<Index>(simplices_[k + 1].rows()), k + 2);
+        simplices_[k] = std::move(faces.simplices);
+        counts[k] = std::move(faces.counts);
+    }
+
+    auto orientation = orient(coboundaries[n - 1], counts[n - 1], sorted.signs);
+    orientations_ = std::move(orientation.signs);
+    orientable_ = orientation.coherent;
+    turned_ = orientation.turned;
+    for (Index t = 0; t < coboundaries[n - 1].rows(); ++t)
+        for (IncidenceMatrix::InnerIterator f(coboundaries[n - 1], t); f; ++f)
+            f.valueRef() = static_cast<std::int8_t>(f.value() * orientations_[t]);
+    assign(std::move(coboundaries), std::move(counts));
+}
+
+} // namespace polydec

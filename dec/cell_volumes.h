@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/merging.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// The metric of a complex: all that a Hodge star needs.
+struct CellVolumes {
+    std::vector<Vector> primal; ///< primal[k]: k-volumes |s|, 1 for vertices; length^k
+    std::vector<Vector> dual;   ///< dual[k]: signed (n-k)-volumes |*s|, 1 for n-cells; length^(n-k)
+};
+
+/// Volumes of the simplices and signed volumes of their circumcentric duals, by the recursion
+/// |*s| = 1/(n-k) sum over cofaces t of h(s,t) |*t| with h the signed distance between the
+/// circumcenters. Needs no manifold and no Delaunay property; sum |s||*s| = C(n,k) |K| always.
+/// points has a row per vertex number. Source: Hirani, Kalyanaraman, VanderZee 2013, with the sign
+/// taken from the coface, which makes it right for obtuse simplices too.
+/// Throws InvalidInput, naming the vertices, for a simplex without volume or vertices without
+/// point.
+CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points& points);
+
+/// Volumes of merged cells: |F| = sum |s| over the pieces, |*F| = (sum |s||*s|) / |F|.
+CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input);
+
+} // namespace polydec

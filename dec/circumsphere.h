@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <span>
+#include <vector>
+
+namespace polydec {
+
+/// Volume and circumscribed sphere of one simplex after another, of any dimension k in R^N. Works
+/// by orthogonalizing the edge vectors, so flat simplices lose as few digits as can be.
+class Circumsphere {
+public:
+    explicit Circumsphere(const Points& points) : points_(points) {}
+
+    /// Looks at the simplex with these k+1 vertex numbers. False iff its edge vectors are linearly
+    /// dependent to the last digit; volume() is 0 then and nothing else may be asked.
+    bool look_at(std::span<const Index> vertices);
+
+    /// k-dimensional volume, length^k; 1 for a vertex.
+    double volume() const { return volume_; }
+
+    /// Circumradius; 0 for a vertex.
+    double radius() const { return radius_; }
+
+    /// Barycentric coordinate of the circumcenter at the i-th vertex; negative where the center
+    /// lies beyond the opposite facet.
+    double barycentric(int i) const { return barycentric_[i]; }
+
+    /// Signed distance from the circumcenter of the facet opposite to the i-th vertex to the
+    /// simplex's own, positive towards that vertex: barycentric coordinate times height.
+    double height(int i, double facet_volume) const {
+        return barycentric_[i] * (static_cast<double>(barycentric_.size()) - 1) * volume_ /
+               facet_volume;
+    }
+
+private:
+    const Points& points_;
+    std::vector<double> basis_;    // k orthonormal rows of N numbers
+    std::vector<double> triangle_; // k x k, lower: edge i = sum over j <= i of (i, j) basis row j
+    std::vector<double> center_;   // circumcenter minus first vertex, in the basis
+    std::vector<double> barycentric_;
+    double volume_ = 0;
+    double radius_ = 0;
+};
+
+/// Circumradii of all k-simplices in the given table (rows of vertex numbers).
+Vector circumradii(const Points& points, const Simplices& simplices);
+
+/// Circumcenters of all k-simplices in the given table: one row of N coordinates each.
+Points circumcenters(const Points& points, const Simplices& simplices);
+
+} // namespace polydec

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merge.h"
+
+#include "base/errors.h"
+#include "complex/disjoint_sets.h"
+#include "dec/facet_defects.h"
+#include "dec/straightness.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+using Kept = std::vector<std::vector<bool>>; // by degree: simplices that must not be removed
+
+/// What a class may gather, and what still may be removed inside one, in tolerances.
+constexpr double spread_limit = 10;
+
+/// Which facets vanish: those joined in ascending defect while the classes stay tight, and those
+/// that then lie inside a class and are degenerate enough themselves.
+class FacetChoice {
+public:
+    FacetChoice(const SimplicialComplex& complex, const FacetDefects& defects, double tolerance)
+        : complex_(complex), defects_(defects), limit_(spread_limit * tolerance) {
+        const int n = complex.dimension();
+        const auto& counts = complex.coface_counts(n - 1);
+        sides_.resize(complex.size(n - 1), {-1, -1});
+        for (Index t = 0; t < complex.size(n); ++t)
+            for (Row f(complex.coboundary(n - 1), t); f; ++f)
+                if (counts[f.col()] == 2)
+                    sides_[f.col()][sides_[f.col()][0] < 0 ? 0 : 1] = t;
+        for (Index f = 0; f < complex.size(n - 1); ++f)
+            if (counts[f] == 2 && defects.degenerate[f])
+                candidates_.push_back(f);
+        std::stable_sort(candidates_.begin(), candidates_.end(),
+                         [&](Index f, Index g) { return defects.ratio(f) < defects.ratio(g); });
+    }
+
+    std::vector<bool> removed(const std::vector<bool>& kept) const {
+        DisjointSets classes(complex_.size(complex_.dimension()));
+        std::vector<double> spread(complex_.size(complex_.dimension()), 0.0);
+        for (const Index f : candidates_) {
+            const Index a = classes.find(sides_[f][0]).element;
+            const Index b = classes.find(sides_[f][1]).element;
+            const double together = spread[a] + spread[b] + defects_.defect[f];
+            if (kept[f] || a == b || together > limit_ * defects_.scale[f])
+                continue;
+            classes.join(a, b);
+            spread[classes.find(a).element] = together;
+        }
+
+        std::vector<bool> result(sides_.size(), false);
+        for (std::size_t f = 0; f < sides_.size(); ++f)
+            result[f] = sides_[f][1] >= 0 && !kept[f] &&
+                        defects_.defect[f] <= limit_ * defects_.scale[f] &&
+                        classes.find(sides_[f][0]).element == classes.find(sides_[f][1]).element;
+        return result;
+    }
+
+private:
+    const SimplicialComplex& complex_;
+    const FacetDefects& defects_;
+    double limit_;
+    std::vector<std::array<Index, 2>> sides_; // cofaces of facets with two, -1 otherwise
+    std::vector<Index> candidates_;           // in ascending relative defect
+};
+
+/// Keeps the worst interfaces of each inadmissible block from being removed again: of facets those
+/// within a factor of two of the worst, so that the choice does not hang on numbering or rounding;
+/// in lower degrees all.
+void keep_worst(const std::vector<InadmissibleBlock>& blocks, const FacetDefects& defects, int n,
+                Kept& kept) {
+    for (const auto& block : blocks) {
+        double worst = 0;
+        if (block.dimension == n)
+            for (const Index f : block.interfaces)
+                worst = std::max(worst, defects.ratio(f));
+        for (const Index s : block.interfaces)
+            if (block.dimension < n || defects.ratio(s) >= worst / 2)
+                kept[block.dimension - 1][s] = true;
+    }
+}
+
+DegenerateFacets count_degenerate(const SimplicialComplex& complex, const FacetDefects& defects) {
+    DegenerateFacets result;
+    const auto& counts = complex.coface_counts(complex.dimension() - 1);
+    for (std::size_t f = 0; f < counts.size(); ++f)
+        if (defects.degenerate[f])
+            ++(counts[f] == 1   ? result.boundary
+               : counts[f] == 2 ? result.interior
+                                : result.branching);
+    return result;
+}
+
+} // namespace
+
+CosphericalMerging merge_cospherical(SimplicialComplex complex, const Points& points,
+                                     const CellVolumes& volumes, const MergeOptions& options) {
+    if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
+        throw InvalidInput(fmt::format("the merge tolerance is {}: expected a number >= 0, such as "
+                                       "1e-4",
+                                       options.tolerance));
+    const int n = complex.dimension();
+    const auto defects = facet_defects(complex, points, volumes, options);
+    const auto degenerate = count_degenerate(complex, defects);
+    if (options.criterion == MergeCriterion::none)
+        return {unmerged(std::move(complex)), degenerate, 0};
+
+    Kept kept;
+    for (int k = 0; k < n; ++k)
+        kept.emplace_back(complex.size(k), false);
+    const FacetChoice choice(complex, defects, options.tolerance);
+    const StraightnessTest test(complex, points, volumes, options.tolerance);
+    const auto straight = [&](int k, Index s, Index f, Index g) {
+        return !kept[k - 1][s] && test(k, s, f, g);
+    };
+
+    // every round keeps at least one more simplex, so this ends
+    for (int rounds = 0;; ++rounds) {
+        const auto blocks = join_blocks(complex, choice.removed(kept[n - 1]), straight);
+        const auto inadmissible = inadmissible_blocks(complex, blocks);
+        if (inadmissible.empty())
+            return {Merging(std::move(complex), blocks), degenerate, rounds};
+        keep_worst(inadmissible, defects, n, kept);
+    }
+}
+
+} // namespace polydec

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "dec/star.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+constexpr double zero_fraction = 1e-12;
+
+double zero_threshold(const Vector& star) {
+    return star.size() == 0 ? 0.0 : zero_fraction * star.cwiseAbs().maxCoeff();
+}
+
+} // namespace
+
+Vector star(const CellVolumes& volumes, int k) {
+    const Vector &primal = volumes.primal.at(k), &dual = volumes.dual.at(k);
+    for (Index s = 0; s < primal.size(); ++s)
+        if (!(primal[s] > 0))
+            throw InvalidInput(fmt::format("the {}-cell {} has volume {}: the Hodge star divides "
+                                           "by it; remove the cell",
+                                           k, s, primal[s]));
+    return dual.cwiseQuotient(primal);
+}
+
+std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k) {
+    const Vector values = star(volumes, k);
+    const double zero = zero_threshold(values);
+    std::vector<Index> cells;
+    for (Index s = 0; s < values.size(); ++s)
+        if (std::abs(values[s]) <= zero)
+            cells.push_back(s);
+    return cells;
+}
+
+std::vector<Index> negative_star_cells(const CellVolumes& volumes, int k) {
+    const Vector values = star(volumes, k);
+    const double zero = zero_threshold(values);
+    std::vector<Index> cells;
+    for (Index s = 0; s < values.size(); ++s)
+        if (values[s] < -zero)
+            cells.push_back(s);
+    return cells;
+}
+
+Vector inverse_star(const CellVolumes& volumes, int k) {
+    if (auto cells = zero_star_cells(volumes, k); !cells.empty()) {
+        const auto count = cells.size();
+        cells.resize(std::min<std::size_t>(count, 5));
+        throw InvalidInput(
+            fmt::format("the inverse star of degree {} divides by zero: the duals of "
+                        "{} {}-cells have no volume (cells {}{})",
+                        k, count, k, fmt::join(cells, ", "), count > cells.size() ? ", .." : ""));
+    }
+    return star(volumes, k).cwiseInverse();
+}
+
+Vector dual_star(const CellVolumes& volumes, int k) {
+    const int n = static_cast<int>(volumes.primal.size()) - 1;
+    return (k * (n - k) % 2 == 0 ? 1.0 : -1.0) * inverse_star(volumes, k);
+}
+
+} // namespace polydec

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/cell_volumes.h"
+
+namespace polydec {
+
+/// Hodge star on primal k-forms, to dual (n-k)-forms: diagonal, dual volume over primal volume.
+/// Size size(k); units length^(n-2k); positive iff every dual volume is.
+/// Source: Hirani 2003, Def. 4.1.1. Throws InvalidInput, naming the cell, for a primal volume 0.
+Vector star(const CellVolumes& volumes, int k);
+
+/// The star of dual (n-k)-forms, to primal k-forms: (-1)^(k(n-k)) |s| / |*s|, so that star star is
+/// that sign. Throws InvalidInput, naming the cells, if a dual volume is zero.
+Vector dual_star(const CellVolumes& volumes, int k);
+
+/// |s| / |*s|, the inverse of star. Throws like dual_star.
+Vector inverse_star(const CellVolumes& volumes, int k);
+
+/// The k-cells whose star entry counts as zero: at most 1e-12 times the largest in size.
+std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k);
+
+/// The k-cells whose star entry is negative and not zero in the above sense.
+std::vector<Index> negative_star_cells(const CellVolumes& volumes, int k);
+
+} // namespace polydec

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/cell_volumes.h"
+
+namespace polydec {
+
+/// Decides whether two k-simplices f and g are one flat piece across their common (k-1)-face s:
+/// their circumcenters coincide, their duals agree, and, where s lies on the boundary of a flat
+/// complex (N = n), they lie in one k-plane. Inside, the first two imply the third; on a curved
+/// complex there is no such plane and none is asked for.
+class StraightnessTest {
+public:
+    /// Keeps references: they must outlive the test.
+    StraightnessTest(const SimplicialComplex& complex, const Points& points,
+                     const CellVolumes& volumes, double tolerance);
+
+    bool operator()(int k, Index s, Index f, Index g) const;
+
+private:
+    struct Side {
+        double height; ///< signed distance from the circumcenter of s to that of the simplex
+        double radius; ///< circumradius
+        Vector away;   ///< unit vector from the plane of s to the opposite vertex
+        double altitude;
+    };
+    Side look(int k, Index s, Index f) const;
+
+    const SimplicialComplex& complex_;
+    const Points& points_;
+    const CellVolumes& volumes_;
+    double tolerance_;
+    std::vector<std::vector<bool>> must_be_coplanar_; // by degree of s
+};
+
+} // namespace polydec
