@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "complex/corners.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+
+/// A side of a triangle, directed as the boundary of the merged cell runs. The three sides of a
+/// triangle are neighbors in the list.
+struct HalfEdge {
+    Index edge, tail, head;
+    Index twin = -1; // the other side of a removed edge
+};
+
+std::vector<HalfEdge> half_edges(const Merging& merging, Index cell) {
+    const auto& K = merging.input();
+    std::vector<HalfEdge> sides;
+    for (Row piece(merging.diamond(2), cell); piece; ++piece)
+        for (Row edge(K.coboundary(1), static_cast<Index>(piece.col())); edge; ++edge) {
+            const auto ends = K.simplices(1).row(edge.col());
+            const bool ascending = piece.value() * edge.value() > 0;
+            sides.push_back({static_cast<Index>(edge.col()), ends[ascending ? 0 : 1],
+                             ends[ascending ? 1 : 0]});
+        }
+    return sides;
+}
+
+void link_twins(const Merging& merging, std::vector<HalfEdge>& sides) {
+    std::vector<std::pair<Index, Index>> removed; // edge, side
+    for (std::size_t h = 0; h < sides.size(); ++h)
+        if (merging.carriers(1)[sides[h].edge].dimension == 2)
+            removed.emplace_back(sides[h].edge, static_cast<Index>(h));
+    std::sort(removed.begin(), removed.end());
+    for (std::size_t i = 0; i + 1 < removed.size(); i += 2) {
+        sides[removed[i].second].twin = removed[i + 1].second;
+        sides[removed[i + 1].second].twin = removed[i].second;
+    }
+}
+
+/// The side that follows in the same triangle.
+Index follower(const std::vector<HalfEdge>& sides, Index h) {
+    const Index first = h - h % 3;
+    for (Index g = first; g < first + 3; ++g)
+        if (sides[g].tail == sides[h].head)
+            return g;
+    return h;
+}
+
+} // namespace
+
+std::vector<Index> corners(const Merging& merging, Index cell) {
+    auto sides = half_edges(merging, cell);
+    link_twins(merging, sides);
+
+    Index start = -1;
+    for (std::size_t h = 0; h < sides.size(); ++h)
+        if (sides[h].twin < 0 && (start < 0 || sides[h].edge < sides[start].edge))
+            start = static_cast<Index>(h);
+
+    // around the boundary; at each corner the fan of triangles is crossed to the next kept edge
+    std::vector<Index> walk;
+    Index side = start;
+    do {
+        walk.push_back(sides[side].tail);
+        side = follower(sides, side);
+        while (sides[side].twin >= 0)
+            side = follower(sides, sides[side].twin);
+    } while (side != start && walk.size() <= sides.size());
+    return walk;
+}
+
+} // namespace polydec

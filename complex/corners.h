@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/merging.h"
+
+namespace polydec {
+
+/// The corners of a merged 2-cell in the order its boundary runs, by vertex number, starting with
+/// the smallest edge. A cell glued to itself passes some of its corners twice. Any dimension n >= 2;
+/// time O(p log p) for p pieces.
+std::vector<Index> corners(const Merging& merging, Index cell);
+
+} // namespace polydec

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/merging.h"
+#include "dec/cell_volumes.h"
+
+namespace polydec {
+
+/// Circumcenters of the merged k-cells, where dual (n-k)-forms of degree 0 have their values: one
+/// row of N coordinates per cell. Over a cell of several pieces, whose circumcenters differ if it
+/// is bent, their mean by volume. For k = 0 the vertices themselves.
+/// volumes are those of the simplices.
+Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
+                    int k);
+
+} // namespace polydec

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/certified_eigensolver.h"
+
+#include "backends/registry.h"
+#include "base/errors.h"
+#include "solvers/inertia.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+/// Multiplets split by 1e-2 on real meshes and by 1e-14 on symmetric ones; two values further apart
+/// than this are no copies of one.
+constexpr double relative_gap = 1e-6;
+
+/// Rounds of asking for missing copies before giving up; each finds at least one.
+constexpr int patience = 60;
+
+/// More eigenvalues than asked for that are looked at in search of a gap.
+constexpr Index largest_cluster = 5000;
+
+SparseMatrix scale_by_mass(const SparseMatrix& A, const Vector& M) {
+    if (A.rows() != A.cols() || A.rows() != M.size() || M.size() == 0)
+        throw InvalidInput(fmt::format("eigenproblem A x = lambda M x: A is {} x {}, M has {} "
+                                       "entries; expected equal sizes above 0",
+                                       A.rows(), A.cols(), M.size()));
+    for (Index i = 0; i < M.size(); ++i)
+        if (!(M[i] > 0) || !std::isfinite(M[i]))
+            throw InvalidInput(
+                fmt::format("eigenproblem A x = lambda M x: entry {} of M is {}, expected a "
+                            "positive number",
+                            i, M[i]));
+    const Vector root = M.cwiseSqrt().cwiseInverse();
+    const SparseMatrix left = root.asDiagonal() * A;
+    const SparseMatrix B = left * root.asDiagonal();
+    return (B + SparseMatrix(B.transpose())) / 2;
+}
+
+/// A small negative shift: a positive semidefinite B less it is positive, at any scale.
+double small_negative_shift(const SparseMatrix& B) {
+    Vector diagonal = B.diagonal().cwiseAbs();
+    std::nth_element(diagonal.begin(), diagonal.begin() + diagonal.size() / 2, diagonal.end());
+    double typical = diagonal[diagonal.size() / 2];
+    if (typical == 0)
+        typical = row_sum_norm(B);
+    if (typical == 0)
+        typical = 1;
+    return -1e-3 * typical / std::sqrt(static_cast<double>(B.rows()));
+}
+
+} // namespace
+
+struct CertifiedEigensolver::State {
+    State(const SparseMatrix& A_, const Vector& M_, EigensolverOptions options_)
+        : A(A_), M(M_), options(std::move(options_)),
+          B(std::make_shared<SparseMatrix>(scale_by_mass(A_, M_))),
+          counter(B, options.linear_solver, options.domain_dimension),
+          solver(make_linear_solver(options.linear_solver)),
+          eigensolver(make_eigen_solver(options.eigen_solver)), norm(row_sum_norm(*B)),
+          small(-small_negative_shift(*B)) {}
+
+    Index size() const { return static_cast<Index>(B->rows()); }
+    Index found() const { return static_cast<Index>(values.size()); }
+    void tell(std::string_view what) const {
+        if (options.progress)
+            options.progress(what);
+    }
+
+    double lowest_shift();
+    void set_shift(double sigma, Definiteness definiteness);
+    Index ask(Index count);
+    void rayleigh_ritz(const DenseMatrix& more);
+    Index gap_behind(Index count) const;
+    bool certify(Index count);
+    void move_shift();
+    CertifiedEigenpairs result(Index count) const;
+
+    SparseMatrix A;
+    Vector M;
+    EigensolverOptions options;
+    std::shared_ptr<const SparseMatrix> B; // M^-1/2 A M^-1/2
+    InertiaCounter counter;
+    std::unique_ptr<LinearSolver> solver; // of B - shift
+    std::unique_ptr<EigenSolver> eigensolver;
+    double norm;
+    double small;     // a length on the axis far below any eigenvalue that is not zero
+    double shift = 0; // below every eigenvalue that is not found
+    bool factorized = false;
+    std::mt19937_64 random{20};
+
+    Vector values;       // ascending
+    DenseMatrix vectors; // orthonormal eigenvectors of B
+    Certificate certificate;
+};
+
+/// A shift below the whole spectrum and, if A is indefinite, within a factor of two of its lower
+/// end.
+double CertifiedEigensolver::State::lowest_shift() {
+    const auto none_below = [&](double sigma) {
+        const auto below = counter.below(sigma, small);
+        return below && *below == 0;
+    };
+    if (options.definiteness != Definiteness::indefinite || none_below(-small))
+        return -small;
+    double empty = 2 * norm, occupied = small;
+    while (empty > 2 * occupied) {
+        const double middle = std::sqrt(empty * occupied);
+        (none_below(-middle) ? empty : occupied) = middle;
+    }
+    return -empty;
+}
+
+void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiteness) {
+    tell("factorizing");
+    MatrixFacts facts;
+    facts.symmetry = Symmetry::symmetric;
+    facts.definiteness = definiteness;
+    facts.domain_dimension = options.domain_dimension;
+    solver->factorize(std::make_shared<const SparseMatrix>(shifted(*B, sigma)), facts);
+    shift = sigma;
+    factorized = true;
+}
+
+/// Asks for `count` eigenpairs above the shift and apart from those found; how many came.
+Index CertifiedEigensolver::State::ask(Index count) {
+    tell("iterating");
+    count = std::min(count, size() - found());
+    const auto project = [&](Vector& x) {
+        if (found() > 0)
+            x -= vectors * (vectors.transpose() * x);
+    };
+    SymmetricOperator inverse;
+    inverse.size = size();
+    inverse.apply = [&](const Vector& x, Vector& y) {
+        Vector right = x;
+        project(right);
+        y = solver->solve(right);
+        project(y);
+    };
+    EigenOptions eigen_options;
+    eigen_options.krylov_dimension = std::min(size(), std::max<Index>(2 * count + 1, 20));
+    eigen_options.max_restarts = 300;
+    eigen_options.start.resize(size());
+    for (double& entry : eigen_options.start)
+        entry = static_cast<double>(random() >> 11) * 0x1p-53 - 0.5;
+    project(eigen_options.start);
+    if (eigen_options.start.norm() == 0)
+        return 0;
+
+    const auto pairs = eigensolver->largest(inverse, count, eigen_options);
+    const double floor = 1e-3 / (norm + std::abs(shift)); // true ones are above 1 / (norm - shift)
+    Index good = 0;
+    while (good < pairs.converged && pairs.values[good] > floor)
+        ++good;
+    if (good > 0)
+        rayleigh_ritz(pairs.vectors.leftCols(good));
+    return good;
+}
+
+/// Eigenpairs in the span of those found and more, of the inverse: small eigenvalues would drown in
+/// the rounding of products with B itself.
+void CertifiedEigensolver::State::rayleigh_ritz(const DenseMatrix& more) {
+    DenseMatrix span(size(), found() + more.cols());
+    span << vectors, more;
+    const DenseMatrix thin = DenseMatrix::Identity(span.rows(), span.cols());
+    const DenseMatrix basis = span.householderQr().householderQ() * thin;
+    const DenseMatrix image = solver->solve(basis);
+    const DenseMatrix projected = basis.transpose() * image;
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> ritz((projected + projected.transpose()) / 2);
+
+    // mu = 1 / (lambda - shift), so lambda ascends where mu descends, the negative ones first
+    std::vector<Index> order(span.cols());
+    std::iota(order.begin(), order.end(), Index{0});
+    const Vector lambda = ritz.eigenvalues().cwiseInverse().array() + shift;
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return lambda[a] < lambda[b]; });
+    values = lambda(order);
+    vectors = basis * ritz.eigenvectors()(Eigen::all, order);
+}
+
+/// Where the shift is far from what is still to be found, iterations stall: once what has been
+/// found is proved complete, the shift moves up behind it.
+void CertifiedEigensolver::State::move_shift() {
+    for (Index count = found(); count > 0; --count)
+        if (gap_behind(count) == count || count == found()) {
+            if (certify(count))
+                set_shift(certificate.shift, Definiteness::indefinite);
+            return;
+        }
+}
+
+/// The first index i >= count such that a gap lies between values i-1 and i; -1 if none is seen.
+/// Behind all eigenvalues there is always one.
+Index CertifiedEigensolver::State::gap_behind(Index count) const {
+    for (Index i = count; i < found(); ++i) {
+        const double size_here = std::max({std::abs(values[i]), std::abs(values[i - 1]), small});
+        if (values[i] - values[i - 1] > relative_gap * size_here)
+            return i;
+    }
+    return found() == size() ? size() : -1;
+}
+
+/// Proves that the first `count` (a gap behind them) are all there are below it; false if the
+/// inertia counts more. Several places in the gap are tried before the count is called untrusted.
+bool CertifiedEigensolver::State::certify(Index count) {
+    tell("counting");
+    const double low = values[count - 1];
+    const double high = count < found() ? values[count] : low + std::max(std::abs(low), small);
+    for (const double place : {0.5, 0.38, 0.63, 0.27, 0.71}) {
+        const double tau = low + place * (high - low);
+        const auto below = counter.below(tau, std::min(place, 1 - place) * (high - low));
+        if (!below || *below < count)
+            continue;
+        certificate = {tau, *below, count, *below == count};
+        return certificate.complete;
+    }
+    throw SolverFailure(fmt::format(
+        "the eigenvalues below {:.6g} cannot be counted: the factorizations of A - tau M near it "
+        "are not accurate enough ({} found); ask for fewer or more eigenvalues, or waive the proof",
+        high, count));
+}
+
+CertifiedEigenpairs CertifiedEigensolver::State::result(Index count) const {
+    CertifiedEigenpairs pairs;
+    pairs.values = values.head(count);
+    pairs.vectors = M.cwiseSqrt().cwiseInverse().asDiagonal() * vectors.leftCols(count);
+    pairs.residuals.resize(count);
+    for (Index i = 0; i < count; ++i) {
+        const Vector x = pairs.vectors.col(i), Mx = M.cwiseProduct(x);
+        pairs.residuals[i] = (A * x - pairs.values[i] * Mx).norm() / Mx.norm();
+    }
+    pairs.certificate = certificate;
+    pairs.linear_solver = solver->report().engine;
+    pairs.eigen_solver = eigensolver->name();
+    return pairs;
+}
+
+CertifiedEigensolver::CertifiedEigensolver(const SparseMatrix& A, const Vector& M,
+                                           EigensolverOptions options)
+    : state_(std::make_unique<State>(A, M, std::move(options))) {}
+
+CertifiedEigensolver::CertifiedEigensolver(CertifiedEigensolver&&) noexcept = default;
+CertifiedEigensolver::~CertifiedEigensolver() = default;
+
+CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
+    State& s = *state_;
+    if (count < 1 || count > s.size())
+        throw InvalidInput(fmt::format("{} eigenvalues asked for: there are 1 to {} to be had",
+                                       count, s.size()));
+    if (!s.factorized)
+        s.set_shift(s.lowest_shift(), Definiteness::positive);
+
+    Index wanted = count + std::max<Index>(3, count / 10);
+    for (int round = 0; round < patience; ++round) {
+        if (s.found() < std::min(wanted, s.size())) {
+            const Index asked = std::min(wanted, s.size()) - s.found();
+            const Index came = s.ask(asked);
+            if (s.options.certification == Certification::waived && s.found() >= count)
+                return s.result(count);
+            if (came < asked && s.found() < count) {
+                s.move_shift();
+                continue;
+            }
+        }
+        const Index behind = s.found() < count ? -1 : s.gap_behind(count);
+        if (behind < 0) {
+            // a cluster without end, or not yet seen
+            wanted = s.found() + std::max<Index>(3, s.found() / 3);
+            if (wanted > count + largest_cluster)
+                throw SolverFailure(fmt::format(
+                    "no gap in the spectrum within {} eigenvalues behind number {}: the count "
+                    "cannot be proved; waive the proof or ask for fewer",
+                    largest_cluster, count));
+            continue;
+        }
+        if (s.certify(behind))
+            return s.result(count);
+        wanted = s.found() + s.certificate.below_shift - behind;
+    }
+    throw SolverFailure(fmt::format(
+        "{} eigenvalues asked for, {} found and the proof not reached in {} rounds (last: {} by "
+        "inertia, {} found below {:.6g}); ask for fewer",
+        count, s.found(), patience, s.certificate.below_shift, s.certificate.returned_below_shift,
+        s.certificate.shift));
+}
+
+} // namespace polydec

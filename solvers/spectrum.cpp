@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/spectrum.h"
+
+#include "base/errors.h"
+#include "dec/laplacian.h"
+#include "dec/star.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+std::string first_few(std::vector<Index> cells) {
+    const bool more = cells.size() > 5;
+    cells.resize(std::min<std::size_t>(cells.size(), 5));
+    return fmt::format("{}{}", fmt::join(cells, ", "), more ? ", .." : "");
+}
+
+void check_degree(const CellComplex& complex, const SpectrumOptions& options, int k) {
+    if (k < 0 || k > complex.dimension())
+        throw InvalidInput(fmt::format("{} forms of degree {} asked for: in dimension {} the "
+                                       "degrees are 0 to {}",
+                                       name(options.side), options.degree, complex.dimension(),
+                                       complex.dimension()));
+    if (options.count < 1 || options.count > complex.size(k))
+        throw InvalidInput(fmt::format("{} eigenvalues asked for: {} {}-forms live on {} {}-cells, "
+                                       "so 1 to {} can be had",
+                                       options.count, name(options.side), options.degree,
+                                       complex.size(k), k, complex.size(k)));
+}
+
+/// With a mass that is not positive, eigenvalues mean nothing and cannot be counted.
+void check_mass(const CellVolumes& volumes, const SpectrumOptions& options, int k) {
+    const auto zero = zero_star_cells(volumes, k), negative = negative_star_cells(volumes, k);
+    if (zero.empty() && negative.empty())
+        return;
+    const auto& bad = negative.empty() ? zero : negative;
+    throw InvalidInput(fmt::format(
+        "the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have {} volume "
+        "(cells {})\nsuch a mesh has no spectrum of this degree; dual 0-forms always have a "
+        "positive mass, primal 0-forms nearly always; for others the mesh must be Delaunay",
+        name(options.side), options.degree, bad.size(), volumes.primal[k].size(), k,
+        negative.empty() ? "zero" : "negative", first_few(bad)));
+}
+
+/// The Laplacian is semidefinite for sure if the stars around it are positive.
+Definiteness definiteness(const CellVolumes& volumes, int k) {
+    const auto positive = [&](int j) {
+        return j < 0 || j >= static_cast<int>(volumes.primal.size()) ||
+               (volumes.dual[j].array() >= 0).all();
+    };
+    return positive(k - 1) && positive(k + 1) ? Definiteness::semidefinite
+                                              : Definiteness::indefinite;
+}
+
+} // namespace
+
+Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
+                  const SpectrumOptions& options) {
+    const int k = options.side == Side::primal ? options.degree
+                                               : complex.dimension() - options.degree;
+    check_degree(complex, options, k);
+    check_mass(volumes, options, k);
+
+    const Vector mass = star(volumes, k);
+    CertifiedEigensolver solver(symmetric_laplacian(complex, volumes, k), mass,
+                                {.linear_solver = options.linear_solver,
+                                 .eigen_solver = options.eigen_solver,
+                                 .certification = options.certification,
+                                 .domain_dimension = complex.dimension(),
+                                 .definiteness = definiteness(volumes, k),
+                                 .progress = options.progress});
+    auto pairs = solver.smallest(options.count);
+    if (options.side == Side::dual)
+        pairs.vectors = mass.asDiagonal() * pairs.vectors;
+    return {options.side,          options.degree,      std::move(pairs.values),
+            std::move(pairs.vectors), std::move(pairs.residuals), pairs.certificate,
+            std::move(pairs.linear_solver), std::move(pairs.eigen_solver)};
+}
+
+Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {
+    return spectrum(discretization.complex(), discretization.volumes, options);
+}
+
+} // namespace polydec

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/side.h"
+#include "solvers/certified_eigensolver.h"
+
+namespace polydec {
+
+struct SpectrumOptions {
+    Side side = Side::primal;
+    int degree = 0;
+    Index count = 10;
+    std::string linear_solver = "auto";
+    std::string eigen_solver = "spectra";
+    Certification certification = Certification::required;
+    std::function<void(std::string_view)> progress; ///< told what is being done; may be empty
+};
+
+/// Smallest eigenpairs of a Laplace-de Rham operator.
+struct Spectrum {
+    Side side;
+    int degree;
+    Vector eigenvalues; ///< ascending, with multiplicity; length^-2
+    DenseMatrix modes;  ///< columns: cochains of that side and degree, of norm 1 in the star
+    Vector residuals;   ///< |A x - lambda M x| / |M x|
+    Certificate certificate;
+    std::string linear_solver;
+    std::string eigen_solver;
+};
+
+/// The `count` smallest eigenpairs of the Laplacian of primal or dual forms of a degree, natural
+/// boundary conditions, proved complete. Dual j-forms are treated as primal (n-j)-forms, which have
+/// the same eigenvalues, with the star between their modes.
+/// Throws InvalidInput if there is no such degree or count, or, naming the cells, if the star that
+/// is the mass of these forms is not positive or a star that must be inverted has a zero;
+/// SolverFailure if the eigenpairs cannot be had or proved.
+Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
+                  const SpectrumOptions& options = {});
+Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options = {});
+
+} // namespace polydec

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+/// One function per subcommand: it adds itself to the command line and does the work when called.
+namespace polydec::tools {
+
+void add_info(CLI::App& app);
+void add_operators(CLI::App& app);
+void add_merge(CLI::App& app);
+void add_spectrum(CLI::App& app);
+void add_poisson(CLI::App& app);
+void add_generate(CLI::App& app);
+void add_backends(CLI::App& app);
+
+} // namespace polydec::tools

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "tools/common.h"
+
+#include "base/errors.h"
+#include "io/read_mesh.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace polydec::tools {
+
+void Timing::begin(std::string_view stage) {
+    end();
+    const auto it = std::find_if(seconds_.begin(), seconds_.end(),
+                                 [&](const auto& entry) { return entry.first == stage; });
+    running_ = static_cast<std::size_t>(it - seconds_.begin());
+    if (it == seconds_.end())
+        seconds_.emplace_back(stage, 0.0);
+    since_ = Clock::now();
+}
+
+void Timing::end() {
+    if (running_)
+        seconds_[*running_].second += std::chrono::duration<double>(Clock::now() - since_).count();
+    running_.reset();
+}
+
+Json Timing::json() const {
+    Json result = Json::object();
+    for (const auto& [stage, seconds] : seconds_)
+        result[stage] = seconds;
+    return result;
+}
+
+void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption json) {
+    command.add_option("MESH", arguments.mesh, "mesh file: .off .obj .ply .stl .mesh .nsc")
+        ->required();
+    auto* tolerance = command.add_option("--tolerance", arguments.tolerance,
+                                         "merge facets with relative dual length up to this");
+    tolerance->capture_default_str()->check(CLI::NonNegativeNumber);
+    auto* angle = command.add_option("--angle-tolerance", arguments.angle_tolerance,
+                                     "merge by opposite angles instead, radians (surfaces)");
+    angle->check(CLI::NonNegativeNumber)->excludes(tolerance);
+    auto* none = command.add_flag("!--no-merge", arguments.merge, "merge nothing");
+    none->excludes(tolerance)->excludes(angle);
+    if (json == JsonOption::offered)
+        command.add_flag("--json", arguments.json, "print one JSON object");
+    command.add_flag("--timing", arguments.timing, "tell the seconds each stage took");
+}
+
+CLI::Option* add_side(CLI::App& command, Side& side) {
+    static const std::map<std::string, Side> sides{{"primal", Side::primal}, {"dual", Side::dual}};
+    return command.add_option("--side", side, "where the forms live: primal or dual cells")
+        ->transform(CLI::CheckedTransformer(sides).description("primal|dual"));
+}
+
+Discretization load(const MeshArguments& arguments, Timing& timing) {
+    const Progress progress;
+    const auto stage = [&](std::string_view what) {
+        timing.begin(what);
+        progress(what);
+    };
+    MergeOptions options;
+    options.tolerance = arguments.tolerance;
+    if (arguments.angle_tolerance) {
+        options.criterion = MergeCriterion::angle;
+        options.tolerance = *arguments.angle_tolerance;
+    }
+    if (!arguments.merge)
+        options.criterion = MergeCriterion::none;
+
+    stage("read");
+    Mesh mesh = read_mesh(arguments.mesh);
+    if (arguments.angle_tolerance && mesh.dimension() != 2)
+        throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but {} has cells of "
+                                       "dimension {}: use --tolerance",
+                                       arguments.mesh.string(), mesh.dimension()));
+    auto result = discretize(std::move(mesh), options, stage);
+    timing.end();
+    for (const auto& warning : result.warnings)
+        warn(warning);
+    return result;
+}
+
+void add_timing(Json& answer, const MeshArguments& arguments, Timing& timing) {
+    timing.end();
+    if (arguments.timing)
+        answer["timing"] = timing.json();
+}
+
+void print_timing(const MeshArguments& arguments, Timing& timing) {
+    timing.end();
+    if (!arguments.timing)
+        return;
+    fmt::print("\nseconds\n");
+    const Json seconds = timing.json();
+    for (const auto& [stage, value] : seconds.items())
+        fmt::print("  {:<12} {:8.3f}\n", stage, value.get<double>());
+}
+
+void warn(const std::string& text) { fmt::print(stderr, "polydec: warning: {}\n", text); }
+
+Progress::Progress() : visible_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+    if (visible_)
+        fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::operator()(std::string_view what) const {
+    if (!visible_)
+        return;
+    fmt::print(stderr, "\r\033[K{} ..", what);
+    std::fflush(stderr);
+}
+
+std::string first_few(const std::vector<Index>& cells) {
+    constexpr std::size_t few = 5;
+    const auto end = cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), few));
+    return fmt::format("{}{}", fmt::join(cells.begin(), end, ", "), cells.size() > few ? ", .." : "");
+}
+
+} // namespace polydec::tools

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "complex/components.h"
+#include "complex/homology.h"
+#include "dec/star.h"
+#include "tools/commands.h"
+#include "tools/common.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+
+Json cell_counts(const CellComplex& complex) {
+    Json counts = Json::array();
+    for (int k = 0; k <= complex.dimension(); ++k)
+        counts.push_back(complex.size(k));
+    return counts;
+}
+
+Json star_numbers(const CellVolumes& volumes, int k) {
+    const Vector values = star(volumes, k);
+    return {{"min", values.minCoeff()},
+            {"max", values.maxCoeff()},
+            {"min_abs", values.cwiseAbs().minCoeff()},
+            {"negative", negative_star_cells(volumes, k).size()},
+            {"zero", zero_star_cells(volumes, k).size()}};
+}
+
+Json vertices_per_cell(const Merging& merging) {
+    const int n = merging.merged().dimension();
+    std::map<std::size_t, Index> histogram;
+    for (Index cell = 0; cell < merging.merged().size(n); ++cell)
+        ++histogram[merging.vertices(n, cell).size()];
+    Json result = Json::object();
+    for (const auto& [vertices, cells] : histogram)
+        result[std::to_string(vertices)] = cells;
+    return result;
+}
+
+/// Edges that were removed, and the triangles beside them.
+Json concyclic(const Merging& merging) {
+    const auto& K = merging.input();
+    Index edges = 0, faces = 0;
+    for (const auto& carrier : merging.carriers(1))
+        edges += carrier.dimension == 2 ? 1 : 0;
+    for (Index t = 0; t < K.size(2); ++t) {
+        bool in_pair = false;
+        for (Row edge(K.coboundary(1), t); edge; ++edge)
+            in_pair = in_pair || merging.carriers(1)[edge.col()].dimension == 2;
+        faces += in_pair ? 1 : 0;
+    }
+    return {{"edges", edges}, {"faces", faces}, {"percent", 100.0 * faces / K.size(2)}};
+}
+
+Json describe(const Discretization& mesh, Timing& timing) {
+    const auto& K = mesh.input();
+    const auto& P = mesh.complex();
+    Json answer;
+    answer["dimension"] = mesh.dimension();
+    answer["ambient_dimension"] = mesh.points.cols();
+    answer["cells"] = {{"input", cell_counts(K)}, {"merged", cell_counts(P)}};
+    answer["euler"] = {{"input", euler_characteristic(K)}, {"merged", euler_characteristic(P)}};
+    timing.begin("topology");
+    answer["betti"] = {{"input", betti_numbers(K)}, {"merged", betti_numbers(P)}};
+    answer["components"] = components(K).count;
+    answer["boundary_components"] = boundary_components(K).count;
+    answer["orientable"] = K.orientable();
+    timing.begin("operators");
+    answer["volume"] = mesh.volumes.primal[mesh.dimension()].sum();
+    answer["facets"] = {{"degenerate", mesh.degenerate.interior},
+                        {"boundary_degenerate", mesh.degenerate.boundary},
+                        {"branching_degenerate", mesh.degenerate.branching}};
+    answer["stars"] = Json::array();
+    for (int k = 0; k <= mesh.dimension(); ++k)
+        answer["stars"].push_back(star_numbers(mesh.volumes, k));
+    answer["vertices_per_cell"] = vertices_per_cell(mesh.merging);
+    if (mesh.dimension() == 2)
+        answer["concyclic"] = concyclic(mesh.merging);
+    answer["warnings"] = mesh.warnings;
+    return answer;
+}
+
+std::string join(const Json& list) {
+    std::vector<std::string> texts;
+    for (const auto& entry : list)
+        texts.push_back(entry.dump());
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void print_cells(const Json& answer) {
+    const auto count = [&](const char* which) { return join(answer["cells"][which]); };
+    const int n = answer["dimension"];
+    fmt::print("dimension {} in {} coordinates, volume {:.10g}\n", n,
+               answer["ambient_dimension"].get<int>(), answer["volume"].get<double>());
+    fmt::print("cells of degree 0 .. {}\n", n);
+    fmt::print("  input    {}\n  merged   {}\n", count("input"), count("merged"));
+    std::vector<std::string> sizes;
+    for (const auto& [vertices, cells] : answer["vertices_per_cell"].items())
+        sizes.push_back(fmt::format("{} with {}", cells.get<Index>(), vertices));
+    fmt::print("  merged {}-cells by vertices: {}\n", n, fmt::join(sizes, ", "));
+}
+
+void print_topology(const Json& answer) {
+    fmt::print("topology\n");
+    fmt::print("  Euler characteristic {}, Betti numbers {} ({} after merging)\n",
+               answer["euler"]["input"].get<Index>(), join(answer["betti"]["input"]),
+               answer["betti"]["merged"] == answer["betti"]["input"] ? "the same" : "changed");
+    fmt::print("  components {}, of the boundary {}, {}\n", answer["components"].get<Index>(),
+               answer["boundary_components"].get<Index>(),
+               answer["orientable"].get<bool>() ? "orientable" : "not orientable");
+}
+
+void print_duals(const Json& answer) {
+    const auto& facets = answer["facets"];
+    fmt::print("degenerate dual edges\n  {} between two cells, {} on the boundary, {} at branching "
+               "facets\n",
+               facets["degenerate"].get<Index>(), facets["boundary_degenerate"].get<Index>(),
+               facets["branching_degenerate"].get<Index>());
+    if (answer.contains("concyclic"))
+        fmt::print("  {} edges removed; {} of the triangles ({:.1f} %) were in a concyclic pair\n",
+                   answer["concyclic"]["edges"].get<Index>(),
+                   answer["concyclic"]["faces"].get<Index>(),
+                   answer["concyclic"]["percent"].get<double>());
+    fmt::print("Hodge stars after merging\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}\n", "degree", "min",
+               "max", "min abs", "negative", "zero");
+    int k = 0;
+    for (const auto& star : answer["stars"])
+        fmt::print("  {:<7}{:>14.6g}{:>14.6g}{:>14.6g}{:>10}{:>8}\n", k++,
+                   star["min"].get<double>(), star["max"].get<double>(),
+                   star["min_abs"].get<double>(), star["negative"].get<Index>(),
+                   star["zero"].get<Index>());
+}
+
+/// Which problems can be posed, by what they ask of the stars.
+void print_advice(const Json& answer) {
+    const int n = answer["dimension"];
+    fmt::print("spectra (mass and inverse stars positive)\n");
+    for (int k = 0; k <= n; ++k) {
+        const auto& star = answer["stars"][k];
+        const bool mass = star["negative"] == 0 && star["zero"] == 0;
+        const bool below = k == 0 || answer["stars"][k - 1]["zero"] == 0;
+        fmt::print("  primal {}-forms, dual {}-forms: {}\n", k, n - k,
+                   mass && below ? "yes" : mass ? "no, an inverse star divides by zero"
+                                                : "no, the mass is not positive");
+    }
+}
+
+void run(const MeshArguments& arguments) {
+    Timing timing;
+    const Discretization mesh = load(arguments, timing);
+    Json answer = describe(mesh, timing);
+    add_timing(answer, arguments, timing);
+    if (arguments.json) {
+        fmt::print("{}\n", answer.dump());
+        return;
+    }
+    fmt::print("{}\n", arguments.mesh.string());
+    print_cells(answer);
+    print_topology(answer);
+    print_duals(answer);
+    print_advice(answer);
+    print_timing(arguments, timing);
+}
+
+} // namespace
+
+void add_info(CLI::App& app) {
+    auto* command = app.add_subcommand("info", "what the mesh is and what DEC can do on it");
+    const auto arguments = std::make_shared<MeshArguments>();
+    add_mesh_arguments(*command, *arguments, JsonOption::offered);
+    command->footer("Example:\n  polydec info fandisk.off");
+    command->callback([arguments] { run(*arguments); });
+}
+
+} // namespace polydec::tools

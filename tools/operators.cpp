@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "dec/laplacian.h"
+#include "dec/lift.h"
+#include "dec/star.h"
+#include "io/atomic_file.h"
+#include "io/matrix_market.h"
+#include "tools/commands.h"
+#include "tools/common.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct Arguments {
+    MeshArguments mesh;
+    std::filesystem::path out;
+};
+
+template <class VerticesOf>
+void write_vertex_lists(const std::filesystem::path& path, Index cells, VerticesOf vertices) {
+    AtomicFile file(path);
+    fmt::memory_buffer text;
+    for (Index i = 0; i < cells; ++i)
+        fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(vertices(i), " "));
+    file.write({text.data(), text.size()});
+    file.commit();
+}
+
+class Writer {
+public:
+    Writer(const Discretization& mesh, std::filesystem::path folder)
+        : mesh_(mesh), P_(mesh.complex()), K_(mesh.input()), folder_(std::move(folder)) {}
+
+    void write_all() {
+        const auto lifts = commuting_lift(mesh_.merging, mesh_.points, mesh_.input_volumes);
+        for (int k = 0; k <= mesh_.dimension(); ++k) {
+            if (k < mesh_.dimension())
+                write_matrix_market(file("d", k), P_.coboundary(k));
+            write_matrix_market(file("star", k), star(mesh_.volumes, k));
+            write_matrix_market(file("volume", k), mesh_.volumes.primal[k]);
+            write_matrix_market(file("dual_volume", k), mesh_.volumes.dual[k]);
+            write_matrix_market(file("diamond", k), mesh_.merging.diamond(k));
+            write_matrix_market(file("lift", k), lifts[k]);
+            write_laplacians(k);
+            write_cells(k);
+        }
+    }
+
+private:
+    std::filesystem::path file(const char* name, int k, const char* extension = "mtx") const {
+        return folder_ / fmt::format("{}_{}.{}", name, k, extension);
+    }
+
+    /// A Laplacian that would divide by zero is left out, and one of an earlier run removed.
+    void write_laplacians(int k) const {
+        const int j = mesh_.dimension() - k;
+        const auto primal = file("laplacian_primal", k), dual = file("laplacian_dual", j);
+        try {
+            write_matrix_market(primal, laplacian(P_, mesh_.volumes, k));
+            write_matrix_market(dual, dual_laplacian(P_, mesh_.volumes, j));
+        } catch (const InvalidInput& error) {
+            warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
+                             dual.filename().string(), error.what()));
+            std::filesystem::remove(primal);
+            std::filesystem::remove(dual);
+        }
+    }
+
+    void write_cells(int k) const {
+        const auto& simplices = K_.simplices(k);
+        write_vertex_lists(file("simplices", k, "txt"), K_.size(k), [&](Index s) {
+            return std::vector<Index>(simplices.row(s).begin(), simplices.row(s).end());
+        });
+        write_vertex_lists(file("cells", k, "txt"), P_.size(k),
+                           [&](Index cell) { return mesh_.merging.vertices(k, cell); });
+    }
+
+    const Discretization& mesh_;
+    const CellComplex& P_;
+    const SimplicialComplex& K_;
+    std::filesystem::path folder_;
+};
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder))
+        throw IoError(fmt::format("cannot make the folder {}: {}", folder.string(),
+                                  error ? error.message() : "a file of that name is in the way"));
+}
+
+void run(const Arguments& arguments) {
+    Timing timing;
+    const Discretization mesh = load(arguments.mesh, timing);
+    make_folder(arguments.out);
+    timing.begin("write");
+    Writer(mesh, arguments.out).write_all();
+    fmt::print("operators of degrees 0 .. {} written to {}\n", mesh.dimension(),
+               arguments.out.string());
+    print_timing(arguments.mesh, timing);
+}
+
+} // namespace
+
+void add_operators(CLI::App& app) {
+    auto* command = app.add_subcommand("operators", "writes every operator and map as files");
+    const auto arguments = std::make_shared<Arguments>();
+    add_mesh_arguments(*command, arguments->mesh, JsonOption::none);
+    command->add_option("--out", arguments->out, "folder for the files, made if needed")->required();
+    command->footer(
+        "Files (P merged, K input complex): d_k star_k volume_k dual_volume_k diamond_k (P x K)\n"
+        "lift_k (K x P) laplacian_primal_k laplacian_dual_j as Matrix Market; simplices_k.txt (K)\n"
+        "and cells_k.txt (P): the vertices of each cell.\n\nExample:\n"
+        "  polydec operators grid.nsc --out operators");
+    command->callback([arguments] { run(*arguments); });
+}
+
+} // namespace polydec::tools

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/spectrum.h"
+
+#include "backends/registry.h"
+#include "io/draw_cells.h"
+#include "io/vtu.h"
+#include "tools/commands.h"
+#include "tools/common.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct Arguments {
+    MeshArguments mesh;
+    SpectrumOptions spectrum;
+    bool certify = true;
+    std::filesystem::path out;
+};
+
+Json list(const Vector& values) { return std::vector<double>(values.begin(), values.end()); }
+
+Json describe(const Spectrum& spectrum, double seconds) {
+    const auto& certificate = spectrum.certificate;
+    return {{"side", name(spectrum.side)},
+            {"degree", spectrum.degree},
+            {"eigenvalues", list(spectrum.eigenvalues)},
+            {"residuals", list(spectrum.residuals)},
+            {"certificate",
+             {{"shift", certificate.shift},
+              {"below_shift", certificate.below_shift},
+              {"returned_below_shift", certificate.returned_below_shift},
+              {"complete", certificate.complete}}},
+            {"linear_solver", spectrum.linear_solver},
+            {"eigen_solver", spectrum.eigen_solver},
+            {"seconds", seconds}};
+}
+
+void print(const Spectrum& spectrum, double seconds) {
+    fmt::print("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
+               "{:>10}\n",
+               name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
+               "residual");
+    for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
+        fmt::print("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
+                   spectrum.residuals[i]);
+    const auto& certificate = spectrum.certificate;
+    if (certificate.complete)
+        fmt::print("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
+                   certificate.below_shift, certificate.shift, certificate.returned_below_shift);
+    else
+        fmt::print("\nnot certified: copies of multiple eigenvalues may be missing\n");
+    fmt::print("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
+}
+
+VtuGrid draw_modes(const Discretization& mesh, const Spectrum& spectrum) {
+    const int k = spectrum.side == Side::primal ? spectrum.degree
+                                                : mesh.dimension() - spectrum.degree;
+    auto grid = draw_cells(mesh.merging, mesh.points, k);
+    for (Index i = 0; i < spectrum.modes.cols(); ++i)
+        add_cochain(grid, mesh.merging, k, fmt::format("mode_{}", i), spectrum.modes.col(i));
+    return grid;
+}
+
+void run(Arguments arguments) {
+    Timing timing;
+    const Discretization mesh = load(arguments.mesh, timing);
+    if (!arguments.out.empty())
+        check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
+    timing.begin("solve");
+    const auto since = std::chrono::steady_clock::now();
+    const auto result = [&] {
+        const Progress progress;
+        arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
+        if (!arguments.certify)
+            arguments.spectrum.certification = Certification::waived;
+        return spectrum(mesh, arguments.spectrum);
+    }();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
+
+    if (!arguments.out.empty()) {
+        timing.begin("write");
+        write_vtu(arguments.out, draw_modes(mesh, result));
+    }
+    Json answer = describe(result, seconds.count());
+    answer["warnings"] = mesh.warnings;
+    add_timing(answer, arguments.mesh, timing);
+    if (arguments.mesh.json) {
+        fmt::print("{}\n", answer.dump());
+        return;
+    }
+    print(result, seconds.count());
+    print_timing(arguments.mesh, timing);
+}
+
+} // namespace
+
+void add_spectrum(CLI::App& app) {
+    auto* command = app.add_subcommand(
+        "spectrum", "smallest eigenpairs of the Laplace-de Rham operator, certified");
+    const auto arguments = std::make_shared<Arguments>();
+    add_mesh_arguments(*command, arguments->mesh, JsonOption::offered);
+    add_side(*command, arguments->spectrum.side)->required();
+    command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();
+    command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
+        ->capture_default_str();
+    command->add_option("-o,--out", arguments->out, "write the modes to this .vtu file");
+    command->add_flag("!--no-certificate", arguments->certify, "do without the proof");
+    command->add_option("--engine", arguments->spectrum.linear_solver, "linear solver")
+        ->capture_default_str();
+    command->add_option("--eigen-engine", arguments->spectrum.eigen_solver, "eigensolver")
+        ->capture_default_str();
+    command->footer("Dual K-forms live on the (n-K)-cells.\n\nExamples:\n"
+                    "  polydec spectrum fandisk.off --side primal --degree 0 --count 20 -o modes.vtu\n"
+                    "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json");
+    command->callback([arguments] { run(*arguments); });
+}
+
+} // namespace polydec::tools
