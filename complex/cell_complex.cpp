@@ -55,7 +55,7 @@ std::vector<std::vector<Index>> count_cofaces(const std::vector<IncidenceMatrix>
 CellComplex::CellComplex(std::vector<IncidenceMatrix> coboundaries) {
     check_shapes(coboundaries);
     for (auto& D : coboundaries)
-        D.makeCompressed();
+        D.prune([](Index, Index, std::int8_t value) { return value != 0; });
     for (std::size_t k = 0; k + 1 < coboundaries.size(); ++k)
         check_product(coboundaries[k + 1], coboundaries[k], k);
     auto counts = count_cofaces(coboundaries);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 
-#include "complex/components.h"
+#include "complex/disjoint_sets.h"
 
 #include <algorithm>
 #include <deque>
@@ -36,7 +36,11 @@ public:
                 count[t] = complex.coboundary(k - 1).outerIndexPtr()[t + 1] -
                            complex.coboundary(k - 1).outerIndexPtr()[t];
         }
-        remove_one_vertex_per_component();
+        remove_base_vertices();
+        for (int k = 1; k <= n; ++k)
+            for (Index t = 0; t < complex.size(k); ++t)
+                if (faces_left_[k][t] == 1)
+                    queue_.emplace_back(k, t);
         while (!queue_.empty()) {
             const auto [k, t] = queue_.front();
             queue_.pop_front();
@@ -44,19 +48,41 @@ public:
         }
     }
 
-    Index components() const { return components_; }
+    Index base_vertices() const { return base_vertices_; }
     const std::vector<bool>& alive(int k) const { return alive_[k]; }
 
 private:
-    void remove_one_vertex_per_component() {
-        const auto parts = polydec::components(complex_);
-        components_ = parts.count;
-        std::vector<bool> seen(parts.count, false);
+    /// One vertex of each component with a 0-cocycle stands for it. A component has none if an edge
+    /// has one end only, as in a complex relative to its boundary, or if signs clash around a loop.
+    void remove_base_vertices() {
+        const IncidenceMatrix& D = complex_.coboundary(0);
+        DisjointSets parts(complex_.size(0));
+        std::vector<Index> without_cocycle;
+        for (Index e = 0; e < D.rows(); ++e) {
+            const Row tail(D, e);
+            Row head = tail;
+            if (!tail || !++head || std::abs(tail.value()) != std::abs(head.value()) ||
+                faces_left_[1][e] != 2) {
+                for (Row v(D, e); v; ++v)
+                    without_cocycle.push_back(static_cast<Index>(v.col()));
+                continue;
+            }
+            const int relative_sign = tail.value() == head.value() ? -1 : 1;
+            if (!parts.join(static_cast<Index>(tail.col()), static_cast<Index>(head.col()),
+                            relative_sign))
+                without_cocycle.push_back(static_cast<Index>(tail.col()));
+        }
+
+        std::vector<bool> done(complex_.size(0), false); // at roots
+        for (const Index v : without_cocycle)
+            done[parts.find(v).element] = true;
         for (Index v = 0; v < complex_.size(0); ++v) {
-            const auto part = parts.of_vertex[v];
-            if (!seen[part])
-                remove(0, v);
-            seen[part] = true;
+            const auto root = parts.find(v).element;
+            if (done[root])
+                continue;
+            done[root] = true;
+            ++base_vertices_;
+            remove(0, v);
         }
     }
 
@@ -85,7 +111,7 @@ private:
     }
 
     const CellComplex& complex_;
-    Index components_ = 0;
+    Index base_vertices_ = 0;
     std::vector<std::vector<bool>> alive_;
     std::vector<std::vector<Index>> faces_left_;
     std::vector<IncidenceMatrix> cofaces_;
@@ -163,7 +189,7 @@ std::vector<Index> betti_numbers(const CellComplex& complex) {
         const auto left = static_cast<Index>(std::count(alive.begin(), alive.end(), true));
         betti[k] = left - ranks[k] - ranks[k + 1];
     }
-    betti[0] += reduction.components();
+    betti[0] += reduction.base_vertices();
     return betti;
 }
 

@@ -189,15 +189,25 @@ void CertifiedEigensolver::State::rayleigh_ritz(const DenseMatrix& more) {
     vectors = basis * ritz.eigenvectors()(Eigen::all, order);
 }
 
-/// Where the shift is far from what is still to be found, iterations stall: once what has been
-/// found is proved complete, the shift moves up behind it.
+/// Where the shift is far from what is still to be found, iterations stall: it moves up behind the
+/// longest part of what has been found that is proved complete. A part of a complete one is
+/// complete, so bisection finds it.
 void CertifiedEigensolver::State::move_shift() {
-    for (Index count = found(); count > 0; --count)
-        if (gap_behind(count) == count || count == found()) {
-            if (certify(count))
-                set_shift(certificate.shift, Definiteness::indefinite);
-            return;
+    std::vector<Index> parts;
+    for (Index count = gap_behind(1); count > 0 && count < found(); count = gap_behind(count + 1))
+        parts.push_back(count);
+    Certificate best;
+    for (std::size_t first = 0, last = parts.size(); first < last;) {
+        const std::size_t middle = (first + last) / 2;
+        if (certify(parts[middle])) {
+            best = certificate;
+            first = middle + 1;
+        } else {
+            last = middle;
         }
+    }
+    if (best.complete && best.shift > shift)
+        set_shift(best.shift, Definiteness::indefinite);
 }
 
 /// The first index i >= count such that a gap lies between values i-1 and i; -1 if none is seen.

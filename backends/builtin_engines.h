@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backends/eigen_solver.h"
+#include "backends/linear_solver.h"
+
+#include <memory>
+
+/// Makers of the engines that are always there, one .cpp each; the registry knows them by name.
+namespace polydec::builtin {
+
+std::unique_ptr<LinearSolver> make_eigen_ldlt(const LinearSolverOptions& options);
+std::unique_ptr<LinearSolver> make_eigen_lu(const LinearSolverOptions& options);
+std::unique_ptr<LinearSolver> make_eigen_cg(const LinearSolverOptions& options);
+std::unique_ptr<LinearSolver> make_eigen_bicgstab(const LinearSolverOptions& options);
+std::unique_ptr<EigenSolver> make_spectra();
+
+} // namespace polydec::builtin

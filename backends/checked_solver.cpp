@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "backends/checked_solver.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+constexpr double residual_limit = 1e-6;
+constexpr double backward_limit = 1e-10;
+constexpr double kernel_limit = 1e-8;
+
+// CG on a million unknowns of a good mesh needs a few thousand steps; what needs more than this
+// many will not come to an end in any reasonable time.
+constexpr Index most_iterations = 50000;
+
+double largest_row_sum(const SparseMatrix& A) {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < A.rows(); ++i) {
+        double sum = 0.0;
+        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
+            sum += std::abs(entry.value());
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
+bool same_pattern(const SparseMatrix& A, const SparseMatrix& B) {
+    return A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
+           std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.rows() + 1, B.outerIndexPtr()) &&
+           std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr());
+}
+
+void check_entries(const SparseMatrix& A, const std::string& name) {
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
+            if (!std::isfinite(entry.value()))
+                throw InvalidInput(fmt::format("{}: entry ({}, {}) of the matrix is {}", name, i,
+                                               entry.col(), entry.value()));
+}
+
+double ratio(double numerator, double denominator) {
+    return numerator == 0.0 ? 0.0 : numerator / denominator;
+}
+
+// What no matrix hits is what a forgotten kernel leaves behind.
+std::string describe_failure(double residual, double backward_error) {
+    return fmt::format("the solution is not to be trusted: |b - A x| / |b| = {:.2g}, backward "
+                       "error {:.2g}\nThe matrix is singular to working precision or its facts are "
+                       "wrong; if it has a kernel, give it in the facts.",
+                       residual, backward_error);
+}
+
+} // namespace
+
+void CheckedSolver::fail(const std::string& reason) const {
+    throw SolverFailure(fmt::format("{}: {}", name_, reason));
+}
+
+Index CheckedSolver::iteration_limit(Eigen::Index n) const {
+    if (options_.max_iterations > 0)
+        return options_.max_iterations;
+    return static_cast<Index>(std::min<Eigen::Index>(10 * n + 1000, most_iterations));
+}
+
+void CheckedSolver::check(const SparseMatrix& A, const MatrixFacts& facts) const {
+    if (A.rows() != A.cols())
+        throw InvalidInput(
+            fmt::format("{}: a {} x {} matrix is not square", name_, A.rows(), A.cols()));
+    if (facts.symmetry == Symmetry::general) {
+        if (traits_.symmetry == Symmetry::symmetric)
+            throw InvalidInput(name_ + ": takes symmetric matrices only, and the facts do not say "
+                                       "that this one is\nSay so in the facts, or take eigen.lu.");
+        if (facts.inertia == Inertia::wanted || facts.kernel.cols() > 0)
+            throw InvalidInput(name_ + ": inertia and kernels are for symmetric matrices, and the "
+                                       "facts do not say that this one is");
+    } else if (facts.definiteness > traits_.definiteness) {
+        throw InvalidInput(name_ + ": takes positive (semi)definite matrices only, and the facts "
+                                   "do not say that this one is\nTake eigen.ldlt or eigen.lu.");
+    }
+    if (facts.inertia == Inertia::wanted && traits_.inertia == Inertia::unneeded)
+        throw InvalidInput(name_ + ": does not count negative eigenvalues\n"
+                                   "Take eigen.ldlt or cholmod.");
+    check_entries(A, name_);
+}
+
+std::shared_ptr<const SparseMatrix>
+CheckedSolver::treat(const std::shared_ptr<const SparseMatrix>& A, MatrixFacts& facts) {
+    kernel_.reset();
+    if (facts.kernel.cols() == 0)
+        return A;
+    kernel_.emplace(*A, facts.kernel);
+    facts.kernel.resize(0, 0);
+    if (traits_.kernel == KernelTreatment::projection)
+        return A;
+
+    // Without its whole kernel, semidefinite is definite.
+    if (facts.definiteness == Definiteness::semidefinite)
+        facts.definiteness = Definiteness::positive;
+    return std::make_shared<const SparseMatrix>(kernel_->grounded(*A));
+}
+
+void CheckedSolver::compute_checked(const SparseMatrix& A, const MatrixFacts& facts,
+                                    Pattern pattern) {
+    if (A.rows() == 0)
+        return;
+    try {
+        compute(A, facts, pattern);
+    } catch (const std::bad_alloc&) {
+        fail(fmt::format("memory does not suffice to factorize a {} x {} matrix\n"
+                         "Take an iterative engine.",
+                         A.rows(), A.cols()));
+    }
+}
+
+void CheckedSolver::factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) {
+    const auto previous = std::exchange(treated_, nullptr);
+    matrix_ = nullptr;
+    report_ = {};
+    if (!A)
+        throw InvalidInput(name_ + ": there is no matrix behind the pointer");
+    check(*A, facts);
+    if (!A->isCompressed()) {
+        auto compressed = std::make_shared<SparseMatrix>(*A);
+        compressed->makeCompressed();
+        A = std::move(compressed);
+    }
+
+    MatrixFacts treated_facts = facts;
+    auto treated = treat(A, treated_facts);
+    const bool is_known = previous && same_pattern(*previous, *treated);
+    compute_checked(*treated, treated_facts, is_known ? Pattern::same : Pattern::fresh);
+
+    inertia_ = facts.inertia;
+    matrix_norm_ = largest_row_sum(*A);
+    treated_ = std::move(treated);
+    matrix_ = std::move(A);
+}
+
+void CheckedSolver::check_right_hand_side(const Eigen::Ref<const DenseMatrix>& B) const {
+    if (!matrix_)
+        throw InvalidInput(name_ + ": solve() needs a successful factorize() before");
+    if (B.rows() != matrix_->rows())
+        throw InvalidInput(fmt::format("{}: a right-hand side of {} rows for a {} x {} matrix",
+                                       name_, B.rows(), matrix_->rows(), matrix_->cols()));
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        for (Eigen::Index i = 0; i < B.rows(); ++i)
+            if (!std::isfinite(B(i, j)))
+                throw InvalidInput(
+                    fmt::format("{}: entry {} of right-hand side {} is {}", name_, i, j, B(i, j)));
+}
+
+CheckedSolver::Solution CheckedSolver::invert(const DenseMatrix& B) {
+    const bool grounded = treated_ != matrix_;
+    Solution solution;
+    if (treated_->rows() == 0)
+        solution.columns = DenseMatrix::Zero(treated_->rows(), B.cols());
+    else
+        solution = apply_inverse(grounded ? kernel_->restrict(B) : B);
+    if (grounded)
+        solution.columns = kernel_->extend(solution.columns);
+    if (kernel_)
+        solution.columns = kernel_->project_out(solution.columns);
+    if (!solution.columns.allFinite())
+        fail("the solution overflows: the matrix is singular to working precision\n"
+             "If it has a kernel, give it in the facts.");
+    return solution;
+}
+
+CheckedSolver::Quality CheckedSolver::measure(const DenseMatrix& X, const DenseMatrix& B,
+                                              const DenseMatrix& R) const {
+    Quality worst;
+    for (Eigen::Index j = 0; j < B.cols(); ++j) {
+        const double r = R.col(j).lpNorm<Eigen::Infinity>();
+        const double b = B.col(j).lpNorm<Eigen::Infinity>();
+        const double x = X.col(j).lpNorm<Eigen::Infinity>();
+        const double residual = ratio(R.col(j).stableNorm(), B.col(j).stableNorm());
+        worst.residual = std::max(worst.residual, residual);
+        worst.backward_error = std::max(worst.backward_error, ratio(r, matrix_norm_ * x + b));
+    }
+    return worst;
+}
+
+bool CheckedSolver::is_good(const Quality& quality) const {
+    const double wished = traits_.method == Method::iterative ? 10.0 * options_.tolerance : 0.0;
+    return quality.residual <= std::max(residual_limit, wished) &&
+           quality.backward_error <= std::max(backward_limit, wished);
+}
+
+CheckedSolver::Solution CheckedSolver::solve_checked(const DenseMatrix& B) {
+    Solution solution = invert(B);
+    DenseMatrix R = B - *matrix_ * solution.columns;
+    Quality quality = measure(solution.columns, B, R);
+
+    // Where inertia is wanted, refinement would hide the sign of a count not to be trusted.
+    if (inertia_ == Inertia::unneeded && !is_good(quality) && R.allFinite()) {
+        const Solution correction = invert(kernel_ ? kernel_->project_out(R) : R);
+        solution.columns += correction.columns;
+        solution.iterations += correction.iterations;
+        R = B - *matrix_ * solution.columns;
+        quality = measure(solution.columns, B, R);
+    }
+    if (!R.allFinite() || (inertia_ == Inertia::unneeded && !is_good(quality)))
+        fail(describe_failure(quality.residual, quality.backward_error));
+    report_ = {name_, solution.iterations, quality.residual, quality.backward_error, {name_}};
+    return solution;
+}
+
+DenseMatrix CheckedSolver::solve_columns(const Eigen::Ref<const DenseMatrix>& B) {
+    check_right_hand_side(B);
+    report_ = {name_, 0, 0.0, 0.0, {name_}};
+    if (B.size() == 0)
+        return B;
+    if (!kernel_)
+        return solve_checked(B).columns;
+
+    // The part in the kernel is what no solution can give: rounding is taken away, more refused.
+    const DenseMatrix consistent = kernel_->project_out(B);
+    for (Eigen::Index j = 0; j < B.cols(); ++j) {
+        const double part =
+            ratio((B.col(j) - consistent.col(j)).stableNorm(), B.col(j).stableNorm());
+        if (part > kernel_limit)
+            throw InvalidInput(fmt::format(
+                "{}: right-hand side {} has a part in the kernel of the matrix, {:.2g} of its "
+                "norm\nNo solution exists; take that part away (for Neumann data: make the mean "
+                "0).",
+                name_, j, part));
+    }
+    return solve_checked(consistent).columns;
+}
+
+} // namespace polydec

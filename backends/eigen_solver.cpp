@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "backends/eigen_solver.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace polydec {
+
+namespace {
+
+// The generator is specified to the bit, the library's distributions are not.
+Vector pseudo_random(Index size) {
+    std::mt19937 generator(1);
+    Vector result(size);
+    for (double& entry : result)
+        entry = static_cast<double>(generator()) / 4294967296.0 - 0.5;
+    return result;
+}
+
+void check(const std::string& name, const SymmetricOperator& A, Index count,
+           const EigenOptions& options) {
+    if (A.size < 0 || !A.apply)
+        throw InvalidInput(name + ": the operator has a negative size or no apply()");
+    if (count < 0 || count > A.size)
+        throw InvalidInput(fmt::format("{}: asked for {} eigenpairs of an operator of size {}",
+                                       name, count, A.size));
+    if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance))
+        throw InvalidInput(
+            fmt::format("{}: the tolerance {} is not positive", name, options.tolerance));
+    if (options.krylov_dimension < 0 || options.max_restarts < 0)
+        throw InvalidInput(fmt::format("{}: Krylov dimension {} and restarts {} must not be "
+                                       "negative",
+                                       name, options.krylov_dimension, options.max_restarts));
+    if (options.start.size() > 0 &&
+        (options.start.size() != A.size || !options.start.allFinite() || options.start.isZero(0.0)))
+        throw InvalidInput(fmt::format("{}: the start vector has {} entries, must have {}, finite "
+                                       "and not all zero",
+                                       name, options.start.size(), A.size));
+}
+
+EigenOptions filled_in(const EigenOptions& options, Index size, Index count) {
+    EigenOptions result = options;
+    const std::int64_t usual = std::max<std::int64_t>(2 * std::int64_t{count} + 1, 20);
+    const std::int64_t wished = options.krylov_dimension > 0 ? options.krylov_dimension : usual;
+    const std::int64_t least = std::int64_t{count} + 1;
+    result.krylov_dimension =
+        static_cast<Index>(std::min<std::int64_t>(std::max(wished, least), size));
+    if (options.start.size() == 0)
+        result.start = pseudo_random(size);
+    return result;
+}
+
+// A NaN in a Krylov basis spreads to everything, so it is caught where it comes in.
+SymmetricOperator watched(const SymmetricOperator& A, const std::string& name) {
+    return {A.size, [&A, name](const Vector& x, Vector& y) {
+                if (!x.allFinite())
+                    throw SolverFailure(name + ": the iteration broke down (an invariant "
+                                               "subspace)\nTry another start vector.");
+                y.resize(A.size);
+                A.apply(x, y);
+                if (y.size() != A.size || !y.allFinite())
+                    throw SolverFailure(name + ": the operator gave NaN, infinity or a vector of "
+                                               "another size");
+            }};
+}
+
+} // namespace
+
+EigenPairs EigenSolver::largest(const SymmetricOperator& A, Index count,
+                                const EigenOptions& options) const {
+    check(name(), A, count, options);
+    if (count == 0)
+        return {Vector(0), DenseMatrix(A.size, 0), 0, 0};
+    return compute(watched(A, name()), count, filled_in(options, A.size, count));
+}
+
+} // namespace polydec

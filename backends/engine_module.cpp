@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "backends/engine_module.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <dlfcn.h>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+class ProgramRegistrar final : public EngineRegistrar {
+public:
+    void add_linear_solver(const EngineInfo& info, LinearSolverFactory factory) override {
+        register_linear_solver(info, std::move(factory));
+    }
+    void add_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) override {
+        register_eigen_solver(info, std::move(factory));
+    }
+};
+
+struct CloseModule {
+    void operator()(void* handle) const { dlclose(handle); }
+};
+using Module = std::unique_ptr<void, CloseModule>;
+
+// A name without a slash would be searched for in the system's folders instead of here.
+Module open_module(const std::filesystem::path& path) {
+    const std::string file = std::filesystem::absolute(path).string();
+    Module module(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
+    if (!module) {
+        const char* reason = dlerror();
+        throw IoError(fmt::format("{}: cannot be loaded as an engine module: {}", path.string(),
+                                  reason ? reason : "unknown reason"));
+    }
+    return module;
+}
+
+template <typename Function>
+Function* find_function(const Module& module, const char* name, const std::filesystem::path& path) {
+    void* const symbol = dlsym(module.get(), name);
+    if (!symbol)
+        throw IoError(
+            fmt::format("{}: is no engine module: it exports no function {}", path.string(), name));
+    return reinterpret_cast<Function*>(symbol);
+}
+
+} // namespace
+
+void load_engine_module(const std::filesystem::path& path) {
+    static std::mutex mutex;
+    static std::set<void*> loaded;
+    const std::lock_guard lock(mutex);
+
+    Module module = open_module(path);
+    if (loaded.contains(module.get()))
+        return;
+    const int version = find_function<int()>(module, "polydec_engine_module_version", path)();
+    if (version != engine_module_version)
+        throw BackendUnavailable(fmt::format("{}: is an engine module of version {}, and this "
+                                             "polydec takes version {}\nBuild it against the "
+                                             "headers of this polydec.",
+                                             path.string(), version, engine_module_version));
+    const auto register_engines =
+        find_function<void(EngineRegistrar&)>(module, "polydec_register_engines", path);
+
+    // From here on its code may be in use, so it is never unloaded.
+    void* const handle = module.release();
+    ProgramRegistrar registrar;
+    register_engines(registrar);
+    loaded.insert(handle);
+}
+
+} // namespace polydec

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "backends/registry.h"
+
+#include "backends/auto_solver.h"
+#include "backends/builtin_engines.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+template <typename Factory>
+struct Entry {
+    EngineInfo info;
+    Factory factory; // empty: known, but not in this program
+};
+
+struct Registry {
+    std::mutex mutex;
+    std::map<std::string, Entry<LinearSolverFactory>> linear;
+    std::map<std::string, Entry<EigenSolverFactory>> eigen;
+};
+
+template <typename Factory>
+void add(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Factory factory) {
+    info.available = static_cast<bool>(factory);
+    const std::string name = info.name;
+    known[name] = {std::move(info), std::move(factory)};
+}
+
+void add_builtin(Registry& registry) {
+    const auto linear = [&](const char* name, const char* description,
+                            LinearSolverFactory factory) {
+        add(registry.linear, {name, EngineKind::linear, true, description, ""}, std::move(factory));
+    };
+    linear(
+        "auto", "chooses by the facts of the matrix, checks, falls back and says so",
+        [](const LinearSolverOptions& options) { return std::make_unique<AutoSolver>(options); });
+    linear("eigen.ldlt", "Eigen's sparse L D L^T (AMD): symmetric, direct, counts by inertia",
+           builtin::make_eigen_ldlt);
+    linear("eigen.lu", "Eigen's sparse LU (COLAMD): any regular matrix, direct",
+           builtin::make_eigen_lu);
+    linear("eigen.cg", "Eigen's conjugate gradients (Jacobi): positive semidefinite, iterative",
+           builtin::make_eigen_cg);
+    linear("eigen.bicgstab", "Eigen's BiCGSTAB (ILUT): general, iterative",
+           builtin::make_eigen_bicgstab);
+    add(registry.linear,
+        {"cholmod", EngineKind::linear, false,
+         "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts by "
+         "inertia",
+         "Debian package libsuitesparse-dev, CMake option POLYDEC_CHOLMOD=ON; link "
+         "polydec::cholmod and call polydec::register_cholmod()"},
+        LinearSolverFactory());
+    add(registry.eigen,
+        {"spectra", EngineKind::eigen, true, "Spectra's implicitly restarted Lanczos", ""},
+        EigenSolverFactory(builtin::make_spectra));
+}
+
+// Made at the first call, so nothing hangs on the order in which programs start.
+Registry& registry() {
+    struct Filled : Registry {
+        Filled() { add_builtin(*this); }
+    };
+    static Filled instance;
+    return instance;
+}
+
+template <typename Factory>
+std::string available_names(const std::map<std::string, Entry<Factory>>& known) {
+    std::string names;
+    for (const auto& [name, entry] : known)
+        if (entry.factory)
+            names += (names.empty() ? "" : ", ") + name;
+    return names;
+}
+
+template <typename Factory>
+Factory find(const std::map<std::string, Entry<Factory>>& known, const std::string& name,
+             const char* kind) {
+    const std::lock_guard lock(registry().mutex);
+    const auto found = known.find(name);
+    if (found == known.end())
+        throw InvalidInput(fmt::format("there is no {} called `{}`\nKnown are: {}.", kind, name,
+                                       available_names(known)));
+    const auto& [info, factory] = found->second;
+    if (!factory)
+        throw BackendUnavailable(fmt::format("the {} `{}` is not part of this program\n"
+                                             "To get it: {}.",
+                                             kind, name, info.how_to_get));
+    return factory;
+}
+
+template <typename Factory>
+void enroll(std::map<std::string, Entry<Factory>>& known, EngineInfo info, EngineKind kind,
+            Factory factory) {
+    if (info.name.empty() || !factory)
+        throw InvalidInput("an engine to be registered needs a name and a factory");
+    info.kind = kind;
+
+    const std::lock_guard lock(registry().mutex);
+    const auto found = known.find(info.name);
+    if (found != known.end() && found->second.factory)
+        throw InvalidInput(fmt::format("an engine called `{}` is registered already", info.name));
+    if (found != known.end() && info.description.empty())
+        info.description = found->second.info.description;
+    add(known, std::move(info), std::move(factory));
+}
+
+void check(const LinearSolverOptions& options) {
+    if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance))
+        throw InvalidInput(
+            fmt::format("linear solver: the tolerance {} is not positive", options.tolerance));
+    if (options.max_iterations < 0 || options.blas_threads < 0)
+        throw InvalidInput(fmt::format("linear solver: {} iterations on {} threads make no sense",
+                                       options.max_iterations, options.blas_threads));
+}
+
+} // namespace
+
+std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name,
+                                                 const LinearSolverOptions& options) {
+    check(options);
+    auto solver = find(registry().linear, name, "linear solver")(options);
+    if (!solver)
+        throw BackendUnavailable(fmt::format("the factory of linear solver `{}` made none", name));
+    return solver;
+}
+
+std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name) {
+    auto solver = find(registry().eigen, name, "eigensolver")();
+    if (!solver)
+        throw BackendUnavailable(fmt::format("the factory of eigensolver `{}` made none", name));
+    return solver;
+}
+
+void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory) {
+    enroll(registry().linear, info, EngineKind::linear, std::move(factory));
+}
+
+void register_linear_solver(const std::string& name, LinearSolverFactory factory) {
+    register_linear_solver(EngineInfo{.name = name}, std::move(factory));
+}
+
+void register_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) {
+    enroll(registry().eigen, info, EngineKind::eigen, std::move(factory));
+}
+
+void register_eigen_solver(const std::string& name, EigenSolverFactory factory) {
+    register_eigen_solver(EngineInfo{.name = name, .kind = EngineKind::eigen}, std::move(factory));
+}
+
+std::vector<EngineInfo> engines() {
+    std::vector<EngineInfo> result;
+    const std::lock_guard lock(registry().mutex);
+    for (const auto& [name, entry] : registry().linear)
+        result.push_back(entry.info);
+    for (const auto& [name, entry] : registry().eigen)
+        result.push_back(entry.info);
+    return result;
+}
+
+bool has_linear_solver(const std::string& name) {
+    const std::lock_guard lock(registry().mutex);
+    const auto found = registry().linear.find(name);
+    return found != registry().linear.end() && found->second.factory;
+}
+
+} // namespace polydec

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backends/eigen_solver.h"
+#include "backends/linear_solver.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+enum class EngineKind { linear, eigen };
+
+/// What `polydec backends` tells of an engine.
+struct EngineInfo {
+    std::string name = {};
+    EngineKind kind = EngineKind::linear;
+    bool available = true;
+    std::string description = {};
+    std::string how_to_get = {}; ///< package and build option; empty for what is always there
+};
+
+using LinearSolverFactory =
+    std::function<std::unique_ptr<LinearSolver>(const LinearSolverOptions&)>;
+using EigenSolverFactory = std::function<std::unique_ptr<EigenSolver>()>;
+
+/// A new solver of that name: auto, eigen.ldlt, eigen.lu, eigen.cg, eigen.bicgstab, or what was
+/// registered. Throws InvalidInput, listing the known names, if there is none of that name or an
+/// option makes no sense; BackendUnavailable, naming package and build option, if the engine is
+/// known but not in this program.
+std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name,
+                                                 const LinearSolverOptions& options = {});
+
+/// The same for eigensolvers: spectra, or what was registered.
+std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name);
+
+/// Makes an engine known under a name; `available` is set by the registry.
+/// Throws InvalidInput if the name is empty or taken, or the factory is empty.
+void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory);
+void register_linear_solver(const std::string& name, LinearSolverFactory factory);
+void register_eigen_solver(const EngineInfo& info, EigenSolverFactory factory);
+void register_eigen_solver(const std::string& name, EigenSolverFactory factory);
+
+/// Every engine that is known, the missing ones too; linear first, each kind ordered by name.
+std::vector<EngineInfo> engines();
+
+/// Whether make_linear_solver(name) would find an engine.
+bool has_linear_solver(const std::string& name);
+
+} // namespace polydec

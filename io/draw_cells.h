@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/merging.h"
+#include "io/vtu.h"
+#include "meshes/polygons.h"
+
+#include <string>
+
+namespace polydec {
+
+/// Throws InvalidInput unless cells of that dimension in that many coordinates can be drawn: both at
+/// most 3.
+void check_drawable(int dimension, int ambient_dimension);
+
+/// The cells of P that carry primal k-forms, as a picture: lines, polygons (VTK type 7) or
+/// polyhedra (42); for k = 0, whose values belong to points, the cells of largest dimension. Points
+/// keep the input's numbers, those of no cell too. points has a row per vertex number.
+/// Throws like check_drawable.
+VtuGrid draw_cells(const Merging& merging, const Points& points, int k);
+
+/// Adds the values of a primal k-form on P, or of the dual (n-k)-form on the same cells, to what
+/// draw_cells made for that k: point data for k = 0 (0 at points that belong to no cell), else
+/// cell data.
+void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
+                 const Vector& values);
+
+/// The merged 2-cells of a surface as polygons; vertices keep the input's numbers.
+PolygonMesh polygon_mesh(const Merging& merging, const Points& points);
+
+} // namespace polydec

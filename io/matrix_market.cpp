@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "io/matrix_market.h"
+
+#include "base/errors.h"
+#include "io/atomic_file.h"
+#include "io/number_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+void check_finite(double value, const std::filesystem::path& path, Eigen::Index row,
+                  Eigen::Index column) {
+    if (!std::isfinite(value)) {
+        throw InvalidInput(fmt::format("entry ({}, {}), counted from 0, of what should be written "
+                                       "to {} is NaN or infinite; find out what made it so",
+                                       row, column, path.string()));
+    }
+}
+
+template <typename Matrix>
+void write_coordinates(const std::filesystem::path& path, const Matrix& matrix, const char* field) {
+    AtomicFile file(path);
+    file.write(fmt::format("%%MatrixMarket matrix coordinate {} general\n{} {} {}\n", field,
+                           matrix.rows(), matrix.cols(), matrix.nonZeros()));
+    std::string line;
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+        for (typename Matrix::InnerIterator entry(matrix, row); entry; ++entry) {
+            check_finite(entry.value(), path, row, entry.col());
+            line.clear();
+            append_number(line, row + 1);
+            line += ' ';
+            append_number(line, entry.col() + 1);
+            line += ' ';
+            append_number(line, +entry.value());
+            line += '\n';
+            file.write(line);
+        }
+    }
+    file.commit();
+}
+
+} // namespace
+
+void write_matrix_market(const std::filesystem::path& path, const SparseMatrix& matrix) {
+    write_coordinates(path, matrix, "real");
+}
+
+void write_matrix_market(const std::filesystem::path& path, const IncidenceMatrix& matrix) {
+    write_coordinates(path, matrix, "integer");
+}
+
+void write_matrix_market(const std::filesystem::path& path, const Vector& vector) {
+    AtomicFile file(path);
+    file.write(fmt::format("%%MatrixMarket matrix array real general\n{} 1\n", vector.size()));
+    std::string line;
+    for (Eigen::Index row = 0; row < vector.size(); ++row) {
+        check_finite(vector[row], path, row, 0);
+        line.clear();
+        append_number(line, vector[row]);
+        line += '\n';
+        file.write(line);
+    }
+    file.commit();
+}
+
+} // namespace polydec

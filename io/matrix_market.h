@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <filesystem>
+
+namespace polydec {
+
+/// Writes the stored entries of a matrix as a Matrix Market coordinate file, row by row; explicit
+/// zeros stay. Numbers read back exactly. The file appears whole or not at all.
+/// Throws InvalidInput, naming the entry, at NaN or infinity; IoError if writing fails.
+void write_matrix_market(const std::filesystem::path& path, const SparseMatrix& matrix);
+
+/// The same for incidences, of the field `integer`.
+void write_matrix_market(const std::filesystem::path& path, const IncidenceMatrix& matrix);
+
+/// Writes a vector as a Matrix Market array of one column.
+void write_matrix_market(const std::filesystem::path& path, const Vector& vector);
+
+/// Reads a Matrix Market coordinate file: real or integer; general, symmetric or skew-symmetric,
+/// which gives both triangles. Throws IoError if the file cannot be read; InvalidInput, naming the
+/// line, if it is malformed, names an entry twice, or has NaN or infinity.
+SparseMatrix read_matrix_market(const std::filesystem::path& path);
+
+/// Reads a Matrix Market array file: real or integer, general. Throws like `read_matrix_market`.
+DenseMatrix read_matrix_market_array(const std::filesystem::path& path);
+
+} // namespace polydec

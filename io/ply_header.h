@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+#include "io/source_file.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+enum class PlyEncoding { ascii, little_endian, big_endian };
+
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+/// A number, or a list of numbers with its length in front.
+struct PlyProperty {
+    std::string name;
+    PlyType type = PlyType::float32;
+    PlyType length_type = PlyType::uint8; ///< of a list
+    bool is_list = false;
+};
+
+struct PlyElement {
+    std::string name;
+    Index count = 0;
+    std::vector<PlyProperty> properties;
+
+    /// The place of the property in the list, or the number of properties.
+    std::size_t find(const std::string& property) const;
+};
+
+struct PlyHeader {
+    PlyEncoding encoding = PlyEncoding::ascii;
+    std::vector<PlyElement> elements;
+    std::size_t body_begin = 0; ///< byte behind the header
+    std::size_t body_line = 1;  ///< its line
+};
+
+/// Reads the header. Element counts are refused where the rest of the file cannot hold them.
+/// Throws InvalidInput, naming the line.
+PlyHeader read_ply_header(const SourceFile& file);
+
+/// Bytes of one number in a binary file.
+std::size_t size_of(PlyType type);
+
+} // namespace polydec

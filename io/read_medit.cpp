@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "io/readers.h"
+#include "io/scanner.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <string>
+
+namespace polydec {
+
+namespace {
+
+bool is_letter(char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/// Where each section begins, by its keyword. The sections may come in any order.
+class Sections {
+public:
+    explicit Sections(Scanner scanner) : begin_(scanner) {
+        while (!scanner.at_end()) {
+            const Scanner keyword_place = scanner;
+            const auto word = scanner.word("a keyword");
+            if (word == "End") {
+                break;
+            }
+            if (is_letter(word[0]) && !places_.emplace(word, scanner).second) {
+                keyword_place.fail(fmt::format("the section {} is there a second time; expected "
+                                               "one; join the two",
+                                               quote_word(word)));
+            }
+        }
+    }
+
+    bool has(std::string_view keyword) const { return places_.count(keyword) > 0; }
+
+    Scanner at(std::string_view keyword) const {
+        const auto found = places_.find(keyword);
+        if (found == places_.end()) {
+            begin_.fail(fmt::format("the file has no section {}; expected MEDIT's text format with "
+                                    "Dimension, Vertices and cells; check the format",
+                                    keyword));
+        }
+        return found->second;
+    }
+
+    /// The number of cells in a section, 0 without it.
+    Index count(std::string_view keyword, std::size_t least_bytes) const {
+        return has(keyword) ? at(keyword).count(keyword, least_bytes) : 0;
+    }
+
+private:
+    Scanner begin_;
+    std::map<std::string, Scanner, std::less<>> places_;
+};
+
+int read_dimension(const Sections& sections) {
+    Scanner scanner = sections.at("Dimension");
+    const auto dimension = scanner.integer("the dimension");
+    if (dimension != 2 && dimension != 3) {
+        scanner.fail(
+            fmt::format("Dimension {}; expected 2 or 3; write the mesh as .nsc", dimension));
+    }
+    return static_cast<int>(dimension);
+}
+
+/// Behind the coordinates and behind the corners stands a reference, the number of a part.
+Points read_vertices(const Sections& sections, int dimension) {
+    Scanner scanner = sections.at("Vertices");
+    const Index count = scanner.count("vertices", 2 * (static_cast<std::size_t>(dimension) + 1));
+    Points points(count, dimension);
+    for (Index vertex = 0; vertex < count; ++vertex) {
+        for (int axis = 0; axis < dimension; ++axis) {
+            points(vertex, axis) = scanner.coordinate(vertex);
+        }
+        scanner.number("a reference");
+    }
+    return points;
+}
+
+Simplices read_cells(Scanner scanner, std::string_view keyword, int corners, Index vertices) {
+    const Index count = scanner.count(keyword, 2 * (static_cast<std::size_t>(corners) + 1));
+    Simplices cells(count, corners);
+    for (Index cell = 0; cell < count; ++cell) {
+        for (int corner = 0; corner < corners; ++corner) {
+            cells(cell, corner) = scanner.vertex(vertices, 1);
+        }
+        scanner.number("a reference");
+    }
+    return cells;
+}
+
+/// Leaving such cells out would silently make a hole in the mesh.
+void refuse_others(const Sections& sections, std::string_view keyword) {
+    if (sections.count(keyword, 1) > 0) {
+        sections.at(keyword).fail(fmt::format("the mesh has {}; expected tetrahedra, triangles or "
+                                              "edges; split them before",
+                                              keyword));
+    }
+}
+
+} // namespace
+
+Mesh read_medit(const SourceFile& file) {
+    const Sections sections({file.name, file.text, {.comment = '#'}});
+    for (const char* solid : {"Hexahedra", "Hexaedra", "Prisms", "Pyramids"}) {
+        refuse_others(sections, solid);
+    }
+
+    Mesh mesh;
+    mesh.points = read_vertices(sections, read_dimension(sections));
+    const auto vertices = static_cast<Index>(mesh.points.rows());
+    constexpr std::array<const char*, 3> kinds{"Tetrahedra", "Triangles", "Edges"};
+    for (int kind = 0; kind < 3; ++kind) {
+        if (kind == 1) {
+            refuse_others(sections, "Quadrilaterals");
+        }
+        const char* keyword = kinds[static_cast<std::size_t>(kind)];
+        if (sections.count(keyword, 1) > 0) {
+            mesh.simplices = read_cells(sections.at(keyword), keyword, 4 - kind, vertices);
+            return mesh;
+        }
+    }
+    return mesh;
+}
+
+} // namespace polydec

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "io/scanner.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// The place of the first digit that is not zero: positive in front of the decimal point.
+/// Tells a number too large for a double from one too small, where the parser says only "range".
+double decimal_exponent(std::string_view number) {
+    const auto exponent_mark = std::min(number.find_first_of("eE"), number.size());
+    const auto mantissa = number.substr(0, exponent_mark);
+    const auto point = std::min(mantissa.find('.'), mantissa.size());
+    const auto digit = std::min(mantissa.find_first_of("123456789"), mantissa.size());
+    double exponent = static_cast<double>(point) - static_cast<double>(digit);
+
+    if (exponent_mark < number.size()) {
+        auto tail = number.substr(exponent_mark + 1);
+        const bool negative = !tail.empty() && tail[0] == '-';
+        tail.remove_prefix(!tail.empty() && (tail[0] == '-' || tail[0] == '+') ? 1 : 0);
+        std::uint32_t shift = 0;
+        const auto result = std::from_chars(tail.data(), tail.data() + tail.size(), shift);
+        const double size = result.ec == std::errc{} ? shift : 1e12;
+        exponent += negative ? -size : size;
+    }
+    return exponent;
+}
+
+double out_of_range_value(std::string_view number) {
+    const double size =
+        decimal_exponent(number) < 0 ? 0.0 : std::numeric_limits<double>::infinity();
+    return number[0] == '-' ? -size : size;
+}
+
+} // namespace
+
+Scanner::Scanner(std::string_view name, std::string_view text, Syntax syntax)
+    : name_(name), position_(text.data()), end_(text.data() + text.size()), syntax_(syntax) {
+    if (text.substr(0, byte_order_mark.size()) == byte_order_mark) {
+        position_ += byte_order_mark.size();
+    }
+}
+
+bool Scanner::at_end() {
+    while (at_line_end()) {
+        if (position_ == end_) {
+            return true;
+        }
+        skip_line_break();
+    }
+    return false;
+}
+
+bool Scanner::at_line_end() {
+    skip_blanks();
+    if (position_ != end_ && *position_ == syntax_.comment && syntax_.comment != '\0') {
+        position_ = std::find_if(position_, end_, [this](char c) { return is_line_break(c); });
+    }
+    return position_ == end_ || is_line_break(*position_);
+}
+
+void Scanner::next_line() {
+    while (position_ != end_ && !is_line_break(*position_)) {
+        if (continues_here()) {
+            ++position_;
+            skip_line_break();
+        } else {
+            ++position_;
+        }
+    }
+    skip_line_break();
+}
+
+std::string_view Scanner::word(std::string_view expected) {
+    go_to_word(expected);
+    const auto found = word_here();
+    position_ += found.size();
+    return found;
+}
+
+double Scanner::number(std::string_view expected) {
+    go_to_word(expected);
+    const bool plus = *position_ == '+' && end_ - position_ > 1 && position_[1] != '-';
+    const char* first = position_ + (plus ? 1 : 0);
+
+    double value = 0.0;
+    const auto [last, error] = std::from_chars(first, end_, value);
+    if (error == std::errc::invalid_argument || !ends_word(last)) {
+        fail_at_word("is not a number", expected);
+    }
+    if (error == std::errc::result_out_of_range) {
+        value = out_of_range_value({first, static_cast<std::size_t>(last - first)});
+    }
+    position_ = last;
+    return value;
+}
+
+std::int64_t Scanner::integer(std::string_view expected, char end_mark) {
+    go_to_word(expected);
+    const bool plus = *position_ == '+' && end_ - position_ > 1 && position_[1] != '-';
+
+    std::int64_t value = 0;
+    const auto [last, error] = std::from_chars(position_ + (plus ? 1 : 0), end_, value);
+    const bool marked = end_mark != '\0' && last != end_ && *last == end_mark;
+    if (error == std::errc::invalid_argument || !(marked || ends_word(last))) {
+        fail_at_word("is not a whole number", expected);
+    }
+    if (error == std::errc::result_out_of_range) {
+        fail_at_word("is too large", expected);
+    }
+    position_ = last;
+    return value;
+}
+
+double Scanner::coordinate(Index vertex) {
+    const double value = number("a coordinate");
+    if (!std::isfinite(value)) {
+        fail(fmt::format("vertex {} (counted from 0) has a coordinate that is NaN, infinite or "
+                         "beyond the doubles; expected finite numbers; repair or remove the vertex",
+                         vertex));
+    }
+    return value;
+}
+
+Index Scanner::count(std::string_view plural, std::size_t least_bytes) {
+    const auto value = integer(fmt::format("the number of {}", plural));
+    if (value < 0) {
+        fail(fmt::format("{} {} are promised; expected a number that is not negative; correct it",
+                         value, plural));
+    }
+
+    // The last record needs no separator behind it, hence the one byte more.
+    if (least_bytes > 0 && static_cast<std::uint64_t>(value) > (remaining() + 1) / least_bytes) {
+        fail(fmt::format("{} {} are promised, but {} bytes follow; expected at least {} bytes for "
+                         "each; correct the number, or export again if the file was cut off",
+                         value, plural, remaining(), least_bytes));
+    }
+    if (value > std::numeric_limits<Index>::max()) {
+        fail(fmt::format("more than 2^31 - 1 {}; expected fewer; divide the mesh", plural));
+    }
+    return static_cast<Index>(value);
+}
+
+Index Scanner::vertex(Index vertices, Index first) {
+    const auto value = integer("a vertex number");
+    if (value < first || value - first >= vertices) {
+        fail(fmt::format("vertex number {} is out of range; expected {} to {}; correct the index "
+                         "or add the vertex",
+                         value, first, std::int64_t{vertices} - 1 + first));
+    }
+    return static_cast<Index>(value - first);
+}
+
+void Scanner::stay_on_line(std::string_view record) {
+    if (at_line_end()) {
+        fail(fmt::format("the line ends here; expected {}; complete the line", record));
+    }
+}
+
+void Scanner::end_line(std::string_view record) {
+    if (!at_line_end()) {
+        fail_at_word("follows on the same line", fmt::format("the end of {}", record));
+    }
+    next_line();
+}
+
+void Scanner::fail(const std::string& text) const {
+    throw InvalidInput(fmt::format("{}:{}: {}", name_, line_, text));
+}
+
+/// A continuation mark counts only directly in front of a line break.
+bool Scanner::continues_here() const {
+    return syntax_.continuation != '\0' && *position_ == syntax_.continuation &&
+           end_ - position_ > 1 && is_line_break(position_[1]);
+}
+
+bool Scanner::ends_word(const char* place) const {
+    if (place == end_ || is_space(*place)) {
+        return true;
+    }
+    return syntax_.continuation != '\0' && *place == syntax_.continuation && end_ - place > 1 &&
+           is_line_break(place[1]);
+}
+
+void Scanner::go_to_word(std::string_view expected) {
+    if (at_end()) {
+        fail(fmt::format("the file ends here; expected {}; export it again, it seems cut off",
+                         expected));
+    }
+}
+
+void Scanner::skip_blanks() {
+    while (position_ != end_ && !is_line_break(*position_)) {
+        if (is_space(*position_)) {
+            ++position_;
+        } else if (continues_here()) {
+            ++position_;
+            skip_line_break();
+        } else {
+            return;
+        }
+    }
+}
+
+void Scanner::skip_line_break() {
+    if (position_ == end_) {
+        return;
+    }
+    const bool two = *position_ == '\r' && end_ - position_ > 1 && position_[1] == '\n';
+    position_ += two ? 2 : 1;
+    ++line_;
+}
+
+std::string_view Scanner::word_here() const {
+    const char* last = position_;
+    while (!ends_word(last)) {
+        ++last;
+    }
+    return {position_, static_cast<std::size_t>(last - position_)};
+}
+
+void Scanner::fail_at_word(std::string_view problem, std::string_view expected) const {
+    fail(fmt::format("{} {}; expected {}; correct the line or export the file again",
+                     quote_word(word_here()), problem, expected));
+}
+
+std::string quote_word(std::string_view word) {
+    constexpr std::size_t longest = 40;
+    std::string text(word.substr(0, longest));
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return "'" + text + (word.size() > longest ? "...'" : "'");
+}
+
+} // namespace polydec

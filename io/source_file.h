@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace polydec {
+
+/// A file as it was read: the name is for messages.
+struct SourceFile {
+    std::string name;
+    std::string text;
+};
+
+/// Reads a whole regular file. Throws IoError, naming path and reason.
+SourceFile read_source_file(const std::filesystem::path& path);
+
+/// The extension with its dot, in small letters.
+std::string lower_extension(const std::filesystem::path& path);
+
+/// The system's words for the current value of errno.
+std::string system_reason();
+
+} // namespace polydec

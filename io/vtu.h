@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace polydec {
+
+/// The cells of VTK that polydec writes, with VTK's numbers.
+enum class VtuCell : std::uint8_t {
+    vertex = 1,
+    line = 3,
+    triangle = 5,
+    polygon = 7,
+    quad = 9,
+    tetra = 10,
+    polyhedron = 42,
+};
+
+/// Named values, entry by entry: of each point or of each cell `components` numbers.
+struct VtuArray {
+    std::string name;
+    std::variant<std::vector<double>, std::vector<Index>> values;
+    int components = 1; ///< 1, or 3 for vectors
+};
+
+/// What a VTU file holds. Cells are appended with `add_cell` and `add_polyhedron`.
+struct VtuGrid {
+    Points points; ///< N <= 3 columns; the file has zeros for the missing ones
+    std::vector<VtuCell> types;
+    std::vector<Index> corners;        ///< point numbers of the cells, one after the other
+    std::vector<std::int64_t> offsets; ///< of each cell: where its corners end
+    std::vector<Index> faces;          ///< of each polyhedron: number of faces, then of each face
+                                       ///< its number of corners and these
+    std::vector<std::int64_t> face_offsets; ///< of each cell: where its faces end; -1 without faces
+    std::vector<VtuArray> point_data;
+    std::vector<VtuArray> cell_data;
+};
+
+/// Appends a cell of a type with a fixed number of corners, or a polygon, corners in cyclic order.
+void add_cell(VtuGrid& grid, VtuCell type, std::span<const Index> corners);
+
+/// Appends a polyhedron by its faces, each a list of points in cyclic order.
+void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces);
+
+/// A point or cell array of one number each.
+VtuArray vtu_array(std::string name, const Vector& values);
+
+/// Writes the grid as VTK's XML UnstructuredGrid (.vtu): binary arrays in base64, inline.
+/// The file appears whole or not at all.
+/// Throws InvalidInput, naming cell, array or entry, if corners are out of range or of the wrong
+/// number, an array has the wrong size or a name that is empty or used twice, or anything is NaN or
+/// infinite; IoError if writing fails.
+void write_vtu(const std::filesystem::path& path, const VtuGrid& grid);
+
+} // namespace polydec

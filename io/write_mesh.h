@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "meshes/mesh.h"
+#include "meshes/polygons.h"
+
+#include <filesystem>
+
+namespace polydec {
+
+/// Writes a mesh; the extension says the format. .nsc holds every mesh; .mesh (MEDIT) edges,
+/// triangles and tetrahedra in R^2 and R^3; .off, .obj, .ply (ascii) and .stl (binary) triangles in
+/// R^2, where z becomes 0, and R^3. Numbers read back exactly, except in STL: its numbers are
+/// floats and it has no vertex numbers. The file appears whole or not at all.
+///
+/// Throws InvalidInput if the mesh does not fit the format, has NaN or infinite coordinates or a
+/// vertex number that is out of range; IoError if writing fails.
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+
+/// Writes polygons as .off, .obj or .ply (ascii) in R^N with N <= 3, where missing coordinates
+/// become 0. Throws like the other one.
+void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh);
+
+} // namespace polydec

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/flat_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace polydec {
+
+namespace {
+
+constexpr double flat_tolerance = 1e-12;
+
+/// Edges from vertex 0 of a cell, one a row, scaled to a largest coordinate of 1 (or all zero).
+/// Halves keep the difference of very large numbers finite.
+void scaled_edges(const Mesh& mesh, Index cell, Points& edges) {
+    const auto vertices = mesh.simplices.row(cell);
+    for (Index i = 0; i < edges.rows(); ++i)
+        edges.row(i) = 0.5 * mesh.points.row(vertices[i + 1]) - 0.5 * mesh.points.row(vertices[0]);
+    const double largest = edges.size() == 0 ? 0.0 : edges.cwiseAbs().maxCoeff();
+    if (largest > 0.0)
+        edges /= largest;
+}
+
+double longest_edge(const Points& edges) {
+    double square = 0.0;
+    for (Index i = 0; i < edges.rows(); ++i) {
+        square = std::max(square, edges.row(i).squaredNorm());
+        for (Index j = 0; j < i; ++j)
+            square = std::max(square, (edges.row(i) - edges.row(j)).squaredNorm());
+    }
+    return std::sqrt(square);
+}
+
+/// Whether n! times the volume, which is the product of the edges' lengths after orthogonalization,
+/// is too small. The longest remainder goes first, so that no small one is blurred by a larger one.
+bool is_flat(const Mesh& mesh, Index cell, Points& edges) {
+    scaled_edges(mesh, cell, edges);
+    const double scale = longest_edge(edges);
+    double ratio = 1.0;
+    for (Index k = 0; k < edges.rows(); ++k) {
+        Eigen::Index longest = 0;
+        const double square =
+            edges.bottomRows(edges.rows() - k).rowwise().squaredNorm().maxCoeff(&longest);
+        if (!(square > 0.0))
+            return true;
+        ratio *= std::sqrt(square) / scale;
+        edges.row(k).swap(edges.row(k + longest));
+        for (Index i = k + 1; i < edges.rows(); ++i)
+            edges.row(i) -= edges.row(i).dot(edges.row(k)) / square * edges.row(k);
+    }
+    return ratio <= flat_tolerance;
+}
+
+using Facet = std::vector<Index>;
+
+/// The vertices of a cell without the one at a place, ascending.
+Facet facet(const Simplices& cells, Index cell, Index omitted) {
+    Facet result;
+    for (Index i = 0; i < cells.cols(); ++i)
+        if (i != omitted)
+            result.push_back(cells(cell, i));
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+/// The facets of some cells, each with all cells of the mesh around it.
+class FacetsOf {
+public:
+    FacetsOf(const Mesh& mesh, const std::vector<Index>& cells) : cells_(mesh.simplices) {
+        std::vector<bool> marked(static_cast<std::size_t>(mesh.points.rows()), false);
+        for (const Index cell : cells)
+            for (Index i = 0; i < cells_.cols(); ++i) {
+                facets_.push_back(facet(cells_, cell, i));
+                marked[cells_(cell, i)] = true;
+            }
+        std::sort(facets_.begin(), facets_.end());
+        facets_.erase(std::unique(facets_.begin(), facets_.end()), facets_.end());
+        around_.resize(facets_.size());
+
+        // Of the other cells only those with at most one unmarked vertex can have such a facet.
+        for (Index cell = 0; cell < cells_.rows(); ++cell) {
+            Index near = 0;
+            for (Index i = 0; i < cells_.cols(); ++i)
+                near += marked[cells_(cell, i)];
+            for (Index i = 0; i < cells_.cols() && near + 1 >= cells_.cols(); ++i) {
+                const std::size_t number = find(cell, i);
+                if (number < facets_.size())
+                    around_[number].push_back(cell);
+            }
+        }
+    }
+
+    /// Numbers of the facets of one of the cells.
+    std::vector<std::size_t> numbers(Index cell) const {
+        std::vector<std::size_t> result;
+        for (Index i = 0; i < cells_.cols(); ++i)
+            result.push_back(find(cell, i));
+        return result;
+    }
+
+    /// The cells of the mesh around each facet.
+    const std::vector<std::vector<Index>>& around() const { return around_; }
+
+private:
+    /// Number of the facet that lacks the vertex at a place; their count if it is not among them.
+    std::size_t find(Index cell, Index omitted) const {
+        const Facet wanted = facet(cells_, cell, omitted);
+        const auto place = std::lower_bound(facets_.begin(), facets_.end(), wanted);
+        const bool found = place != facets_.end() && *place == wanted;
+        return found ? static_cast<std::size_t>(place - facets_.begin()) : facets_.size();
+    }
+
+    const Simplices& cells_;
+    std::vector<Facet> facets_;
+    std::vector<std::vector<Index>> around_;
+};
+
+/// Takes flat cells away as long as one is bound to other cells by at most one facet. Taking one
+/// away only loosens the others, so the order does not matter.
+FlatCells peel(const Mesh& mesh, const std::vector<Index>& flat) {
+    const FacetsOf facets(mesh, flat);
+    std::vector<bool> is_candidate(static_cast<std::size_t>(mesh.simplices.rows()), false);
+    for (const Index cell : flat)
+        is_candidate[cell] = true;
+    std::vector<std::size_t> staying(facets.around().size()); // cells around each facet
+    for (std::size_t f = 0; f < staying.size(); ++f)
+        staying[f] = facets.around()[f].size();
+
+    std::vector<Index> queue = flat;
+    while (!queue.empty()) {
+        const Index cell = queue.back();
+        queue.pop_back();
+        const auto numbers = facets.numbers(cell);
+        const auto bonds = std::count_if(numbers.begin(), numbers.end(),
+                                         [&](std::size_t f) { return staying[f] > 1; });
+        if (!is_candidate[cell] || bonds > 1)
+            continue;
+        is_candidate[cell] = false;
+
+        // What changes for the others is that one may now be alone at a facet.
+        for (const std::size_t f : numbers)
+            if (--staying[f] == 1)
+                for (const Index other : facets.around()[f])
+                    if (is_candidate[other])
+                        queue.push_back(other);
+    }
+
+    FlatCells result;
+    for (const Index cell : flat)
+        (is_candidate[cell] ? result.stuck : result.removable).push_back(cell);
+    return result;
+}
+
+} // namespace
+
+FlatCells find_flat_cells(const Mesh& mesh) {
+    std::vector<Index> flat;
+    Points edges(mesh.dimension(), mesh.ambient_dimension());
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
+        if (is_flat(mesh, cell, edges))
+            flat.push_back(cell);
+    return flat.empty() ? FlatCells{} : peel(mesh, flat);
+}
+
+} // namespace polydec

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/generate_parts.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace polydec {
+
+void check_count(std::string_view generator, std::string_view name, std::int64_t value,
+                 std::int64_t least, std::int64_t most) {
+    if (value < least || value > most)
+        throw InvalidInput(
+            fmt::format("{}: {} = {} is outside {} .. {}", generator, name, value, least, most));
+}
+
+void check_length(std::string_view generator, std::string_view name, double value) {
+    if (!(value > 0.0) || !std::isfinite(value))
+        throw InvalidInput(
+            fmt::format("{}: {} = {} is not positive and finite", generator, name, value));
+}
+
+void check_sizes(std::string_view generator, double vertices, double cells) {
+    constexpr double most = std::numeric_limits<Index>::max();
+    for (const auto& [count, noun] : {std::pair{vertices, "vertices"}, std::pair{cells, "cells"}})
+        if (count > most)
+            throw InvalidInput(fmt::format("{}: {:.10g} {} are more than 2^31 - 1; ask for fewer",
+                                           generator, count, noun));
+}
+
+Eigen::Vector2d circle_point(std::int64_t i, std::int64_t n) {
+    // The angle is so many quarter turns and the fraction rest / n of another.
+    const std::int64_t quarters = 4 * i / n;
+    const std::int64_t rest = 4 * i - quarters * n;
+    const auto angle = [n](std::int64_t part) {
+        return 0.5 * std::numbers::pi * static_cast<double>(part) / static_cast<double>(n);
+    };
+
+    Eigen::Vector2d point(std::cos(angle(rest)), std::sin(angle(rest)));
+    if (2 * rest == n)
+        point.setConstant(std::sqrt(0.5));
+    else if (2 * rest > n)
+        point = {std::sin(angle(n - rest)), std::cos(angle(n - rest))};
+
+    for (std::int64_t turn = 0; turn < quarters % 4; ++turn)
+        point = {0.0 - point.y(), point.x()};
+    return point;
+}
+
+} // namespace polydec

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+namespace polydec {
+
+/// Throws InvalidInput "generator: name = value is outside least .. most".
+void check_count(std::string_view generator, std::string_view name, std::int64_t value,
+                 std::int64_t least, std::int64_t most = std::numeric_limits<Index>::max());
+
+/// Throws InvalidInput unless the value is positive and finite.
+void check_length(std::string_view generator, std::string_view name, double value);
+
+/// Throws InvalidInput if the mesh to be made has more vertices or cells than an Index counts.
+/// Counts are doubles, so that no product of arguments overflows on its way here.
+void check_sizes(std::string_view generator, double vertices, double cells);
+
+/// (cos, sin) of i/n of a full turn, 0 <= i <= n, n >= 1. Points that are images of each other
+/// under the symmetries of the square agree to the last bit.
+Eigen::Vector2d circle_point(std::int64_t i, std::int64_t n);
+
+} // namespace polydec

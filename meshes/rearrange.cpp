@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/rearrange.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// Random numbers that are the same everywhere: std fixes the engine, not its distributions.
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+    /// Uniform in [0, 1), a multiple of 2^-53.
+    double fraction() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+
+    /// A random order of 0 .. size-1 (Fisher and Yates).
+    std::vector<Index> order(Eigen::Index size) {
+        std::vector<Index> result(static_cast<std::size_t>(size));
+        std::iota(result.begin(), result.end(), 0);
+        for (std::size_t i = result.size(); i > 1; --i) {
+            const double place = fraction() * static_cast<double>(i);
+            std::swap(result[i - 1], result[static_cast<std::size_t>(place)]);
+        }
+        return result;
+    }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+} // namespace
+
+Mesh perturbed(Mesh mesh, double amplitude, std::uint64_t seed) {
+    if (!(amplitude >= 0.0) || !std::isfinite(amplitude))
+        throw InvalidInput(
+            fmt::format("perturbed: amplitude = {} is not finite and >= 0", amplitude));
+    Random random(seed);
+    for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
+        for (Eigen::Index k = 0; k < mesh.points.cols(); ++k)
+            mesh.points(v, k) += amplitude * (2.0 * random.fraction() - 1.0);
+    return mesh;
+}
+
+Shuffled shuffled(const Mesh& mesh, std::uint64_t seed) {
+    Random random(seed);
+    Shuffled result{mesh, random.order(mesh.points.rows()), random.order(mesh.simplices.rows())};
+    std::vector<Index> new_number(result.vertices.size());
+    for (std::size_t i = 0; i < new_number.size(); ++i) {
+        new_number[result.vertices[i]] = static_cast<Index>(i);
+        result.mesh.points.row(static_cast<Eigen::Index>(i)) = mesh.points.row(result.vertices[i]);
+    }
+
+    for (std::size_t i = 0; i < result.cells.size(); ++i)
+        for (Eigen::Index c = 0; c < mesh.simplices.cols(); ++c) {
+            const Index vertex = mesh.simplices(result.cells[i], c);
+            if (vertex < 0 || vertex >= mesh.points.rows())
+                throw InvalidInput(fmt::format("shuffled: cell {} names vertex {}, but there are "
+                                               "{} vertices, numbered from 0",
+                                               result.cells[i], vertex, mesh.points.rows()));
+            result.mesh.simplices(static_cast<Eigen::Index>(i), c) = new_number[vertex];
+        }
+    return result;
+}
+
+} // namespace polydec

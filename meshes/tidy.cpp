@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/tidy.h"
+
+#include "base/errors.h"
+#include "meshes/flat_cells.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+/// A mesh that loses cells; numbers[i] is what its cell i was called in the input.
+struct Sieve {
+    Mesh mesh;
+    std::vector<Index> numbers;
+};
+
+/// The first few items in words, and how many more there are.
+template <typename Name>
+std::string listed(const std::vector<Index>& items, Name name) {
+    constexpr std::size_t most = 5;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < std::min(items.size(), most); ++i)
+        names.push_back(name(items[i]));
+    if (items.size() > most)
+        names.push_back(fmt::format("and {} more", items.size() - most));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string vertices_of(const Mesh& mesh, Index cell) {
+    const auto vertices = mesh.simplices.row(cell);
+    return fmt::format("{}", fmt::join(vertices.begin(), vertices.end(), " "));
+}
+
+std::string place(const Mesh& mesh, Index vertex) {
+    const auto point = mesh.points.row(vertex);
+    return fmt::format("({})", fmt::join(point.begin(), point.end(), ", "));
+}
+
+/// What the cells have: "length", "area" or "volume".
+std::string_view measure(const Mesh& mesh) {
+    const int n = mesh.dimension();
+    return n == 1 ? "length" : n == 2 ? "area" : "volume";
+}
+
+void check_input(const Mesh& mesh) {
+    const int n = mesh.dimension(), N = mesh.ambient_dimension();
+    if (n > N)
+        throw InvalidInput(fmt::format("cells of dimension {} need points with at least {} "
+                                       "coordinates, these have {}",
+                                       n, n, N));
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        if (!mesh.points.row(v).allFinite())
+            throw InvalidInput(fmt::format("vertex {} is not at a finite place: {}\n"
+                                           "Give it finite coordinates.",
+                                           v, place(mesh, v)));
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
+        const auto vertices = mesh.simplices.row(cell);
+        if (vertices.minCoeff() < 0 || vertices.maxCoeff() >= mesh.points.rows())
+            throw InvalidInput(
+                fmt::format("cell {} (vertices {}) names a vertex that is not among the {} given\n"
+                            "Vertices are numbered from 0.",
+                            cell, vertices_of(mesh, cell), mesh.points.rows()));
+    }
+}
+
+/// Takes cells out, given by ascending row numbers, and tells so in a warning.
+void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view flaw) {
+    if (cells.empty())
+        return;
+    Mesh& mesh = sieve.mesh;
+    const auto name = [&](Index cell) {
+        return fmt::format("{} ({})", sieve.numbers[cell], vertices_of(mesh, cell));
+    };
+    mesh.warnings.push_back(fmt::format("left out {} {} {}: {}", cells.size(),
+                                        cells.size() == 1 ? "cell" : "cells", flaw,
+                                        listed(cells, name)));
+
+    std::size_t left_out = 0;
+    for (Index cell = cells.front(); cell < mesh.simplices.rows(); ++cell) {
+        if (left_out < cells.size() && cells[left_out] == cell) {
+            ++left_out;
+            continue;
+        }
+        const Index to = cell - static_cast<Index>(left_out);
+        mesh.simplices.row(to) = mesh.simplices.row(cell);
+        sieve.numbers[to] = sieve.numbers[cell];
+    }
+    sieve.numbers.resize(sieve.numbers.size() - left_out);
+    mesh.simplices.conservativeResize(static_cast<Eigen::Index>(sieve.numbers.size()),
+                                      Eigen::NoChange);
+}
+
+/// The cells' vertices in ascending order.
+Simplices sorted_rows(const Simplices& cells) {
+    Simplices result = cells;
+    for (Index cell = 0; cell < result.rows(); ++cell) {
+        Index* const begin = result.data() + cell * result.cols();
+        std::sort(begin, begin + result.cols());
+    }
+    return result;
+}
+
+std::vector<Index> with_repeated_corner(const Simplices& cells) {
+    const Simplices sorted = sorted_rows(cells);
+    std::vector<Index> result;
+    for (Index cell = 0; cell < sorted.rows(); ++cell) {
+        const Index* const begin = sorted.data() + cell * sorted.cols();
+        const Index* const end = begin + sorted.cols();
+        if (std::adjacent_find(begin, end) != end)
+            result.push_back(cell);
+    }
+    return result;
+}
+
+/// All but the first of the cells on the same vertices.
+std::vector<Index> duplicates(const Simplices& cells) {
+    const Simplices sorted = sorted_rows(cells);
+    const auto compare = [&sorted](Index a, Index b) {
+        const Index* const row_a = sorted.data() + a * sorted.cols();
+        const Index* const row_b = sorted.data() + b * sorted.cols();
+        for (Index i = 0; i < sorted.cols(); ++i)
+            if (row_a[i] != row_b[i])
+                return row_a[i] < row_b[i] ? -1 : 1;
+        return 0;
+    };
+    std::vector<Index> order(static_cast<std::size_t>(sorted.rows()));
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+        const int comparison = compare(a, b);
+        return comparison < 0 || (comparison == 0 && a < b);
+    });
+
+    std::vector<Index> result;
+    for (std::size_t i = 1; i < order.size(); ++i)
+        if (compare(order[i - 1], order[i]) == 0)
+            result.push_back(order[i]);
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+struct Edge {
+    Index a, b; // vertices
+    double length;
+};
+
+/// All edges of a cell by ascending length.
+std::vector<Edge> edges_of(const Mesh& mesh, Index cell) {
+    std::vector<Edge> result;
+    const auto vertices = mesh.simplices.row(cell);
+    for (Index i = 0; i < vertices.size(); ++i)
+        for (Index j = i + 1; j < vertices.size(); ++j) {
+            const Index a = vertices[i], b = vertices[j];
+            const double half = (0.5 * mesh.points.row(a) - 0.5 * mesh.points.row(b)).stableNorm();
+            result.push_back({a, b, half});
+        }
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Edge& e, const Edge& f) { return e.length < f.length; });
+    return result;
+}
+
+/// Why a cell is flat, and what to do about it.
+std::string remedy(const Mesh& mesh, Index cell) {
+    const std::vector<Edge> edges = edges_of(mesh, cell);
+    const Edge &shortest = edges.front(), &longest = edges.back();
+    if (shortest.length <= 1e-12 * longest.length)
+        return fmt::format("Its vertices {} and {} are at the same point {}: join them, that is, "
+                           "use one number for both.",
+                           shortest.a, shortest.b, place(mesh, shortest.a));
+    if (mesh.dimension() > 2)
+        return "Its vertices lie in one plane of lower dimension: move one of them, or exchange "
+               "the cell and its neighbors for others.";
+
+    const Index middle = mesh.simplices.row(cell).sum() - longest.a - longest.b;
+    return fmt::format("Its vertex {} at {} lies on its edge from {} to {}: flip that edge, split "
+                       "the cell behind it there, or move the vertex.",
+                       middle, place(mesh, middle), longest.a, longest.b);
+}
+
+void leave_out_flat_cells(Sieve& sieve) {
+    const FlatCells flat = find_flat_cells(sieve.mesh);
+    if (flat.stuck.empty())
+        return leave_out(sieve, flat.removable, fmt::format("without {}", measure(sieve.mesh)));
+
+    const Index first = flat.stuck.front();
+    std::string others;
+    if (flat.stuck.size() > 1)
+        others = fmt::format("\nThe same is to be seen to in {} more: {}.", flat.stuck.size() - 1,
+                             listed({flat.stuck.begin() + 1, flat.stuck.end()}, [&](Index cell) {
+                                 return fmt::format("{} ({})", sieve.numbers[cell],
+                                                    vertices_of(sieve.mesh, cell));
+                             }));
+    throw InvalidInput(fmt::format(
+        "cell {} (vertices {}) has no {}, and without it its neighbors would come apart.\n{}{}",
+        sieve.numbers[first], vertices_of(sieve.mesh, first), measure(sieve.mesh),
+        remedy(sieve.mesh, first), others));
+}
+
+void warn_of_isolated_vertices(Mesh& mesh) {
+    std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
+    for (const Index vertex : mesh.simplices.reshaped())
+        used[vertex] = true;
+    std::vector<Index> isolated;
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        if (!used[v])
+            isolated.push_back(v);
+    if (!isolated.empty())
+        mesh.warnings.push_back(fmt::format(
+            "{} belong{} to no cell, left out of all counts: {}",
+            isolated.size() == 1 ? "1 vertex" : fmt::format("{} vertices", isolated.size()),
+            isolated.size() == 1 ? "s" : "",
+            listed(isolated, [](Index v) { return fmt::format("{}", v); })));
+}
+
+} // namespace
+
+Mesh tidy(Mesh mesh) {
+    if (mesh.simplices.size() == 0)
+        throw InvalidInput("no cells of positive volume are left");
+    const auto warnings_before = static_cast<std::ptrdiff_t>(mesh.warnings.size());
+    check_input(mesh);
+
+    Sieve sieve{std::move(mesh), {}};
+    sieve.numbers.resize(static_cast<std::size_t>(sieve.mesh.simplices.rows()));
+    std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
+    leave_out(sieve, with_repeated_corner(sieve.mesh.simplices), "with a repeated corner");
+    leave_out(sieve, duplicates(sieve.mesh.simplices), "on the vertices of an earlier one");
+    leave_out_flat_cells(sieve);
+
+    if (sieve.mesh.simplices.rows() == 0) {
+        const auto& warnings = sieve.mesh.warnings;
+        throw InvalidInput(
+            fmt::format("no cells of positive volume are left{}{}",
+                        warnings_before < static_cast<std::ptrdiff_t>(warnings.size()) ? "\n" : "",
+                        fmt::join(warnings.begin() + warnings_before, warnings.end(), "; ")));
+    }
+    warn_of_isolated_vertices(sieve.mesh);
+    return std::move(sieve.mesh);
+}
+
+} // namespace polydec
