@@ -24,8 +24,8 @@ std::vector<HalfEdge> half_edges(const Merging& merging, Index cell) {
         for (Row edge(K.coboundary(1), static_cast<Index>(piece.col())); edge; ++edge) {
             const auto ends = K.simplices(1).row(edge.col());
             const bool ascending = piece.value() * edge.value() > 0;
-            sides.push_back({static_cast<Index>(edge.col()), ends[ascending ? 0 : 1],
-                             ends[ascending ? 1 : 0]});
+            sides.push_back(
+                {static_cast<Index>(edge.col()), ends[ascending ? 0 : 1], ends[ascending ? 1 : 0]});
         }
     return sides;
 }
@@ -33,7 +33,7 @@ std::vector<HalfEdge> half_edges(const Merging& merging, Index cell) {
 void link_twins(const Merging& merging, std::vector<HalfEdge>& sides) {
     std::vector<std::pair<Index, Index>> removed; // edge, side
     for (std::size_t h = 0; h < sides.size(); ++h)
-        if (merging.carriers(1)[sides[h].edge].dimension == 2)
+        if (merging.carriers(1)[sides[h].edge].dimension > 1)
             removed.emplace_back(sides[h].edge, static_cast<Index>(h));
     std::sort(removed.begin(), removed.end());
     for (std::size_t i = 0; i + 1 < removed.size(); i += 2) {

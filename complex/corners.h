@@ -6,8 +6,8 @@
 namespace polydec {
 
 /// The corners of a merged 2-cell in the order its boundary runs, by vertex number, starting with
-/// the smallest edge. A cell glued to itself passes some of its corners twice. Any dimension n >= 2;
-/// time O(p log p) for p pieces.
+/// the smallest edge. A cell glued to itself passes some of its corners twice. Any dimension n >=
+/// 2; time O(p log p) for p pieces.
 std::vector<Index> corners(const Merging& merging, Index cell);
 
 } // namespace polydec

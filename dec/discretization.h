@@ -27,8 +27,8 @@ struct Discretization {
 };
 
 /// The whole way from a mesh to its merged complex and volumes. Untidy input is tidied with a
-/// warning (see tidy). Each stage (complex, volumes, merge) is told as it begins, if anyone listens.
-/// Throws InvalidInput, naming the cell or vertex, for what cannot be used.
+/// warning (see tidy). Each stage (complex, volumes, merge) is told as it begins, if anyone
+/// listens. Throws InvalidInput, naming the cell or vertex, for what cannot be used.
 Discretization discretize(Mesh mesh, const MergeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 

@@ -22,7 +22,8 @@ void draw_cell(VtuGrid& grid, const Merging& merging, int k, Index cell) {
         break;
     default: {
         std::vector<std::vector<Index>> faces;
-        for (IncidenceMatrix::InnerIterator face(merging.merged().coboundary(2), cell); face; ++face)
+        for (IncidenceMatrix::InnerIterator face(merging.merged().coboundary(2), cell); face;
+             ++face)
             faces.push_back(corners(merging, static_cast<Index>(face.col())));
         add_polyhedron(grid, faces);
     }

@@ -10,8 +10,8 @@ namespace polydec {
 
 /// What a file or a generator gives: points of R^N and top simplices of one dimension n.
 struct Mesh {
-    Points points;                     ///< one row per vertex, N columns
-    Simplices simplices;               ///< one row per n-simplex, n+1 columns; order gives orientation
+    Points points;       ///< one row per vertex, N columns
+    Simplices simplices; ///< one row per n-simplex, n+1 columns; order gives orientation
     std::vector<std::string> warnings; ///< what was untidy and how it was handled
 
     int ambient_dimension() const { return static_cast<int>(points.cols()); }

@@ -7,7 +7,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,6 +26,9 @@ constexpr double relative_gap = 1e-6;
 
 /// Rounds of asking for missing copies before giving up; each finds at least one.
 constexpr int patience = 60;
+
+/// Halvings of an interval on the axis; each costs a factorization.
+constexpr int most_bisections = 40;
 
 /// More eigenvalues than asked for that are looked at in search of a gap.
 constexpr Index largest_cluster = 5000;
@@ -64,11 +66,14 @@ double small_negative_shift(const SparseMatrix& B) {
 
 struct CertifiedEigensolver::State {
     State(const SparseMatrix& A_, const Vector& M_, EigensolverOptions options_)
-        : A(A_), M(M_), options(std::move(options_)),
+        : A(A_),
+          M(M_),
+          options(std::move(options_)),
           B(std::make_shared<SparseMatrix>(scale_by_mass(A_, M_))),
           counter(B, options.linear_solver, options.domain_dimension),
           solver(make_linear_solver(options.linear_solver)),
-          eigensolver(make_eigen_solver(options.eigen_solver)), norm(row_sum_norm(*B)),
+          eigensolver(make_eigen_solver(options.eigen_solver)),
+          norm(row_sum_norm(*B)),
           small(-small_negative_shift(*B)) {}
 
     Index size() const { return static_cast<Index>(B->rows()); }
@@ -78,13 +83,14 @@ struct CertifiedEigensolver::State {
             options.progress(what);
     }
 
-    double lowest_shift();
+    double lowest_shift(Index wanted);
+    double shift_close_to(Index done, Index wanted, double low, double high);
     void set_shift(double sigma, Definiteness definiteness);
     Index ask(Index count);
     void rayleigh_ritz(const DenseMatrix& more);
     Index gap_behind(Index count) const;
     bool certify(Index count);
-    void move_shift();
+    void move_shift(Index wanted);
     CertifiedEigenpairs result(Index count) const;
 
     SparseMatrix A;
@@ -105,21 +111,32 @@ struct CertifiedEigensolver::State {
     Certificate certificate;
 };
 
-/// A shift below the whole spectrum and, if A is indefinite, within a factor of two of its lower
-/// end.
-double CertifiedEigensolver::State::lowest_shift() {
-    const auto none_below = [&](double sigma) {
-        const auto below = counter.below(sigma, small);
-        return below && *below == 0;
-    };
-    if (options.definiteness != Definiteness::indefinite || none_below(-small))
+/// A shift below the whole spectrum: for indefinite A, close to the first `wanted` eigenvalues.
+double CertifiedEigensolver::State::lowest_shift(Index wanted) {
+    if (options.definiteness != Definiteness::indefinite ||
+        counter.below(-small, small) == Index{0})
         return -small;
-    double empty = 2 * norm, occupied = small;
-    while (empty > 2 * occupied) {
-        const double middle = std::sqrt(empty * occupied);
-        (none_below(-middle) ? empty : occupied) = middle;
+    return shift_close_to(0, wanted, -2 * norm, -small);
+}
+
+/// A shift in (low, high) with `done` eigenvalues below it, as low has, so that no more than
+/// `wanted` others lie within reach: iterations about it converge where those about low would not.
+double CertifiedEigensolver::State::shift_close_to(Index done, Index wanted, double low,
+                                                   double high) {
+    tell("counting");
+    for (int step = 0; step < most_bisections; ++step) {
+        const double middle = (low + high) / 2;
+        const auto below = counter.below(middle, small);
+        if (!below)
+            break;
+        if (*below > done)
+            high = middle;
+        else
+            low = middle;
+        if (*below > done && *below <= done + wanted)
+            break;
     }
-    return -empty;
+    return low;
 }
 
 void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiteness) {
@@ -192,7 +209,7 @@ void CertifiedEigensolver::State::rayleigh_ritz(const DenseMatrix& more) {
 /// Where the shift is far from what is still to be found, iterations stall: it moves up behind the
 /// longest part of what has been found that is proved complete. A part of a complete one is
 /// complete, so bisection finds it.
-void CertifiedEigensolver::State::move_shift() {
+void CertifiedEigensolver::State::move_shift(Index wanted) {
     std::vector<Index> parts;
     for (Index count = gap_behind(1); count > 0 && count < found(); count = gap_behind(count + 1))
         parts.push_back(count);
@@ -206,8 +223,11 @@ void CertifiedEigensolver::State::move_shift() {
             last = middle;
         }
     }
-    if (best.complete && best.shift > shift)
-        set_shift(best.shift, Definiteness::indefinite);
+    if (!best.complete)
+        return;
+    const double next = shift_close_to(best.below_shift, wanted, best.shift, 2 * norm);
+    if (next > shift)
+        set_shift(next, Definiteness::indefinite);
 }
 
 /// The first index i >= count such that a gap lies between values i-1 and i; -1 if none is seen.
@@ -266,12 +286,11 @@ CertifiedEigensolver::~CertifiedEigensolver() = default;
 CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     State& s = *state_;
     if (count < 1 || count > s.size())
-        throw InvalidInput(fmt::format("{} eigenvalues asked for: there are 1 to {} to be had",
-                                       count, s.size()));
-    if (!s.factorized)
-        s.set_shift(s.lowest_shift(), Definiteness::positive);
-
+        throw InvalidInput(
+            fmt::format("{} eigenvalues asked for: there are 1 to {} to be had", count, s.size()));
     Index wanted = count + std::max<Index>(3, count / 10);
+    if (!s.factorized)
+        s.set_shift(s.lowest_shift(wanted), Definiteness::positive);
     for (int round = 0; round < patience; ++round) {
         if (s.found() < std::min(wanted, s.size())) {
             const Index asked = std::min(wanted, s.size()) - s.found();
@@ -279,7 +298,7 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
             if (s.options.certification == Certification::waived && s.found() >= count)
                 return s.result(count);
             if (came < asked && s.found() < count) {
-                s.move_shift();
+                s.move_shift(wanted);
                 continue;
             }
         }

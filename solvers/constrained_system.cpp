@@ -62,9 +62,8 @@ ConstrainedSolver::ConstrainedSolver(ConstrainedSystem system, const std::string
     }
     MatrixFacts facts;
     facts.symmetry = Symmetry::symmetric;
-    facts.definiteness = system_.definiteness == Definiteness::indefinite
-                             ? Definiteness::indefinite
-                             : Definiteness::positive;
+    facts.definiteness = system_.definiteness == Definiteness::indefinite ? Definiteness::indefinite
+                                                                          : Definiteness::positive;
     facts.domain_dimension = system_.domain_dimension;
     solver_->factorize(part(system_.A, unknowns_), facts);
     compatibility_.free_components = free_components_;

@@ -50,7 +50,8 @@ void check_two_sided(const Discretization& discretization) {
         throw InvalidInput("the mesh is non-orientable, so dual 0-forms change sign around it: "
                            "solve for primal 0-forms");
     const auto& counts = complex.coface_counts(n - 1);
-    const auto branching = std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
+    const auto branching =
+        std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
     if (branching != counts.end())
         throw InvalidInput(fmt::format(
             "{} cells meet at facet {} (vertices {}), so the flux through it is not a difference "
@@ -64,7 +65,8 @@ void check_two_sided(const Discretization& discretization) {
 /// Twice the circumradius of each merged facet: the length its dual is compared with.
 Vector facet_scales(const Discretization& discretization) {
     const int n = discretization.dimension();
-    const Vector radii = circumradii(discretization.points, discretization.input().simplices(n - 1));
+    const Vector radii =
+        circumradii(discretization.points, discretization.input().simplices(n - 1));
     Vector scales = Vector::Zero(discretization.complex().size(n - 1));
     for (Index f = 0; f < scales.size(); ++f)
         for (Row piece(discretization.merging.diamond(n - 1), f); piece; ++piece)
@@ -165,8 +167,12 @@ void PoissonSolver::set_up_dual(const Discretization& discretization,
     }
 
     const SparseMatrix gradient = derivative(complex, n - 1).transpose();
-    ConstrainedSystem system{weighted_product(gradient, weights), std::move(fixed), std::move(tied),
-                             mass_, by_sign(weights), n};
+    ConstrainedSystem system{weighted_product(gradient, weights),
+                             std::move(fixed),
+                             std::move(tied),
+                             mass_,
+                             by_sign(weights),
+                             n};
     solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
 }
 

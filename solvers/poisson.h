@@ -49,9 +49,9 @@ private:
 
     Side side_;
     Points sites_, boundary_sites_;
-    Vector mass_;                           // volume that each value of f stands for
-    SparseMatrix boundary_load_;            // boundary values to right-hand side
-    SparseMatrix boundary_fix_;             // boundary values to fixed unknowns
+    Vector mass_;                // volume that each value of f stands for
+    SparseMatrix boundary_load_; // boundary values to right-hand side
+    SparseMatrix boundary_fix_;  // boundary values to fixed unknowns
     std::unique_ptr<ConstrainedSolver> solver_;
 };
 

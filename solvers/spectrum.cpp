@@ -61,8 +61,8 @@ Definiteness definiteness(const CellVolumes& volumes, int k) {
 
 Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
                   const SpectrumOptions& options) {
-    const int k = options.side == Side::primal ? options.degree
-                                               : complex.dimension() - options.degree;
+    const int k =
+        options.side == Side::primal ? options.degree : complex.dimension() - options.degree;
     check_degree(complex, options, k);
     check_mass(volumes, options, k);
 
@@ -77,9 +77,14 @@ Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
     auto pairs = solver.smallest(options.count);
     if (options.side == Side::dual)
         pairs.vectors = mass.asDiagonal() * pairs.vectors;
-    return {options.side,          options.degree,      std::move(pairs.values),
-            std::move(pairs.vectors), std::move(pairs.residuals), pairs.certificate,
-            std::move(pairs.linear_solver), std::move(pairs.eigen_solver)};
+    return {options.side,
+            options.degree,
+            std::move(pairs.values),
+            std::move(pairs.vectors),
+            std::move(pairs.residuals),
+            pairs.certificate,
+            std::move(pairs.linear_solver),
+            std::move(pairs.eigen_solver)};
 }
 
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {

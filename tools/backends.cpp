@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "backends/registry.h"
-
 #include "tools/commands.h"
 #include "tools/common.h"
 

@@ -7,10 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
+#include <unistd.h>
 
 namespace polydec::tools {
 
@@ -103,7 +102,9 @@ void print_timing(const MeshArguments& arguments, Timing& timing) {
         fmt::print("  {:<12} {:8.3f}\n", stage, value.get<double>());
 }
 
-void warn(const std::string& text) { fmt::print(stderr, "polydec: warning: {}\n", text); }
+void warn(const std::string& text) {
+    fmt::print(stderr, "polydec: warning: {}\n", text);
+}
 
 Progress::Progress() : visible_(isatty(STDERR_FILENO) != 0) {}
 
@@ -122,7 +123,8 @@ void Progress::operator()(std::string_view what) const {
 std::string first_few(const std::vector<Index>& cells) {
     constexpr std::size_t few = 5;
     const auto end = cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), few));
-    return fmt::format("{}{}", fmt::join(cells.begin(), end, ", "), cells.size() > few ? ", .." : "");
+    return fmt::format("{}{}", fmt::join(cells.begin(), end, ", "),
+                       cells.size() > few ? ", .." : "");
 }
 
 } // namespace polydec::tools

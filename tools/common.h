@@ -44,7 +44,8 @@ struct MeshArguments {
     bool timing = false;
 };
 
-/// Adds MESH and the options of MeshArguments to a subcommand; json is left out where there is none.
+/// Adds MESH and the options of MeshArguments to a subcommand; json is left out where there is
+/// none.
 enum class JsonOption { offered, none };
 void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption json);
 

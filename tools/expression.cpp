@@ -26,8 +26,8 @@ constexpr int most_coordinates = 16;
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text,
                          const mu::Parser::exception_type& error) {
-    throw CLI::ValidationError(option, fmt::format("'{}' is neither a file nor an expression: {}",
-                                                   text, error.GetMsg()));
+    throw CLI::ValidationError(
+        option, fmt::format("'{}' is neither a file nor an expression: {}", text, error.GetMsg()));
 }
 
 Vector read_values(const std::string& path, Index count) {

@@ -35,34 +35,54 @@ struct Generator {
 
 const std::vector<Generator>& generators() {
     static const std::vector<Generator> list{
-        {"grid", "unit square of squares, each split", {{"--nx", "squares along x", 16},
-         {"--ny", "squares along y", 16}}, [](int a, int b) { return grid(a, b); }},
-        {"hexagons", "unit square of hexagons, each fanned", {{"--columns", "hexagons to a row", 16}},
+        {"grid",
+         "unit square of squares, each split",
+         {{"--nx", "squares along x", 16}, {"--ny", "squares along y", 16}},
+         [](int a, int b) { return grid(a, b); }},
+        {"hexagons",
+         "unit square of hexagons, each fanned",
+         {{"--columns", "hexagons to a row", 16}},
          [](int a, int) { return hexagons(a); }},
-        {"well-centered", "unit square of acute triangles", {{"--rows", "pairs of rows", 8}},
+        {"well-centered",
+         "unit square of acute triangles",
+         {{"--rows", "pairs of rows", 8}},
          [](int a, int) { return well_centered(a); }},
-        {"uv-sphere", "unit sphere of planar quads, each split, and pole triangles",
+        {"uv-sphere",
+         "unit sphere of planar quads, each split, and pole triangles",
          {{"--meridians", "meridians", 32}, {"--bands", "bands from pole to pole", 16}},
          [](int a, int b) { return uv_sphere(a, b); }},
-        {"icosphere", "unit sphere from the icosahedron",
+        {"icosphere",
+         "unit sphere from the icosahedron",
          {{"--frequency", "parts of an icosahedron's edge", 8}},
          [](int a, int) { return icosphere(a); }},
-        {"goldberg", "unit sphere of planar hexagons and twelve pentagons, each fanned",
+        {"goldberg",
+         "unit sphere of planar hexagons and twelve pentagons, each fanned",
          {{"--frequency", "parts of an icosahedron's edge", 8}},
          [](int a, int) { return goldberg(a); }},
-        {"torus", "torus of planar quads, each split", {{"--major", "quads around the axis", 32},
-         {"--minor", "quads around the tube", 16}}, [](int a, int b) { return torus(a, b); }},
-        {"moebius", "Moebius strip, not orientable", {{"--around", "quads around", 32},
-         {"--across", "quads across", 4}}, [](int a, int b) { return moebius(a, b); }},
-        {"flange", "machine part with hub and bore, all faces split quads",
-         {{"--segments", "segments around the axis", 48}}, [](int a, int) { return flange(a); }},
-        {"kuhn", "unit cube of any dimension as a grid of cubes of n! simplices each",
+        {"torus",
+         "torus of planar quads, each split",
+         {{"--major", "quads around the axis", 32}, {"--minor", "quads around the tube", 16}},
+         [](int a, int b) { return torus(a, b); }},
+        {"moebius",
+         "Moebius strip, not orientable",
+         {{"--around", "quads around", 32}, {"--across", "quads across", 4}},
+         [](int a, int b) { return moebius(a, b); }},
+        {"flange",
+         "machine part with hub and bore, all faces split quads",
+         {{"--segments", "segments around the axis", 48}},
+         [](int a, int) { return flange(a); }},
+        {"kuhn",
+         "unit cube of any dimension as a grid of cubes of n! simplices each",
          {{"--dimension", "dimension n", 3}, {"--cells", "cubes along each axis", 4}},
          [](int a, int b) { return kuhn(a, b); }},
-        {"bcc", "unit cube as body-centered lattice, tetrahedra",
-         {{"--cells", "cubes along each axis", 4}}, [](int a, int) { return bcc(a); }},
-        {"fcc", "unit cube as face-centered lattice, tetrahedra",
-         {{"--cells", "cubes along each axis", 4}}, [](int a, int) { return fcc(a); }},
+        {"bcc",
+         "unit cube as body-centered lattice, tetrahedra",
+         {{"--cells", "cubes along each axis", 4}},
+         [](int a, int) { return bcc(a); }},
+        {"fcc",
+         "unit cube as face-centered lattice, tetrahedra",
+         {{"--cells", "cubes along each axis", 4}},
+         [](int a, int) { return fcc(a); }},
     };
     return list;
 }
@@ -79,8 +99,9 @@ void run(const Generator& generator, const Arguments& arguments) {
 void add_generate(CLI::App& app) {
     auto* command = app.add_subcommand("generate", "makes a mesh");
     command->require_subcommand(1);
-    command->footer("Examples:\n  polydec generate uv-sphere --meridians 64 --bands 32 -o sphere.off\n"
-                    "  polydec generate kuhn --dimension 4 --cells 3 -o tesseracts.nsc");
+    command->footer(
+        "Examples:\n  polydec generate uv-sphere --meridians 64 --bands 32 -o sphere.off\n"
+        "  polydec generate kuhn --dimension 4 --cells 3 -o tesseracts.nsc");
     for (const auto& generator : generators()) {
         auto* one = command->add_subcommand(generator.name, generator.help);
         const auto arguments = std::make_shared<Arguments>();

@@ -137,18 +137,28 @@ void print_duals(const Json& answer) {
                    star["zero"].get<Index>());
 }
 
-/// Which problems can be posed, by what they ask of the stars.
+/// What the stars allow for the Laplacian on forms that live on the k-cells.
+std::string verdict(const Json& stars, int k) {
+    const auto negative = [&](int j) {
+        return j >= 0 && j < static_cast<int>(stars.size()) ? stars[j]["negative"].get<Index>() : 0;
+    };
+    if (negative(k) > 0 || stars[k]["zero"] > 0)
+        return "no, the mass is not positive";
+    if (k > 0 && stars[k - 1]["zero"] > 0)
+        return "no, an inverse star divides by zero";
+    const Index spurious = negative(k - 1) + (k == 0 ? 0 : negative(k + 1));
+    if (spurious > 0)
+        return fmt::format("yes, but {} negative duals make about as many spurious negative "
+                           "eigenvalues",
+                           spurious);
+    return "yes";
+}
+
 void print_advice(const Json& answer) {
     const int n = answer["dimension"];
-    fmt::print("spectra (mass and inverse stars positive)\n");
-    for (int k = 0; k <= n; ++k) {
-        const auto& star = answer["stars"][k];
-        const bool mass = star["negative"] == 0 && star["zero"] == 0;
-        const bool below = k == 0 || answer["stars"][k - 1]["zero"] == 0;
-        fmt::print("  primal {}-forms, dual {}-forms: {}\n", k, n - k,
-                   mass && below ? "yes" : mass ? "no, an inverse star divides by zero"
-                                                : "no, the mass is not positive");
-    }
+    fmt::print("spectra\n");
+    for (int k = 0; k <= n; ++k)
+        fmt::print("  primal {}-forms, dual {}-forms: {}\n", k, n - k, verdict(answer["stars"], k));
 }
 
 void run(const MeshArguments& arguments) {

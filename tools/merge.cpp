@@ -47,7 +47,8 @@ void add_merge(CLI::App& app) {
     auto* command = app.add_subcommand("merge", "writes the merged complex");
     const auto arguments = std::make_shared<Arguments>();
     add_mesh_arguments(*command, arguments->mesh, JsonOption::none);
-    command->add_option("-o,--out", arguments->out, ".off .obj .ply (surfaces) or .vtu")->required();
+    command->add_option("-o,--out", arguments->out, ".off .obj .ply (surfaces) or .vtu")
+        ->required();
     command->footer("Examples:\n  polydec merge fandisk.off -o fandisk-polygons.obj\n"
                     "  polydec merge cubes.nsc -o cubes.vtu");
     command->callback([arguments] { run(*arguments); });

@@ -112,7 +112,8 @@ void add_operators(CLI::App& app) {
     auto* command = app.add_subcommand("operators", "writes every operator and map as files");
     const auto arguments = std::make_shared<Arguments>();
     add_mesh_arguments(*command, arguments->mesh, JsonOption::none);
-    command->add_option("--out", arguments->out, "folder for the files, made if needed")->required();
+    command->add_option("--out", arguments->out, "folder for the files, made if needed")
+        ->required();
     command->footer(
         "Files (P merged, K input complex): d_k star_k volume_k dual_volume_k diamond_k (P x K)\n"
         "lift_k (K x P) laplacian_primal_k laplacian_dual_j as Matrix Market; simplices_k.txt (K)\n"

@@ -43,9 +43,8 @@ Json describe(const Arguments& arguments, const PoissonSolver& solver, const Vec
 Json errors(const Discretization& mesh, const Arguments& arguments, const PoissonSolver& solver,
             const Vector& u) {
     const Vector difference = u - values_at("--exact", arguments.exact, solver.sites());
-    const Vector& volumes = arguments.poisson.side == Side::primal
-                                ? mesh.volumes.dual.front()
-                                : mesh.volumes.primal.back();
+    const Vector& volumes = arguments.poisson.side == Side::primal ? mesh.volumes.dual.front()
+                                                                   : mesh.volumes.primal.back();
     const double squared = volumes.cwiseAbs().dot(difference.cwiseAbs2());
     return {{"l2", std::sqrt(squared)}, {"max", difference.cwiseAbs().maxCoeff()}};
 }
@@ -132,7 +131,8 @@ void add_poisson(CLI::App& app) {
     command->add_option("--engine", arguments->poisson.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer(
-        "A file holds one value for each vertex (primal) or merged cell (dual); for --boundary one\n"
+        "A file holds one value for each vertex (primal) or merged cell (dual); for --boundary "
+        "one\n"
         "for each vertex or merged facet, of which those off the boundary do not matter.\n\n"
         "Examples:\n"
         "  polydec poisson grid.nsc --side dual --rhs '2*pi^2*sin(pi*x)*sin(pi*y)' -o u.vtu\n"

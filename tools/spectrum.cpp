@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/spectrum.h"
 
-#include "backends/registry.h"
+#include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
 #include "tools/commands.h"
@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace polydec::tools {
 
@@ -22,7 +24,9 @@ struct Arguments {
     std::filesystem::path out;
 };
 
-Json list(const Vector& values) { return std::vector<double>(values.begin(), values.end()); }
+Json list(const Vector& values) {
+    return std::vector<double>(values.begin(), values.end());
+}
 
 Json describe(const Spectrum& spectrum, double seconds) {
     const auto& certificate = spectrum.certificate;
@@ -57,9 +61,31 @@ void print(const Spectrum& spectrum, double seconds) {
     fmt::print("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
 }
 
+/// Negative duals make A indefinite; the negative eigenvalues they bring come first and mean
+/// nothing.
+std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
+                                                const Spectrum& spectrum) {
+    const int k =
+        spectrum.side == Side::primal ? spectrum.degree : mesh.dimension() - spectrum.degree;
+    const Vector& lambda = spectrum.eigenvalues;
+    constexpr double rounding = 1e-9;
+    const auto negative = std::count_if(lambda.begin(), lambda.end(), [&](double value) {
+        return value < -rounding * lambda.cwiseAbs().maxCoeff();
+    });
+    std::size_t duals = 0;
+    for (const int j : {k - 1, k + 1})
+        if (j >= 0 && j <= mesh.dimension())
+            duals += negative_star_cells(mesh.volumes, j).size();
+    if (negative == 0 || duals == 0)
+        return std::nullopt;
+    return fmt::format("{} of the eigenvalues are negative and spurious: {} cells next to these "
+                       "forms have a negative dual (the mesh is not Delaunay there)",
+                       negative, duals);
+}
+
 VtuGrid draw_modes(const Discretization& mesh, const Spectrum& spectrum) {
-    const int k = spectrum.side == Side::primal ? spectrum.degree
-                                                : mesh.dimension() - spectrum.degree;
+    const int k =
+        spectrum.side == Side::primal ? spectrum.degree : mesh.dimension() - spectrum.degree;
     auto grid = draw_cells(mesh.merging, mesh.points, k);
     for (Index i = 0; i < spectrum.modes.cols(); ++i)
         add_cochain(grid, mesh.merging, k, fmt::format("mode_{}", i), spectrum.modes.col(i));
@@ -88,6 +114,10 @@ void run(Arguments arguments) {
     }
     Json answer = describe(result, seconds.count());
     answer["warnings"] = mesh.warnings;
+    if (const auto spurious = spurious_eigenvalues(mesh, result)) {
+        warn(*spurious);
+        answer["warnings"].push_back(*spurious);
+    }
     add_timing(answer, arguments.mesh, timing);
     if (arguments.mesh.json) {
         fmt::print("{}\n", answer.dump());
@@ -114,9 +144,10 @@ void add_spectrum(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--eigen-engine", arguments->spectrum.eigen_solver, "eigensolver")
         ->capture_default_str();
-    command->footer("Dual K-forms live on the (n-K)-cells.\n\nExamples:\n"
-                    "  polydec spectrum fandisk.off --side primal --degree 0 --count 20 -o modes.vtu\n"
-                    "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json");
+    command->footer(
+        "Dual K-forms live on the (n-K)-cells.\n\nExamples:\n"
+        "  polydec spectrum fandisk.off --side primal --degree 0 --count 20 -o modes.vtu\n"
+        "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json");
     command->callback([arguments] { run(*arguments); });
 }
 

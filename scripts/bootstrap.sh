@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=sh disable=SC2086 # names of packages are split into words on purpose
+# Sourced by ./demo and ./test in the root of the checkout: the packages, and building a preset.
+
+say() { printf '%s\n' "$*"; }
+complain() { printf '%s\n' "$*" >&2; }
+fail() {
+    code=$1
+    shift
+    complain "$@"
+    exit "$code"
+}
+
+# Names in packages.txt, those above the line `# optional` (required) or below it (optional).
+listed_packages() {
+    case $1 in
+        required) sed -e '/^# optional/,$d' -e '/^#/d' -e '/^[[:space:]]*$/d' packages.txt ;;
+        optional) sed -e '1,/^# optional/d' -e '/^#/d' -e '/^[[:space:]]*$/d' packages.txt ;;
+    esac
+}
+
+# Of the names on stdin, those that are not installed.
+missing_packages() {
+    while read -r name; do
+        dpkg-query -W -f='${db:Status-Status}\n' "$name" 2>/dev/null | grep -qx installed ||
+            say "$name"
+    done
+}
+
+# Runs a command as root; sudo asks for a password at a terminal only.
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif ! command -v sudo >/dev/null 2>&1; then
+        complain "Not root, and there is no sudo."
+        return 1
+    elif [ -t 0 ]; then
+        sudo "$@"
+    else
+        sudo -n "$@"
+    fi
+}
+
+apt_get() {
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -q \
+        -o Acquire::Retries=1 -o Acquire::http::Timeout=20 -o Acquire::https::Timeout=20 \
+        -o DPkg::Lock::Timeout=120 "$@"
+}
+
+# The package lists may be absent or too old: they are fetched where a first try fails, once.
+apt_install() {
+    apt_get install -y --no-install-recommends "$@" && return 0
+    [ -z "$lists_fetched" ] || return 1
+    lists_fetched=yes
+    say "That failed; once more with fresh package lists."
+    apt_get update && apt_get install -y --no-install-recommends "$@"
+}
+lists_fetched=
+
+# Installs what packages.txt lists and is missing; ends with code 4 if a required one cannot be had.
+install_packages() {
+    if [ "${POLYDEC_PACKAGES:-}" = skip ]; then
+        say "POLYDEC_PACKAGES=skip: trusting that what packages.txt lists is there."
+        return 0
+    fi
+    if ! command -v dpkg-query >/dev/null 2>&1; then
+        say "Notice: no dpkg here; packages.txt lists, by Debian's names, what must be there."
+        return 0
+    fi
+
+    missing=$(listed_packages required | missing_packages)
+    if [ -n "$missing" ]; then
+        say "Installing:" $missing
+        apt_install $missing || true
+        missing=$(listed_packages required | missing_packages)
+        [ -z "$missing" ] || fail 4 \
+            "These packages are needed and could not be installed:" $missing "
+Install them by hand, or set POLYDEC_PACKAGES=skip if you have them from elsewhere."
+    fi
+
+    missing=$(listed_packages optional | missing_packages)
+    if [ -n "$missing" ]; then
+        say "Installing (optional):" $missing
+        for name in $missing; do
+            apt_install "$name" || say "Notice: going on without $name."
+        done
+    fi
+}
+
+# How many compilers at once: POLYDEC_JOBS, or the number of processors but at most 2, since a
+# compiler of template code wants 1 GB of memory.
+count_jobs() {
+    case ${POLYDEC_JOBS:-} in
+        '') processors=$(nproc 2>/dev/null || echo 2)
+            [ "$processors" -lt 2 ] && echo 1 || echo 2 ;;
+        *[!0-9]* | 0*)
+            fail 1 "POLYDEC_JOBS must be a positive whole number, not '$POLYDEC_JOBS'."
+            ;;
+        *) echo "$POLYDEC_JOBS" ;;
+    esac
+}
+jobs=$(count_jobs) || exit 1
+
+# configure PRESET; a build folder that came along with a moved checkout is begun anew.
+configure() {
+    home="CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"
+    if [ -f "build/$1/CMakeCache.txt" ] && ! grep -qxF "$home" "build/$1/CMakeCache.txt"; then
+        cmake --fresh --preset "$1"
+    else
+        cmake --preset "$1"
+    fi
+}
+
+# build PRESET [--target NAME ..]
+build() {
+    preset=$1
+    shift
+    cmake --build --preset "$preset" -j "$jobs" "$@"
+}

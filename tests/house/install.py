@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: MIT
+"""Installs a build tree, moves it, and builds and runs a project outside of polydec against it.
+
+Usage: install.py CMAKE BUILD CONSUMER PUBLIC_HEADERS COMPILER [COMPONENT ..]. The header list is
+the one of layering.py. Exit code: 0 all went well, 1 not.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import sources
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+class Failure(Exception):
+    """the text says what failed, with the program's output"""
+
+
+def run(*command, cwd, expect_success=True):
+    """Runs with nothing in the environment that could point to the build tree; gives the output."""
+    environment = {"PATH": os.environ["PATH"], "HOME": str(cwd), "LC_ALL": "C"}
+    done = subprocess.run([str(word) for word in command], cwd=cwd, env=environment, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if (done.returncode == 0) != expect_success:
+        raise Failure(f"exit code {done.returncode} of {' '.join(map(str, command))}\n"
+                      + done.stdout)
+    return done.stdout
+
+
+def check_tree(prefix, build, headers):
+    """Every public header and the license are there, and nothing names the build tree."""
+    wanted = [f"include/polydec/{header}" for header in headers] + ["share/doc/polydec/LICENSE"]
+    missing = [name for name in wanted if not (prefix / name).is_file()]
+    if missing:
+        raise Failure("not installed: " + ", ".join(missing))
+    for path in prefix.rglob("*.cmake"):
+        text = path.read_text()
+        if str(build) in text or str(ROOT) in text:
+            raise Failure(f"{path.relative_to(prefix)} holds a path of the tree it was built in")
+
+
+def configure(options, consumer, prefix, binary, components, expect_success=True):
+    """fmt is hidden: an installed polydec needs Eigen alone."""
+    return run(options.cmake, "-S", consumer, "-B", binary, "-G", "Ninja",
+               f"-DCMAKE_CXX_COMPILER={options.compiler}", f"-DCMAKE_PREFIX_PATH={prefix}",
+               "-DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON", f"-DCOMPONENTS={components}",
+               cwd=prefix.parent, expect_success=expect_success)
+
+
+def use(options, consumer, prefix, components):
+    """Configures, builds and runs the consumer."""
+    binary = prefix.parent / f"consumer-{components or 'core'}"
+    configure(options, consumer, prefix, binary, components)
+    run(options.cmake, "--build", binary, cwd=prefix.parent)
+    print(f"[{components or 'core'}]", run(binary / "consumer", cwd=prefix.parent).strip())
+
+
+def refuse(options, consumer, prefix, component):
+    """A component that is not there is an error that names it."""
+    binary = prefix.parent / f"consumer-without-{component}"
+    answer = configure(options, consumer, prefix, binary, component, expect_success=False)
+    if component not in answer:
+        raise Failure(f"the missing component {component} is not named in\n{answer}")
+
+
+def main(options):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder).resolve()
+        first = folder / "first"
+        run(options.cmake, "--install", options.build, "--prefix", first, cwd=folder)
+        check_tree(first, options.build, options.headers)
+        prefix = first.rename(folder / "moved")
+
+        use(options, options.consumer, prefix, "")
+        for component in options.components:
+            use(options, options.consumer, prefix, component)
+        for component in {"nosuch", "cholmod"} - set(options.components):
+            refuse(options, options.consumer, prefix, component)
+
+        command = prefix / "bin" / "polydec"
+        if command.exists():
+            run(command, "--help", cwd=folder)
+
+
+class Options:
+    """The words of the command line."""
+    def __init__(self, cmake, build, consumer, headers, compiler, *components):
+        self.cmake, self.build, self.consumer = cmake, Path(build), Path(consumer)
+        self.headers = sorted(sources.public_headers(ROOT, headers))
+        self.compiler, self.components = compiler, components
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 6:
+        sys.exit(__doc__)
+    try:
+        main(Options(*sys.argv[1:]))
+    except Failure as failure:
+        sys.exit(str(failure))

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""Checks the order of the house: who includes whom, license lines, lengths, dimension branches.
+
+Usage: layering.py ROOT PUBLIC_HEADERS; the second is a file with a public header's path a line.
+A complaint a line, as file:line: what is wrong. Exit code: 0 none, 1 some.
+"""
+import re
+import sys
+from pathlib import Path
+
+import sources
+
+CHAIN = ["base", "backends", "complex", "meshes", "dec", "solvers", "io", "polydec.h", "tools"]
+LAST = {"examples", "tests", "benchmarks"}
+LIBRARY = set(CHAIN) - {"tools"}
+WITHOUT_DIMENSION = {"complex", "dec"}
+MAX_LINES = 400
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+STANDARD = re.compile(r"[a-z_]+[0-9]*$")
+ENGINE = re.compile(
+    r"Spectra/|suitesparse/|(cholmod|umfpack|klu|amd|colamd|petsc|slepc|tetgen|mpi)\w*\.(h|hpp)$"
+    r"|Eigen/(\w+Support|SparseCholesky|SparseLU|IterativeLinearSolvers)$")
+
+DIMENSION = r"\b(?:\w*_)?dim(?:ension)?(?:\(\))?"
+BRANCH = re.compile(
+    rf"{DIMENSION}\s*==\s*\d|\b\d+\s*==\s*(?:\w+(?:\.|->))*{DIMENSION}"
+    rf"|\bswitch\s*\(\s*(?:\w+(?:\.|->))*{DIMENSION}"
+    r"|\bn\s*==\s*[1-9]|\bswitch\s*\(\s*n\s*\)")
+COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)
+
+
+def place(path):
+    """The top folder, or the umbrella header, that stands for a path in the chain."""
+    return Path(path).parts[0]
+
+
+def may_include(here, there):
+    if here == there:
+        return True
+    if there in LAST:
+        return False
+    return here in LAST or (here in CHAIN and CHAIN.index(there) < CHAIN.index(here))
+
+
+def include_complaint(path, delimiter, target, public):
+    """What is wrong with one #include line, or None."""
+    here, there = place(path), place(target)
+    ours = there in CHAIN or there in LAST
+    if ours and not may_include(here, there):
+        return f"{here} must not include {target}: {there} is not to its left in the chain"
+    if not ours and delimiter == '"':
+        return f'"{target}" is no path from the repository root (third-party headers go in <>)'
+
+    in_backends = "backends" in path.parts[:2]
+    in_test = here in {"tests", "benchmarks"} and target.startswith("Eigen/")
+    if not in_backends and not in_test and ENGINE.match(target):
+        return f"the engine header <{target}> belongs into backends/"
+
+    if path.as_posix() in public:
+        if ours and target not in public:
+            return f"this public header includes {target}, which is not installed"
+        if not ours and not target.startswith("Eigen/") and not STANDARD.match(target):
+            return f"a public header includes Eigen and std alone, not <{target}>"
+    return None
+
+
+def without_comments(code):
+    """The same lines, with comments and strings emptied."""
+    return COMMENT_OR_STRING.sub(lambda match: "\n" * match.group().count("\n"), code)
+
+
+def check_cpp(path, code, public):
+    for number, line in enumerate(code.splitlines(), 1):
+        include = INCLUDE.match(line)
+        complaint = include and include_complaint(path, *include.groups(), public)
+        if complaint:
+            yield f"{path}:{number}: {complaint}"
+    if place(path) in WITHOUT_DIMENSION:
+        for number, line in enumerate(without_comments(code).splitlines(), 1):
+            if BRANCH.search(line):
+                yield f"{path}:{number}: a branch on the dimension; write it for every dimension"
+
+
+def check_source(path, code):
+    lines = code.splitlines()
+    first = 1 if lines and lines[0].startswith("#!") else 0
+    if "SPDX-License-Identifier: MIT" not in "".join(lines[first:first + 1]):
+        yield f"{path}:{first + 1}: the line `SPDX-License-Identifier: MIT` is missing"
+    if len(lines) > MAX_LINES:
+        yield f"{path}:{len(lines)}: longer than {MAX_LINES} lines; divide it by concepts"
+
+
+def check(root, public):
+    """All complaints about the tree below root; public is the set of the installed headers."""
+    complaints = []
+    for path in filter(sources.is_source, sources.files(root)):
+        code = sources.text(root, path)
+        complaints += check_source(path, code)
+        if sources.is_cpp(path):
+            complaints += check_cpp(path, code, public)
+    return complaints
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    headers = sources.public_headers(sys.argv[1], sys.argv[2])
+    sys.exit(sources.report(check(sys.argv[1], headers), "Every folder keeps to its place."))
