@@ -21,7 +21,7 @@ struct EigensolverOptions {
     int domain_dimension = 0; ///< hint for orderings; 0: unknown
     /// Whether A is known to be positive semidefinite; if not, its inertia is looked at first.
     Definiteness definiteness = Definiteness::indefinite;
-    std::function<void(std::string_view)> progress; ///< told what is being done; may be empty
+    std::function<void(std::string_view)> progress = {}; ///< told what is being done; may be empty
 };
 
 /// Proof that no eigenvalue is missing: by Sylvester's law of inertia `below_shift` eigenvalues lie

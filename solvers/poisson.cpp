@@ -74,6 +74,75 @@ Vector facet_scales(const Discretization& discretization) {
     return scales;
 }
 
+/// How values of a dual 0-form and boundary values act on each other through the facets.
+struct DualFluxes {
+    Vector weights;          ///< flux through a facet per difference of the values beside it
+    std::vector<bool> fixed; ///< cells whose circumcenter lies on the boundary
+    std::vector<bool> tied;  ///< cells beside a boundary facet through which something flows
+    SparseMatrix load;       ///< boundary values to right-hand side, cells x facets
+    SparseMatrix fix;        ///< boundary values to the values of fixed cells, cells x facets
+};
+
+void check_flux_is_defined(const Discretization& discretization, Index facet, double relative) {
+    constexpr double rounding = 1e-12;
+    if (relative > rounding)
+        return;
+    const int n = discretization.dimension();
+    throw InvalidInput(fmt::format(
+        "the dual of facet {} (vertices {}) has no length, so the flux through it is not defined: "
+        "let cospherical cells be merged",
+        facet, fmt::join(discretization.merging.vertices(n - 1, facet), ", ")));
+}
+
+/// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.
+void average_rows(SparseMatrix& matrix) {
+    for (Index row = 0; row < matrix.rows(); ++row) {
+        const double sum = matrix.row(row).sum();
+        for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+            entry.valueRef() /= sum;
+    }
+}
+
+DualFluxes dual_fluxes(const Discretization& discretization, BoundaryCondition boundary) {
+    const auto& complex = discretization.complex();
+    const auto& volumes = discretization.volumes;
+    const int n = complex.dimension();
+    const Index cells = complex.size(n), facets = complex.size(n - 1);
+    const Vector scales = facet_scales(discretization);
+    const IncidenceMatrix cofaces = complex.boundary(n);
+
+    DualFluxes result{Vector::Zero(facets), std::vector<bool>(cells, false),
+                      std::vector<bool>(cells, false), SparseMatrix(cells, facets),
+                      SparseMatrix(cells, facets)};
+    std::vector<Eigen::Triplet<double, Index>> load, fix;
+    for (Index f = 0; f < facets; ++f) {
+        const bool interior = complex.coface_counts(n - 1)[f] == 2;
+        const Row coface(cofaces, f);
+        // nothing flows through the boundary, or from a cell to itself
+        if (!coface || (!interior && boundary == BoundaryCondition::natural))
+            continue;
+        const auto cell = static_cast<Index>(coface.col());
+        const double dual = volumes.dual[n - 1][f];
+        const double relative = scales[f] > 0 ? std::abs(dual) / scales[f] : 1;
+        if (interior)
+            check_flux_is_defined(discretization, f, relative);
+        if (!interior && relative <= discretization.options.tolerance) {
+            fix.emplace_back(cell, f, 1.0);
+            result.fixed[cell] = true;
+            continue;
+        }
+        result.weights[f] = volumes.primal[n - 1][f] / dual;
+        if (!interior) {
+            load.emplace_back(cell, f, result.weights[f]);
+            result.tied[cell] = true;
+        }
+    }
+    result.load.setFromTriplets(load.begin(), load.end());
+    result.fix.setFromTriplets(fix.begin(), fix.end());
+    average_rows(result.fix);
+    return result;
+}
+
 } // namespace
 
 PoissonSolver::PoissonSolver(const Discretization& discretization, const PoissonOptions& options)
@@ -115,63 +184,21 @@ void PoissonSolver::set_up_dual(const Discretization& discretization,
     check_two_sided(discretization);
     const auto& complex = discretization.complex();
     const int n = complex.dimension();
-    const Index cells = complex.size(n), facets = complex.size(n - 1);
-    const auto& volumes = discretization.volumes;
     sites_ = cell_centers(discretization.merging, discretization.points,
                           discretization.input_volumes, n);
     boundary_sites_ = cell_centers(discretization.merging, discretization.points,
                                    discretization.input_volumes, n - 1);
-    mass_ = volumes.primal[n];
+    mass_ = discretization.volumes.primal[n];
 
-    // flux through a facet per difference of values; a boundary dual without length fixes its cell
-    const Vector scales = facet_scales(discretization);
-    const IncidenceMatrix cofaces = complex.boundary(n);
-    Vector weights = Vector::Zero(facets);
-    std::vector<bool> fixed(cells, false), tied(cells, false);
-    std::vector<Eigen::Triplet<double, Index>> load, fix;
-    for (Index f = 0; f < facets; ++f) {
-        const double dual = volumes.dual[n - 1][f], primal = volumes.primal[n - 1][f];
-        const bool interior = complex.coface_counts(n - 1)[f] == 2;
-        if (!interior && options.boundary == BoundaryCondition::natural)
-            continue;
-        const Row coface(cofaces, f);
-        if (!coface)
-            continue; // the same cell on both sides
-        const double relative = scales[f] > 0 ? std::abs(dual) / scales[f] : 1;
-        if (interior && relative <= 1e-12)
-            throw InvalidInput(fmt::format(
-                "the dual of facet {} (vertices {}) has no length, so the flux through it is not "
-                "defined: let cospherical cells be merged",
-                f, fmt::join(discretization.merging.vertices(n - 1, f), ", ")));
-        const auto cell = static_cast<Index>(coface.col());
-        if (!interior && relative <= discretization.options.tolerance) {
-            fix.emplace_back(cell, f, 1.0);
-            fixed[cell] = true;
-            continue;
-        }
-        weights[f] = primal / dual;
-        if (!interior) {
-            load.emplace_back(cell, f, weights[f]);
-            tied[cell] = true;
-        }
-    }
-    boundary_load_.resize(cells, facets);
-    boundary_load_.setFromTriplets(load.begin(), load.end());
-    boundary_fix_.resize(cells, facets);
-    boundary_fix_.setFromTriplets(fix.begin(), fix.end());
-    // several such facets of one cell meet at its circumcenter
-    for (Index cell = 0; cell < cells; ++cell) {
-        const auto facets_of_cell = boundary_fix_.row(cell).nonZeros();
-        for (SparseMatrix::InnerIterator entry(boundary_fix_, cell); entry; ++entry)
-            entry.valueRef() = 1.0 / static_cast<double>(facets_of_cell);
-    }
-
+    auto fluxes = dual_fluxes(discretization, options.boundary);
+    boundary_load_ = std::move(fluxes.load);
+    boundary_fix_ = std::move(fluxes.fix);
     const SparseMatrix gradient = derivative(complex, n - 1).transpose();
-    ConstrainedSystem system{weighted_product(gradient, weights),
-                             std::move(fixed),
-                             std::move(tied),
+    ConstrainedSystem system{weighted_product(gradient, fluxes.weights),
+                             std::move(fluxes.fixed),
+                             std::move(fluxes.tied),
                              mass_,
-                             by_sign(weights),
+                             by_sign(fluxes.weights),
                              n};
     solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
 }

@@ -14,7 +14,7 @@ struct SpectrumOptions {
     std::string linear_solver = "auto";
     std::string eigen_solver = "spectra";
     Certification certification = Certification::required;
-    std::function<void(std::string_view)> progress; ///< told what is being done; may be empty
+    std::function<void(std::string_view)> progress = {}; ///< told what is being done; may be empty
 };
 
 /// Smallest eigenpairs of a Laplace-de Rham operator.

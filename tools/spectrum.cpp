@@ -3,7 +3,7 @@
 
 #include "dec/star.h"
 #include "io/draw_cells.h"
-#include "io/vtu.h"
+#include "io/draw_modes.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 
@@ -83,15 +83,6 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                        negative, duals);
 }
 
-VtuGrid draw_modes(const Discretization& mesh, const Spectrum& spectrum) {
-    const int k =
-        spectrum.side == Side::primal ? spectrum.degree : mesh.dimension() - spectrum.degree;
-    auto grid = draw_cells(mesh.merging, mesh.points, k);
-    for (Index i = 0; i < spectrum.modes.cols(); ++i)
-        add_cochain(grid, mesh.merging, k, fmt::format("mode_{}", i), spectrum.modes.col(i));
-    return grid;
-}
-
 void run(Arguments arguments) {
     Timing timing;
     const Discretization mesh = load(arguments.mesh, timing);
@@ -110,7 +101,7 @@ void run(Arguments arguments) {
 
     if (!arguments.out.empty()) {
         timing.begin("write");
-        write_vtu(arguments.out, draw_modes(mesh, result));
+        write_vtu(arguments.out, mesh, result);
     }
     Json answer = describe(result, seconds.count());
     answer["warnings"] = mesh.warnings;

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <iostream>
 #include <polydec.h>
 
 int main() {
-    polydec::Mesh mesh;
-    mesh.points.resize(3, 2);
-    mesh.points << 0, 0, 1, 0, 0, 1;
-    mesh.simplices.resize(1, 3);
-    mesh.simplices << 0, 1, 2;
+    const auto sphere = polydec::discretize(polydec::uv_sphere(16, 8));
+    const auto modes = polydec::spectrum(sphere, {.side = polydec::Side::dual, .count = 4});
 
-    std::cout << "polydec " << CONSUMER_EXPECTS_VERSION << ": a mesh of dimension "
-              << mesh.dimension() << " in dimension " << mesh.ambient_dimension() << '\n';
-    return mesh.dimension() == 2 && mesh.ambient_dimension() == 2 ? 0 : 1;
+    std::cout << "polydec " << CONSUMER_EXPECTS_VERSION << ": on the sphere 2 is about "
+              << modes.eigenvalues[3] << '\n';
+    return modes.certificate.complete && std::abs(modes.eigenvalues[3] - 2) < 0.2 ? 0 : 1;
 }

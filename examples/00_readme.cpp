@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#include <polydec.h>
+
+int main() {
+    const auto fandisk = polydec::discretize(polydec::read_mesh("fandisk.off"));
+    const auto modes =
+        polydec::spectrum(fandisk, {.side = polydec::Side::dual, .degree = 0, .count = 20});
+    polydec::write_vtu("modes.vtu", fandisk, modes);
+}
