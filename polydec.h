@@ -33,6 +33,7 @@
 #include "io/write_mesh.h"
 #include "meshes/generate.h"
 #include "meshes/mesh.h"
+#include "meshes/rearrange.h"
 #include "meshes/tidy.h"
 #include "solvers/certified_eigensolver.h"
 #include "solvers/constrained_system.h"

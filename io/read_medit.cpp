@@ -46,11 +46,6 @@ public:
         return found->second;
     }
 
-    /// The number of cells in a section, 0 without it.
-    Index count(std::string_view keyword, std::size_t least_bytes) const {
-        return has(keyword) ? at(keyword).count(keyword, least_bytes) : 0;
-    }
-
 private:
     Scanner begin_;
     std::map<std::string, Scanner, std::less<>> places_;
@@ -80,7 +75,12 @@ Points read_vertices(const Sections& sections, int dimension) {
     return points;
 }
 
-Simplices read_cells(Scanner scanner, std::string_view keyword, int corners, Index vertices) {
+/// No rows where the section is missing.
+Simplices read_cells(const Sections& sections, const char* keyword, int corners, Index vertices) {
+    if (!sections.has(keyword)) {
+        return Simplices(0, corners);
+    }
+    Scanner scanner = sections.at(keyword);
     const Index count = scanner.count(keyword, 2 * (static_cast<std::size_t>(corners) + 1));
     Simplices cells(count, corners);
     for (Index cell = 0; cell < count; ++cell) {
@@ -94,7 +94,7 @@ Simplices read_cells(Scanner scanner, std::string_view keyword, int corners, Ind
 
 /// Leaving such cells out would silently make a hole in the mesh.
 void refuse_others(const Sections& sections, std::string_view keyword) {
-    if (sections.count(keyword, 1) > 0) {
+    if (sections.has(keyword) && sections.at(keyword).count(keyword, 1) > 0) {
         sections.at(keyword).fail(fmt::format("the mesh has {}; expected tetrahedra, triangles or "
                                               "edges; split them before",
                                               keyword));
@@ -117,9 +117,9 @@ Mesh read_medit(const SourceFile& file) {
         if (kind == 1) {
             refuse_others(sections, "Quadrilaterals");
         }
-        const char* keyword = kinds[static_cast<std::size_t>(kind)];
-        if (sections.count(keyword, 1) > 0) {
-            mesh.simplices = read_cells(sections.at(keyword), keyword, 4 - kind, vertices);
+        mesh.simplices =
+            read_cells(sections, kinds[static_cast<std::size_t>(kind)], 4 - kind, vertices);
+        if (mesh.simplices.rows() > 0) {
             return mesh;
         }
     }

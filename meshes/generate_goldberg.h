@@ -12,8 +12,9 @@ namespace polydec {
 ///
 /// Corners start over the middles of the icosphere's triangles and are moved on the sphere by
 /// Gauss-Newton steps of least norm until every face is planar; this keeps the icosahedral symmetry
-/// (to rounding). Takes about a second for frequency 32.
-/// Throws InvalidInput unless frequency is 1 .. 128; SolverFailure if planes are not reached.
+/// (to rounding). Takes about a second for frequency 32,
+/// ten for 64.
+/// Throws InvalidInput unless frequency is 1 .. 64; SolverFailure if planes are not reached.
 Mesh goldberg(int frequency);
 
 } // namespace polydec

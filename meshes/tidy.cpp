@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -151,7 +150,7 @@ std::vector<Index> duplicates(const Simplices& cells) {
 }
 
 struct Edge {
-    Index a, b; // vertices
+    Index a, b; // vertices, a < b
     double length;
 };
 
@@ -163,7 +162,7 @@ std::vector<Edge> edges_of(const Mesh& mesh, Index cell) {
         for (Index j = i + 1; j < vertices.size(); ++j) {
             const Index a = vertices[i], b = vertices[j];
             const double half = (0.5 * mesh.points.row(a) - 0.5 * mesh.points.row(b)).stableNorm();
-            result.push_back({a, b, half});
+            result.push_back({std::min(a, b), std::max(a, b), half});
         }
     std::stable_sort(result.begin(), result.end(),
                      [](const Edge& e, const Edge& f) { return e.length < f.length; });
@@ -179,13 +178,15 @@ std::string remedy(const Mesh& mesh, Index cell) {
                            "use one number for both.",
                            shortest.a, shortest.b, place(mesh, shortest.a));
     if (mesh.dimension() > 2)
-        return "Its vertices lie in one plane of lower dimension: move one of them, or exchange "
-               "the cell and its neighbors for others.";
+        return fmt::format("Its vertices lie in one {}: move one of them, or exchange the cell and "
+                           "its neighbors for others.",
+                           mesh.dimension() == 3 ? "plane" : "hyperplane");
 
     const Index middle = mesh.simplices.row(cell).sum() - longest.a - longest.b;
-    return fmt::format("Its vertex {} at {} lies on its edge from {} to {}: flip that edge, split "
-                       "the cell behind it there, or move the vertex.",
-                       middle, place(mesh, middle), longest.a, longest.b);
+    return fmt::format(
+        "Its vertex {} at {} lies on its edge from {} to {}: flip that edge, or leave "
+        "the cell out and split its neighbor behind that edge at the vertex.",
+        middle, place(mesh, middle), longest.a, longest.b);
 }
 
 void leave_out_flat_cells(Sieve& sieve) {
@@ -196,7 +197,7 @@ void leave_out_flat_cells(Sieve& sieve) {
     const Index first = flat.stuck.front();
     std::string others;
     if (flat.stuck.size() > 1)
-        others = fmt::format("\nThe same is to be seen to in {} more: {}.", flat.stuck.size() - 1,
+        others = fmt::format("\n{} more like it: {}.", flat.stuck.size() - 1,
                              listed({flat.stuck.begin() + 1, flat.stuck.end()}, [&](Index cell) {
                                  return fmt::format("{} ({})", sieve.numbers[cell],
                                                     vertices_of(sieve.mesh, cell));

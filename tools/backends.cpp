@@ -39,6 +39,7 @@ void add_backends(CLI::App& app) {
     auto* command = app.add_subcommand("backends", "engines: there, missing, how to get them");
     const auto json = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "print one JSON object");
+    command->footer("Example:\n  polydec backends");
     command->callback([json] { run(*json); });
 }
 

@@ -13,6 +13,16 @@
 
 namespace polydec::tools {
 
+namespace {
+
+/// CLI11's own check tells the largest double in 309 digits.
+std::string check_not_negative(const std::string& text) {
+    const bool good = CLI::NonNegativeNumber(text).empty();
+    return good ? "" : fmt::format("expected a number of at least 0, not '{}'", text);
+}
+
+} // namespace
+
 void Timing::begin(std::string_view stage) {
     end();
     const auto it = std::find_if(seconds_.begin(), seconds_.end(),
@@ -41,10 +51,10 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption 
         ->required();
     auto* tolerance = command.add_option("--tolerance", arguments.tolerance,
                                          "merge facets with relative dual length up to this");
-    tolerance->capture_default_str()->check(CLI::NonNegativeNumber);
+    tolerance->capture_default_str()->check(check_not_negative);
     auto* angle = command.add_option("--angle-tolerance", arguments.angle_tolerance,
                                      "merge by opposite angles instead, radians (surfaces)");
-    angle->check(CLI::NonNegativeNumber)->excludes(tolerance);
+    angle->check(check_not_negative)->excludes(tolerance);
     auto* none = command.add_flag("!--no-merge", arguments.merge, "merge nothing");
     none->excludes(tolerance)->excludes(angle);
     if (json == JsonOption::offered)
@@ -53,9 +63,16 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption 
 }
 
 CLI::Option* add_side(CLI::App& command, Side& side) {
-    static const std::map<std::string, Side> sides{{"primal", Side::primal}, {"dual", Side::dual}};
+    const auto read = [](std::string& text) {
+        for (const Side known : {Side::primal, Side::dual})
+            if (text == name(known)) {
+                text = std::to_string(static_cast<int>(known));
+                return std::string();
+            }
+        return fmt::format("expected primal or dual, not '{}'", text);
+    };
     return command.add_option("--side", side, "where the forms live: primal or dual cells")
-        ->transform(CLI::CheckedTransformer(sides).description("primal|dual"));
+        ->transform(CLI::Validator(read, "primal|dual"));
 }
 
 Discretization load(const MeshArguments& arguments, Timing& timing) {

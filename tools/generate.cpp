@@ -2,7 +2,6 @@
 #include "meshes/generate.h"
 
 #include "io/write_mesh.h"
-#include "meshes/generate_parts.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 

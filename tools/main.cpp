@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 #include <unistd.h>
 
 namespace {
@@ -29,10 +30,19 @@ int fail(ExitCode code, const char* text) {
     return code;
 }
 
+/// An argument that nobody knows is the cause even where something is missing too.
+std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
+    const auto unknown = app->remaining(true);
+    const auto what = unknown.empty() ? std::string(error.what())
+                                      : fmt::format("there is no '{}' here", unknown.front());
+    return fmt::format("polydec: {}\nRun with --help for more information.\n", what);
+}
+
 int run(int argc, char** argv) {
     CLI::App app{"polydec: discrete exterior calculus on the mesh you have", "polydec"};
     app.set_version_flag("--version", POLYDEC_VERSION);
     app.require_subcommand(1);
+    app.failure_message(tell_misuse);
     app.footer("polydec COMMAND --help tells more and shows examples.\n"
                "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 numerical failure, 4 file or "
                "resource failure.");

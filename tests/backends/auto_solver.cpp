@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "backends/auto_solver.h"
+
+#include "base/errors.h"
+#include "tests/backends/matrices.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// The names without cholmod, which not every program has.
+Names suitable(const SparseMatrix& A, const MatrixFacts& facts) {
+    Names names = suitable_engines(A, facts);
+    std::erase(names, "cholmod");
+    return names;
+}
+
+TEST(auto_solver, the_facts_decide) {
+    const auto A = grid_laplacian(4);
+    MatrixFacts counted = indefinite();
+    counted.inertia = Inertia::wanted;
+    EXPECT_EQ(suitable(A, positive()), (Names{"eigen.ldlt", "eigen.lu", "eigen.cg"}));
+    EXPECT_EQ(suitable(A, semidefinite(Vector::Ones(16))),
+              (Names{"eigen.ldlt", "eigen.lu", "eigen.cg"}));
+    EXPECT_EQ(suitable(A, semidefinite()), (Names{"eigen.cg", "eigen.ldlt"}));
+    EXPECT_EQ(suitable(A, indefinite()), (Names{"eigen.ldlt", "eigen.lu"}));
+    EXPECT_EQ(suitable(A, counted), (Names{"eigen.ldlt"}));
+    EXPECT_EQ(suitable(A, general()), (Names{"eigen.lu", "eigen.bicgstab"}));
+}
+
+TEST(auto_solver, large_solids_are_iterated) {
+    const SparseMatrix A(1000000, 1000000);
+    MatrixFacts facts = positive();
+    facts.domain_dimension = 3;
+    EXPECT_EQ(suitable_engines(A, facts).front(), "eigen.cg");
+    facts.domain_dimension = 2;
+    EXPECT_NE(suitable_engines(A, facts).front(), "eigen.cg");
+}
+
+TEST(auto_solver, it_reports_who_delivered) {
+    AutoSolver solver;
+    const auto A = grid_laplacian(8);
+    solver.factorize(A, positive());
+    const Vector b = random_matrix(64, 1, 1);
+    solver.solve(b);
+    EXPECT_EQ(solver.report().engine, suitable_engines(A, positive()).front());
+    EXPECT_EQ(solver.report().tried, Names{solver.report().engine});
+}
+
+// A zero pivot stops every L D L^T without pivoting, and nothing else is wrong with this matrix.
+TEST(auto_solver, it_goes_on_to_the_next_engine_and_says_so) {
+    DenseMatrix swap = DenseMatrix::Zero(4, 4);
+    swap(0, 1) = swap(1, 0) = swap(2, 3) = swap(3, 2) = 1.0;
+    const auto A = sparse(swap);
+    AutoSolver solver;
+    solver.factorize(A, indefinite());
+    const Vector b = random_matrix(4, 1, 2);
+    EXPECT_PRED3(solves, A, solver.solve(b), b);
+    EXPECT_EQ(solver.report().engine, "eigen.lu");
+    ASSERT_GE(solver.report().tried.size(), 2u);
+    const auto& failure = solver.report().tried[solver.report().tried.size() - 2];
+    EXPECT_EQ(failure, "eigen.ldlt: zero pivot: the matrix, or a leading block of it, is singular");
+    EXPECT_EQ(solver.report().tried.back(), "eigen.lu");
+}
+
+TEST(auto_solver, a_pinned_engine_does_not_go_on) {
+    DenseMatrix swap = DenseMatrix::Zero(2, 2);
+    swap(0, 1) = swap(1, 0) = 1.0;
+    const auto solver = make_linear_solver("eigen.ldlt");
+    EXPECT_THROW(solver->factorize(sparse(swap), indefinite()), SolverFailure);
+}
+
+TEST(auto_solver, when_no_engine_is_left_the_error_tells_of_all) {
+    AutoSolver solver;
+    SparseMatrix A(3, 3);
+    A.insert(0, 0) = 1.0;
+    const auto message = message_of<SolverFailure>([&] { solver.factorize(A, indefinite()); });
+    EXPECT_EQ(message.find("auto: no engine solves this 3 x 3 system: "), 0u) << message;
+    EXPECT_NE(message.find("eigen.ldlt: zero pivot"), std::string::npos) << message;
+    EXPECT_NE(message.find("eigen.lu: the matrix is singular: row 1 is zero"), std::string::npos);
+    EXPECT_THROW(solver.solve(Vector::Ones(3)), InvalidInput);
+}
+
+TEST(auto_solver, a_hopeless_right_hand_side_does_not_spoil_the_next) {
+    AutoSolver solver;
+    const auto A = neumann_laplacian(8);
+    solver.factorize(A, semidefinite());
+    EXPECT_THROW(solver.solve(Vector::LinSpaced(64, 0.5, 1.0)), SolverFailure);
+    const DenseMatrix b = A * random_matrix(64, 1, 3);
+    EXPECT_PRED3(solves, A, solver.solve(b), b);
+}
+
+TEST(auto_solver, it_counts_negative_eigenvalues_where_asked) {
+    MatrixFacts facts = indefinite();
+    facts.inertia = Inertia::wanted;
+    AutoSolver solver;
+    EXPECT_EQ(solver.negative_pivots(), std::nullopt);
+    const auto A = shifted(grid_laplacian(7), 2.5);
+    solver.factorize(A, facts);
+    EXPECT_EQ(solver.negative_pivots(), negative_eigenvalues(A));
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "tests/backends/matrices.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+MatrixFacts counted() {
+    MatrixFacts facts = indefinite();
+    facts.inertia = Inertia::wanted;
+    return facts;
+}
+
+std::vector<std::string> counting_engines() {
+    std::vector<std::string> names;
+    for (const auto& name : linear_engine_names())
+        if (make_linear_solver(name)->traits().inertia == Inertia::wanted)
+            names.push_back(name);
+    return names;
+}
+
+/// Eigenvalues of a grid Laplacian: sums of 2 - 2 cos(i pi / (m + 1)), ascending.
+std::vector<double> grid_eigenvalues(Index m, int dimension) {
+    std::vector<double> sums{0.0};
+    for (int axis = 0; axis < dimension; ++axis) {
+        std::vector<double> longer;
+        for (const double sum : sums)
+            for (Index i = 1; i <= m; ++i)
+                longer.push_back(sum + 2.0 - 2.0 * std::cos(i * 3.14159265358979323846 / (m + 1)));
+        sums = longer;
+    }
+    std::sort(sums.begin(), sums.end());
+    return sums;
+}
+
+class CountsNegative : public testing::TestWithParam<std::string> {};
+
+TEST_P(CountsNegative, eigenvalues_of_random_symmetric_matrices) {
+    const auto solver = make_linear_solver(GetParam());
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        const auto A = sparse(random_symmetric(2 + static_cast<Index>(seed % 23), seed));
+        solver->factorize(A, counted());
+        EXPECT_EQ(solver->negative_pivots(), negative_eigenvalues(A)) << "seed " << seed;
+    }
+}
+
+TEST_P(CountsNegative, eigenvalues_of_grid_laplacians_below_every_gap) {
+    for (const auto& [m, dimension] : {std::pair{9, 2}, std::pair{5, 3}}) {
+        const auto A = grid_laplacian(m, dimension);
+        const auto values = grid_eigenvalues(m, dimension);
+        const auto solver = make_linear_solver(GetParam());
+        for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+            if (values[i + 1] - values[i] < 1e-6)
+                continue;
+            const double tau = 0.5 * (values[i] + values[i + 1]);
+            solver->factorize(shifted(A, tau), counted());
+            EXPECT_EQ(solver->negative_pivots(), static_cast<Index>(i + 1)) << "tau = " << tau;
+            solver->solve(Vector::Ones(A.rows()));
+            EXPECT_LE(solver->report().backward_error, 1e-9);
+        }
+    }
+}
+
+// The broken twin: between the copies of a multiplet there is no gap, and the count is another one.
+TEST_P(CountsNegative, a_shift_on_the_other_side_of_an_eigenvalue_is_told_apart) {
+    const auto A = grid_laplacian(9);
+    const auto values = grid_eigenvalues(9, 2);
+    const auto solver = make_linear_solver(GetParam());
+    solver->factorize(shifted(A, values[1] - 1e-9), counted());
+    EXPECT_EQ(solver->negative_pivots(), Index{1});
+    solver->factorize(shifted(A, values[1] + 1e-9), counted());
+    EXPECT_EQ(solver->negative_pivots(), Index{3});
+}
+
+TEST_P(CountsNegative, zero_pivots_are_an_error) {
+    const auto A = shifted(grid_laplacian(6), 4.0);
+    const auto solver = make_linear_solver(GetParam());
+    const auto message = message_of<SolverFailure>([&] { solver->factorize(A, counted()); });
+    EXPECT_NE(message.find("zero pivot"), std::string::npos) << message;
+    EXPECT_EQ(solver->negative_pivots(), std::nullopt);
+}
+
+TEST_P(CountsNegative, eigenvalues_beside_a_known_kernel) {
+    MatrixFacts facts = semidefinite(Vector::Ones(36));
+    facts.inertia = Inertia::wanted;
+    const auto solver = make_linear_solver(GetParam());
+    solver->factorize(neumann_laplacian(6), facts);
+    EXPECT_EQ(solver->negative_pivots(), Index{0});
+    solver->factorize(
+        -neumann_laplacian(6),
+        {.symmetry = Symmetry::symmetric, .inertia = Inertia::wanted, .kernel = Vector::Ones(36)});
+    EXPECT_EQ(solver->negative_pivots(), Index{35});
+}
+
+INSTANTIATE_TEST_SUITE_P(engines, CountsNegative, testing::ValuesIn(counting_engines()),
+                         [](const auto& test) {
+                             std::string name = test.param;
+                             for (char& letter : name)
+                                 letter = letter == '.' ? '_' : letter;
+                             return name;
+                         });
+
+RC_GTEST_PROP(inertia, sylvester_counts_what_a_dense_eigensolver_counts, ()) {
+    const auto size = *rc::gen::inRange(1, 30);
+    const auto seed = *rc::gen::inRange(1u, 99999u);
+    DenseMatrix dense = random_symmetric(size, seed);
+    for (Eigen::Index j = 0; j < size; ++j)
+        for (Eigen::Index i = 0; i < j; ++i)
+            if ((3 * i + 5 * j + seed) % 3 != 0)
+                dense(i, j) = dense(j, i) = 0.0;
+    const auto A = sparse(dense);
+    for (const auto& name : counting_engines()) {
+        const auto solver = make_linear_solver(name);
+        solver->factorize(A, counted());
+        RC_ASSERT(solver->negative_pivots() == negative_eigenvalues(A));
+    }
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "tests/backends/matrices.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace polydec::test {
+namespace {
+
+/// What every linear engine promises, whichever it is.
+class LinearContract : public testing::TestWithParam<std::string> {
+protected:
+    std::unique_ptr<LinearSolver> make(const LinearSolverOptions& options = {}) const {
+        return make_linear_solver(GetParam(), options);
+    }
+
+    /// Whether the engine's traits allow these facts.
+    bool takes(const MatrixFacts& facts) const {
+        const EngineTraits traits = make()->traits();
+        if (facts.symmetry == Symmetry::general)
+            return traits.symmetry == Symmetry::general;
+        return facts.definiteness <= traits.definiteness &&
+               (facts.inertia == Inertia::unneeded || traits.inertia == Inertia::wanted);
+    }
+
+    /// Solves where the engine takes such a matrix, and is refused where it does not.
+    void expect_solves(const SparseMatrix& A, const MatrixFacts& facts, const DenseMatrix& B) {
+        const auto solver = make();
+        if (!takes(facts)) {
+            EXPECT_THROW(solver->factorize(A, facts), InvalidInput);
+            return;
+        }
+        solver->factorize(A, facts);
+        EXPECT_PRED3(solves, A, solver->solve(B), B);
+        EXPECT_LE(solver->report().residual, 1e-9);
+        EXPECT_LE(solver->report().backward_error, 1e-10);
+        EXPECT_FALSE(solver->report().tried.empty());
+    }
+};
+
+TEST_P(LinearContract, positive_definite_systems_are_solved) {
+    const auto A = grid_laplacian(20);
+    expect_solves(A, positive(), random_matrix(400, 1, 1));
+    const auto solid = grid_laplacian(8, 3);
+    expect_solves(solid, positive(), random_matrix(512, 1, 2));
+}
+
+TEST_P(LinearContract, facts_that_promise_nothing_are_enough_for_engines_that_need_none) {
+    expect_solves(grid_laplacian(12), general(), random_matrix(144, 1, 3));
+}
+
+TEST_P(LinearContract, several_right_hand_sides_are_solved_at_once) {
+    const auto A = grid_laplacian(12);
+    DenseMatrix B = random_matrix(144, 9, 4);
+    B.col(3).setZero();
+    expect_solves(A, positive(), B);
+
+    const auto solver = make();
+    solver->factorize(A, positive());
+    EXPECT_TRUE(solver->solve(B).col(3).isZero(0.0));
+    EXPECT_EQ(solver->solve(DenseMatrix(144, 0)).cols(), 0);
+}
+
+TEST_P(LinearContract, vectors_blocks_and_expressions_are_right_hand_sides) {
+    const auto A = grid_laplacian(6);
+    const auto solver = make();
+    solver->factorize(A, positive());
+    const DenseMatrix B = random_matrix(36, 3, 5);
+    const DenseMatrix X = solver->solve(B);
+    const Vector x = solver->solve(B.col(1));
+    EXPECT_LE((x - X.col(1)).norm(), 1e-9 * x.norm());
+    const Vector y = solver->solve(2.0 * B.col(1));
+    EXPECT_LE((y - 2.0 * X.col(1)).norm(), 1e-9 * x.norm());
+}
+
+TEST_P(LinearContract, semidefinite_systems_with_known_kernel_are_solved_orthogonally_to_it) {
+    const auto A = neumann_laplacian(15);
+    const Vector ones = Vector::Ones(225);
+    DenseMatrix B = random_matrix(225, 3, 6);
+    B.rowwise() -= B.colwise().mean().eval();
+    expect_solves(A, semidefinite(ones), B);
+
+    const auto solver = make();
+    solver->factorize(A, semidefinite(ones));
+    const DenseMatrix X = solver->solve(B);
+    EXPECT_LE((ones.transpose() * X).norm(), 1e-9 * X.norm());
+}
+
+TEST_P(LinearContract, kernels_of_several_components_are_taken_out) {
+    DenseMatrix two = DenseMatrix::Zero(32, 32);
+    two.topLeftCorner(16, 16) = neumann_laplacian(4);
+    two.bottomRightCorner(16, 16) = 1e-3 * DenseMatrix(neumann_laplacian(4));
+    DenseMatrix kernel = DenseMatrix::Ones(32, 2);
+    kernel.col(1).tail(16).setConstant(-3.0);
+    const auto A = sparse(two);
+    expect_solves(A, semidefinite(kernel), A * random_matrix(32, 2, 7));
+}
+
+TEST_P(LinearContract, right_hand_sides_outside_the_image_are_refused) {
+    const auto A = neumann_laplacian(6);
+    const auto solver = make();
+    solver->factorize(A, semidefinite(Vector::Ones(36)));
+    const auto message = message_of<InvalidInput>([&] { solver->solve(Vector::Ones(36)); });
+    EXPECT_EQ(message.substr(message.find(':')),
+              ": right-hand side 0 has a part in the kernel of the matrix, 1 of its norm\n"
+              "No solution exists; take that part away (for Neumann data: make the mean 0).");
+}
+
+TEST_P(LinearContract, unknown_kernels_give_a_solution_or_an_error_but_no_garbage) {
+    const auto A = neumann_laplacian(9);
+    const DenseMatrix in_image = A * random_matrix(81, 1, 8);
+    const Vector outside = Vector::LinSpaced(81, 0.9, 1.1);
+    for (const auto& facts : {semidefinite(), positive()}) {
+        const auto solver = make();
+        try {
+            solver->factorize(A, facts);
+            EXPECT_PRED3(solves, A, solver->solve(in_image), in_image);
+        } catch (const SolverFailure&) {
+            continue;
+        }
+        EXPECT_THROW(solver->solve(outside), SolverFailure);
+    }
+}
+
+TEST_P(LinearContract, zero_matrices_are_solved_for_zero_or_refused) {
+    const SparseMatrix zero(5, 5);
+    for (const auto& facts : {general(), positive(), semidefinite(), indefinite()}) {
+        if (!takes(facts))
+            continue;
+        const auto solver = make();
+        try {
+            solver->factorize(zero, facts);
+            EXPECT_TRUE(solver->solve(Vector::Zero(5)).isZero(0.0));
+        } catch (const SolverFailure&) {
+            continue;
+        }
+        EXPECT_THROW(solver->solve(Vector::Ones(5)), SolverFailure);
+    }
+}
+
+TEST_P(LinearContract, a_matrix_that_is_all_kernel_gives_zero) {
+    const SparseMatrix zero(3, 3);
+    const auto solver = make();
+    solver->factorize(zero, semidefinite(DenseMatrix::Identity(3, 3)));
+    EXPECT_TRUE(solver->solve(Vector::Zero(3)).isZero(0.0));
+    EXPECT_THROW(solver->solve(Vector::Unit(3, 0)), InvalidInput);
+}
+
+TEST_P(LinearContract, indefinite_systems_are_solved) {
+    const auto A = shifted(grid_laplacian(12), 3.1);
+    expect_solves(A, indefinite(), random_matrix(144, 2, 9));
+}
+
+TEST_P(LinearContract, nonsymmetric_systems_are_solved) {
+    expect_solves(convection_diffusion(15, 0.9), general(), random_matrix(225, 1, 10));
+    expect_solves(convection_diffusion(15, 20.0), general(), random_matrix(225, 1, 11));
+}
+
+TEST_P(LinearContract, a_nonsymmetric_matrix_called_symmetric_is_no_silent_wrong_answer) {
+    const auto A = convection_diffusion(10, 0.9);
+    for (const auto& facts : {positive(), indefinite()}) {
+        if (!takes(facts))
+            continue;
+        const auto solver = make();
+        const Vector b = random_matrix(100, 1, 12);
+        try {
+            solver->factorize(A, facts);
+            EXPECT_PRED3(solves, A, solver->solve(b), b);
+        } catch (const SolverFailure&) {
+            SUCCEED();
+        }
+    }
+}
+
+TEST_P(LinearContract, an_indefinite_matrix_called_positive_is_no_silent_wrong_answer) {
+    const auto A = shifted(grid_laplacian(10), 2.0);
+    const Vector b = random_matrix(100, 1, 13);
+    const auto solver = make({.max_iterations = 2000});
+    try {
+        solver->factorize(A, positive());
+        EXPECT_PRED3(solves, A, solver->solve(b), b);
+    } catch (const SolverFailure& failure) {
+        EXPECT_NE(std::string(failure.what()).find(solver->name()), std::string::npos);
+    }
+}
+
+TEST_P(LinearContract, empty_systems_have_empty_solutions) {
+    const auto solver = make();
+    solver->factorize(SparseMatrix(0, 0), positive());
+    EXPECT_EQ(solver->solve(Vector(0)).size(), 0);
+    EXPECT_EQ(solver->solve(DenseMatrix(0, 4)).cols(), 4);
+}
+
+TEST_P(LinearContract, one_by_one_systems_are_divisions) {
+    const auto solver = make();
+    solver->factorize(sparse(DenseMatrix::Constant(1, 1, 4.0)), positive());
+    EXPECT_DOUBLE_EQ(solver->solve(Vector::Constant(1, 8.0))[0], 2.0);
+    EXPECT_DOUBLE_EQ(solver->solve(Vector::Constant(1, 8e-200))[0], 2e-200);
+}
+
+TEST_P(LinearContract, scale_of_matrix_and_right_hand_side_does_not_matter) {
+    const DenseMatrix b = random_matrix(64, 1, 14);
+    for (const double scale : {1e-30, 1e-8, 1e8, 1e30}) {
+        expect_solves(scale * grid_laplacian(8), positive(), b);
+        expect_solves(grid_laplacian(8), positive(), scale * b);
+    }
+}
+
+TEST_P(LinearContract, matrices_that_are_not_square_are_refused) {
+    const auto solver = make();
+    const SparseMatrix A(3, 4);
+    const auto message = message_of<InvalidInput>([&] { solver->factorize(A, positive()); });
+    EXPECT_NE(message.find(": a 3 x 4 matrix is not square"), std::string::npos) << message;
+}
+
+TEST_P(LinearContract, nan_and_infinity_are_refused_by_name) {
+    const auto solver = make();
+    SparseMatrix A = grid_laplacian(3);
+    A.coeffRef(2, 5) = std::nan("");
+    const auto in_matrix = message_of<InvalidInput>([&] { solver->factorize(A, positive()); });
+    EXPECT_NE(in_matrix.find(": entry (2, 5) of the matrix is nan"), std::string::npos)
+        << in_matrix;
+
+    solver->factorize(grid_laplacian(3), positive());
+    DenseMatrix B = DenseMatrix::Ones(9, 2);
+    B(7, 1) = -std::numeric_limits<double>::infinity();
+    const auto in_vector = message_of<InvalidInput>([&] { solver->solve(B); });
+    EXPECT_NE(in_vector.find(": entry 7 of right-hand side 1 is -inf"), std::string::npos)
+        << in_vector;
+}
+
+TEST_P(LinearContract, solving_needs_a_factorization_and_the_right_size) {
+    const auto solver = make();
+    EXPECT_EQ(message_of<InvalidInput>([&] { solver->solve(Vector::Ones(3)); }),
+              GetParam() + ": solve() needs a successful factorize() before");
+    solver->factorize(grid_laplacian(3), positive());
+    const auto message = message_of<InvalidInput>([&] { solver->solve(Vector::Ones(3)); });
+    EXPECT_NE(message.find(": a right-hand side of 3 rows for a 9 x 9 matrix"), std::string::npos);
+
+    EXPECT_THROW(solver->factorize(SparseMatrix(2, 3), positive()), InvalidInput);
+    EXPECT_THROW(solver->solve(Vector::Ones(9)), InvalidInput);
+}
+
+TEST_P(LinearContract, refactorization_forgets_the_matrix_before) {
+    const auto solver = make();
+    const auto first = grid_laplacian(10);
+    const SparseMatrix same_pattern = shifted(3.0 * first, -1.0);
+    const auto other = grid_laplacian(4, 3);
+    for (const auto* A : {&first, &same_pattern, &other, &first}) {
+        solver->factorize(*A, positive());
+        const DenseMatrix B = random_matrix(static_cast<Index>(A->rows()), 2, 15);
+        EXPECT_PRED3(solves, *A, solver->solve(B), B);
+    }
+    if (!takes(indefinite()))
+        return;
+    for (const auto& facts : {indefinite(), positive(), indefinite()}) {
+        solver->factorize(first, facts);
+        const DenseMatrix B = random_matrix(100, 1, 16);
+        EXPECT_PRED3(solves, first, solver->solve(B), B);
+    }
+}
+
+TEST_P(LinearContract, a_failed_factorization_does_not_spoil_the_next) {
+    const auto solver = make();
+    DenseMatrix singular = DenseMatrix::Zero(2, 2);
+    singular(0, 1) = singular(1, 0) = 1.0;
+    try {
+        solver->factorize(sparse(singular), positive());
+    } catch (const SolverFailure&) {
+        EXPECT_THROW(solver->solve(Vector::Ones(2)), InvalidInput);
+    }
+    const auto A = grid_laplacian(4);
+    const DenseMatrix B = random_matrix(16, 1, 17);
+    solver->factorize(A, positive());
+    EXPECT_PRED3(solves, A, solver->solve(B), B);
+}
+
+TEST_P(LinearContract, what_an_engine_cannot_do_is_refused) {
+    MatrixFacts facts = positive();
+    facts.inertia = Inertia::wanted;
+    const auto solver = make();
+    if (takes(facts)) {
+        solver->factorize(grid_laplacian(4), facts);
+        EXPECT_EQ(solver->negative_pivots(), Index{0});
+    } else {
+        EXPECT_THROW(solver->factorize(grid_laplacian(4), facts), InvalidInput);
+    }
+    EXPECT_THROW(make({.tolerance = 0.0}), InvalidInput);
+    EXPECT_THROW(make({.tolerance = std::nan("")}), InvalidInput);
+    EXPECT_THROW(make({.max_iterations = -1}), InvalidInput);
+}
+
+TEST_P(LinearContract, what_is_not_a_kernel_is_refused) {
+    const auto A = neumann_laplacian(4);
+    const auto solver = make();
+    for (const DenseMatrix& wrong :
+         {DenseMatrix(Vector::LinSpaced(16, 0.0, 1.0)), DenseMatrix(DenseMatrix::Ones(16, 2)),
+          DenseMatrix(Vector::Ones(15)), DenseMatrix(Vector::Zero(16)),
+          DenseMatrix(Vector::Constant(16, std::nan("")))})
+        EXPECT_THROW(solver->factorize(A, semidefinite(wrong)), InvalidInput);
+
+    MatrixFacts of_general = general();
+    of_general.kernel = Vector::Ones(16);
+    EXPECT_THROW(solver->factorize(A, of_general), InvalidInput);
+}
+
+TEST_P(LinearContract, uncompressed_matrices_are_taken) {
+    SparseMatrix A = grid_laplacian(5);
+    A.uncompress();
+    const DenseMatrix B = random_matrix(25, 1, 18);
+    expect_solves(A, positive(), B);
+}
+
+INSTANTIATE_TEST_SUITE_P(engines, LinearContract, testing::ValuesIn(linear_engine_names()),
+                         [](const auto& test) {
+                             std::string name = test.param;
+                             for (char& letter : name)
+                                 letter = letter == '.' ? '_' : letter;
+                             return name;
+                         });
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "tests/backends/matrices.h"
+
+#ifdef POLYDEC_TEST_CHOLMOD
+#include "backends/cholmod.h"
+#endif
+
+#include <Eigen/Eigenvalues>
+
+namespace polydec::test {
+
+std::vector<std::string> linear_engine_names() {
+#ifdef POLYDEC_TEST_CHOLMOD
+    register_cholmod();
+#endif
+    std::vector<std::string> names;
+    for (const auto& engine : engines())
+        if (engine.kind == EngineKind::linear && engine.available)
+            names.push_back(engine.name);
+    return names;
+}
+
+SparseMatrix grid_laplacian(Index m, int dimension) {
+    Index size = 1;
+    for (int axis = 0; axis < dimension; ++axis)
+        size *= m;
+
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Index i = 0; i < size; ++i) {
+        entries.emplace_back(i, i, 2.0 * dimension);
+        Index stride = 1;
+        for (int axis = 0; axis < dimension; ++axis, stride *= m) {
+            if ((i / stride) % m + 1 == m)
+                continue;
+            entries.emplace_back(i, i + stride, -1.0);
+            entries.emplace_back(i + stride, i, -1.0);
+        }
+    }
+    SparseMatrix A(size, size);
+    A.setFromTriplets(entries.begin(), entries.end());
+    return A;
+}
+
+SparseMatrix neumann_laplacian(Index m) {
+    SparseMatrix A = grid_laplacian(m);
+    const Vector row_sums = A * Vector::Ones(A.cols());
+    for (Index i = 0; i < A.rows(); ++i)
+        A.coeffRef(i, i) -= row_sums[i];
+    return A;
+}
+
+SparseMatrix convection_diffusion(Index m, double peclet) {
+    SparseMatrix A = grid_laplacian(m);
+    for (Index i = 0; i < A.rows(); ++i)
+        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry) {
+            if (entry.col() == i + 1)
+                entry.valueRef() += peclet;
+            if (entry.col() == i - 1)
+                entry.valueRef() -= peclet;
+        }
+    return A;
+}
+
+SparseMatrix sparse(const DenseMatrix& A) {
+    return A.sparseView();
+}
+
+SparseMatrix shifted(const SparseMatrix& A, double shift) {
+    SparseMatrix identity(A.rows(), A.cols());
+    identity.setIdentity();
+    return A - shift * identity;
+}
+
+DenseMatrix random_matrix(Index rows, Index columns, unsigned seed) {
+    std::mt19937 generator(seed);
+    DenseMatrix result(rows, columns);
+    for (Eigen::Index j = 0; j < columns; ++j)
+        for (Eigen::Index i = 0; i < rows; ++i)
+            result(i, j) = generator() / 2147483648.0 - 1.0;
+    return result;
+}
+
+DenseMatrix random_symmetric(Index size, unsigned seed) {
+    const DenseMatrix A = random_matrix(size, size, seed);
+    return A + A.transpose();
+}
+
+MatrixFacts positive() {
+    return {.symmetry = Symmetry::symmetric, .definiteness = Definiteness::positive};
+}
+
+MatrixFacts semidefinite(const DenseMatrix& kernel) {
+    MatrixFacts facts{.symmetry = Symmetry::symmetric, .definiteness = Definiteness::semidefinite};
+    facts.kernel = kernel;
+    return facts;
+}
+
+MatrixFacts indefinite() {
+    return {.symmetry = Symmetry::symmetric, .definiteness = Definiteness::indefinite};
+}
+
+MatrixFacts general() {
+    return {};
+}
+
+bool solves(const SparseMatrix& A, const DenseMatrix& X, const DenseMatrix& B) {
+    if (X.rows() != A.cols() || X.cols() != B.cols() || !X.allFinite())
+        return false;
+    const DenseMatrix R = B - A * X;
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        if (R.col(j).stableNorm() > 1e-9 * B.col(j).stableNorm())
+            return false;
+    return true;
+}
+
+Index negative_eigenvalues(const SparseMatrix& A) {
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(DenseMatrix(A), Eigen::EigenvaluesOnly);
+    return static_cast<Index>((solver.eigenvalues().array() < 0.0).count());
+}
+
+} // namespace polydec::test

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backends/linear_solver.h"
+#include "backends/registry.h"
+
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+/// What the tests of the backends share: matrices, facts, and the check that a solution is one.
+namespace polydec::test {
+
+/// Names of all linear engines that this program has; registers the optional ones first.
+std::vector<std::string> linear_engine_names();
+
+/// Laplacian of a grid of m x m (or m x m x m) inner points with spacing 1, value 0 outside.
+SparseMatrix grid_laplacian(Index m, int dimension = 2);
+
+/// Laplacian of the graph of an m x m grid: its kernel is the constants.
+SparseMatrix neumann_laplacian(Index m);
+
+/// Laplacian of an m x m grid with a wind along x of the given cell Peclet number.
+SparseMatrix convection_diffusion(Index m, double peclet);
+
+SparseMatrix sparse(const DenseMatrix& A);
+SparseMatrix shifted(const SparseMatrix& A, double shift);
+DenseMatrix random_matrix(Index rows, Index columns, unsigned seed);
+DenseMatrix random_symmetric(Index size, unsigned seed);
+
+MatrixFacts positive();
+MatrixFacts semidefinite(const DenseMatrix& kernel = {});
+MatrixFacts indefinite();
+MatrixFacts general();
+
+/// Whether X solves A X = B: finite, |b - A x| <= 1e-9 |b| for each column.
+bool solves(const SparseMatrix& A, const DenseMatrix& X, const DenseMatrix& B);
+
+/// Number of negative eigenvalues by a dense eigensolver.
+Index negative_eigenvalues(const SparseMatrix& A);
+
+/// The message of the Error that `action` throws; "no error" or "another error" if it does not.
+template <typename Error, typename Action>
+std::string message_of(Action&& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    } catch (const std::exception& error) {
+        return std::string("another error: ") + error.what();
+    }
+    return "no error";
+}
+
+} // namespace polydec::test

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "tests/meshes/propositions.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+namespace polydec {
+
+namespace {
+
+DenseMatrix edge_vectors(const Mesh& mesh, Index cell) {
+    DenseMatrix edges(mesh.ambient_dimension(), mesh.dimension());
+    for (Index i = 0; i < mesh.dimension(); ++i)
+        edges.col(i) =
+            mesh.points.row(mesh.simplices(cell, i + 1)) - mesh.points.row(mesh.simplices(cell, 0));
+    return edges;
+}
+
+/// Sorts; whether the permutation was odd.
+bool sort_is_odd(std::vector<Index>& list) {
+    bool odd = false;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        for (std::size_t j = i + 1; j < list.size(); ++j)
+            if (list[j] < list[i]) {
+                std::swap(list[i], list[j]);
+                odd = !odd;
+            }
+    return odd;
+}
+
+void faces_below(const std::vector<Index>& cell, std::size_t from, std::vector<Index>& face,
+                 std::vector<std::set<std::vector<Index>>>& sets) {
+    for (std::size_t i = from; i < cell.size(); ++i) {
+        face.push_back(cell[i]);
+        sets[face.size() - 1].insert(face);
+        faces_below(cell, i + 1, face, sets);
+        face.pop_back();
+    }
+}
+
+std::vector<Index> identity(const Mesh& mesh) {
+    std::vector<Index> result(static_cast<std::size_t>(mesh.points.rows()));
+    std::iota(result.begin(), result.end(), 0);
+    return result;
+}
+
+} // namespace
+
+Mesh golden(const std::string& name) {
+    std::ifstream file(std::string(POLYDEC_TEST_FILES "/golden/") + name);
+    if (!file)
+        throw std::runtime_error("there is no golden file " + name);
+    const bool off = name.ends_with(".off");
+    std::string word;
+    Index N = 3, n = 2, vertices = 0, cells = 0, ignored = 0;
+    if (off)
+        file >> word >> vertices >> cells >> ignored;
+    else
+        file >> N >> n >> vertices >> cells;
+
+    Mesh mesh{Points(vertices, N), Simplices(cells, n + 1), {}};
+    for (double& x : mesh.points.reshaped<Eigen::RowMajor>())
+        file >> x;
+    for (Index cell = 0; cell < cells; ++cell) {
+        if (off)
+            file >> ignored;
+        for (Index i = 0; i <= n; ++i)
+            file >> mesh.simplices(cell, i);
+    }
+    return mesh;
+}
+
+std::vector<Index> face_counts(const Mesh& mesh) {
+    std::vector<std::set<std::vector<Index>>> sets(mesh.simplices.cols());
+    for (const auto& cell : cell_set(mesh, identity(mesh))) {
+        std::vector<Index> face;
+        faces_below(cell, 0, face, sets);
+    }
+    std::vector<Index> counts;
+    for (const auto& set : sets)
+        counts.push_back(static_cast<Index>(set.size()));
+    return counts;
+}
+
+Index euler_characteristic(const Mesh& mesh) {
+    Index result = 0, sign = 1;
+    for (const Index count : face_counts(mesh)) {
+        result += sign * count;
+        sign = -sign;
+    }
+    return result;
+}
+
+double total_volume(const Mesh& mesh) {
+    double sum = 0.0;
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
+        const DenseMatrix E = edge_vectors(mesh, cell);
+        sum += std::sqrt((E.transpose() * E).determinant());
+    }
+    return sum / std::tgamma(mesh.dimension() + 1.0);
+}
+
+double least_determinant(const Mesh& mesh) {
+    double least = std::numeric_limits<double>::infinity();
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
+        least = std::min(least, edge_vectors(mesh, cell).determinant());
+    return least;
+}
+
+double enclosed_volume(const Mesh& mesh) {
+    double sum = 0.0;
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
+        Eigen::Matrix3d corners;
+        for (Index i = 0; i < 3; ++i)
+            corners.row(i) = mesh.points.row(mesh.simplices(cell, i));
+        sum += corners.determinant() / 6.0;
+    }
+    return sum;
+}
+
+FacetTally tally_facets(const Mesh& mesh) {
+    std::map<std::vector<Index>, std::array<Index, 2>> facets;
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
+        for (Index omitted = 0; omitted < mesh.simplices.cols(); ++omitted) {
+            std::vector<Index> facet;
+            for (Index i = 0; i < mesh.simplices.cols(); ++i)
+                if (i != omitted)
+                    facet.push_back(mesh.simplices(cell, i));
+            const bool odd = sort_is_odd(facet) != (omitted % 2 == 1);
+            ++facets[facet][odd];
+        }
+
+    FacetTally tally;
+    for (const auto& [facet, ways] : facets) {
+        const Index around = ways[0] + ways[1];
+        ++(around > 2     ? tally.branching
+           : around == 1  ? tally.boundary
+           : ways[0] == 1 ? tally.coherent
+                          : tally.clashing);
+    }
+    return tally;
+}
+
+std::vector<Index> matching_vertices(const Mesh& a, const Mesh& b, double distance) {
+    std::vector<Index> result;
+    for (Index v = 0; v < a.points.rows(); ++v) {
+        Eigen::Index nearest = 0;
+        const double least =
+            (b.points.rowwise() - a.points.row(v)).rowwise().norm().minCoeff(&nearest);
+        result.push_back(least <= distance ? static_cast<Index>(nearest) : -1);
+    }
+    return result;
+}
+
+std::vector<std::vector<Index>> cell_set(const Mesh& mesh, const std::vector<Index>& renumbered) {
+    std::vector<std::vector<Index>> result;
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
+        std::vector<Index> vertices;
+        for (Index i = 0; i < mesh.simplices.cols(); ++i)
+            vertices.push_back(renumbered[mesh.simplices(cell, i)]);
+        std::sort(vertices.begin(), vertices.end());
+        result.push_back(vertices);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+bool same_geometry(const Mesh& a, const Mesh& b) {
+    return a.points.rows() == b.points.rows() && a.points.cols() == b.points.cols() &&
+           cell_set(a, matching_vertices(a, b, 1e-12)) == cell_set(b, identity(b));
+}
+
+} // namespace polydec

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/errors.h"
+#include "meshes/mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+/// A .nsc file, or an .off file of triangles, from the golden folder.
+Mesh golden(const std::string& name);
+
+/// Number of distinct faces of each dimension.
+std::vector<Index> face_counts(const Mesh& mesh);
+Index euler_characteristic(const Mesh& mesh);
+
+/// Sum of the n-volumes, not signed.
+double total_volume(const Mesh& mesh);
+
+/// Smallest determinant of the edge vectors over all cells; n = N.
+double least_determinant(const Mesh& mesh);
+
+/// Volume that a closed surface in space encloses; positive if it is oriented outward.
+double enclosed_volume(const Mesh& mesh);
+
+/// Numbers of facets by how often they occur with the orientation +, and with -.
+struct FacetTally {
+    Index boundary = 0;  ///< in one cell
+    Index coherent = 0;  ///< in two cells, once each way
+    Index clashing = 0;  ///< in two cells, twice the same way
+    Index branching = 0; ///< in more
+};
+FacetTally tally_facets(const Mesh& mesh);
+
+/// For each vertex of a the vertex of b within the distance, or -1. N and sizes are equal.
+std::vector<Index> matching_vertices(const Mesh& a, const Mesh& b, double distance);
+
+/// The cells as a sorted list of ascending vertex lists, under a renumbering of vertices.
+std::vector<std::vector<Index>> cell_set(const Mesh& mesh, const std::vector<Index>& renumbered);
+
+/// Whether points (within 1e-12) and cells are the same up to numbering.
+bool same_geometry(const Mesh& a, const Mesh& b);
+
+/// The message of the InvalidInput that f throws; empty if it throws nothing.
+template <typename F>
+std::string refusal(F f) {
+    try {
+        f();
+    } catch (const InvalidInput& error) {
+        return error.what();
+    }
+    return {};
+}
+
+} // namespace polydec
