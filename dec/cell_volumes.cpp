@@ -28,6 +28,16 @@ void check_points(const SimplicialComplex& complex, const Points& points) {
             throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite", v));
 }
 
+/// Products of a few volumes must neither overflow nor vanish.
+void check_size(const SimplicialComplex& complex, int k, Index s, double volume) {
+    constexpr double largest = 1e100;
+    if (volume < largest && volume > 1 / largest)
+        return;
+    throw InvalidInput(fmt::format(
+        "the {}-simplex with vertices {} has volume {:.3g}: scale the mesh to a size nearer to 1",
+        k, fmt::join(vertices(complex.simplices(k), s), ", "), volume));
+}
+
 } // namespace
 
 CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points& points) {
@@ -47,6 +57,7 @@ CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points
                 throw InvalidInput(fmt::format(
                     "the {}-simplex with vertices {} has no volume: remove it or move a vertex", k,
                     fmt::join(vertices(complex.simplices(k), s), ", ")));
+            check_size(complex, k, s, sphere.volume());
             volumes.primal[k][s] = sphere.volume();
         }
     for (int k = n - 1; k >= 0; --k) {

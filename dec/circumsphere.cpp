@@ -2,8 +2,16 @@
 #include "dec/circumsphere.h"
 
 #include <cmath>
+#include <limits>
 
 namespace polydec {
+
+namespace {
+
+/// What orthogonalizing leaves of a vector that is linearly dependent, relative to its length.
+constexpr double few_last_digits = 16 * std::numeric_limits<double>::epsilon();
+
+} // namespace
 
 bool Circumsphere::look_at(std::span<const Index> vertices) {
     const auto k = vertices.size() - 1, N = static_cast<std::size_t>(points_.cols());
@@ -40,7 +48,7 @@ bool Circumsphere::look_at(std::span<const Index> vertices) {
             squared += row[c] * row[c];
         const double length = std::sqrt(squared);
         volume_ *= length / static_cast<double>(i + 1);
-        if (!(length > 0)) {
+        if (!(length > few_last_digits * std::sqrt(squared_length))) {
             volume_ = 0;
             return false;
         }

@@ -49,7 +49,7 @@ FacetDefects length_defects(const SimplicialComplex& complex, const Points& poin
                             const CellVolumes& volumes, const Vector& radii, double tolerance) {
     const int n = complex.dimension();
     FacetDefects result{volumes.dual[n - 1].cwiseAbs(), 2 * radii,
-                        std::vector<bool>(complex.size(n - 1))};
+                        std::vector<bool>(complex.size(n - 1), false)};
     Vector largest = Vector::Zero(complex.size(n - 1));
     const Vector top_radii = circumradii(points, complex.simplices(n));
     for (Index t = 0; t < complex.size(n); ++t)
@@ -57,8 +57,10 @@ FacetDefects length_defects(const SimplicialComplex& complex, const Points& poin
             largest[f.col()] = std::max(largest[f.col()], top_radii[t]);
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         const double l = result.scale[f];
-        result.degenerate[f] =
-            l > 0 && result.defect[f] <= tolerance * l + dual_length_rounding(largest[f], l);
+        if (!(l > 0))
+            continue;
+        result.defect[f] = std::max(0.0, result.defect[f] - dual_length_rounding(largest[f], l));
+        result.degenerate[f] = result.defect[f] <= tolerance * l;
     }
     return result;
 }

@@ -7,9 +7,9 @@ namespace polydec {
 
 /// How far each facet's dual is from having no extent.
 struct FacetDefects {
-    Vector defect;                ///< |V(f)| (length), or the angle's distance from pi (radians)
-    Vector scale;                 ///< what the tolerance multiplies: l(f), or 1
-    std::vector<bool> degenerate; ///< within tolerance * scale, plus what rounding can do to |V|
+    Vector defect; ///< |V(f)| (length) beyond rounding, or the angle's distance from pi (radians)
+    Vector scale;  ///< what the tolerance multiplies: l(f), or 1
+    std::vector<bool> degenerate; ///< defect within tolerance * scale
 
     double ratio(Index facet) const { return defect[facet] / scale[facet]; }
 };

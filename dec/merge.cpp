@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace polydec {
 
@@ -21,6 +22,18 @@ using Kept = std::vector<std::vector<bool>>; // by degree: simplices that must n
 
 /// What a class may gather, and what still may be removed inside one, in tolerances.
 constexpr double spread_limit = 10;
+
+/// Relative defects nearer than this count as equal: in symmetric meshes they are, but for
+/// rounding.
+constexpr double tie = 1e-12;
+
+/// Classes of n-simplices, with the defects that each has gathered at its root.
+struct Classes {
+    explicit Classes(Index size) : sets(size), spread(size, 0.0) {}
+
+    DisjointSets sets;
+    std::vector<double> spread;
+};
 
 /// Which facets vanish: those joined in ascending defect while the classes stay tight, and those
 /// that then lie inside a class and are degenerate enough themselves.
@@ -43,33 +56,81 @@ public:
     }
 
     std::vector<bool> removed(const std::vector<bool>& kept) const {
-        DisjointSets classes(complex_.size(complex_.dimension()));
-        std::vector<double> spread(complex_.size(complex_.dimension()), 0.0);
-        for (const Index f : candidates_) {
-            const Index a = classes.find(sides_[f][0]).element;
-            const Index b = classes.find(sides_[f][1]).element;
-            const double together = spread[a] + spread[b] + defects_.defect[f];
-            if (kept[f] || a == b || together > limit_ * defects_.scale[f])
-                continue;
-            classes.join(a, b);
-            spread[classes.find(a).element] = together;
+        Classes classes(complex_.size(complex_.dimension()));
+        for (std::size_t first = 0, last = 0; first < candidates_.size(); first = last) {
+            // measured from the first, so that values close together do not chain
+            std::vector<Index> tied;
+            const double reach = defects_.ratio(candidates_[first]) + tie;
+            for (; last < candidates_.size() && defects_.ratio(candidates_[last]) <= reach; ++last)
+                if (!kept[candidates_[last]])
+                    tied.push_back(candidates_[last]);
+            join_tied(tied, classes);
         }
 
         std::vector<bool> result(sides_.size(), false);
         for (std::size_t f = 0; f < sides_.size(); ++f)
-            result[f] = sides_[f][1] >= 0 && !kept[f] &&
-                        defects_.defect[f] <= limit_ * defects_.scale[f] &&
-                        classes.find(sides_[f][0]).element == classes.find(sides_[f][1]).element;
+            result[f] =
+                sides_[f][1] >= 0 && !kept[f] && defects_.defect[f] <= limit_ * defects_.scale[f] &&
+                classes.sets.find(sides_[f][0]).element == classes.sets.find(sides_[f][1]).element;
         return result;
     }
 
 private:
+    void join_tied(const std::vector<Index>& tied, Classes& classes) const;
+
     const SimplicialComplex& complex_;
     const FacetDefects& defects_;
     double limit_;
     std::vector<std::array<Index, 2>> sides_; // cofaces of facets with two, -1 otherwise
     std::vector<Index> candidates_;           // in ascending relative defect
 };
+
+/// Of the facets with equal defect, those that hang together are all joined or none: which of them
+/// comes first must not matter.
+void FacetChoice::join_tied(const std::vector<Index>& tied, Classes& classes) const {
+    struct Link {
+        Index facet, a, b; // classes on both sides, by place in `roots`
+    };
+    std::vector<Link> links;
+    std::vector<Index> roots;
+    for (const Index f : tied) {
+        const Index a = classes.sets.find(sides_[f][0]).element;
+        const Index b = classes.sets.find(sides_[f][1]).element;
+        if (a == b)
+            continue;
+        links.push_back({f, a, b});
+        roots.insert(roots.end(), {a, b});
+    }
+    std::sort(roots.begin(), roots.end());
+    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+    const auto place = [&](Index root) {
+        return static_cast<Index>(std::lower_bound(roots.begin(), roots.end(), root) -
+                                  roots.begin());
+    };
+    DisjointSets groups(static_cast<Index>(roots.size()));
+    for (Link& link : links) {
+        link.a = place(link.a);
+        link.b = place(link.b);
+        groups.join(link.a, link.b);
+    }
+
+    std::vector<double> gathered(roots.size(), 0.0);
+    std::vector<double> allowed(roots.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < roots.size(); ++i)
+        gathered[groups.find(static_cast<Index>(i)).element] += classes.spread[roots[i]];
+    for (const Link& link : links) {
+        const Index group = groups.find(link.a).element;
+        gathered[group] += defects_.defect[link.facet];
+        allowed[group] = std::min(allowed[group], limit_ * defects_.scale[link.facet]);
+    }
+    for (const Link& link : links) {
+        const Index group = groups.find(link.a).element;
+        if (gathered[group] > allowed[group])
+            continue;
+        classes.sets.join(roots[link.a], roots[link.b]);
+        classes.spread[classes.sets.find(roots[link.a]).element] = gathered[group];
+    }
+}
 
 /// Keeps the worst interfaces of each inadmissible block from being removed again: of facets those
 /// within a factor of two of the worst, so that the choice does not hang on numbering or rounding;

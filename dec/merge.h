@@ -38,8 +38,9 @@ struct CosphericalMerging {
 /// exactly two are left that lie straight across each other, so that no dual cell of the result is
 /// degenerate. Facets on the boundary or with three or more cofaces never merge; vertices stay.
 ///
-/// Since near-cospherical is not transitive, unions are made in ascending defect and refused when
-/// the accumulated defect passes 10 tolerances, and every merged cell is checked to be a ball.
+/// Since near-cospherical is not transitive, unions are made in ascending defect, equal ones
+/// together or not at all, and refused when the accumulated defect passes 10 tolerances; and every
+/// merged cell is checked to be a ball. So the result does not depend on the order of the input.
 /// volumes are those of `complex`. Time O(incidences + f log f), f the number of degenerate facets.
 /// Throws InvalidInput for a tolerance that is negative or not finite.
 CosphericalMerging merge_cospherical(SimplicialComplex complex, const Points& points,

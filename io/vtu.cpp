@@ -212,9 +212,11 @@ const char* type_name() {
 template <typename Number>
 void write_array(AtomicFile& file, std::string_view name, int components,
                  std::span<const Number> values) {
-    file.write(fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
-                           "format=\"binary\">\n",
-                           type_name<Number>(), escaped(name), components));
+    // The number 1 is the default, and spelled out some readers take it for a table of one column.
+    const auto columns =
+        components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : std::string();
+    file.write(fmt::format("<DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n",
+                           type_name<Number>(), escaped(name), columns));
     Base64Writer writer([&file](std::string_view text) { file.write(text); });
     writer.write(std::uint64_t{values.size_bytes()});
     for (const Number value : values) {

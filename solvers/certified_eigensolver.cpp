@@ -106,8 +106,8 @@ struct CertifiedEigensolver::State {
     bool factorized = false;
     std::mt19937_64 random{20};
 
-    Vector values;       // ascending
-    DenseMatrix vectors; // orthonormal eigenvectors of B
+    Vector values;                                   // ascending
+    DenseMatrix vectors = DenseMatrix(B->rows(), 0); // orthonormal eigenvectors of B
     Certificate certificate;
 };
 

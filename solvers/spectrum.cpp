@@ -41,8 +41,8 @@ void check_mass(const CellVolumes& volumes, const SpectrumOptions& options, int 
     const auto& bad = negative.empty() ? zero : negative;
     throw InvalidInput(fmt::format(
         "the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have {} volume "
-        "(cells {})\nsuch a mesh has no spectrum of this degree; dual 0-forms always have a "
-        "positive mass, primal 0-forms nearly always; for others the mesh must be Delaunay",
+        "(cells {})\na spectrum needs a positive mass: take dual 0-forms, whose mass are the "
+        "volumes of the cells, or a mesh that is nearer to Delaunay there",
         name(options.side), options.degree, bad.size(), volumes.primal[k].size(), k,
         negative.empty() ? "zero" : "negative", first_few(bad)));
 }

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "complex/corners.h"
+
+#include "tests/support/hand_made.h"
+#include "tests/support/over_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace polydec::test {
+namespace {
+
+class Polygons : public OverMeshes {};
+
+using Boundary = std::map<Index, int>; // merged edges and their coefficients
+
+/// The boundary of a merged 2-cell from d^P; edges with the cell on both sides have no entry.
+Boundary boundary(const Merged& mesh, Index cell) {
+    Boundary result;
+    for (IncidenceMatrix::InnerIterator e(mesh.P().coboundary(1), cell); e; ++e)
+        result[static_cast<Index>(e.col())] = e.value();
+    return result;
+}
+
+/// The sum of the edges that a closed walk over vertices passes; nothing if two neighbors in it are
+/// not joined by a kept edge.
+std::optional<Boundary> walked(const Merged& mesh, const std::vector<Index>& walk) {
+    Boundary result;
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+        const Index a = walk[i], b = walk[(i + 1) % walk.size()];
+        bool found = false;
+        for (Index e = 0; e < mesh.K().size(1); ++e) {
+            const auto ends = mesh.K().simplices(1).row(e);
+            const auto& carrier = mesh.merging().carriers(1)[e];
+            if (carrier.dimension == 1 && ends[0] == std::min(a, b) && ends[1] == std::max(a, b)) {
+                result[carrier.cell] += a < b ? 1 : -1;
+                found = true;
+            }
+        }
+        if (!found)
+            return std::nullopt;
+    }
+    std::erase_if(result, [](const auto& entry) { return entry.second == 0; });
+    return result;
+}
+
+TEST_P(Polygons, corners_walk_along_the_boundary) {
+    // edges of surfaces never merge, so a walk over them passes vertices
+    for (Index F = 0; mesh().n() == 2 && F < mesh().P().size(2); ++F) {
+        const auto walk = corners(mesh().merging(), F);
+        EXPECT_EQ(walked(mesh(), walk), boundary(mesh(), F)) << "cell " << F;
+    }
+}
+
+TEST_P(Polygons, corners_are_the_vertices_each_once_unless_the_cell_touches_itself) {
+    for (Index F = 0; mesh().n() >= 2 && F < mesh().P().size(2); ++F) {
+        auto walk = corners(mesh().merging(), F);
+        std::sort(walk.begin(), walk.end());
+        const bool repeats = std::adjacent_find(walk.begin(), walk.end()) != walk.end();
+        walk.erase(std::unique(walk.begin(), walk.end()), walk.end());
+        EXPECT_EQ(walk, mesh().merging().vertices(2, F)) << "cell " << F;
+        EXPECT_EQ(repeats, GetParam() == "spike" && walk.size() == 4) << "cell " << F;
+    }
+}
+
+TEST_P(Polygons, ascending_vertices_are_no_walk_around_most_merged_polygons) {
+    if (GetParam() != "hex4" && GetParam() != "goldberg2" && GetParam() != "grid4")
+        return;
+    Index failed = 0;
+    for (Index F = 0; F < mesh().P().size(2); ++F)
+        failed += walked(mesh(), mesh().merging().vertices(2, F)) != boundary(mesh(), F);
+    EXPECT_GT(2 * failed, mesh().P().size(2));
+}
+
+POLYDEC_OVER_MESHES(Polygons);
+
+TEST(Corners, of_a_plane_polygon_give_its_area) {
+    const auto& mesh = merged("hexagons5");
+    for (Index F = 0; F < mesh.P().size(2); ++F) {
+        const auto walk = corners(mesh.merging(), F);
+        double area = 0;
+        for (std::size_t i = 0; i < walk.size(); ++i) {
+            const auto p = mesh.points.row(walk[i]),
+                       q = mesh.points.row(walk[(i + 1) % walk.size()]);
+            area += (p[0] * q[1] - p[1] * q[0]) / 2;
+        }
+        EXPECT_NEAR(area, mesh.volumes.primal[2][F], 1e-14);
+    }
+}
+
+TEST(Corners, start_with_the_smallest_edge) {
+    const auto& mesh = merged("grid4");
+    for (Index F = 0; F < mesh.P().size(2); ++F) {
+        const auto walk = corners(mesh.merging(), F);
+        const Index smallest = IncidenceMatrix::InnerIterator(mesh.P().coboundary(1), F).col();
+        const auto ends = mesh.merging().vertices(1, smallest);
+        EXPECT_EQ(std::minmax(walk[0], walk[1]), std::minmax(ends[0], ends[1]));
+    }
+}
+
+TEST(Corners, of_the_spike_pass_the_edge_inside_it_twice) {
+    const auto& mesh = merged("spike");
+    ASSERT_EQ(mesh.P().size(2), 2);
+    std::vector<std::size_t> lengths;
+    for (Index F = 0; F < 2; ++F)
+        lengths.push_back(corners(mesh.merging(), F).size());
+    std::sort(lengths.begin(), lengths.end());
+    EXPECT_EQ(lengths, (std::vector<std::size_t>{3, 5}));
+}
+
+TEST(Spike, has_an_edge_with_two_cofaces_and_no_coefficient) {
+    const auto& mesh = merged("spike");
+    Index found = 0;
+    for (Index e = 0; e < mesh.P().size(1); ++e) {
+        if (mesh.merging().vertices(1, e) != std::vector<Index>{2, 3})
+            continue;
+        ++found;
+        EXPECT_EQ(mesh.P().coface_counts(1)[e], 2);
+        EXPECT_EQ(IncidenceMatrix(mesh.P().boundary(2).row(e)).nonZeros(), 0);
+    }
+    EXPECT_EQ(found, 1);
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "complex/components.h"
+#include "complex/homology.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/merged.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/relative.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <ostream>
+
+namespace polydec::test {
+namespace {
+
+struct Shape {
+    std::string name;
+    std::vector<Index> betti;
+    bool orientable;
+    Index boundary_components;
+};
+
+void PrintTo(const Shape& shape, std::ostream* out) {
+    *out << shape.name;
+}
+
+class Shapes : public testing::TestWithParam<Shape> {
+protected:
+    const Merged& mesh() const { return merged(GetParam().name); }
+};
+
+TEST_P(Shapes, have_the_betti_numbers_of_topology) {
+    EXPECT_EQ(betti_numbers(mesh().K()), GetParam().betti);
+    EXPECT_EQ(betti_numbers(mesh().P()), GetParam().betti);
+}
+
+TEST_P(Shapes, are_found_orientable_or_not) {
+    EXPECT_EQ(mesh().K().orientable(), GetParam().orientable);
+}
+
+TEST_P(Shapes, have_as_many_components_as_the_first_betti_number_says) {
+    EXPECT_EQ(components(mesh().K()).count, GetParam().betti[0]);
+    EXPECT_EQ(components(mesh().P()).count, GetParam().betti[0]);
+}
+
+TEST_P(Shapes, have_as_many_boundary_components_as_one_sees) {
+    EXPECT_EQ(boundary_components(mesh().K()).count, GetParam().boundary_components);
+    EXPECT_EQ(boundary_components(mesh().P()).count, GetParam().boundary_components);
+}
+
+TEST_P(Shapes, merging_keeps_the_boundary) {
+    const auto K = boundary_cells(mesh().K()), P = boundary_cells(mesh().P());
+    for (int k = 0; k <= mesh().n(); ++k)
+        for (Index s = 0; s < mesh().K().size(k); ++s) {
+            const auto& carrier = mesh().merging().carriers(k)[s];
+            EXPECT_EQ(K[k][s], P[carrier.dimension][carrier.cell]) << "degree " << k;
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Known, Shapes,
+    testing::Values(
+        Shape{"kuhn1d", {1, 0}, true, 2}, Shape{"polygon_curve", {1, 1}, true, 0},
+        Shape{"theta_graph", {1, 2}, true, 0}, Shape{"grid4", {1, 0, 0}, true, 1},
+        Shape{"ring6", {1, 1, 0}, true, 2}, Shape{"annulus9", {1, 1, 0}, true, 2},
+        Shape{"spike", {1, 0, 1}, true, 0}, Shape{"uv8", {1, 0, 1}, true, 0},
+        Shape{"icosphere3", {1, 0, 1}, true, 0}, Shape{"goldberg2", {1, 0, 1}, true, 0},
+        Shape{"torus8x6", {1, 2, 1}, true, 0}, Shape{"flange8", {1, 2, 1}, true, 0},
+        Shape{"clifford_torus", {1, 2, 1}, true, 0}, Shape{"genus_two", {1, 4, 1}, true, 0},
+        Shape{"moebius12x2", {1, 1, 0}, false, 1}, Shape{"projective_plane", {1, 0, 0}, false, 0},
+        Shape{"klein_bottle", {1, 1, 0}, false, 0}, Shape{"branching", {1, 0, 0}, true, 1},
+        Shape{"two_components", {2, 2, 2}, true, 0}, Shape{"triangle_soup", {8, 0, 0}, true, 8},
+        Shape{"kuhn3", {1, 0, 0, 0}, true, 1}, Shape{"solid_torus3", {1, 1, 0, 0}, true, 1},
+        Shape{"hollow_cube", {1, 0, 1, 0}, true, 2}, Shape{"pinched", {1, 0, 0, 0}, true, 1},
+        Shape{"tilted_tetrahedra", {1, 0, 0, 0}, true, 1},
+        Shape{"boundary_of_4_simplex", {1, 0, 0, 1}, true, 0},
+        Shape{"boundary_of_tesseract", {1, 0, 0, 1}, true, 0},
+        Shape{"cubical_torus3", {1, 3, 3, 1}, true, 0}, Shape{"kuhn4", {1, 0, 0, 0, 0}, true, 1},
+        Shape{"kuhn5", {1, 0, 0, 0, 0, 0}, true, 1}),
+    [](const auto& instance) { return instance.param.name; });
+
+TEST(Components, are_numbered_in_the_order_of_their_first_vertices) {
+    const auto parts = components(merged("two_components").K());
+    ASSERT_EQ(parts.of_vertex.size(), 12U + 28U);
+    for (std::size_t v = 0; v < parts.of_vertex.size(); ++v)
+        EXPECT_EQ(parts.of_vertex[v], v < 12 ? 0 : 1);
+}
+
+TEST(Components, of_the_boundary_do_not_count_inner_vertices) {
+    const auto& mesh = merged("ring6");
+    const auto marks = boundary_cells(mesh.K());
+    const auto parts = boundary_components(mesh.K());
+    for (Index v = 0; v < mesh.K().size(0); ++v)
+        EXPECT_EQ(parts.of_vertex[v] >= 0, marks[0][v]);
+}
+
+TEST(BettiNumbers, are_found_where_cells_are_glued_to_themselves) {
+    // the projective plane as one disc whose boundary runs twice along one edge
+    IncidenceMatrix d0(1, 1), d1(1, 1);
+    d1.insert(0, 0) = 2;
+    EXPECT_EQ(betti_numbers(CellComplex({d0, d1})), (std::vector<Index>{1, 0, 0}));
+}
+
+TEST(BettiNumbers, of_a_torus_of_one_square) {
+    IncidenceMatrix d0(2, 1), d1(1, 2);
+    EXPECT_EQ(betti_numbers(CellComplex({d0, d1})), (std::vector<Index>{1, 2, 1}));
+}
+
+class OrientableShapes : public testing::TestWithParam<std::string> {};
+
+TEST_P(OrientableShapes, are_dual_to_their_relative_complexes) {
+    // Lefschetz: b_k relative to the boundary is b_(n-k)
+    const auto& P = merged(GetParam()).P();
+    auto betti = betti_numbers(P);
+    std::reverse(betti.begin(), betti.end());
+    EXPECT_EQ(betti_numbers(relative_to_boundary(P)), betti);
+}
+
+INSTANTIATE_TEST_SUITE_P(Manifolds, OrientableShapes,
+                         testing::Values("kuhn1d", "grid4", "ring6", "annulus9", "torus8x6",
+                                         "kuhn3", "solid_torus3", "hollow_cube", "bcc2",
+                                         "split_cubes", "kuhn4", "obtuse4", "kuhn5"),
+                         parameter_name);
+
+TEST(BettiNumbers, of_an_open_moebius_strip_see_that_it_is_one_sided) {
+    EXPECT_EQ(betti_numbers(relative_to_boundary(merged("moebius12x2").P())),
+              (std::vector<Index>{0, 0, 0}));
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "dec/discretization.h"
+
+#include "meshes/generate.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+class Discretizations : public OverMeshes {};
+
+TEST_P(Discretizations, are_what_their_steps_make) {
+    const auto whole = discretize(mesh_named(GetParam()), {MergeCriterion::dual_length, tolerance});
+    EXPECT_EQ(whole.points, mesh().points);
+    EXPECT_EQ(whole.options.tolerance, tolerance);
+    EXPECT_EQ(whole.degenerate.interior, mesh().result.degenerate.interior);
+    EXPECT_EQ(whole.dimension(), mesh().n());
+    for (int k = 0; k <= mesh().n(); ++k) {
+        EXPECT_TRUE(
+            equal(integers(whole.merging.diamond(k)), integers(mesh().merging().diamond(k))));
+        EXPECT_EQ(whole.volumes.primal[k], mesh().volumes.primal[k]);
+        EXPECT_EQ(whole.volumes.dual[k], mesh().volumes.dual[k]);
+        EXPECT_EQ(whole.input_volumes.dual[k], mesh().input_volumes.dual[k]);
+    }
+}
+
+POLYDEC_OVER_MESHES(Discretizations);
+
+using Words = std::vector<std::string>;
+
+TEST(Discretize, tells_its_stages_as_they_begin) {
+    Words stages;
+    discretize(grid(2, 2), {}, [&](std::string_view stage) { stages.emplace_back(stage); });
+    EXPECT_EQ(stages, (Words{"complex", "volumes", "merge"}));
+}
+
+TEST(Discretize, warns_of_nothing_where_all_is_well) {
+    EXPECT_EQ(discretize(grid(2, 2)).warnings, Words{});
+}
+
+TEST(Discretize, warns_of_cells_that_were_turned) {
+    Mesh mesh = grid(2, 2);
+    mesh.simplices.row(3).reverseInPlace();
+    EXPECT_EQ(discretize(mesh).warnings,
+              (Words{"1 of 8 cells was turned to be oriented like its neighbors"}));
+    mesh.simplices.row(5).reverseInPlace();
+    EXPECT_EQ(discretize(mesh).warnings,
+              (Words{"2 of 8 cells were turned to be oriented like their neighbors"}));
+}
+
+TEST(Discretize, warns_of_one_sided_and_branching_meshes) {
+    EXPECT_EQ(discretize(moebius(8, 1)).warnings,
+              (Words{"the mesh is non-orientable: its cells keep the orientation of the input, and "
+                     "operators on dual 0-forms see jumps of sign"}));
+    EXPECT_EQ(discretize(mesh_named("branching")).warnings,
+              (Words{"not a manifold: 1 facet with three or more cells"}));
+}
+
+TEST(Discretize, tidies_first) {
+    Mesh mesh = grid(1, 1);
+    mesh.simplices.conservativeResize(4, Eigen::NoChange);
+    mesh.simplices.row(2) = mesh.simplices.row(0);
+    mesh.simplices.row(3) << 0, 0, 1;
+    const auto result = discretize(mesh);
+    EXPECT_EQ(result.input().size(2), 2);
+    EXPECT_EQ(result.complex().size(2), 1);
+    EXPECT_EQ(result.warnings.size(), 2U);
+}
+
+TEST(Discretize, refuses_what_has_no_place) {
+    EXPECT_NE(refusal([] { discretize(made_of({{0, 0}, {1, 0}}, {{0, 1, 2}})); }), "accepted");
+    EXPECT_NE(refusal([] { discretize(made_of({{0}, {1}, {2}}, {{0, 1, 2}})); }), "accepted");
+}
+
+} // namespace
+} // namespace polydec::test

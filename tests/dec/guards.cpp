@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "complex/blocks.h"
+#include "complex/homology.h"
+#include "dec/facet_defects.h"
+#include "meshes/generate.h"
+#include "tests/support/over_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+namespace polydec::test {
+namespace {
+
+/// Fine meshes under tolerances so large that chains of almost concyclic pairs close around a pole
+/// or a tube.
+struct Accident {
+    std::string name;
+    Mesh mesh;
+    double tolerance;
+    std::vector<Index> betti;
+};
+
+void PrintTo(const Accident& accident, std::ostream* out) {
+    *out << accident.name;
+}
+
+class Guards : public testing::TestWithParam<Accident> {
+protected:
+    Merged guarded() const {
+        return make_merged(GetParam().mesh, {MergeCriterion::dual_length, GetParam().tolerance});
+    }
+
+    /// Joins whatever is degenerate, without looking at what comes of it.
+    std::pair<SimplicialComplex, Blocks> unguarded() const {
+        SimplicialComplex K(GetParam().mesh.simplices);
+        const auto volumes = circumcentric_volumes(K, GetParam().mesh.points);
+        const auto defects = facet_defects(K, GetParam().mesh.points, volumes,
+                                           {MergeCriterion::dual_length, GetParam().tolerance});
+        std::vector<bool> removed = defects.degenerate;
+        for (std::size_t f = 0; f < removed.size(); ++f)
+            removed[f] = removed[f] && K.coface_counts(K.dimension() - 1)[f] == 2;
+        auto blocks = join_blocks(K, removed, [](int, Index, Index, Index) { return true; });
+        return {std::move(K), std::move(blocks)};
+    }
+};
+
+/// Vertices that no kept edge reaches.
+Index swallowed(const CellComplex& complex) {
+    Index count = 0;
+    for (const Index edges : complex.coface_counts(0))
+        count += edges == 0;
+    return count;
+}
+
+TEST_P(Guards, keep_the_topology) {
+    const auto mesh = guarded();
+    EXPECT_EQ(betti_numbers(mesh.K()), GetParam().betti);
+    EXPECT_EQ(betti_numbers(mesh.P()), GetParam().betti);
+    EXPECT_EQ(euler_characteristic(mesh.P()), euler_characteristic(mesh.K()));
+}
+
+TEST_P(Guards, keep_every_vertex_and_still_merge) {
+    const auto mesh = guarded();
+    EXPECT_EQ(swallowed(mesh.P()), 0);
+    EXPECT_LT(mesh.P().size(2), mesh.K().size(2));
+}
+
+TEST_P(Guards, are_needed) {
+    auto [K, blocks] = unguarded();
+    EXPECT_FALSE(inadmissible_blocks(K, blocks).empty());
+    const Merging merging(std::move(K), blocks);
+    EXPECT_TRUE(swallowed(merging.merged()) > 0 ||
+                betti_numbers(merging.merged()) != GetParam().betti);
+}
+
+TEST(GuardRounds, split_up_what_made_no_disc) {
+    const auto mesh = make_merged(icosphere(6), {MergeCriterion::dual_length, 0.6});
+    EXPECT_GT(mesh.result.rounds, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Accidents, Guards,
+    testing::Values(Accident{"sphere_with_64_meridians", uv_sphere(64, 32), 0.12, {1, 0, 1}},
+                    Accident{"sphere_with_many_bands", uv_sphere(64, 200), 0.12, {1, 0, 1}},
+                    Accident{"icosphere", icosphere(6), 0.6, {1, 0, 1}},
+                    Accident{"thin_torus", torus(100, 6), 0.2, {1, 2, 1}}),
+    [](const auto& instance) { return instance.param.name; });
+
+} // namespace
+} // namespace polydec::test

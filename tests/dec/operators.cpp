@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "complex/components.h"
+#include "dec/derivative.h"
+#include "dec/laplacian.h"
+#include "dec/star.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+class Operators : public OverMeshes {};
+
+constexpr double rounding = 1e-11;
+
+SparseMatrix product(const SparseMatrix& A, const SparseMatrix& B) {
+    return A * B;
+}
+
+/// Calls law(metric, k) for K and P and every degree for which star_(k-1) .. star_(k+1) can be
+/// inverted.
+template <class Law>
+void for_invertible(const Merged& mesh, Law law) {
+    for (const auto& metric : both(mesh))
+        for (int k = 0; k <= mesh.n(); ++k) {
+            bool all = true;
+            for (int j = std::max(k - 1, 0); j <= std::min(k + 1, mesh.n()); ++j)
+                all = all && zero_star_cells(metric.volumes, j).empty();
+            if (all) {
+                SCOPED_TRACE(fmt::format("{}, k = {}", metric.name, k));
+                law(metric, k);
+            }
+        }
+}
+
+/// How far <d a, b> is from <a, c b>, a and b being anything, in inner products with diagonals M of
+/// the space of a and W of that of b.
+double adjoint_defect(const SparseMatrix& d, const SparseMatrix& c, const Vector& M,
+                      const Vector& W) {
+    const SparseMatrix left = M.asDiagonal() * c;
+    const SparseMatrix right = SparseMatrix(d.transpose()) * W.asDiagonal();
+    return relative_difference(left, right);
+}
+
+TEST_P(Operators, codifferential_is_the_adjoint_of_the_derivative) {
+    for_invertible(mesh(), [&](const Metric& m, int k) {
+        if (k == mesh().n())
+            return;
+        const SparseMatrix d = derivative(m.complex, k);
+        const SparseMatrix c = codifferential(m.complex, m.volumes, k + 1);
+        const Vector M = star(m.volumes, k), W = star(m.volumes, k + 1);
+        EXPECT_LE(adjoint_defect(d, c, M, W), rounding);
+        EXPECT_GT(adjoint_defect(d, -c, M, W), 1) << "with the sign flipped";
+    });
+}
+
+TEST_P(Operators, dual_codifferential_is_the_adjoint_of_the_dual_derivative) {
+    for_invertible(mesh(), [&](const Metric& m, int k) {
+        if (k == mesh().n())
+            return;
+        const int j = mesh().n() - k - 1;
+        const SparseMatrix d = dual_derivative(m.complex, j);
+        const SparseMatrix c = dual_codifferential(m.complex, m.volumes, j + 1);
+        const Vector M = inverse_star(m.volumes, k + 1), W = inverse_star(m.volumes, k);
+        EXPECT_LE(adjoint_defect(d, c, M, W), rounding);
+        EXPECT_GT(adjoint_defect(d, -c, M, W), 1) << "with the sign flipped";
+    });
+}
+
+TEST_P(Operators, dual_derivative_twice_is_zero) {
+    for (const auto& [name, complex, volumes] : both(mesh()))
+        for (int j = 0; j + 1 < mesh().n(); ++j)
+            EXPECT_EQ(
+                largest(product(dual_derivative(complex, j + 1), dual_derivative(complex, j))), 0)
+                << name << ", j = " << j;
+}
+
+TEST_P(Operators, dual_derivative_has_the_sign_of_its_degree) {
+    const int n = mesh().n();
+    for (int k = 0; k < n; ++k) {
+        const SparseMatrix expected =
+            (k % 2 == 0 ? -1.0 : 1.0) * SparseMatrix(derivative(mesh().P(), k).transpose());
+        EXPECT_EQ(relative_difference(dual_derivative(mesh().P(), n - k - 1), expected), 0);
+    }
+}
+
+TEST_P(Operators, laplacian_is_d_delta_plus_delta_d) {
+    for_invertible(mesh(), [&](const Metric& m, int k) {
+        SparseMatrix expected(m.complex.size(k), m.complex.size(k));
+        if (k > 0)
+            expected +=
+                product(derivative(m.complex, k - 1), codifferential(m.complex, m.volumes, k));
+        if (k < mesh().n())
+            expected +=
+                product(codifferential(m.complex, m.volumes, k + 1), derivative(m.complex, k));
+        const SparseMatrix L = laplacian(m.complex, m.volumes, k);
+        EXPECT_LE(relative_difference(L, expected), rounding);
+        if (largest(L) > 0) {
+            EXPECT_GT(relative_difference(L, -expected), 1) << "with the sign flipped";
+        }
+    });
+}
+
+TEST_P(Operators, symmetric_laplacian_is_star_times_laplacian_and_symmetric) {
+    for_invertible(mesh(), [&](const Metric& m, int k) {
+        const SparseMatrix A = symmetric_laplacian(m.complex, m.volumes, k);
+        const SparseMatrix L = laplacian(m.complex, m.volumes, k);
+        EXPECT_LE(relative_difference(A, star(m.volumes, k).asDiagonal() * L), rounding);
+        EXPECT_LE(relative_difference(A, SparseMatrix(A.transpose())), rounding);
+    });
+}
+
+TEST_P(Operators, dual_laplacian_is_similar_by_the_star) {
+    for_invertible(mesh(), [&](const Metric& m, int k) {
+        const SparseMatrix L = laplacian(m.complex, m.volumes, k);
+        const SparseMatrix dual = dual_laplacian(m.complex, m.volumes, mesh().n() - k);
+        const SparseMatrix similar =
+            star(m.volumes, k).asDiagonal() * L * inverse_star(m.volumes, k).asDiagonal();
+        EXPECT_LE(relative_difference(dual, similar), rounding);
+    });
+}
+
+TEST_P(Operators, dual_laplacian_is_d_delta_plus_delta_d_on_duals) {
+    for_invertible(mesh(), [&](const Metric& m, int k) {
+        const int j = mesh().n() - k;
+        SparseMatrix expected(m.complex.size(k), m.complex.size(k));
+        if (j > 0)
+            expected += product(dual_derivative(m.complex, j - 1),
+                                dual_codifferential(m.complex, m.volumes, j));
+        if (j < mesh().n())
+            expected += product(dual_codifferential(m.complex, m.volumes, j + 1),
+                                dual_derivative(m.complex, j));
+        EXPECT_LE(relative_difference(dual_laplacian(m.complex, m.volumes, j), expected), rounding);
+    });
+}
+
+TEST_P(Operators, derivative_commutes_with_the_laplacian) {
+    for_invertible(mesh(), [&](const Metric& m, int k) {
+        if (k == mesh().n() || (k + 2 <= mesh().n() && !zero_star_cells(m.volumes, k + 2).empty()))
+            return;
+        const SparseMatrix d = derivative(m.complex, k);
+        const SparseMatrix lower = d * laplacian(m.complex, m.volumes, k);
+        const SparseMatrix upper = laplacian(m.complex, m.volumes, k + 1) * d;
+        const double size = largest(laplacian(m.complex, m.volumes, k)) +
+                            largest(laplacian(m.complex, m.volumes, k + 1));
+        EXPECT_LE(largest(lower - upper), rounding * size);
+    });
+}
+
+TEST_P(Operators, laplacian_of_functions_kills_constants) {
+    for (const auto& [name, complex, volumes] : both(mesh())) {
+        if (!zero_star_cells(volumes, 0).empty())
+            continue;
+        const SparseMatrix L = laplacian(complex, volumes, 0);
+        const Vector image = L * Vector::Ones(complex.size(0));
+        EXPECT_LE(image.cwiseAbs().maxCoeff(), rounding * largest(L)) << name;
+        const Vector other = L * random_vector(complex.size(0), 3);
+        EXPECT_GT(other.cwiseAbs().maxCoeff(), 1e-3 * largest(L)) << name;
+    }
+}
+
+TEST_P(Operators, laplacian_of_dual_functions_kills_constants_where_a_closed_complex_is_oriented) {
+    const int n = mesh().n();
+    for (const auto& [name, complex, volumes] : both(mesh())) {
+        const auto& counts = complex.coface_counts(n - 1);
+        const bool closed =
+            std::all_of(counts.begin(), counts.end(), [](Index c) { return c == 2; });
+        if (!closed || !zero_star_cells(volumes, n - 1).empty())
+            continue;
+        const SparseMatrix L = dual_laplacian(complex, volumes, 0);
+        const Vector image = L * Vector::Ones(complex.size(n));
+        const bool killed = image.cwiseAbs().maxCoeff() <= rounding * largest(L);
+        EXPECT_EQ(killed, mesh().K().orientable()) << name;
+    }
+}
+
+TEST_P(Operators, have_the_ends_of_the_tower_in_their_shapes) {
+    const int n = mesh().n();
+    const auto& P = mesh().P();
+    EXPECT_EQ(codifferential(P, mesh().volumes, 0).rows(), 0);
+    EXPECT_EQ(codifferential(P, mesh().volumes, 0).cols(), P.size(0));
+    EXPECT_EQ(dual_codifferential(P, mesh().volumes, 0).rows(), 0);
+    EXPECT_EQ(dual_codifferential(P, mesh().volumes, 0).cols(), P.size(n));
+    EXPECT_EQ(derivative(P, n).rows(), 0);
+    EXPECT_EQ(derivative(P, -1).cols(), 0);
+}
+
+POLYDEC_OVER_MESHES(Operators);
+
+TEST(OperatorsBroken, dual_laplacian_is_not_similar_by_the_star_from_the_wrong_side) {
+    for (const char* name : {"wellcentred4", "goldberg2", "boxes", "obtuse_solid"}) {
+        const auto& m = merged(name);
+        for (int k = 0; k < m.n(); ++k) {
+            const Vector M = star(m.volumes, k), inverse = inverse_star(m.volumes, k);
+            const SparseMatrix L = laplacian(m.P(), m.volumes, k);
+            const SparseMatrix wrong = inverse.asDiagonal() * L * M.asDiagonal();
+            EXPECT_GT(relative_difference(dual_laplacian(m.P(), m.volumes, m.n() - k), wrong), 1e-3)
+                << name << ", k = " << k;
+        }
+    }
+}
+
+TEST(OperatorErrors, come_where_a_star_must_be_inverted_that_is_zero) {
+    const auto& mesh = merged("fcc1");
+    EXPECT_THROW(laplacian(mesh.P(), mesh.volumes, 3), InvalidInput);
+    EXPECT_THROW(symmetric_laplacian(mesh.P(), mesh.volumes, 3), InvalidInput);
+    EXPECT_THROW(dual_laplacian(mesh.P(), mesh.volumes, 0), InvalidInput);
+    EXPECT_THROW(codifferential(mesh.P(), mesh.volumes, 3), InvalidInput);
+    EXPECT_THROW(dual_codifferential(mesh.P(), mesh.volumes, 1), InvalidInput);
+    // functions need no inverse but that of their own star
+    EXPECT_NO_THROW(laplacian(mesh.P(), mesh.volumes, 0));
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "complex/components.h"
+#include "dec/laplacian.h"
+#include "dec/star.h"
+#include "meshes/generate.h"
+#include "tests/support/merged.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+/// Kuhn grids of 4^n cubes.
+class Stencils : public testing::TestWithParam<int> {
+protected:
+    int n() const { return GetParam(); }
+    static int side() { return 4; }
+    Merged mesh() const { return make_merged(kuhn(n(), side())); }
+};
+
+/// Off-diagonal entries of row v that are not rounding.
+Index neighbors(const SparseMatrix& L, Index v) {
+    Index count = 0;
+    for (SparseMatrix::InnerIterator entry(L, v); entry; ++entry)
+        count += entry.col() != v && std::abs(entry.value()) > 1e-9;
+    return count;
+}
+
+TEST_P(Stencils, are_those_of_finite_differences_inside_merged_kuhn_grids) {
+    const auto grid = mesh();
+    const SparseMatrix L = laplacian(grid.P(), grid.volumes, 0);
+    const auto boundary = boundary_cells(grid.P())[0];
+    const double h = 1.0 / side();
+    Index inner = 0;
+    for (Index v = 0; v < grid.P().size(0); ++v) {
+        if (boundary[v])
+            continue;
+        ++inner;
+        EXPECT_EQ(neighbors(L, v), 2 * n());
+        for (SparseMatrix::InnerIterator entry(L, v); entry; ++entry) {
+            const double distance = (grid.points.row(v) - grid.points.row(entry.col())).norm() / h;
+            const double expected = entry.col() == v                ? 2 * n()
+                                    : std::abs(distance - 1) < 1e-9 ? -1
+                                                                    : 0;
+            EXPECT_NEAR(entry.value() * h * h, expected, 1e-11);
+        }
+    }
+    EXPECT_EQ(inner, std::lround(std::pow(side() - 1, n())));
+}
+
+TEST_P(Stencils, have_no_zero_and_no_negative_star) {
+    const auto grid = mesh();
+    for (int k = 0; k <= n(); ++k) {
+        EXPECT_TRUE(zero_star_cells(grid.volumes, k).empty()) << "k = " << k;
+        EXPECT_TRUE(negative_star_cells(grid.volumes, k).empty()) << "k = " << k;
+    }
+}
+
+TEST_P(Stencils, unmerged_have_zero_stars_in_all_degrees_between_the_ends) {
+    const auto grid = mesh();
+    for (int k = 1; k < n(); ++k)
+        EXPECT_FALSE(zero_star_cells(grid.input_volumes, k).empty()) << "k = " << k;
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, Stencils, testing::Values(1, 2, 3, 4));
+
+TEST(StencilsOfCubes, have_positive_stars_in_five_dimensions) {
+    const auto& grid = merged("kuhn5");
+    for (int k = 0; k <= 5; ++k) {
+        EXPECT_TRUE(zero_star_cells(grid.volumes, k).empty()) << "k = " << k;
+        EXPECT_TRUE(negative_star_cells(grid.volumes, k).empty()) << "k = " << k;
+    }
+}
+
+} // namespace
+} // namespace polydec::test

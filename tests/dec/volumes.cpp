@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "dec/cell_volumes.h"
+#include "dec/circumsphere.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace polydec::test {
+namespace {
+
+class Volumes : public OverMeshes {};
+
+double binomial(int n, int k) {
+    return std::tgamma(n + 1.0) / (std::tgamma(k + 1.0) * std::tgamma(n - k + 1.0));
+}
+
+/// Relative defect of sum |s||*s| = C(n,k) |K|.
+double identity_defect(const CellVolumes& volumes, int k) {
+    const int n = static_cast<int>(volumes.primal.size()) - 1;
+    const double expected = binomial(n, k) * volumes.primal[n].sum();
+    return std::abs(volumes.primal[k].dot(volumes.dual[k]) - expected) / expected;
+}
+
+TEST_P(Volumes, of_cells_times_their_duals_fill_the_complex_binomially_often) {
+    for (const auto& [name, complex, volumes] : both(mesh()))
+        for (int k = 0; k <= mesh().n(); ++k)
+            EXPECT_LE(identity_defect(volumes, k), 1e-12) << name << ", k = " << k;
+}
+
+/// Duals as unsigned distances with one sign: that of the top simplex. What a widespread reading
+/// of the definition gives.
+CellVolumes signed_by_top_simplex(const SimplicialComplex& K, const Points& points) {
+    CellVolumes volumes = circumcentric_volumes(K, points);
+    const int n = K.dimension();
+    for (int k = 0; k < n; ++k)
+        volumes.dual[k].setZero();
+    Circumsphere sphere(points);
+    const auto height = [&](int k, Index t, int omitted) {
+        const auto& simplices = K.simplices(k);
+        sphere.look_at({&simplices(t, 0), static_cast<std::size_t>(k + 1)});
+        return sphere.height(omitted, volumes.primal[k - 1][K.face(k, t, omitted)]);
+    };
+    const auto descend = [&](const auto& self, int k, Index t, double product) -> void {
+        for (int omitted = 0; omitted <= k && k > 0; ++omitted) {
+            const double h = height(k, t, omitted);
+            const double next = product * (k == n ? h : std::abs(h)) / (n - k + 1);
+            volumes.dual[k - 1][K.face(k, t, omitted)] += next;
+            self(self, k - 1, K.face(k, t, omitted), next);
+        }
+    };
+    for (Index t = 0; t < K.size(n); ++t)
+        descend(descend, n, t, 1.0);
+    return volumes;
+}
+
+TEST(VolumesBroken, by_the_sign_of_the_top_simplex_do_not_fill_an_obtuse_solid) {
+    for (const char* name : {"obtuse_solid", "obtuse4"}) {
+        const auto& mesh = merged(name);
+        const auto wrong = signed_by_top_simplex(mesh.K(), mesh.points);
+        EXPECT_GT(identity_defect(wrong, 0), 1e-4) << name;
+        EXPECT_GT(identity_defect(wrong, 1), 1e-4) << name;
+        EXPECT_LE(identity_defect(wrong, mesh.n() - 1), 1e-12) << name;
+    }
+}
+
+TEST(VolumesBroken, by_the_sign_of_the_top_simplex_pass_unseen_on_acute_meshes) {
+    const auto& mesh = merged("kuhn3");
+    const auto wrong = signed_by_top_simplex(mesh.K(), mesh.points);
+    for (int k = 0; k <= 3; ++k)
+        EXPECT_LE(relative_difference(wrong.dual[k], mesh.input_volumes.dual[k]), 1e-12);
+}
+
+TEST(VolumesBroken, without_signs_do_not_fill_an_obtuse_surface) {
+    CellVolumes unsigned_volumes = merged("obtuse_planar").input_volumes;
+    unsigned_volumes.dual[1] = unsigned_volumes.dual[1].cwiseAbs();
+    EXPECT_GT(identity_defect(unsigned_volumes, 1), 1e-2);
+}
+
+TEST_P(Volumes, of_merged_cells_are_sums_over_their_pieces) {
+    for (int k = 0; k <= mesh().n(); ++k) {
+        const auto& dia = mesh().merging().diamond(k);
+        for (Index F = 0; F < mesh().P().size(k); ++F) {
+            double volume = 0, product = 0;
+            for (IncidenceMatrix::InnerIterator s(dia, F); s; ++s) {
+                const auto [primal, dual] = std::pair(mesh().input_volumes.primal[k][s.col()],
+                                                      mesh().input_volumes.dual[k][s.col()]);
+                volume += primal;
+                product += primal * dual;
+            }
+            EXPECT_NEAR(mesh().volumes.primal[k][F], volume, 1e-14 * volume);
+            EXPECT_NEAR(mesh().volumes.dual[k][F] * volume, product,
+                        1e-13 * (volume + std::abs(product)));
+        }
+    }
+}
+
+TEST_P(Volumes, pieces_of_a_cell_have_the_same_dual) {
+    for (int k = 0; k <= mesh().n(); ++k) {
+        const double scale = mesh().volumes.dual[k].cwiseAbs().maxCoeff();
+        for (Index s = 0; s < mesh().K().size(k); ++s) {
+            const auto& carrier = mesh().merging().carriers(k)[s];
+            if (carrier.dimension == k) {
+                EXPECT_NEAR(mesh().input_volumes.dual[k][s], mesh().volumes.dual[k][carrier.cell],
+                            1e-7 * scale);
+            }
+        }
+    }
+}
+
+TEST_P(Volumes, of_duals_of_removed_facets_are_zero) {
+    const int n = mesh().n();
+    for (Index f = 0; f < mesh().K().size(n - 1); ++f)
+        if (mesh().merging().carriers(n - 1)[f].dimension == n) {
+            EXPECT_LE(std::abs(mesh().input_volumes.dual[n - 1][f]),
+                      1e-7 * mesh().input_volumes.dual[n - 1].cwiseAbs().maxCoeff());
+        }
+}
+
+POLYDEC_OVER_MESHES(Volumes);
+
+TEST(VolumesOf, a_right_triangle_are_the_textbook_ones) {
+    const Mesh mesh = made_of({{0, 0}, {4, 0}, {0, 3}}, {{0, 1, 2}});
+    const SimplicialComplex K(mesh.simplices);
+    const auto volumes = circumcentric_volumes(K, mesh.points);
+    EXPECT_NEAR(volumes.primal[2][0], 6, 1e-14);
+    // edges (0,1), (0,2), (1,2); the circumcenter is the middle of the last
+    EXPECT_TRUE(volumes.primal[1].isApprox(Eigen::Vector3d(4, 3, 5), 1e-14));
+    EXPECT_NEAR(volumes.dual[1][0], 1.5, 1e-14);
+    EXPECT_NEAR(volumes.dual[1][1], 2, 1e-14);
+    EXPECT_NEAR(volumes.dual[1][2], 0, 1e-14);
+    EXPECT_TRUE(volumes.dual[0].isApprox(Eigen::Vector3d(3, 1.5, 1.5), 1e-14));
+}
+
+TEST(VolumesOf, an_obtuse_triangle_have_a_negative_dual_edge) {
+    const Mesh mesh = made_of({{0, 0}, {2, 0}, {1, 0.5}}, {{0, 1, 2}});
+    const auto volumes = circumcentric_volumes(SimplicialComplex(mesh.simplices), mesh.points);
+    // the circumcenter (1, -0.75) lies 0.75 beyond the long edge
+    EXPECT_NEAR(volumes.dual[1][0], -0.75, 1e-14);
+}
+
+std::string refused_volumes(const Mesh& mesh) {
+    return refusal([&] { circumcentric_volumes(SimplicialComplex(mesh.simplices), mesh.points); });
+}
+
+TEST(VolumesOf, cells_without_extent_are_refused) {
+    EXPECT_EQ(refused_volumes(made_of({{0, 0}, {1, 1}, {2, 2}}, {{0, 1, 2}})),
+              "the 2-simplex with vertices 0, 1, 2 has no volume: remove it or move a vertex");
+    EXPECT_EQ(refused_volumes(made_of({{0, 0}, {1, 1}, {1, 1}}, {{0, 1, 2}})),
+              "the 1-simplex with vertices 1, 2 has no volume: remove it or move a vertex");
+}
+
+TEST(VolumesOf, cells_without_place_are_refused) {
+    EXPECT_EQ(refused_volumes(made_of({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 3}})),
+              "a cell uses vertex 3 but there are only 3 points");
+    EXPECT_EQ(refused_volumes(made_of({{0}, {1}, {2}}, {{0, 1, 2}})),
+              "simplices of dimension 2 do not fit into 1 coordinates");
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refused_volumes(made_of({{0, 0}, {1, nan}, {2, 2}}, {{0, 1, 2}})),
+              "vertex 1 has a coordinate that is not finite");
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "io/matrix_market.h"
+
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <limits>
+
+namespace polydec::tests {
+
+namespace {
+
+const std::string banner = "%%MatrixMarket matrix coordinate real general\n";
+
+SparseMatrix matrix_from(const std::string& text) {
+    const TemporaryFolder folder;
+    return read_matrix_market(folder.write("a.mtx", text));
+}
+
+std::string matrix_error(const std::string& text) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("a.mtx", text);
+    auto error = error_of([&path] { read_matrix_market(path); });
+    const auto place = error.find(path.string());
+    return place == std::string::npos ? error : error.replace(place, path.string().size(), "a.mtx");
+}
+
+DenseMatrix dense(const SparseMatrix& matrix) {
+    return DenseMatrix(matrix);
+}
+
+double any_double() {
+    const double mantissa = *rc::gen::inRange<std::int64_t>(-(1LL << 53), 1LL << 53);
+    return std::ldexp(mantissa, *rc::gen::inRange(-1100, 960));
+}
+
+} // namespace
+
+TEST(MatrixMarket, SparseMatricesAreTheSame) {
+    EXPECT_TRUE(rc::check([] {
+        SparseMatrix matrix(*rc::gen::inRange(0, 8), *rc::gen::inRange(0, 8));
+        for (Index row = 0; row < matrix.rows(); ++row) {
+            for (Index column = 0; column < matrix.cols(); ++column) {
+                if (*rc::gen::inRange(0, 3) == 0) {
+                    matrix.insert(row, column) = any_double();
+                }
+            }
+        }
+        const TemporaryFolder folder;
+        write_matrix_market(folder.path("a.mtx"), matrix);
+        const auto read = read_matrix_market(folder.path("a.mtx"));
+        RC_ASSERT(read.nonZeros() == matrix.nonZeros());
+        RC_ASSERT(read.rows() == matrix.rows() && read.cols() == matrix.cols());
+        RC_ASSERT(dense(read) == dense(matrix));
+    }));
+}
+
+TEST(MatrixMarket, VectorsAreTheSame) {
+    EXPECT_TRUE(rc::check([] {
+        const Vector vector =
+            Vector::NullaryExpr(*rc::gen::inRange(0, 20), [] { return any_double(); });
+        const TemporaryFolder folder;
+        write_matrix_market(folder.path("a.mtx"), vector);
+        RC_ASSERT(read_matrix_market_array(folder.path("a.mtx")) == vector);
+    }));
+}
+
+TEST(MatrixMarket, IncidencesAreIntegers) {
+    IncidenceMatrix matrix(2, 3);
+    matrix.insert(0, 2) = 1;
+    matrix.insert(1, 0) = -1;
+    matrix.insert(1, 1) = 0;
+    const TemporaryFolder folder;
+    write_matrix_market(folder.path("a.mtx"), matrix);
+    EXPECT_EQ(read_text(folder.path("a.mtx")),
+              "%%MatrixMarket matrix coordinate integer general\n2 3 3\n1 3 1\n2 1 -1\n2 2 0\n");
+    EXPECT_EQ(dense(read_matrix_market(folder.path("a.mtx"))),
+              (DenseMatrix(2, 3) << 0, 0, 1, -1, 0, 0).finished());
+}
+
+TEST(MatrixMarket, VectorsAreArraysOfOneColumn) {
+    const TemporaryFolder folder;
+    write_matrix_market(folder.path("a.mtx"), Vector(Eigen::Vector2d(0.1, -2e300)));
+    EXPECT_EQ(read_text(folder.path("a.mtx")),
+              "%%MatrixMarket matrix array real general\n2 1\n0.1\n-2e+300\n");
+}
+
+TEST(MatrixMarket, SymmetricFilesGiveBothTriangles) {
+    const std::string body = "% comment\n\n2 2 2\n1 1 5\n2 1 3\n";
+    EXPECT_EQ(dense(matrix_from("%%MatrixMarket matrix coordinate real symmetric\n" + body)),
+              (DenseMatrix(2, 2) << 5, 3, 3, 0).finished());
+    EXPECT_EQ(dense(matrix_from("%%MatrixMarket matrix coordinate integer skew-symmetric\n2 2 1\n"
+                                "2 1 3\n")),
+              (DenseMatrix(2, 2) << 0, -3, 3, 0).finished());
+}
+
+TEST(MatrixMarket, RefusesWhatDoesNotFit) {
+    EXPECT_EQ(matrix_error("%%MatrixMarket matrix coordinate complex general\n1 1 0\n"),
+              "InvalidInput: a.mtx:1: 'complex' stands here; expected real or integer or double; "
+              "convert the file");
+    EXPECT_EQ(matrix_error("%%MatrixMarket matrix array real general\n1 1\n5\n"),
+              "InvalidInput: a.mtx:1: 'array' stands here; expected coordinate; convert the file");
+    EXPECT_EQ(matrix_error(banner + "2 2 1\n1 3 5\n"),
+              "InvalidInput: a.mtx:3: column 3 is out of range; expected 1 to 2; correct the line");
+    EXPECT_EQ(matrix_error(banner + "2 2 1\n0 1 5\n"),
+              "InvalidInput: a.mtx:3: row 0 is out of range; expected 1 to 2; correct the line");
+    EXPECT_EQ(matrix_error(banner + "2 2 2\n1 1 5\n1 1 6\n"),
+              "InvalidInput: a.mtx:5: the entry in row 1 and column 1 was there twice; expected it "
+              "once; add the two up or remove one");
+    EXPECT_EQ(matrix_error(banner + "2 2 1\n1 1 nan\n"),
+              "InvalidInput: a.mtx:3: the entry is NaN, infinite or beyond the doubles; expected a "
+              "finite number; find out what made it so");
+    EXPECT_EQ(
+        matrix_error(banner + "2 2 1\n1 1 5\n2 2 5\n"),
+        "InvalidInput: a.mtx:4: more entries follow than are promised; expected the end of the "
+        "file; correct the number of entries");
+    EXPECT_EQ(
+        matrix_error(banner + "2 2 2000000000\n1 1 5\n"),
+        "InvalidInput: a.mtx:2: 2000000000 entries are promised, but 7 bytes follow; expected "
+        "at least 6 bytes for each; correct the number, or export again if the file was cut "
+        "off");
+    EXPECT_EQ(matrix_error(banner + "2000000000 2 1\n1 1 5\n"),
+              "InvalidInput: a.mtx:3: 2000000000 rows, but 6 bytes follow; expected fewer rows; "
+              "correct the line");
+    EXPECT_EQ(matrix_error(banner + "3000000000 2 1\n1 1 5\n"),
+              "InvalidInput: a.mtx:2: 3000000000 as the number of rows; expected 0 to 2^31 - 1; "
+              "correct the line");
+}
+
+TEST(MatrixMarket, RefusesToWriteWhatIsNotFinite) {
+    const TemporaryFolder folder;
+    const auto path = folder.path("a.mtx");
+    SparseMatrix matrix(2, 3);
+    matrix.insert(1, 2) = std::nan("");
+    EXPECT_EQ(error_of([&] { write_matrix_market(path, matrix); }),
+              "InvalidInput: entry (1, 2), counted from 0, of what should be written to " +
+                  path.string() + " is NaN or infinite; find out what made it so");
+    const Vector vector = Vector::Constant(1, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(error_of([&] { write_matrix_market(path, vector); }),
+              "InvalidInput: entry (0, 0), counted from 0, of what should be written to " +
+                  path.string() + " is NaN or infinite; find out what made it so");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+} // namespace polydec::tests

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::tests {
+
+namespace {
+
+using Cells = std::vector<std::vector<Index>>;
+
+const std::string medit = "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 1\n"
+                          "0 1 0 2\n0 0 1 0\n1 1 1 0\n";
+
+} // namespace
+
+TEST(Nsc, ReadsEveryDimension) {
+    const auto line = read_from("a.nsc", "1 1 2 1\n0\n1\n0 1\n");
+    EXPECT_EQ(line.ambient_dimension(), 1);
+    EXPECT_EQ(rows(line.simplices), (Cells{{0, 1}}));
+
+    const auto simplex = read_from("a.nsc", "# four\n4 4 5 1 # sizes\n0 0 0 0\n1 0 0 0\n\n0 1 0 0\n"
+                                            "0 0 1 0\n0 0 0 1 # last\n4 3 2 1 0");
+    EXPECT_EQ(simplex.ambient_dimension(), 4);
+    EXPECT_EQ(rows(simplex.simplices), (Cells{{4, 3, 2, 1, 0}}));
+}
+
+TEST(Nsc, LinesMayEndInThreeWays) {
+    const std::string text = "# c\n2 2 3 1\n0 0\n1 0\n0 1\n0 1 2\n";
+    const auto mesh = read_from("a.nsc", text);
+    EXPECT_TRUE(same(mesh, read_from("a.nsc", with_line_breaks(text, "\r\n"))));
+    EXPECT_TRUE(same(mesh, read_from("a.nsc", with_line_breaks(text, "\r"))));
+}
+
+TEST(Nsc, RefusesWhatDoesNotFit) {
+    EXPECT_EQ(
+        reading_error("a.nsc", "2 3 3 1\n0 0\n1 0\n0 1\n0 1 2\n"),
+        "InvalidInput: a.nsc:1: dimension 3 in ambient dimension 2; expected 1 <= n <= N; the "
+        "first line is N n, then the numbers of vertices and simplices");
+    EXPECT_EQ(
+        reading_error("a.nsc", "2 0 3 1\n0 0\n1 0\n0 1\n0 1 2\n"),
+        "InvalidInput: a.nsc:1: dimension 0 in ambient dimension 2; expected 1 <= n <= N; the "
+        "first line is N n, then the numbers of vertices and simplices");
+    EXPECT_EQ(reading_error("a.nsc", "2 2 3 1 7\n0 0\n1 0\n0 1\n0 1 2\n"),
+              "InvalidInput: a.nsc:1: '7' follows on the same line; expected the end of the first "
+              "line, N n and the numbers of vertices and simplices; correct the line or export the "
+              "file again");
+    EXPECT_EQ(reading_error("a.nsc", "2 2 3 1\n0\n1 0\n0 1\n0 1 2\n"),
+              "InvalidInput: a.nsc:2: the line ends here; expected a vertex of 2 coordinates; "
+              "complete the line");
+    EXPECT_EQ(
+        reading_error("a.nsc", "2 2 3 1\n0 0 0\n1 0\n0 1\n0 1 2\n"),
+        "InvalidInput: a.nsc:2: '0' follows on the same line; expected the end of a vertex of "
+        "2 coordinates; correct the line or export the file again");
+    EXPECT_EQ(reading_error("a.nsc", "2 2 3 1\n0 0\n1 0\n0 1\n0 1\n"),
+              "InvalidInput: a.nsc:5: the line ends here; expected a simplex of 3 vertex numbers; "
+              "complete the line");
+    EXPECT_EQ(
+        reading_error("a.nsc", "2 2 3 1\n0 0\n1 0\n0 1\n0 1 3\n"),
+        "InvalidInput: a.nsc:5: vertex number 3 is out of range; expected 0 to 2; correct the "
+        "index or add the vertex");
+    EXPECT_EQ(
+        reading_error("a.nsc", "2 2 3 1\n0 0\n1 0\n0 1\n0 1 2\n2 1 0\n"),
+        "InvalidInput: a.nsc:6: more follows after 1 simplices; expected the end of the file; "
+        "correct the number in the first line");
+    EXPECT_EQ(reading_error("a.nsc", "2 2 3 1\n0 0\n1 inf\n0 1\n0 1 2\n"),
+              "InvalidInput: a.nsc:3: vertex 1 (counted from 0) has a coordinate that is NaN, "
+              "infinite or beyond the doubles; expected finite numbers; repair or remove the "
+              "vertex");
+    EXPECT_EQ(
+        reading_error("a.nsc", "2000000000 2 3 1\n0 0\n"),
+        "InvalidInput: a.nsc:1: 2000000000 coordinates of a vertex are promised, but 11 bytes "
+        "follow; expected at least 2 bytes for each; correct the number, or export again if "
+        "the file was cut off");
+}
+
+TEST(Medit, TakesTheCellsOfHighestDimension) {
+    const std::string edges = "Edges\n1\n1 2 0\n";
+    const std::string triangles = "Triangles\n2\n1 2 3 0\n1 3 4 7\n";
+    const std::string tetrahedra = "Tetrahedra 1\n1 2 3 4 0\n";
+    EXPECT_EQ(rows(read_from("a.mesh", medit + edges).simplices), (Cells{{0, 1}}));
+    EXPECT_EQ(rows(read_from("a.mesh", medit + edges + triangles).simplices),
+              (Cells{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_EQ(rows(read_from("a.mesh", medit + tetrahedra + triangles + "End\njunk").simplices),
+              (Cells{{0, 1, 2, 3}}));
+    EXPECT_EQ(rows(read_from("a.mesh", medit + triangles + "Tetrahedra 0\nEnd\n").simplices),
+              (Cells{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST(Medit, SectionsMayComeInAnyOrderAndUnknownOnesAreLeftOut) {
+    const auto mesh =
+        read_from("a.mesh", "MeshVersionFormatted\n1\n# comment\nTriangles\n1\n1 2 3 0\n"
+                            "Corners\n2\n1\n2\nDimension\n2\nVertices\n3\n0 0 1\n1 0 1\n"
+                            "0 1 1\nNormals\n1\n0 0 1\n");
+    EXPECT_EQ(mesh.ambient_dimension(), 2);
+    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}}));
+}
+
+TEST(Medit, LinesMayEndInThreeWays) {
+    const std::string text = medit + "# c\nTriangles\n1\n1 2 3 0\n";
+    const auto mesh = read_from("a.mesh", text);
+    EXPECT_TRUE(same(mesh, read_from("a.MESH", with_line_breaks(text, "\r\n"))));
+    EXPECT_TRUE(same(mesh, read_from("a.Mesh", with_line_breaks(text, "\r"))));
+}
+
+TEST(Medit, RefusesWhatDoesNotFit) {
+    EXPECT_EQ(reading_error("a.mesh", medit + "Hexahedra\n1\n1 2 3 4 5 1 2 3 0\n"),
+              "InvalidInput: a.mesh:10: the mesh has Hexahedra; expected tetrahedra, triangles or "
+              "edges; split them before");
+    EXPECT_EQ(
+        reading_error("a.mesh", medit + "Triangles\n1\n1 2 3 0\nQuadrilaterals\n1\n1 2 3 4 0\n"),
+        "InvalidInput: a.mesh:13: the mesh has Quadrilaterals; expected tetrahedra, triangles "
+        "or edges; split them before");
+    EXPECT_EQ(reading_error("a.mesh", medit + "Triangles\n1\n0 2 3 0\n"),
+              "InvalidInput: a.mesh:12: vertex number 0 is out of range; expected 1 to 5; correct "
+              "the index or add the vertex");
+    EXPECT_EQ(reading_error("a.mesh", medit + "Triangles\n1\n1 2 3 0\nTriangles\n1\n1 2 3 0\n"),
+              "InvalidInput: a.mesh:13: the section 'Triangles' is there a second time; expected "
+              "one; join the two");
+    EXPECT_EQ(reading_error("a.mesh", "Dimension 4\nVertices\n1\n0 0 0 0 0\n"),
+              "InvalidInput: a.mesh:1: Dimension 4; expected 2 or 3; write the mesh as .nsc");
+    EXPECT_EQ(reading_error("a.mesh", "Dimension 3\n"),
+              "InvalidInput: a.mesh:1: the file has no section Vertices; expected MEDIT's text "
+              "format with Dimension, Vertices and cells; check the format");
+    EXPECT_EQ(reading_error("a.mesh", medit + "Triangles\n2\n1 2 3 0\nCorners 0\n"),
+              "InvalidInput: a.mesh:13: 'Corners' is not a whole number; expected a vertex number; "
+              "correct the line or export the file again");
+    EXPECT_EQ(reading_error("a.mesh", medit + "Tetrahedra\n500\n1 2 3 4 0\n"),
+              "InvalidInput: a.mesh:11: 500 Tetrahedra are promised, but 11 bytes follow; expected "
+              "at least 10 bytes for each; correct the number, or export again if the file was cut "
+              "off");
+    EXPECT_EQ(reading_error("a.mesh", medit),
+              "InvalidInput: a.mesh: the file holds 5 vertices but no cells; expected at least one "
+              "cell; export it with its cells");
+}
+
+} // namespace polydec::tests

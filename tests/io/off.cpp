@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::tests {
+
+namespace {
+
+using Cells = std::vector<std::vector<Index>>;
+
+const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string faces = "3 0 1 2\n3 0 2 3\n";
+const Cells two_triangles{{0, 1, 2}, {0, 2, 3}};
+
+} // namespace
+
+TEST(Off, ReadsVerticesAndFaces) {
+    const auto mesh = read_from("a.off", "OFF\n4 2 0\n" + vertices + faces);
+    EXPECT_EQ(rows(mesh.points),
+              (std::vector<std::vector<double>>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+    EXPECT_EQ(rows(mesh.simplices), two_triangles);
+    EXPECT_TRUE(mesh.warnings.empty());
+}
+
+TEST(Off, HeaderMayHaveManyShapes) {
+    const std::string body = vertices + faces;
+    for (const std::string header :
+         {"OFF\n4 2 0\n", "OFF 4 2 0\n", "OFF4 2 0\n", "4 2 0\n", "\n# a\n\n OFF # b\n4\n2\n\n0\n",
+          "off\n4 2 0\n", "\xEF\xBB\xBFOFF\n4 2 0\n"}) {
+        EXPECT_EQ(rows(read_from("a.off", header + body).simplices), two_triangles) << header;
+    }
+}
+
+TEST(Off, LeavesOutNumbersBehindCoordinatesAndCorners) {
+    const std::string colored = "0 0 0 255 0 0 255\n1 0 0 0 0 1\n1 1 0 1 1\n0 1 0 0.5\n";
+    const std::string faces_colored = "3 0 1 2 255 0 0\n3 0 2 3 0.1 0.2 0.3 1\n";
+    for (const std::string keyword : {"OFF", "COFF", "NOFF", "STOFF", "CNOFF", "STCNOFF"}) {
+        const auto mesh = read_from("a.off", keyword + "\n4 2 0\n" + colored + faces_colored);
+        EXPECT_EQ(rows(mesh.simplices), two_triangles) << keyword;
+        EXPECT_EQ(mesh.points(2, 1), 1.0) << keyword;
+    }
+}
+
+TEST(Off, FaceMayGoOverManyLines) {
+    const auto mesh =
+        read_from("a.off", "OFF\n4 2 0\n" + vertices + "3\n0\n\n1\n2\n# comment\n3 0\n 2 3");
+    EXPECT_EQ(rows(mesh.simplices), two_triangles);
+}
+
+TEST(Off, LinesMayEndInThreeWays) {
+    const std::string text = "OFF\n4 2 0\n" + vertices + faces;
+    const std::string bad = "OFF\n4 2 0\n" + vertices + "3 0 1 2\n3 0 2 7\n";
+    for (const std::string line_break : {"\n", "\r\n", "\r"}) {
+        const auto mesh = read_from("a.off", with_line_breaks(text, line_break));
+        EXPECT_EQ(rows(mesh.simplices), two_triangles);
+        EXPECT_EQ(
+            reading_error("a.off", with_line_breaks(bad, line_break)),
+            "InvalidInput: a.off:8: vertex number 7 is out of range; expected 0 to 3; correct "
+            "the index or add the vertex");
+    }
+}
+
+TEST(Off, NumbersMayBeWrittenInManyWays) {
+    const auto mesh = read_from(
+        "a.off", "OFF\n4 1 0\n1e-3 +1.5 .5\n-.5E+2 5. -0\n1e-400 4.9e-324 0.1\n0 0 7\n3 0 +1 2\n");
+    EXPECT_EQ(rows(mesh.points),
+              (std::vector<std::vector<double>>{
+                  {1e-3, 1.5, 0.5}, {-50, 5, 0}, {0, 4.9e-324, 0.1}, {0, 0, 7}}));
+}
+
+TEST(Off, WarnsOfWhatFollowsTheFaces) {
+    const auto mesh = read_from("a.off", "OFF\n4 1 0\n" + vertices + faces);
+    EXPECT_EQ(mesh.simplices.rows(), 1);
+    EXPECT_EQ(mesh.warnings,
+              (std::vector<std::string>{"what follows the 1 faces was left out, from line 8"}));
+}
+
+TEST(Off, SplitsPolygonsAndLeavesOutSmallFaces) {
+    const auto mesh = read_from("a.off", "OFF\n4 3 0\n" + vertices + "2 0 1\n4 0 1 2 3\n1 0\n");
+    EXPECT_EQ(rows(mesh.simplices), two_triangles);
+    EXPECT_EQ(mesh.warnings,
+              (std::vector<std::string>{
+                  "2 faces with fewer than three corners left out, the first is face 0",
+                  "1 polygon with more than three corners split into triangles, the first is face "
+                  "1"}));
+}
+
+TEST(Off, KeepsTrianglesThatLaterChecksJudge) {
+    const auto mesh =
+        read_from("a.off", "OFF\n4 4 0\n" + vertices + "3 0 1 2\n3 0 1 2\n3 0 2 2\n3 1 0 2\n");
+    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 1, 2}, {0, 2, 2}, {1, 0, 2}}));
+}
+
+TEST(Off, RefusesOtherKeywords) {
+    EXPECT_EQ(
+        reading_error("a.off", "4OFF\n1 1 0\n"),
+        "InvalidInput: a.off:1: '4OFF' has vertices of another dimension than 3; expected OFF "
+        "with x y z; write the mesh as .nsc");
+    EXPECT_EQ(
+        reading_error("a.off", "nOFF\n2\n1 1 0\n"),
+        "InvalidInput: a.off:1: 'nOFF' has vertices of another dimension than 3; expected OFF "
+        "with x y z; write the mesh as .nsc");
+    EXPECT_EQ(reading_error("a.off", "OFF BINARY\n1 1 0\n"),
+              "InvalidInput: a.off:1: the file is a binary OFF; expected text; convert it to text "
+              "or PLY");
+    EXPECT_EQ(reading_error("a.off", "solid\x01 text\n"),
+              "InvalidInput: a.off:1: the file begins with 'solid?'; expected the keyword OFF; "
+              "check the format");
+    EXPECT_EQ(reading_error("a.off", std::string(50, 'x')),
+              "InvalidInput: a.off:1: the file begins with '" + std::string(40, 'x') +
+                  "...'; expected the keyword OFF; check the format");
+}
+
+TEST(Off, RefusesWhatIsNoNumber) {
+    for (const std::string word : {"abc", "1.#INF", "1,5", "0x10", "1e", "+-1", "--1", "-", "+"}) {
+        EXPECT_EQ(reading_error("a.off", "OFF\n3 1 0\n0 0 " + word + "\n0 1 0\n1 0 0\n3 0 1 2\n"),
+                  "InvalidInput: a.off:3: '" + word +
+                      "' is not a number; expected a coordinate; correct the line or export the "
+                      "file again");
+    }
+    for (const std::string word : {"1.0", "x", "1e0"}) {
+        EXPECT_EQ(reading_error("a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 " + word + "\n"),
+                  "InvalidInput: a.off:6: '" + word +
+                      "' is not a whole number; expected a vertex number; correct the line or "
+                      "export the file again");
+    }
+    EXPECT_EQ(reading_error("a.off", "OFF\n99999999999999999999 1 0\n"),
+              "InvalidInput: a.off:2: '99999999999999999999' is too large; expected the number of "
+              "vertices; correct the line or export the file again");
+}
+
+TEST(Off, RefusesCoordinatesThatAreNotFinite) {
+    for (const std::string word :
+         {"nan", "-NaN", "inf", "+Inf", "-infinity", "1e400", "-1e999999"}) {
+        EXPECT_EQ(reading_error("a.off", "OFF\n3 1 0\n0 0 0\n0 1 " + word + "\n1 0 0\n3 0 1 2\n"),
+                  "InvalidInput: a.off:4: vertex 1 (counted from 0) has a coordinate that is NaN, "
+                  "infinite or beyond the doubles; expected finite numbers; repair or remove the "
+                  "vertex");
+    }
+}
+
+TEST(Off, RefusesMoreThanTheFileCanHold) {
+    EXPECT_EQ(reading_error("a.off", "OFF\n3 4000000000 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 2\n"),
+              "InvalidInput: a.off:2: 4000000000 faces are promised, but 29 bytes follow; expected "
+              "at least 2 bytes for each; correct the number, or export again if the file was cut "
+              "off");
+    EXPECT_EQ(reading_error("a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n2000000000 0 1 2\n"),
+              "InvalidInput: a.off:6: 2000000000 corners of a face are promised, but 7 bytes "
+              "follow; expected at least 2 bytes for each; correct the number, or export again if "
+              "the file was cut off");
+}
+
+} // namespace polydec::tests

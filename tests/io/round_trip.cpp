@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "io/write_mesh.h"
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <limits>
+
+namespace polydec::tests {
+
+namespace {
+
+/// Any finite doubles, of all magnitudes.
+double any_double() {
+    const double mantissa = *rc::gen::inRange<std::int64_t>(-(1LL << 53), 1LL << 53);
+    return std::ldexp(mantissa, *rc::gen::inRange(-1100, 960));
+}
+
+Mesh any_mesh(int ambient, int dimension) {
+    const int vertices = *rc::gen::inRange(dimension + 1, 20);
+    const int cells = *rc::gen::inRange(1, 20);
+    Mesh mesh;
+    mesh.points = Points::NullaryExpr(vertices, ambient, [] { return any_double(); });
+    mesh.simplices = Simplices::NullaryExpr(cells, dimension + 1,
+                                            [vertices] { return *rc::gen::inRange(0, vertices); });
+    return mesh;
+}
+
+Mesh written_and_read(const std::string& name, const Mesh& mesh) {
+    const TemporaryFolder folder;
+    write_mesh(folder.path(name), mesh);
+    return read_mesh(folder.path(name));
+}
+
+PolygonMesh pentagon_and_square() {
+    PolygonMesh mesh;
+    mesh.points = Points(7, 2);
+    mesh.points << 0, 0, 1, 0, 1.5, 1, 0.5, 2, -0.5, 1, 2, -1, 3, 0;
+    mesh.corners = {0, 1, 2, 3, 4, 1, 5, 6, 2};
+    mesh.offsets = {0, 5, 9};
+    return mesh;
+}
+
+std::string writing_error(const std::string& name, const Mesh& mesh) {
+    return error_of([&] { write_mesh(name, mesh); });
+}
+
+} // namespace
+
+TEST(RoundTrip, SurfacesInSpaceAreTheSameInEveryTextFormat) {
+    EXPECT_TRUE(rc::check([] {
+        const auto mesh = any_mesh(3, 2);
+        for (const char* name : {"a.off", "a.obj", "a.ply", "a.nsc", "a.mesh"}) {
+            RC_ASSERT(same(written_and_read(name, mesh), mesh));
+        }
+    }));
+}
+
+TEST(RoundTrip, PlanarSurfacesGetZeros) {
+    EXPECT_TRUE(rc::check([] {
+        const auto mesh = any_mesh(2, 2);
+        Mesh padded = mesh;
+        padded.points.conservativeResizeLike(Points::Zero(mesh.points.rows(), 3));
+        for (const char* name : {"a.off", "a.obj", "a.ply"}) {
+            RC_ASSERT(same(written_and_read(name, mesh), padded));
+        }
+        for (const char* name : {"a.nsc", "a.mesh"}) {
+            RC_ASSERT(same(written_and_read(name, mesh), mesh));
+        }
+    }));
+}
+
+TEST(RoundTrip, EveryDimensionIsTheSameInNsc) {
+    EXPECT_TRUE(rc::check([] {
+        const int ambient = *rc::gen::inRange(1, 7);
+        const auto mesh = any_mesh(ambient, *rc::gen::inRange(1, ambient + 1));
+        RC_ASSERT(same(written_and_read("a.nsc", mesh), mesh));
+    }));
+}
+
+TEST(RoundTrip, EdgesAndTetrahedraAreTheSameInMedit) {
+    EXPECT_TRUE(rc::check([] {
+        for (const int dimension : {1, 3}) {
+            const auto mesh = any_mesh(3, dimension);
+            RC_ASSERT(same(written_and_read("a.mesh", mesh), mesh));
+        }
+    }));
+}
+
+TEST(RoundTrip, StlKeepsFloatsAndTheOrderOfCells) {
+    EXPECT_TRUE(rc::check([] {
+        Mesh mesh = any_mesh(3, 2);
+        mesh.points = Points::NullaryExpr(mesh.points.rows(), 3, [] {
+            return static_cast<double>(static_cast<float>(*rc::gen::inRange(-1000000, 1000000)) /
+                                       7);
+        });
+        const auto read = written_and_read("a.stl", mesh);
+        RC_ASSERT(read.simplices.rows() == mesh.simplices.rows());
+        for (Eigen::Index i = 0; i < mesh.simplices.size(); ++i) {
+            RC_ASSERT(read.points.row(read.simplices.data()[i]) ==
+                      mesh.points.row(mesh.simplices.data()[i]));
+        }
+        RC_ASSERT(same(written_and_read("a.stl", read), read));
+    }));
+}
+
+TEST(RoundTrip, StlHasUnitNormals) {
+    Mesh mesh;
+    mesh.points = Points(4, 3);
+    mesh.points << 0, 0, 0, 2, 0, 0, 0, 3, 0, 4, 0, 0;
+    mesh.simplices = Simplices(2, 3);
+    mesh.simplices << 0, 1, 2, 0, 1, 3;
+    const TemporaryFolder folder;
+    write_mesh(folder.path("a.stl"), mesh);
+    const auto text = read_text(folder.path("a.stl"));
+    EXPECT_EQ(text.size(), 184U);
+    EXPECT_EQ(text.substr(84, 12), std::string("\0\0\0\0\0\0\0\0\0\0\x80\x3F", 12));
+    EXPECT_EQ(text.substr(134, 12), std::string(12, '\0'));
+}
+
+TEST(RoundTrip, GoldenMeshesAreTheSame) {
+    const std::filesystem::path golden = std::filesystem::path(POLYDEC_TEST_FILES) / "golden";
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(golden)) {
+        const auto extension = entry.path().extension();
+        if (extension == ".off" || extension == ".nsc") {
+            const auto mesh = read_mesh(entry.path());
+            EXPECT_TRUE(same(written_and_read("a.nsc", mesh), mesh)) << entry.path();
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 10);
+}
+
+TEST(RoundTrip, PolygonsAreWrittenAsPolygons) {
+    const TemporaryFolder folder;
+    const auto mesh = pentagon_and_square();
+    write_mesh(folder.path("a.off"), mesh);
+    EXPECT_EQ(read_text(folder.path("a.off")),
+              "OFF\n7 2 0\n0 0 0\n1 0 0\n1.5 1 0\n0.5 2 0\n-0.5 1 0\n2 -1 0\n3 0 0\n5 0 1 2 3 4\n"
+              "4 1 5 6 2\n");
+    write_mesh(folder.path("a.obj"), mesh);
+    EXPECT_EQ(read_text(folder.path("a.obj")),
+              "v 0 0 0\nv 1 0 0\nv 1.5 1 0\nv 0.5 2 0\nv -0.5 1 0\nv 2 -1 0\nv 3 0 0\n"
+              "f 1 2 3 4 5\nf 2 6 7 3\n");
+    write_mesh(folder.path("a.ply"), mesh);
+    EXPECT_EQ(read_text(folder.path("a.ply")),
+              "ply\nformat ascii 1.0\nelement vertex 7\nproperty double x\nproperty double y\n"
+              "property double z\nelement face 2\nproperty list uchar int vertex_indices\n"
+              "end_header\n0 0 0\n1 0 0\n1.5 1 0\n0.5 2 0\n-0.5 1 0\n2 -1 0\n3 0 0\n5 0 1 2 3 4\n"
+              "4 1 5 6 2\n");
+    for (const char* name : {"a.off", "a.obj", "a.ply"}) {
+        EXPECT_EQ(rows(read_mesh(folder.path(name)).simplices),
+                  rows(split_polygons(mesh).simplices));
+    }
+}
+
+TEST(RoundTrip, PolygonsOfVeryManyCornersFitIntoPly) {
+    PolygonMesh mesh;
+    mesh.points = Points(300, 2);
+    for (Index i = 0; i < 300; ++i) {
+        mesh.points.row(i) << std::cos(0.02 * i), std::sin(0.02 * i);
+        mesh.corners.push_back(i);
+    }
+    mesh.offsets.push_back(300);
+    const TemporaryFolder folder;
+    write_mesh(folder.path("a.ply"), mesh);
+    EXPECT_EQ(read_mesh(folder.path("a.ply")).simplices.rows(), 298);
+}
+
+TEST(WriteMesh, RefusesWhatTheFormatCannotHold) {
+    Mesh mesh;
+    mesh.points = Points::Identity(5, 4);
+    mesh.simplices = Simplices(1, 5);
+    mesh.simplices << 0, 1, 2, 3, 4;
+    EXPECT_EQ(writing_error("a.off", mesh),
+              "InvalidInput: cannot write a.off: .off holds triangles in R^2 and R^3, not "
+              "4-simplices in R^4; use .nsc");
+    EXPECT_EQ(
+        writing_error("a.mesh", mesh),
+        "InvalidInput: cannot write a.mesh: MEDIT holds edges, triangles and tetrahedra in R^2 "
+        "and R^3, not 4-simplices in R^4; use .nsc");
+    EXPECT_EQ(
+        writing_error("a.vtk", mesh),
+        "InvalidInput: cannot write a.vtk: the extension '.vtk' stands for no mesh format; use "
+        ".off, .obj, .ply, .stl, .mesh or .nsc");
+    mesh.simplices(0, 3) = 5;
+    EXPECT_EQ(writing_error("a.nsc", mesh),
+              "InvalidInput: cannot write a.nsc: cell 0 has the vertex 5; expected 0 to 4");
+    mesh.points(2, 1) = std::nan("");
+    EXPECT_EQ(
+        writing_error("a.nsc", mesh),
+        "InvalidInput: cannot write a.nsc: vertex 2 has a coordinate that is NaN or infinite; "
+        "find out what made it so");
+}
+
+TEST(WriteMesh, RefusesCoordinatesBeyondTheFloatsOfStl) {
+    Mesh mesh;
+    mesh.points = Points::Identity(3, 3) * 1e39;
+    mesh.simplices = Simplices(1, 3);
+    mesh.simplices << 0, 1, 2;
+    const TemporaryFolder folder;
+    const auto path = folder.path("a.stl");
+    EXPECT_EQ(
+        error_of([&] { write_mesh(path, mesh); }),
+        "InvalidInput: cannot write " + path.string() +
+            ": a coordinate of vertex 0 is too large for the floats of STL; use .off, .obj or "
+            ".ply");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(WriteMesh, RefusesPolygonsThatDoNotFit) {
+    auto mesh = pentagon_and_square();
+    EXPECT_EQ(error_of([&mesh] { write_mesh("a.stl", mesh); }),
+              "InvalidInput: cannot write a.stl: the extension '.stl' stands for no format of "
+              "polygons; use .off, .obj, .ply or .vtu");
+    mesh.corners[0] = -1;
+    EXPECT_EQ(error_of([&mesh] { write_mesh("a.off", mesh); }),
+              "InvalidInput: face 0 has the vertex -1; expected 0 to 6");
+    mesh.corners[0] = 0;
+    mesh.points = Points::Zero(7, 4);
+    EXPECT_EQ(error_of([&mesh] { write_mesh("a.off", mesh); }),
+              "InvalidInput: cannot write a.off: .off holds polygons in R^2 and R^3, not in R^4; "
+              "write the triangles as .nsc");
+}
+
+} // namespace polydec::tests

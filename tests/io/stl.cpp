@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <limits>
+
+namespace polydec::tests {
+
+namespace {
+
+using Cells = std::vector<std::vector<Index>>;
+using Triangle = std::array<float, 9>;
+
+std::string binary(const std::vector<Triangle>& triangles, std::string header = "any text") {
+    header.resize(80, ' ');
+    std::string text = header;
+    const auto append = [&text](const auto& value) {
+        text.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    };
+    append(static_cast<std::uint32_t>(triangles.size()));
+    for (const auto& triangle : triangles) {
+        append(std::array<float, 3>{});
+        append(triangle);
+        append(std::uint16_t{0xFFFF});
+    }
+    return text;
+}
+
+std::string facet(const std::string& a, const std::string& b, const std::string& c) {
+    return "facet normal 0 0 nan\n outer loop\n  vertex " + a + "\n  vertex " + b + "\n  vertex " +
+           c + "\n endloop\nendfacet\n";
+}
+
+const std::vector<Triangle> square{{0, 0, 0, 1, 0, 0, 1, 1, 0}, {-0.F, 0, -0.F, 1, 1, 0, 0, 1, 0}};
+const std::string square_text = "solid a b c\n" + facet("0 0 0", "1 0 0", "1 1 0") +
+                                facet("-0 0 -0.0", "1 1.0 0", "0 1 0") + "endsolid a b c\n";
+
+} // namespace
+
+TEST(Stl, JoinsEqualVerticesInOrderOfAppearance) {
+    for (const auto& text : {binary(square), binary(square, "solid but binary"), square_text}) {
+        const auto mesh = read_from("a.stl", text);
+        EXPECT_EQ(rows(mesh.points),
+                  (std::vector<std::vector<double>>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+        EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 2, 3}}));
+    }
+}
+
+TEST(Stl, DoesNotJoinVerticesThatDiffer) {
+    const float next = std::nextafter(1.F, 2.F);
+    const auto mesh = read_from("a.stl", binary({square[0], {0, 0, 0, next, 1, 0, 0, 1, 0}}));
+    EXPECT_EQ(mesh.points.rows(), 5);
+}
+
+TEST(Stl, TextMayHaveCapitalsAndSeveralSolids) {
+    auto capitals = square_text;
+    for (char& c : capitals) {
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    }
+    const auto mesh = read_from("a.STL", capitals);
+    EXPECT_EQ(mesh.simplices.rows(), 2);
+    EXPECT_TRUE(same(mesh, read_from("a.stl", with_line_breaks(square_text, "\r\n"))));
+    EXPECT_TRUE(same(mesh, read_from("a.stl", with_line_breaks(square_text, "\r"))));
+    EXPECT_EQ(
+        read_from("a.stl", square_text + "solid\n" + facet("0 0 0", "0 0 1", "1 0 0") + "endsolid")
+            .simplices.rows(),
+        3);
+}
+
+TEST(Stl, KeepsFacetsThatLaterChecksJudge) {
+    const auto mesh = read_from("a.stl", binary({square[0], square[0], {}}));
+    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 1, 2}, {0, 0, 0}}));
+}
+
+TEST(Stl, RefusesWhatIsCutOff) {
+    const auto text = binary(square);
+    EXPECT_EQ(
+        reading_error("a.stl", text.substr(0, 180)),
+        "InvalidInput: a.stl: the file has 180 bytes; expected 184 for the 2 triangles that "
+        "its header promises, or a text that begins with solid; export it again, it seems cut "
+        "off");
+    EXPECT_EQ(
+        reading_error("a.stl", binary(square, "solid").substr(0, 180)),
+        "InvalidInput: a.stl: the file has 180 bytes; expected 184 for the 2 triangles that "
+        "its header promises, or a text that begins with solid; export it again, it seems cut "
+        "off");
+    EXPECT_EQ(
+        reading_error("a.stl", text.substr(0, 80)),
+        "InvalidInput: a.stl: the file has 80 bytes; expected a binary STL of at least 84, or "
+        "a text that begins with solid; export it again");
+    EXPECT_EQ(reading_error("a.stl", "solid a\n" + facet("0 0 0", "1 0 0", "1 1 0")),
+              "InvalidInput: a.stl:9: the file ends here; expected facet or endsolid; export it "
+              "again, it seems cut off");
+    EXPECT_EQ(reading_error("a.stl", binary({})),
+              "InvalidInput: a.stl: the file holds no vertices; expected a mesh; export it again");
+}
+
+TEST(Stl, RefusesWhatDoesNotFit) {
+    EXPECT_EQ(reading_error("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                                     "vertex 0 0 0\nendloop\n"),
+              "InvalidInput: a.stl:6: 'endloop' stands here; expected vertex; correct the line or "
+              "export the file again");
+    EXPECT_EQ(reading_error("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 inf\n"),
+              "InvalidInput: a.stl:4: vertex 0 (counted from 0) has a coordinate that is NaN, "
+              "infinite or beyond the doubles; expected finite numbers; repair or remove the "
+              "vertex");
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(reading_error("a.stl", binary({square[0], {0, 0, 0, 1, nan, 0, 0, 1, 0}})),
+              "InvalidInput: a.stl: corner 1 of triangle 1 (counted from 0) has a coordinate that "
+              "is NaN or infinite; expected finite numbers; repair or remove the triangle");
+}
+
+} // namespace polydec::tests

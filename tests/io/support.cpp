@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "tests/io/support.h"
+
+#include "base/errors.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+namespace polydec::tests {
+
+TemporaryFolder::TemporaryFolder() {
+    static int next = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            ("polydec-test-" + std::to_string(::getpid()) + "-" + std::to_string(next++));
+    std::filesystem::create_directory(path_);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+std::filesystem::path TemporaryFolder::write(const std::string& name,
+                                             const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+}
+
+std::vector<std::string> TemporaryFolder::names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Mesh read_from(const std::string& name, const std::string& text) {
+    const TemporaryFolder folder;
+    return read_mesh(folder.write(name, text));
+}
+
+std::string error_of(const std::function<void()>& action) {
+    try {
+        action();
+        return "";
+    } catch (const InvalidInput& error) {
+        return std::string("InvalidInput: ") + error.what();
+    } catch (const IoError& error) {
+        return std::string("IoError: ") + error.what();
+    }
+}
+
+std::string reading_error(const std::string& name, const std::string& text) {
+    const TemporaryFolder folder;
+    const auto path = folder.write(name, text);
+    auto error = error_of([&path] { read_mesh(path); });
+    const auto place = error.find(folder.path().string());
+    if (place != std::string::npos) {
+        error.erase(place, folder.path().string().size() + 1);
+    }
+    return error;
+}
+
+std::vector<std::vector<double>> rows(const Points& points) {
+    std::vector<std::vector<double>> result;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        result.emplace_back(points.row(i).begin(), points.row(i).end());
+    }
+    return result;
+}
+
+std::vector<std::vector<Index>> rows(const Simplices& simplices) {
+    std::vector<std::vector<Index>> result;
+    for (Eigen::Index i = 0; i < simplices.rows(); ++i) {
+        result.emplace_back(simplices.row(i).begin(), simplices.row(i).end());
+    }
+    return result;
+}
+
+bool same(const Mesh& a, const Mesh& b) {
+    return a.ambient_dimension() == b.ambient_dimension() && a.dimension() == b.dimension() &&
+           rows(a.points) == rows(b.points) && rows(a.simplices) == rows(b.simplices);
+}
+
+std::string with_line_breaks(const std::string& text, const std::string& line_break) {
+    std::string result;
+    for (const char c : text) {
+        result += c == '\n' ? line_break : std::string(1, c);
+    }
+    return result;
+}
+
+std::vector<std::filesystem::path> test_data(const std::string& folder) {
+    const char* root = std::getenv("POLYDEC_TEST_DATA");
+    std::vector<std::filesystem::path> paths;
+    std::error_code none;
+    if (root != nullptr) {
+        const auto below = std::filesystem::path(root) / "meshes" / folder;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(below, none)) {
+            if (entry.is_regular_file()) {
+                paths.push_back(entry.path());
+            }
+        }
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+} // namespace polydec::tests

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/read_mesh.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace polydec::tests {
+
+/// A folder that is removed with all it holds at the end of the test.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path path(const std::string& name) const { return path_ / name; }
+
+    /// Writes a file and gives its path.
+    std::filesystem::path write(const std::string& name, const std::string& text) const;
+
+    /// What the folder holds, hidden files included, sorted.
+    std::vector<std::string> names() const;
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string read_text(const std::filesystem::path& path);
+
+/// Reads a mesh from this text in a file of this name.
+Mesh read_from(const std::string& name, const std::string& text);
+
+/// The kind and the whole message of what is thrown, such as "InvalidInput: ..."; "" if nothing is.
+std::string error_of(const std::function<void()>& action);
+
+/// The same for reading a mesh from a file, without the folder in front of the file's name.
+std::string reading_error(const std::string& name, const std::string& text);
+
+/// The coordinates, row by row.
+std::vector<std::vector<double>> rows(const Points& points);
+std::vector<std::vector<Index>> rows(const Simplices& simplices);
+
+/// Points and cells that are equal to the last bit.
+bool same(const Mesh& a, const Mesh& b);
+
+/// Replaces every line break, which must be LF.
+std::string with_line_breaks(const std::string& text, const std::string& line_break);
+
+/// The real meshes of POLYDEC_TEST_DATA below this folder, sorted; none where it is not set.
+std::vector<std::filesystem::path> test_data(const std::string& folder);
+
+} // namespace polydec::tests

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include "backends/registry.h"
+#include "base/errors.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "solvers/certified_eigensolver.h"
+#include "solvers/spectrum.h"
+#include "tests/solvers/dense_spectrum.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/read_golden.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace polydec::test {
+namespace {
+
+/// Spectra's solver with a fault: of the pairs it finds, only those that are kept come back.
+class Forgetful : public EigenSolver {
+public:
+    using Keeps = std::function<bool(const Vector& values, Index i)>;
+
+    Forgetful(std::string name, Keeps keeps) : name_(std::move(name)), keeps_(std::move(keeps)) {}
+
+    std::string name() const override { return name_; }
+
+protected:
+    EigenPairs compute(const SymmetricOperator& A, Index count,
+                       const EigenOptions& options) const override {
+        auto all = make_eigen_solver("spectra")->largest(A, count, options);
+        std::vector<Index> kept;
+        for (Index i = 0; i < all.converged; ++i)
+            if (keeps_(all.values, i))
+                kept.push_back(i);
+        const Vector values = all.values(kept);
+        const DenseMatrix vectors = all.vectors(Eigen::all, kept);
+        return {values, vectors, static_cast<Index>(kept.size()), all.operations};
+    }
+
+private:
+    std::string name_;
+    Keeps keeps_;
+};
+
+bool is_copy(const Vector& values, Index i) {
+    return i > 0 && std::abs(values[i] - values[i - 1]) <= 1e-6 * std::abs(values[i]);
+}
+
+void register_forgetful(const std::string& name, const Forgetful::Keeps& keeps) {
+    register_eigen_solver(name, [=] { return std::make_unique<Forgetful>(name, keeps); });
+}
+
+/// Two that lose pairs: every other one, and the second copy of every multiple eigenvalue.
+void register_faulty_engines() {
+    static const bool once = [] {
+        register_forgetful("half", [](const Vector&, Index i) { return i % 2 == 0; });
+        register_forgetful("second", [](const Vector& values, Index i) {
+            return !is_copy(values, i) || (i > 1 && is_copy(values, i - 1));
+        });
+        return true;
+    }();
+    static_cast<void>(once);
+}
+
+TEST(FaultyEigensolver, is_found_out_and_the_answer_complete_all_the_same) {
+    register_faulty_engines();
+    for (const auto& generated : {icosphere(4), torus(16, 8), kuhn(3, 4)}) {
+        const auto mesh = discretize(generated);
+        for (int k = 0; k <= mesh.dimension(); ++k) {
+            const Vector exact = dense_spectrum(mesh, k);
+            for (const std::string engine : {"half", "second"})
+                for (const Index count : {6, 20}) {
+                    SCOPED_TRACE(testing::Message() << engine << ' ' << k << ' ' << count);
+                    const auto found =
+                        spectrum(mesh, {.degree = k, .count = count, .eigen_solver = engine});
+                    EXPECT_EQ(found.eigen_solver, engine);
+                    EXPECT_TRUE(found.certificate.complete);
+                    EXPECT_LE((found.eigenvalues - exact.head(count)).cwiseAbs().maxCoeff(),
+                              1e-8 * exact[count] + 1e-12 * exact[exact.size() - 1]);
+                }
+        }
+    }
+}
+
+/// The broken twin of the test above: without the proof it would fail.
+TEST(FaultyEigensolver, goes_unnoticed_where_the_proof_is_waived) {
+    register_faulty_engines();
+    const auto mesh = discretize(icosphere(4));
+    const Vector exact = dense_spectrum(mesh, 0);
+    const auto found = spectrum(
+        mesh, {.count = 6, .eigen_solver = "second", .certification = Certification::waived});
+    EXPECT_FALSE(found.certificate.complete);
+    EXPECT_NEAR(found.eigenvalues[2], exact[2], 1e-8);
+    EXPECT_GT(found.eigenvalues[3], exact[3] + 1);
+}
+
+TEST(ShareOfASpectrum, grows_without_being_computed_anew) {
+    const auto mesh = discretize(icosphere(4));
+    const Vector exact = dense_spectrum(mesh, 2);
+    CertifiedEigensolver solver(symmetric_laplacian(mesh.complex(), mesh.volumes, 2),
+                                star(mesh.volumes, 2));
+    for (const Index count : {5, 30, 12, 60}) {
+        const auto pairs = solver.smallest(count);
+        EXPECT_LE((pairs.values - exact.head(count)).cwiseAbs().maxCoeff(), 1e-8 * exact[count]);
+        EXPECT_TRUE(pairs.certificate.complete);
+    }
+}
+
+/// Diagonal of known eigenvalues, with masses 1, 2, 1, 2, ..
+void expect_diagonal_solved(const Vector& exact, Index count) {
+    const auto size = static_cast<Index>(exact.size());
+    Vector mass(size);
+    SparseMatrix A(size, size);
+    for (Index i = 0; i < size; ++i) {
+        mass[i] = 1 + i % 2;
+        A.insert(i, i) = mass[i] * exact[i];
+    }
+    const auto pairs = CertifiedEigensolver(A, mass).smallest(count);
+    EXPECT_LE((pairs.values - exact.head(count)).cwiseAbs().maxCoeff(),
+              1e-9 * exact.cwiseAbs().maxCoeff() + 1e-15);
+    EXPECT_TRUE(pairs.certificate.complete);
+    EXPECT_EQ(pairs.certificate.below_shift, number_below(exact, pairs.certificate.shift));
+}
+
+TEST(CertifiedEigensolver, solves_matrices_that_are_as_degenerate_as_can_be) {
+    expect_diagonal_solved(Vector::Zero(1), 1);
+    expect_diagonal_solved(Vector::Zero(50), 1);
+    expect_diagonal_solved(Vector::Zero(50), 50);
+    expect_diagonal_solved(Vector::Constant(60, 3.0), 7);
+    expect_diagonal_solved(Vector::Constant(60, -3.0), 7);
+    Vector halves = Vector::Constant(100, 2.0);
+    halves.head(50).setConstant(1.0);
+    expect_diagonal_solved(halves, 20);
+    expect_diagonal_solved(halves, 70);
+    expect_diagonal_solved(Vector::LinSpaced(90, -1e6, 1e-6), 30);
+}
+
+std::vector<Mesh> meshes_with_negative_duals() {
+    return {obtuse_planar(), perturbed(grid(12, 12), 0.03, 4), perturbed(icosphere(3), 0.1, 2),
+            obtuse_solid()};
+}
+
+TEST(SpuriousEigenvalues, of_dual_0_forms_over_negative_duals_are_all_found) {
+    for (const auto& obtuse : meshes_with_negative_duals()) {
+        const auto mesh = discretize(obtuse);
+        const int n = mesh.dimension();
+        const Vector exact = dense_spectrum(mesh, n);
+        const Index spurious = number_below(exact, -1e-9 * exact.cwiseAbs().maxCoeff());
+        ASSERT_GT(spurious, 0);
+        for (const Index count : {spurious - spurious / 2, spurious, spurious + 5, spurious + 25}) {
+            SCOPED_TRACE(testing::Message() << "n = " << n << ", " << spurious << " negative, "
+                                            << count << " asked for");
+            const auto found = spectrum(mesh, {.side = Side::dual, .count = count});
+            for (Index i = 0; i < count; ++i)
+                EXPECT_NEAR(found.eigenvalues[i], exact[i],
+                            1e-8 * std::abs(exact[i]) + 1e-12 * exact.cwiseAbs().maxCoeff())
+                    << i;
+            EXPECT_TRUE(found.certificate.complete);
+            EXPECT_EQ(found.certificate.below_shift, number_below(exact, found.certificate.shift));
+        }
+    }
+}
+
+std::string refusal(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InvalidInput& error) {
+        return error.what();
+    }
+    return "no InvalidInput";
+}
+
+std::string refusal(const std::string& golden, const SpectrumOptions& options) {
+    const auto mesh = discretize(read_golden(golden + ".nsc"));
+    return refusal([&] { spectrum(mesh, options); });
+}
+
+TEST(SpectrumRefuses, counts_that_cannot_be_had) {
+    EXPECT_EQ(refusal("grid4", {.count = 0}),
+              "0 eigenvalues asked for: primal 0-forms live on 25 0-cells, so 1 to 25 can be had");
+    EXPECT_EQ(refusal("grid4", {.count = -3}),
+              "-3 eigenvalues asked for: primal 0-forms live on 25 0-cells, so 1 to 25 can be had");
+    EXPECT_EQ(refusal("grid4", {.side = Side::dual, .degree = 2, .count = 26}),
+              "26 eigenvalues asked for: dual 2-forms live on 25 0-cells, so 1 to 25 can be had");
+}
+
+TEST(SpectrumRefuses, degrees_that_there_are_not) {
+    EXPECT_EQ(refusal("grid4", {.degree = 3}),
+              "primal forms of degree 3 asked for: in dimension 2 the degrees are 0 to 2");
+    EXPECT_EQ(refusal("kuhn3", {.side = Side::dual, .degree = -1}),
+              "dual forms of degree -1 asked for: in dimension 3 the degrees are 0 to 3");
+}
+
+TEST(SpectrumRefuses, masses_that_are_not_positive) {
+    const std::string advice =
+        "\na spectrum needs a positive mass: take dual 0-forms, whose mass are the volumes of the "
+        "cells, or a mesh that is nearer to Delaunay there";
+    EXPECT_EQ(refusal("star_negative", {.count = 2}),
+              "the mass of primal 0-forms is not positive: the duals of 1 of 7 0-cells have "
+              "negative volume (cells 0)" +
+                  advice);
+    EXPECT_EQ(refusal("fcc1", {.degree = 2, .count = 2}),
+              "the mass of primal 2-forms is not positive: the duals of 24 of 56 2-cells have zero "
+              "volume (cells 0, 1, 2, 5, 7, ..)" +
+                  advice);
+}
+
+TEST(SpectrumRefuses, inverse_stars_that_divide_by_zero) {
+    EXPECT_EQ(refusal("fcc1", {.side = Side::dual, .count = 2}),
+              "the inverse star of degree 2 divides by zero: the duals of 24 2-cells have no "
+              "volume (cells 0, 1, 2, 5, 7, ..)");
+}
+
+TEST(SpectrumRefuses, engines_nobody_knows) {
+    const std::string known = refusal("grid4", {.linear_solver = "abacus"});
+    EXPECT_EQ(known.substr(0, known.find('\n')), "there is no linear solver called `abacus`");
+    const std::string eigen = refusal("grid4", {.eigen_solver = "abacus"});
+    EXPECT_EQ(eigen.substr(0, eigen.find('\n')), "there is no eigensolver called `abacus`");
+}
+
+TEST(CertifiedEigensolverRefuses, sizes_and_masses_that_do_not_fit) {
+    const auto solve = [](Index rows, const Vector& mass, Index count) {
+        return refusal([&] {
+            SparseMatrix A(rows, rows);
+            A.setIdentity();
+            CertifiedEigensolver(A, mass).smallest(count);
+        });
+    };
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(solve(3, Vector::Ones(2), 1), "eigenproblem A x = lambda M x: A is 3 x 3, M has 2 "
+                                            "entries; expected equal sizes above 0");
+    EXPECT_EQ(solve(0, Vector(0), 1), "eigenproblem A x = lambda M x: A is 0 x 0, M has 0 entries; "
+                                      "expected equal sizes above 0");
+    EXPECT_EQ(solve(2, Vector::Unit(2, 0), 1), "eigenproblem A x = lambda M x: entry 1 of M is 0, "
+                                               "expected a positive number");
+    EXPECT_EQ(solve(2, Vector::Constant(2, nan), 1), "eigenproblem A x = lambda M x: entry 0 of M "
+                                                     "is nan, expected a positive number");
+    EXPECT_EQ(solve(2, Vector::Ones(2), 3), "3 eigenvalues asked for: there are 1 to 2 to be had");
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/constrained_system.h"
+
+#include "base/errors.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace polydec::test {
+namespace {
+
+SparseMatrix sparse(const DenseMatrix& A) {
+    return A.sparseView();
+}
+
+/// Laplacian of paths with the given numbers of nodes, side by side.
+SparseMatrix paths(const std::vector<Index>& nodes) {
+    Index size = 0;
+    for (const Index part : nodes)
+        size += part;
+    DenseMatrix A = DenseMatrix::Zero(size, size);
+    Index first = 0;
+    for (const Index part : nodes) {
+        for (Index i = first; i + 1 < first + part; ++i)
+            A.block(i, i, 2, 2) += (DenseMatrix(2, 2) << 1, -1, -1, 1).finished();
+        first += part;
+    }
+    return sparse(A);
+}
+
+ConstrainedSystem system_of(const SparseMatrix& A, std::vector<bool> fixed) {
+    const auto n = static_cast<std::size_t>(A.rows());
+    return {A, std::move(fixed), std::vector<bool>(n, false), Vector::Ones(A.rows()),
+            Definiteness::semidefinite};
+}
+
+Vector vector(const std::vector<double>& entries) {
+    return Eigen::Map<const Vector>(entries.data(), static_cast<Index>(entries.size()));
+}
+
+TEST(ConstrainedSystem, with_both_ends_fixed_is_a_straight_line) {
+    ConstrainedSolver solver(system_of(paths({4}), {true, false, false, true}), "auto");
+    const Vector u = solver.solve(Vector::Zero(4), vector({1, 99, 99, 7}));
+    EXPECT_TRUE(u.isApprox(vector({1, 3, 5, 7}), 1e-14)) << u;
+    EXPECT_EQ(solver.compatibility().free_components, 0);
+    EXPECT_LE(solver.residual(), 1e-14);
+}
+
+TEST(ConstrainedSystem, with_everything_fixed_returns_what_it_is_given) {
+    ConstrainedSolver solver(system_of(paths({3}), {true, true, true}), "auto");
+    EXPECT_EQ(solver.solve(vector({5, 5, 5}), vector({1, 2, 4})), vector({1, 2, 4}));
+    EXPECT_EQ(solver.residual(), 0);
+}
+
+TEST(ConstrainedSystem, with_nothing_fixed_has_weighted_mean_zero) {
+    auto system = system_of(paths({3}), {false, false, false});
+    system.weights = vector({1, 2, 5});
+    ConstrainedSolver solver(system, "auto");
+    const Vector u = solver.solve(vector({1, 1, -2}), Vector::Zero(3));
+    EXPECT_NEAR(system.weights.dot(u), 0, 1e-14);
+    EXPECT_TRUE((system.A * u).isApprox(vector({1, 1, -2}), 1e-14));
+    EXPECT_EQ(solver.compatibility().free_components, 1);
+    EXPECT_EQ(solver.compatibility().worst, 0);
+}
+
+TEST(ConstrainedSystem, removes_in_proportion_to_the_weights_what_nothing_can_give) {
+    auto system = system_of(paths({3}), {false, false, false});
+    system.weights = vector({1, 2, 1});
+    ConstrainedSolver solver(system, "auto");
+    const Vector u = solver.solve(vector({4, 0, 0}), Vector::Zero(3));
+    EXPECT_TRUE((system.A * u).isApprox(vector({3, -2, -1}), 1e-14));
+    EXPECT_EQ(solver.compatibility().worst, 1);
+}
+
+TEST(ConstrainedSystem, treats_each_component_by_itself) {
+    // one held at an end, one free, one node alone
+    auto system = system_of(paths({2, 2, 1}), {true, false, false, false, false});
+    ConstrainedSolver solver(system, "auto");
+    const Vector u = solver.solve(vector({0, 1, 1, -1, 0}), vector({10, 0, 0, 0, 0}));
+    EXPECT_TRUE(u.isApprox(vector({10, 11, 0.5, -0.5, 0}), 1e-14)) << u;
+    EXPECT_EQ(solver.compatibility().free_components, 2);
+}
+
+TEST(ConstrainedSystem, is_regular_where_boundary_data_tie_it_down) {
+    DenseMatrix A(2, 2);
+    A << 3, -1, -1, 1;
+    auto system = system_of(sparse(A), {false, false});
+    system.tied = {true, false};
+    ConstrainedSolver solver(system, "auto");
+    const Vector u = solver.solve(vector({2, 0}), Vector::Zero(2));
+    EXPECT_TRUE(u.isApprox(vector({1, 1}), 1e-14)) << u;
+    EXPECT_EQ(solver.compatibility().free_components, 0);
+}
+
+TEST(ConstrainedSystem, of_one_unknown_is_solved) {
+    const SparseMatrix two = sparse(DenseMatrix::Constant(1, 1, 2.0));
+    ConstrainedSolver fixed(system_of(two, {true}), "auto");
+    EXPECT_EQ(fixed.solve(vector({8}), vector({3})), vector({3}));
+
+    auto tied_system = system_of(two, {false});
+    tied_system.tied = {true};
+    ConstrainedSolver tied(tied_system, "auto");
+    EXPECT_EQ(tied.solve(vector({8}), vector({0})), vector({4}));
+
+    ConstrainedSolver free(system_of(SparseMatrix(1, 1), {false}), "auto");
+    EXPECT_EQ(free.solve(vector({8}), vector({0})), vector({0}));
+    EXPECT_EQ(free.compatibility().worst, 1);
+}
+
+TEST(ConstrainedSystem, is_solved_by_every_engine_that_takes_it) {
+    for (const char* engine : {"auto", "eigen.ldlt", "eigen.lu", "eigen.cg"}) {
+        ConstrainedSolver solver(system_of(paths({4}), {true, false, false, true}), engine);
+        const Vector u = solver.solve(Vector::Zero(4), vector({1, 0, 0, 7}));
+        EXPECT_TRUE(u.isApprox(vector({1, 3, 5, 7}), 1e-10)) << engine;
+    }
+}
+
+template <class Action>
+std::string refusal(Action action) {
+    try {
+        action();
+    } catch (const InvalidInput& error) {
+        return error.what();
+    }
+    return "no InvalidInput";
+}
+
+TEST(ConstrainedSystem, refuses_sizes_that_do_not_fit) {
+    EXPECT_EQ(refusal([] {
+                  ConstrainedSolver(system_of(paths({3}), {true, false}), "auto");
+              }),
+              "constrained system of 3 rows, 3 columns, 2 flags fixed, 3 flags tied, 3 weights: "
+              "expected equal sizes");
+    EXPECT_EQ(refusal([] {
+                  ConstrainedSolver solver(system_of(paths({3}), {true, false, false}), "auto");
+                  solver.solve(Vector::Zero(2), Vector::Zero(3));
+              }),
+              "right-hand side of 2 and fixed values of 3 entries: expected 3");
+}
+
+} // namespace
+} // namespace polydec::test

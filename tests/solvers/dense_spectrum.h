@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/laplacian.h"
+#include "dec/star.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace polydec::test {
+
+/// All eigenvalues of the Laplacian on k-cells, ascending, from dense matrices.
+inline Vector dense_spectrum(const Discretization& mesh, int k) {
+    const DenseMatrix A = symmetric_laplacian(mesh.complex(), mesh.volumes, k);
+    const DenseMatrix M = star(mesh.volumes, k).asDiagonal();
+    return Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix>(A, M, Eigen::EigenvaluesOnly)
+        .eigenvalues();
+}
+
+/// How many of the ascending values lie below the shift.
+inline Index number_below(const Vector& values, double shift) {
+    return static_cast<Index>((values.array() < shift).count());
+}
+
+} // namespace polydec::test

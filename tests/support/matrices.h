@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+namespace polydec::test {
+
+/// Largest entry in size; 0 of an empty matrix.
+double largest(const SparseMatrix& A);
+
+/// Largest entry of A - B over that of B (over 1 if B is 0).
+double relative_difference(const SparseMatrix& A, const SparseMatrix& B);
+double relative_difference(const Vector& a, const Vector& b);
+
+/// Products of incidences in 32 bits, in which nothing overflows.
+using IntegerMatrix = Eigen::SparseMatrix<int, Eigen::RowMajor, Index>;
+IntegerMatrix integers(const IncidenceMatrix& D);
+
+/// Whether A and B have the same shape and no entry differs.
+bool equal(const IntegerMatrix& A, const IntegerMatrix& B);
+bool is_zero(const IntegerMatrix& A);
+
+/// Entries uniform in -1 .. 1, the same for the same seed.
+Vector random_vector(Index size, unsigned seed);
+
+} // namespace polydec::test

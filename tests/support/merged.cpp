@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/merged.h"
+
+#include "tests/support/families.h"
+
+#include <map>
+#include <memory>
+
+namespace polydec::test {
+
+Merged make_merged(const Mesh& mesh, const MergeOptions& options) {
+    SimplicialComplex complex(mesh.simplices);
+    const auto volumes = circumcentric_volumes(complex, mesh.points);
+    auto result = merge_cospherical(std::move(complex), mesh.points, volumes, options);
+    auto merged = merged_volumes(result.merging, volumes);
+    return {mesh.points, volumes, std::move(result), std::move(merged)};
+}
+
+const Merged& merged(const std::string& name) {
+    static std::map<std::string, std::unique_ptr<Merged>> made;
+    auto& entry = made[name];
+    if (!entry)
+        entry = std::make_unique<Merged>(make_merged(mesh_named(name)));
+    return *entry;
+}
+
+std::vector<Metric> both(const Merged& merged) {
+    return {{"simplices", merged.K(), merged.input_volumes},
+            {"merged", merged.P(), merged.volumes}};
+}
+
+} // namespace polydec::test

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/cell_volumes.h"
+#include "dec/merge.h"
+#include "meshes/mesh.h"
+
+#include <string>
+#include <string_view>
+
+namespace polydec::test {
+
+/// A mesh with its complex K, the merged complex P, and the volumes of both.
+struct Merged {
+    Points points;
+    CellVolumes input_volumes;
+    CosphericalMerging result;
+    CellVolumes volumes;
+
+    const Merging& merging() const { return result.merging; }
+    const SimplicialComplex& K() const { return result.merging.input(); }
+    const CellComplex& P() const { return result.merging.merged(); }
+    int n() const { return K().dimension(); }
+};
+
+/// Relative dual length below which the tests merge, as the golden numbers do.
+constexpr double tolerance = 1e-8;
+
+Merged make_merged(const Mesh& mesh,
+                   const MergeOptions& options = {MergeCriterion::dual_length, tolerance});
+
+/// The merged mesh of the family, made once.
+const Merged& merged(const std::string& name);
+
+/// A complex with its metric, under the name by which a failed law tells of it.
+struct Metric {
+    const char* name;
+    const CellComplex& complex;
+    const CellVolumes& volumes;
+};
+
+/// K and P.
+std::vector<Metric> both(const Merged& merged);
+
+} // namespace polydec::test

@@ -1,0 +1,313 @@
+# SPDX-License-Identifier: MIT
+"""What programs may rely on: exit codes, JSON, files, messages."""
+import os
+import signal
+import subprocess
+import time
+import unittest
+import xml.etree.ElementTree
+
+import command
+from command import TestCase, golden
+
+SUBCOMMANDS = ("info", "operators", "merge", "spectrum", "poisson", "generate", "backends")
+
+
+class Json(TestCase):
+    def test_info(self):
+        answer = self.ask("info", golden("grid4.nsc"))
+        self.assertLessEqual(
+            {"dimension", "ambient_dimension", "cells", "euler", "betti", "components",
+             "boundary_components", "orientable", "volume", "facets", "stars",
+             "vertices_per_cell", "concyclic", "warnings"}, set(answer))
+        for key in ("cells", "euler", "betti"):
+            self.assertEqual(set(answer[key]), {"input", "merged"})
+        self.assertEqual(set(answer["facets"]),
+                         {"degenerate", "boundary_degenerate", "branching_degenerate"})
+        self.assertEqual(len(answer["stars"]), 3)
+        for star in answer["stars"]:
+            self.assertEqual(set(star), {"min", "max", "min_abs", "negative", "zero"})
+        self.assertEqual(answer["concyclic"], {"edges": 16, "faces": 32, "percent": 100})
+        self.assertEqual((answer["dimension"], answer["orientable"], answer["volume"]),
+                         (2, True, 1))
+
+    def test_info_of_other_dimensions_has_no_concyclic_edges(self):
+        for name in ("kuhn1d.nsc", "kuhn3.nsc", "kuhn4.nsc"):
+            self.assertNotIn("concyclic", self.ask("info", golden(name)))
+
+    def test_spectrum(self):
+        answer = self.ask("spectrum", golden("grid4.nsc"), "--side", "dual", "--degree", 1,
+                          "--count", 7)
+        self.assertLessEqual({"side", "degree", "eigenvalues", "residuals", "certificate",
+                              "linear_solver", "eigen_solver", "seconds"}, set(answer))
+        self.assertEqual((answer["side"], answer["degree"]), ("dual", 1))
+        self.assertEqual(len(answer["eigenvalues"]), 7)
+        self.assertEqual(len(answer["residuals"]), 7)
+        self.assertEqual(answer["eigenvalues"], sorted(answer["eigenvalues"]))
+        proof = answer["certificate"]
+        self.assertEqual(set(proof),
+                         {"shift", "below_shift", "returned_below_shift", "complete"})
+        self.assertIs(proof["complete"], True)
+        self.assertEqual(proof["below_shift"], proof["returned_below_shift"])
+        self.assertGreater(proof["shift"], answer["eigenvalues"][-1])
+
+    def test_a_count_that_cuts_a_cluster_is_certified_behind_it(self):
+        # 9.37 comes twice
+        answer = self.ask("spectrum", golden("grid4.nsc"), "--side", "primal", "--degree", 0,
+                          "--count", 2)
+        self.assertEqual(len(answer["eigenvalues"]), 2)
+        self.assertEqual(answer["certificate"]["below_shift"], 3)
+
+    def test_spectrum_without_proof(self):
+        answer = self.ask("spectrum", golden("grid4.nsc"), "--side", "primal", "--degree", 0,
+                          "--count", 2, "--no-certificate")
+        self.assertIs(answer["certificate"]["complete"], False)
+
+    def test_poisson(self):
+        answer = self.ask("poisson", golden("hex4.nsc"), "--side", "dual", "--rhs=0",
+                          "--boundary", "x-2*y", "--exact", "x-2*y")
+        self.assertLessEqual({"side", "residual", "engine", "tried", "error"}, set(answer))
+        self.assertLess(answer["residual"], 1e-10)
+        self.assertLess(answer["error"]["max"], 1e-12)
+
+    def test_backends(self):
+        engines = {engine["name"]: engine for engine in self.ask("backends")["backends"]}
+        self.assertLessEqual({"auto", "eigen.ldlt", "cholmod", "spectra"}, set(engines))
+        for engine in engines.values():
+            self.assertTrue(engine["available"] or engine["how_to_get"], engine)
+
+    def test_timing(self):
+        arguments = {"info": (), "spectrum": ("--side", "primal", "--degree", 0, "--count", 2),
+                     "poisson": ("--side", "primal", "--rhs", "1")}
+        stages = {"read", "complex", "volumes", "merge", "operators", "solve", "write"}
+        for name, more in arguments.items():
+            plain = self.ask(name, golden("uv8.off"), *more)
+            timed = self.ask(name, golden("uv8.off"), *more, "--timing")
+            self.assertEqual(set(timed) - set(plain), {"timing"})
+            self.assertLessEqual({"read", "complex", "volumes", "merge"}, set(timed["timing"]))
+            self.assertLessEqual(set(timed["timing"]) - {"topology"}, stages)
+            self.assertTrue(all(seconds >= 0 for seconds in timed["timing"].values()))
+        table = self.succeed("merge", golden("uv8.off"), "-o", "a.off", "--timing").out
+        self.assertIn("\nseconds\n", table)
+
+    def test_warnings_go_to_stderr_and_into_the_object(self):
+        outcome = self.succeed("info", golden("branching.off"), "--json")
+        warnings = command.parse(outcome.out)["warnings"]
+        self.assertTrue(warnings)
+        self.assertEqual(outcome.err,
+                         "".join(f"polydec: warning: {text}\n" for text in warnings))
+
+    def test_without_json_there_is_a_text(self):
+        for more in (("info",), ("spectrum", "--side", "primal", "--degree", 0, "--count", 2),
+                     ("poisson", "--side", "primal", "--rhs", "1")):
+            out = self.succeed(more[0], golden("uv8.off"), *more[1:]).out
+            self.assertGreater(len(out.splitlines()), 2)
+
+
+class Usage(TestCase):
+    def test_every_help_has_an_example(self):
+        for name in SUBCOMMANDS:
+            out = self.succeed(name, "--help").out
+            self.assertIn("Example", out)
+            self.assertIn(f"\n  polydec {name}", out.split("Example")[1], name)
+            self.assertTrue(all(len(line) <= 100 for line in out.splitlines()), name)
+        self.assertIn("Exit codes", self.succeed("--help").out)
+
+    def test_wrong_usage_is_code_1(self):
+        mesh = golden("grid4.nsc")
+        more = "\nRun with --help for more information."
+        for arguments, message in (
+                ((), "A subcommand is required"),
+                (("frobnicate",), "there is no 'frobnicate' here"),
+                (("info",), "MESH is required"),
+                (("info", mesh, "--foo"), "there is no '--foo' here"),
+                (("info", "--foo"), "there is no '--foo' here"),
+                (("info", mesh, "--tolerance", "-1"),
+                 "--tolerance: expected a number of at least 0, not '-1'"),
+                (("info", mesh, "--tolerance", "much"),
+                 "--tolerance: expected a number of at least 0, not 'much'"),
+                (("info", mesh, "--no-merge", "--angle-tolerance", "1e-3"),
+                 "--angle-tolerance excludes --no-merge"),
+                (("merge", mesh), "--out is required"),
+                (("generate", "sponge", "-o", "a.off"), "there is no 'sponge' here"),
+                (("spectrum", mesh, "--side", "both", "--degree", "0"),
+                 "--side: expected primal or dual, not 'both'"),
+                (("poisson", mesh, "--side", "dual", "--rhs", "1", "--natural", "--boundary", "x"),
+                 "--boundary excludes --natural"),
+                (("poisson", mesh, "--side", "dual", "--rhs", "x+"),
+                 "--rhs: 'x+' is neither a file nor an expression: Unexpected end of expression "
+                 "at position 3")):
+            self.assertEqual(self.fail_with(1, *arguments), f"polydec: {message}{more}")
+
+    def test_bad_input_is_code_2(self):
+        flat, solid = golden("grid4.nsc"), golden("kuhn3.nsc")
+        for arguments, message in (
+                (("info", solid, "--angle-tolerance", "1e-3"),
+                 f"--angle-tolerance is for surfaces, but {solid} has cells of dimension 3: use "
+                 "--tolerance"),
+                (("merge", solid, "-o", "a.off"),
+                 "a.off: merged cells of dimension 3 cannot be written in this format: use .vtu"),
+                (("spectrum", flat, "--side", "primal", "--degree", 0, "--count", 26),
+                 "26 eigenvalues asked for: primal 0-forms live on 25 0-cells, so 1 to 25 can be "
+                 "had"),
+                (("spectrum", golden("kuhn4.nsc"), "--side", "dual", "--degree", 0, "--count", 1,
+                  "-o", "a.vtu"),
+                 "cells of dimension 4 in 4 coordinates cannot be drawn: a .vtu file shows at "
+                 "most 3; leave out -o"),
+                (("poisson", flat, "--side", "primal", "--rhs", "1/x"),
+                 "--rhs: '1/x' is inf at (0, 0): change the expression"),
+                (("generate", "grid", "--nx", "0", "-o", "a.off"),
+                 "grid: nx = 0 is outside 1 .. 2147483647")):
+            self.assertEqual(self.fail_with(2, *arguments), f"polydec: {message}")
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_system_that_no_engine_solves_is_code_3(self):
+        mesh = self.almost_squares(30, 3e-12)
+        message = self.fail_with(3, "poisson", mesh, "--side", "dual", "--rhs", "1", "--no-merge",
+                                 "--json")
+        self.assertIn("no engine solves", message)
+
+    def almost_squares(self, N, defect):
+        """A grid of split squares, one corner of each moved off the circle through the others:
+        unmerged, half the duals are almost zero."""
+        points = [f"{i / N + (defect if i % 2 == j % 2 == 0 else 0)!r} {j / N!r}"
+                  for i in range(N + 1) for j in range(N + 1)]
+        triangles = []
+        for i in range(N):
+            for j in range(N):
+                a, b = i * (N + 1) + j, (i + 1) * (N + 1) + j
+                triangles += [f"{a} {b} {b + 1}", f"{a} {b + 1} {a + 1}"]
+        head = f"2 2 {len(points)} {len(triangles)}"
+        return self.write("squares.nsc", "\n".join([head, *points, *triangles]) + "\n")
+
+    def test_files_that_cannot_be_read_are_code_4(self):
+        self.assertEqual(self.fail_with(4, "info", "no.off"),
+                         "polydec: cannot read no.off: No such file or directory")
+        os.mkdir(self.path("folder.off"))
+        self.fail_with(4, "info", "folder.off")
+
+    def test_files_that_cannot_be_written_are_code_4_and_leave_nothing(self):
+        mesh = golden("grid4.nsc")
+        os.mkdir(self.path("taken.vtu"))
+        for arguments in (("merge", mesh, "-o", "no/a.off"), ("merge", mesh, "-o", "no/a.vtu"),
+                          ("merge", mesh, "-o", "taken.vtu"),
+                          ("generate", "grid", "-o", "no/a.off"),
+                          ("operators", mesh, "--out", "/proc/operators"),
+                          ("spectrum", mesh, "--side", "primal", "--degree", 0, "--count", 2,
+                           "-o", "no/a.vtu"),
+                          ("poisson", mesh, "--side", "primal", "--rhs", "1", "-o", "no/a.vtu")):
+            self.fail_with(4, *arguments)
+            self.assertEqual(os.listdir(self.folder), ["taken.vtu"], arguments)
+            self.assertEqual(os.listdir(self.path("taken.vtu")), [])
+        self.write("file", "")
+        self.fail_with(4, "operators", mesh, "--out", "file")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_a_full_disk_is_code_4(self):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            done = subprocess.run([command.COMMAND, "info", golden("uv8.off")], stdout=full,
+                                  stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr),
+                         (4, "polydec: standard output is not writable\n"))
+
+    def interrupt(self, seconds, *arguments):
+        """Starts the command and interrupts it after a while; its exit code."""
+        with subprocess.Popen([command.COMMAND, *arguments], cwd=self.folder,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            time.sleep(seconds)
+            process.send_signal(signal.SIGINT)
+            started = time.monotonic()
+            process.wait(timeout=20)
+        self.assertLess(time.monotonic() - started, 5)
+        return process.returncode
+
+    def test_an_interrupt_leaves_no_unfinished_file(self):
+        self.succeed("generate", "kuhn", "--dimension", "3", "--cells", "24", "-o", "big.nsc")
+        code = self.interrupt(0.5, "spectrum", "big.nsc", "--side", "primal", "--degree", "1",
+                              "--count", "200", "-o", "modes.vtu")
+        self.assertEqual(code, 128 + signal.SIGINT)
+        self.assertEqual(os.listdir(self.folder), ["big.nsc"])
+
+    def test_an_interrupt_while_writing_leaves_whole_files_only(self):
+        self.succeed("generate", "grid", "-o", "grid.nsc", "--nx", "60", "--ny", "60")
+        self.succeed("operators", "grid.nsc", "--out", "whole")
+        whole = set(os.listdir(self.path("whole")))
+        for i in range(8):
+            self.interrupt(0.05 + 0.03 * i, "operators", "grid.nsc", "--out", f"out{i}")
+            folder = self.path(f"out{i}")
+            if not os.path.isdir(folder):
+                continue
+            self.assertLessEqual(set(os.listdir(folder)), whole)
+            for name in os.listdir(folder):
+                self.assertEqual(self.read(f"out{i}/{name}"), self.read(f"whole/{name}"))
+
+
+class Files(TestCase):
+    def arrays(self, name):
+        """Name of every array of the one piece of a .vtu file, by what it belongs to."""
+        piece = xml.etree.ElementTree.parse(self.path(name)).getroot().find(".//Piece")
+        cells, points = (int(piece.get(key)) for key in ("NumberOfCells", "NumberOfPoints"))
+        return cells, points, {
+            part.tag: [array.get("Name") for array in part.findall("DataArray")]
+            for part in piece}
+
+    def test_merged_cells_as_vtu(self):
+        for name, cells, points in (("uv8.off", 64, 58), ("kuhn3.nsc", 8, 27)):
+            self.succeed("merge", golden(name), "-o", "a.vtu")
+            self.assertEqual(self.arrays("a.vtu")[:2], (cells, points))
+
+    def test_merged_cells_as_polygons_read_back_as_the_same(self):
+        before = self.ask("info", golden("torus8x6.off"))
+        for extension in ("off", "obj", "ply"):
+            self.succeed("merge", golden("torus8x6.off"), "-o", f"a.{extension}")
+            after = self.ask("info", f"a.{extension}")
+            self.assertEqual(after["cells"], before["cells"])
+            self.assertAlmostEqual(after["volume"], before["volume"], delta=1e-12)
+
+    def test_solutions_and_modes_as_vtu(self):
+        mesh = golden("grid4.nsc")
+        self.succeed("poisson", mesh, "--side", "primal", "--rhs", "1", "-o", "p.vtu")
+        self.assertIn("u", self.arrays("p.vtu")[2]["PointData"])
+        self.succeed("poisson", mesh, "--side", "dual", "--rhs", "1", "-o", "d.vtu")
+        self.assertIn("u", self.arrays("d.vtu")[2]["CellData"])
+        for side, degree in (("primal", 0), ("primal", 1), ("dual", 0), ("dual", 1), ("dual", 2)):
+            self.succeed("spectrum", mesh, "--side", side, "--degree", degree, "--count", 2, "-o",
+                         "m.vtu")
+            self.assertGreater(self.arrays("m.vtu")[0], 0)
+
+    def test_values_from_files_are_those_of_expressions(self):
+        mesh = golden("grid4.nsc")
+        vertices = [(i / 4, j / 4) for i in range(5) for j in range(5)]
+        self.write("f.txt", " ".join(repr(2 * x + y) for x, y in vertices))
+        self.write("g.txt", "\n".join(repr(x * y) for x, y in vertices))
+        common = ("poisson", mesh, "--side", "primal")
+        told = self.ask(*common, "--rhs", "f.txt", "--boundary", "g.txt")
+        meant = self.ask(*common, "--rhs", "2*x+y", "--boundary", "x*y")
+        for key in ("min", "max"):
+            self.assertAlmostEqual(told[key], meant[key], delta=1e-14)
+        self.assertNotEqual(meant["max"], meant["min"])
+
+    def test_files_of_values_that_do_not_fit_are_refused(self):
+        self.write("few.txt", "1 2 3")
+        self.write("bad.txt", "1 nan 3")
+        common = ("poisson", golden("grid4.nsc"), "--side", "dual", "--rhs")
+        self.assertEqual(self.fail_with(2, *common, "few.txt"),
+                         "polydec: few.txt: 3 numbers, expected 16, one for each place")
+        self.assertEqual(self.fail_with(2, *common, "bad.txt"),
+                         "polydec: bad.txt: entry 1 is no finite number: expected 16 numbers "
+                         "separated by white space")
+
+    def test_merging_is_told_how(self):
+        mesh = golden("uv8.off")
+        merged = self.ask("info", mesh)["cells"]["merged"]
+        self.assertEqual(self.ask("info", mesh, "--angle-tolerance", "1e-6")["cells"]["merged"],
+                         merged)
+        plain = self.ask("info", mesh, "--no-merge")
+        self.assertEqual(plain["cells"]["merged"], plain["cells"]["input"])
+        self.assertNotEqual(merged, plain["cells"]["input"])
+        wide = self.ask("info", mesh, "--tolerance", "0")
+        self.assertEqual(len(wide["cells"]["merged"]), 3)
+
+
+if __name__ == "__main__":
+    command.main()

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+"""Meshes as they are found: every command ends well or with a clear error, in reasonable time."""
+import os
+import xml.etree.ElementTree
+
+import command
+from command import TestCase
+
+SECONDS = 60
+TRIANGLES_FOR_SPECTRA = 20000
+
+# cells without area that cannot be left out: their removal would open the surface
+REFUSED = {"112932.stl", "bathtub_0154.ply", "block.obj", "ogre.obj"}
+
+
+class RealMeshes(TestCase):
+    def test_surfaces(self):
+        for path in command.data_files("surface", "cad", "poly", "table2"):
+            with self.subTest(os.path.basename(path)):
+                self.check_surface(path)
+
+    def check_surface(self, path):
+        outcome = command.run("info", path, "--json", seconds=SECONDS)
+        if os.path.basename(path) in REFUSED:
+            self.check_error(outcome, 2)
+            return
+        self.assertEqual(outcome.code, 0, outcome.err)
+        info = command.parse(outcome.out)
+        self.assertEqual(info["betti"]["input"], info["betti"]["merged"])
+        self.assertEqual(info["euler"]["input"], info["euler"]["merged"])
+        if info["cells"]["input"][2] > TRIANGLES_FOR_SPECTRA:
+            return
+        self.succeed("merge", path, "-o", "a.vtu", seconds=SECONDS)
+        piece = xml.etree.ElementTree.parse(self.path("a.vtu")).getroot().find(".//Piece")
+        self.assertEqual(int(piece.get("NumberOfCells")), info["cells"]["merged"][2])
+        for side in ("primal", "dual"):
+            self.check_spectrum(path, side, info)
+
+    def check_spectrum(self, path, side, info):
+        outcome = command.run("spectrum", path, "--side", side, "--degree", 0, "--count", 10,
+                              "--json", seconds=SECONDS)
+        if outcome.code:
+            message = self.check_error(outcome, 2)
+            self.assertIn("not positive" if side == "primal" else "divides by zero", message)
+            return
+        answer = command.parse(outcome.out)
+        self.assertEqual(len(answer["eigenvalues"]), 10)
+        self.assertIs(answer["certificate"]["complete"], True)
+        stars = info["stars"]
+        if side == "primal" and stars[0]["negative"] == stars[1]["negative"] == 0:
+            self.assertGreater(answer["eigenvalues"][0], -1e-8 * abs(answer["eigenvalues"][-1]))
+
+
+if __name__ == "__main__":
+    command.main()
