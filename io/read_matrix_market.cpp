@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/matrix_market.h"
+#include "io/readers.h"
 #include "io/scanner.h"
 #include "io/source_file.h"
 
@@ -150,7 +151,14 @@ void expect_end(Scanner& scanner) {
 } // namespace
 
 SparseMatrix read_matrix_market(const std::filesystem::path& path) {
-    const auto file = read_source_file(path);
+    return parse_matrix_market(read_source_file(path));
+}
+
+DenseMatrix read_matrix_market_array(const std::filesystem::path& path) {
+    return parse_matrix_market_array(read_source_file(path));
+}
+
+SparseMatrix parse_matrix_market(const SourceFile& file) {
     Scanner banner(file.name, file.text);
     const auto symmetry = read_banner(banner, "coordinate");
 
@@ -172,8 +180,7 @@ SparseMatrix read_matrix_market(const std::filesystem::path& path) {
     return matrix_from(entries, rows, columns);
 }
 
-DenseMatrix read_matrix_market_array(const std::filesystem::path& path) {
-    const auto file = read_source_file(path);
+DenseMatrix parse_matrix_market_array(const SourceFile& file) {
     Scanner banner(file.name, file.text);
     read_banner(banner, "array");
 

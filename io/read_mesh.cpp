@@ -43,8 +43,13 @@ const Format& format_of(const std::filesystem::path& path) {
 } // namespace
 
 Mesh read_mesh(const std::filesystem::path& path) {
-    const auto& format = format_of(path);
-    const auto file = read_source_file(path);
+    // An unknown format is said before the file is looked for.
+    format_of(path);
+    return parse_mesh(read_source_file(path));
+}
+
+Mesh parse_mesh(const SourceFile& file) {
+    const auto& format = format_of(file.name);
     try {
         Mesh mesh = format.read(file);
         if (mesh.points.rows() == 0) {

@@ -10,8 +10,13 @@
 
 namespace polydec {
 
+/// `read_mesh` and the readers of Matrix Market files, after the file was read.
+Mesh parse_mesh(const SourceFile& file);
+SparseMatrix parse_matrix_market(const SourceFile& file);
+DenseMatrix parse_matrix_market_array(const SourceFile& file);
+
 /// One reader per format. They throw InvalidInput, with the line, where the file does not fit; that
-/// there are vertices and cells at all is left to `read_mesh`.
+/// there are vertices and cells at all is left to `parse_mesh`.
 Mesh read_off(const SourceFile& file);
 Mesh read_obj(const SourceFile& file);
 Mesh read_ply(const SourceFile& file);

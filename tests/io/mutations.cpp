@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "io/matrix_market.h"
+#include "io/readers.h"
 #include "io/write_mesh.h"
 #include "tests/io/support.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <fstream>
 #include <random>
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace polydec::tests {
 
@@ -77,14 +80,34 @@ std::vector<Seed> seeds() {
     };
 }
 
+/// While it lives, a gigabyte more than now is all there is: what is asked for beyond it fails, and
+/// is then reported as an IoError, even if it would never have been touched.
+class MemoryLimit {
+public:
+    MemoryLimit() {
+        std::size_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        ::getrlimit(RLIMIT_AS, &before_);
+        rlimit limit = before_;
+        limit.rlim_cur = pages * static_cast<std::size_t>(::getpagesize()) + (1U << 30U);
+        ::setrlimit(RLIMIT_AS, &limit);
+    }
+    ~MemoryLimit() { ::setrlimit(RLIMIT_AS, &before_); }
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+private:
+    rlimit before_{};
+};
+
 /// Whatever is read is usable: finite, with every vertex number in range.
-void read_and_check(const std::filesystem::path& path) {
-    if (path.extension() == ".mtx") {
-        ASSERT_TRUE(DenseMatrix(read_matrix_market(path).topRows(1)).allFinite());
-    } else if (path.extension() == ".vec") {
-        ASSERT_TRUE(read_matrix_market_array(path).allFinite());
+void read_and_check(const SourceFile& file) {
+    if (file.name == "a.mtx") {
+        ASSERT_TRUE(DenseMatrix(parse_matrix_market(file).topRows(1)).allFinite());
+    } else if (file.name == "a.vec") {
+        ASSERT_TRUE(parse_matrix_market_array(file).allFinite());
     } else {
-        const auto mesh = read_mesh(path);
+        const auto mesh = parse_mesh(file);
         ASSERT_GT(mesh.simplices.rows(), 0);
         ASSERT_TRUE(mesh.points.allFinite());
         ASSERT_GE(mesh.simplices.minCoeff(), 0);
@@ -93,13 +116,10 @@ void read_and_check(const std::filesystem::path& path) {
 }
 
 /// Reads a damaged file, which must give a usable mesh or an InvalidInput that names the file.
-void expect_survival(const TemporaryFolder& folder, const std::string& name,
-                     const std::string& text) {
-    const auto path = folder.write(name, text);
-    const auto error = error_of([&path] { read_and_check(path); });
+void expect_survival(const std::string& name, const std::string& text) {
+    const auto error = error_of([&] { read_and_check({name, text}); });
     if (!error.empty()) {
-        ASSERT_EQ(error.find("InvalidInput: "), 0U) << error;
-        ASSERT_NE(error.find(path.filename().string() + ":"), std::string::npos) << error;
+        ASSERT_EQ(error.find("InvalidInput: " + name + ":"), 0U) << error;
         ASSERT_LT(error.size(), 1000U);
     }
 }
@@ -116,37 +136,36 @@ bool is_space(char c) {
 } // namespace
 
 TEST(Mutations, SeedsAreValid) {
-    const TemporaryFolder folder;
+    const MemoryLimit limit;
     for (const auto& [name, text] : seeds()) {
-        const auto path = folder.write(name, text);
-        EXPECT_EQ(error_of([&path] { read_and_check(path); }), "");
+        EXPECT_EQ(error_of([seed = SourceFile{name, text}] { read_and_check(seed); }), "");
     }
 }
 
 TEST(Mutations, FilesCutOffAtEveryByteSurvive) {
-    const TemporaryFolder folder;
+    const MemoryLimit limit;
     for (const auto& [name, text] : seeds()) {
         for (std::size_t size = 0; size < text.size(); ++size) {
-            expect_survival(folder, name, text.substr(0, size));
+            expect_survival(name, text.substr(0, size));
         }
     }
 }
 
 TEST(Mutations, EveryByteMayBeAnything) {
-    const TemporaryFolder folder;
+    const MemoryLimit limit;
     for (const auto& [name, text] : seeds()) {
         for (std::size_t place = 0; place < text.size(); ++place) {
             for (const int byte : {0, 10, 13, 32, 35, 45, 57, 92, 128, 255}) {
                 auto damaged = text;
                 damaged[place] = static_cast<char>(byte);
-                expect_survival(folder, name, damaged);
+                expect_survival(name, damaged);
             }
         }
     }
 }
 
 TEST(Mutations, EveryWordMayBeAnything) {
-    const TemporaryFolder folder;
+    const MemoryLimit limit;
     for (const auto& [name, text] : seeds()) {
         for (std::size_t begin = 0; begin < text.size(); ++begin) {
             if (is_space(text[begin]) || (begin > 0 && !is_space(text[begin - 1]))) {
@@ -154,7 +173,7 @@ TEST(Mutations, EveryWordMayBeAnything) {
             }
             const auto end = std::min(text.find_first_of(" \n", begin), text.size());
             for (const auto& word : evil_words) {
-                expect_survival(folder, name, text.substr(0, begin) + word + text.substr(end));
+                expect_survival(name, text.substr(0, begin) + word + text.substr(end));
             }
         }
     }
@@ -163,6 +182,7 @@ TEST(Mutations, EveryWordMayBeAnything) {
 TEST(Mutations, ManyChangesAtRandomSurvive) {
     const TemporaryFolder folder;
     std::mt19937 random(20240607);
+    const MemoryLimit limit;
     for (const auto& [name, text] : seeds()) {
         for (int round = 0; round < 300; ++round) {
             auto damaged = text;
@@ -172,13 +192,13 @@ TEST(Mutations, ManyChangesAtRandomSurvive) {
                 const auto source = random() % damaged.size();
                 damaged.replace(place, length, damaged.substr(source, random() % 8));
             }
-            expect_survival(folder, name, damaged);
+            expect_survival(name, damaged);
         }
     }
 }
 
 TEST(Mutations, PromisedCountsAllocateNothing) {
-    const TemporaryFolder folder;
+    const MemoryLimit limit;
     const std::vector<Seed> promises{
         {"a.off", "OFF\n2000000000 1 0\n0 0 0\n"},
         {"a.off", "OFF\n1 2000000000 0\n0 0 0\n3 0 0 0\n"},
@@ -198,8 +218,7 @@ TEST(Mutations, PromisedCountsAllocateNothing) {
         {"a.vec", "%%MatrixMarket matrix array real general\n2000000000 2000000000\n1\n"},
     };
     for (const auto& [name, text] : promises) {
-        const auto path = folder.write(name, text);
-        const auto error = error_of([&path] { read_and_check(path); });
+        const auto error = error_of([seed = SourceFile{name, text}] { read_and_check(seed); });
         EXPECT_EQ(error.find("InvalidInput: "), 0U) << text << error;
     }
 }

@@ -11,6 +11,13 @@
 
 namespace polydec::tests {
 
+namespace {
+
+/// Every file is synced to the disk: fewer random cases, unless the caller wants another number.
+[[maybe_unused]] const int few_cases = ::setenv("RC_PARAMS", "max_success=20", 0);
+
+} // namespace
+
 TemporaryFolder::TemporaryFolder() {
     static int next = 0;
     path_ = std::filesystem::temp_directory_path() /
