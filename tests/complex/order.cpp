@@ -22,7 +22,8 @@ protected:
 bool same(const SimplicialComplex& a, const SimplicialComplex& b) {
     bool result = a.dimension() == b.dimension() && a.orientable() == b.orientable();
     for (int k = 0; result && k <= a.dimension(); ++k)
-        result = a.simplices(k) == b.simplices(k) && a.coface_counts(k) == b.coface_counts(k) &&
+        result = a.size(k) == b.size(k) && a.simplices(k) == b.simplices(k) &&
+                 a.coface_counts(k) == b.coface_counts(k) &&
                  equal(integers(a.coboundary(k)), integers(b.coboundary(k)));
     return result;
 }
