@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "dec/lift.h"
 
+#include "base/errors.h"
 #include "dec/whitney.h"
 
 #include <Eigen/QR>
 #include <Eigen/SparseQR>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 
 namespace polydec {
@@ -51,6 +54,10 @@ struct RowStore {
 
     void begin(Index row) { first[row] = last[row] = static_cast<Index>(columns.size()); }
     void append(Index row, Index column, double value) {
+        if (columns.size() >= std::size_t(std::numeric_limits<Index>::max()))
+            throw InvalidInput(
+                "the lift has more than 2^31 - 1 entries: a merged cell of p corners "
+                "takes of the order of p^2; lower the merge tolerance");
         columns.push_back(column);
         values.push_back(value);
         last[row] = static_cast<Index>(columns.size());

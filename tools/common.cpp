@@ -5,7 +5,6 @@
 #include "io/read_mesh.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -135,13 +134,6 @@ void Progress::operator()(std::string_view what) const {
         return;
     fmt::print(stderr, "\r\033[K{} ..", what);
     std::fflush(stderr);
-}
-
-std::string first_few(const std::vector<Index>& cells) {
-    constexpr std::size_t few = 5;
-    const auto end = cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), few));
-    return fmt::format("{}{}", fmt::join(cells.begin(), end, ", "),
-                       cells.size() > few ? ", .." : "");
 }
 
 } // namespace polydec::tools

@@ -74,7 +74,4 @@ private:
     bool visible_;
 };
 
-/// First few of a list of cells, for messages.
-std::string first_few(const std::vector<Index>& cells);
-
 } // namespace polydec::tools
