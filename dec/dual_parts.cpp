@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "dec/dual_parts.h"
+
+#include "dec/circumsphere.h"
+
+namespace polydec {
+
+namespace {
+
+/// Entry (t, s): the signed distance between the circumcenters of k-simplex s and its coface t.
+SparseMatrix heights(const SimplicialComplex& complex, const Points& points,
+                     const CellVolumes& volumes, int k) {
+    SparseMatrix H = complex.coboundary(k).cast<double>();
+    Circumsphere sphere(points);
+    for (Index t = 0; t < complex.size(k + 1); ++t) {
+        sphere.look_at({&complex.simplices(k + 1)(t, 0), static_cast<std::size_t>(k + 2)});
+        // faces stand in the row in the order of their numbers, which omits the last vertex first
+        for (int i = 0; i <= k + 1; ++i) {
+            const Index entry = t * (k + 2) + (k + 1 - i);
+            H.valuePtr()[entry] = sphere.height(i, volumes.primal[k][H.innerIndexPtr()[entry]]);
+        }
+    }
+    return H;
+}
+
+} // namespace
+
+SparseMatrix dual_parts(const SimplicialComplex& complex, const Points& points,
+                        const CellVolumes& volumes, int k, int m) {
+    SparseMatrix parts(complex.size(m), complex.size(m));
+    parts.setIdentity();
+    for (int j = m - 1; j >= k; --j) {
+        const SparseMatrix next = parts * heights(complex, points, volumes, j);
+        parts = next / (m - j);
+    }
+    return parts;
+}
+
+} // namespace polydec
