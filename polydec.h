@@ -13,6 +13,7 @@
 #include "complex/corners.h"
 #include "complex/homology.h"
 #include "complex/merging.h"
+#include "complex/relative.h"
 #include "complex/simplicial_complex.h"
 #include "dec/cell_centers.h"
 #include "dec/cell_volumes.h"

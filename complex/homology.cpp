@@ -1,196 +1,141 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 
-#include "complex/disjoint_sets.h"
+#include "base/errors.h"
+#include "complex/coreduction.h"
+#include "complex/elimination.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
-#include <utility>
+#include <cmath>
+#include <map>
 
 namespace polydec {
 
 namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
+using IntegerChain = std::map<Index, std::int64_t>;
 
-constexpr std::int64_t prime = 2147483647;
-
-std::int64_t inverse_mod_prime(std::int64_t a) {
-    std::int64_t result = 1;
-    for (std::int64_t power = prime - 2; power > 0; power /= 2, a = a * a % prime)
-        if (power % 2 == 1)
-            result = result * a % prime;
-    return result;
+void check_degree(const CellComplex& complex, int k) {
+    if (k < 0 || k > complex.dimension())
+        throw InvalidInput(fmt::format("homology of degree {} asked for: in dimension {} the "
+                                       "degrees are 0 to {}",
+                                       k, complex.dimension(), complex.dimension()));
 }
 
-/// Coreduction: which cells are left when no cell has exactly one remaining face.
-class Reduction {
+/// A chain with coefficients modulo the prime, as the smallest multiple of it whose coefficients
+/// are small integers.
+IntegerChain integral(const ModularChain& chain) {
+    constexpr std::int64_t small = 1000000;
+    for (std::int64_t factor = 1; factor < 1000; ++factor) {
+        IntegerChain result;
+        for (const auto& [cell, value] : chain) {
+            const auto residue = factor * value % elimination_prime;
+            const auto integer =
+                residue > elimination_prime / 2 ? residue - elimination_prime : residue;
+            if (std::abs(integer) > small)
+                break;
+            result[cell] = integer;
+        }
+        if (result.size() == chain.size())
+            return result;
+    }
+    throw InvalidInput("a generator of the homology has coefficients beyond a million: is this "
+                       "complex meant?");
+}
+
+/// Carries a cycle of the core back to the whole complex: pairs come back in the reverse order of
+/// leaving, and each coface is added as often as makes its face cancel.
+class Embedding {
 public:
-    explicit Reduction(const CellComplex& complex) : complex_(complex) {
-        const int n = complex.dimension();
-        for (int k = 0; k <= n; ++k) {
-            alive_.emplace_back(complex.size(k), true);
-            cofaces_.push_back(k < n ? complex.boundary(k + 1) : IncidenceMatrix());
-            auto& count = faces_left_.emplace_back(complex.size(k), 0);
-            for (Index t = 0; k > 0 && t < complex.size(k); ++t)
-                count[t] = complex.coboundary(k - 1).outerIndexPtr()[t + 1] -
-                           complex.coboundary(k - 1).outerIndexPtr()[t];
-        }
-        remove_base_vertices();
-        for (int k = 1; k <= n; ++k)
-            for (Index t = 0; t < complex.size(k); ++t)
-                if (faces_left_[k][t] == 1)
-                    queue_.emplace_back(k, t);
-        while (!queue_.empty()) {
-            const auto [k, t] = queue_.front();
-            queue_.pop_front();
-            pair_with_last_face(k, t);
-        }
+    Embedding(const CellComplex& complex, const Coreduction& reduction, int k)
+        : D_(complex.coboundary(k - 1)), pairs_(reduction.pairs(k - 1)) {
+        order_.assign(D_.cols(), -1);
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+            order_[pairs_[i].face] = static_cast<Index>(i);
     }
 
-    Index base_vertices() const { return base_vertices_; }
-    const std::vector<bool>& alive(int k) const { return alive_[k]; }
+    IntegerChain operator()(IntegerChain chain) const {
+        IntegerChain left; // coefficient of the boundary at the face of each pair, by its number
+        for (const auto& [cell, coefficient] : chain)
+            add_boundary(cell, coefficient, left);
+        while (!left.empty()) {
+            const auto [i, coefficient] = *left.rbegin();
+            const auto [face, coface] = pairs_[i];
+            const std::int64_t factor = -coefficient * D_.coeff(coface, face);
+            chain[coface] += factor;
+            add_boundary(coface, factor, left);
+        }
+        return chain;
+    }
 
 private:
-    /// One vertex of each component with a 0-cocycle stands for it. A component has none if an edge
-    /// has one end only, as in a complex relative to its boundary, or if signs clash around a loop.
-    void remove_base_vertices() {
-        const IncidenceMatrix& D = complex_.coboundary(0);
-        DisjointSets parts(complex_.size(0));
-        std::vector<Index> without_cocycle;
-        for (Index e = 0; e < D.rows(); ++e) {
-            const Row tail(D, e);
-            Row head = tail;
-            if (!tail || !++head || std::abs(tail.value()) != std::abs(head.value()) ||
-                faces_left_[1][e] != 2) {
-                for (Row v(D, e); v; ++v)
-                    without_cocycle.push_back(static_cast<Index>(v.col()));
-                continue;
-            }
-            const int relative_sign = tail.value() == head.value() ? -1 : 1;
-            if (!parts.join(static_cast<Index>(tail.col()), static_cast<Index>(head.col()),
-                            relative_sign))
-                without_cocycle.push_back(static_cast<Index>(tail.col()));
-        }
-
-        std::vector<bool> done(complex_.size(0), false); // at roots
-        for (const Index v : without_cocycle)
-            done[parts.find(v).element] = true;
-        for (Index v = 0; v < complex_.size(0); ++v) {
-            const auto root = parts.find(v).element;
-            if (done[root])
-                continue;
-            done[root] = true;
-            ++base_vertices_;
-            remove(0, v);
+    void add_boundary(Index cell, std::int64_t factor, IntegerChain& left) const {
+        for (Row face(D_, cell); face; ++face) {
+            const Index i = order_[face.col()];
+            // faces that did not leave as faces of a pair cancel by themselves
+            if (i >= 0 && (left[i] += factor * face.value()) == 0)
+                left.erase(i);
         }
     }
 
-    void remove(int k, Index s) {
-        alive_[k][s] = false;
-        if (k == complex_.dimension())
-            return;
-        for (Row t(cofaces_[k], s); t; ++t) {
-            const auto cell = static_cast<Index>(t.col());
-            if (--faces_left_[k + 1][cell] == 1)
-                queue_.emplace_back(k + 1, cell);
-        }
-    }
-
-    void pair_with_last_face(int k, Index t) {
-        if (!alive_[k][t] || faces_left_[k][t] != 1)
-            return;
-        for (Row s(complex_.coboundary(k - 1), t); s; ++s) {
-            // only an incidence that is invertible over the integers may cancel
-            if (!alive_[k - 1][s.col()] || std::abs(s.value()) != 1)
-                continue;
-            remove(k - 1, static_cast<Index>(s.col()));
-            remove(k, t);
-            return;
-        }
-    }
-
-    const CellComplex& complex_;
-    Index base_vertices_ = 0;
-    std::vector<std::vector<bool>> alive_;
-    std::vector<std::vector<Index>> faces_left_;
-    std::vector<IncidenceMatrix> cofaces_;
-    std::deque<std::pair<int, Index>> queue_;
+    const IncidenceMatrix& D_;
+    const std::vector<Coreduction::Pair>& pairs_;
+    std::vector<Index> order_;
 };
-
-using Column = std::vector<std::pair<Index, std::int64_t>>; // ascending rows, values mod prime
-
-/// column - factor * pivot
-Column subtract(const Column& column, std::int64_t factor, const Column& pivot) {
-    Column result;
-    auto a = column.begin(), b = pivot.begin();
-    while (a != column.end() || b != pivot.end()) {
-        if (b == pivot.end() || (a != column.end() && a->first < b->first)) {
-            result.push_back(*a++);
-            continue;
-        }
-        const bool both = a != column.end() && a->first == b->first;
-        const auto value = ((both ? a->second : 0) + (prime - factor) * b->second) % prime;
-        if (value != 0)
-            result.emplace_back(b->first, value);
-        a += both ? 1 : 0;
-        ++b;
-    }
-    return result;
-}
-
-/// Rank of the rows and columns of D that are alive, modulo the prime. Rows are reduced by earlier
-/// rows with the same last entry; a row that already was a pivot one degree below is a boundary
-/// and needs no reduction (`skip`). Marks the pivot columns in `pivots`.
-Index rank(const IncidenceMatrix& D, const std::vector<bool>& rows,
-           const std::vector<bool>& columns, const std::vector<bool>& skip,
-           std::vector<bool>& pivots) {
-    std::vector<Index> row_of_pivot(D.cols(), -1);
-    std::vector<Column> reduced;
-    for (Index t = 0; t < D.rows(); ++t) {
-        if (!rows[t] || skip[t])
-            continue;
-        Column row;
-        for (Row s(D, t); s; ++s)
-            if (columns[s.col()])
-                row.emplace_back(static_cast<Index>(s.col()), (s.value() + prime) % prime);
-        while (!row.empty() && row_of_pivot[row.back().first] >= 0) {
-            const auto& pivot = reduced[row_of_pivot[row.back().first]];
-            row = subtract(row, row.back().second, pivot);
-        }
-        if (row.empty())
-            continue;
-        const auto scale = inverse_mod_prime(row.back().second);
-        for (auto& entry : row)
-            entry.second = entry.second * scale % prime;
-        pivots[row.back().first] = true;
-        row_of_pivot[row.back().first] = static_cast<Index>(reduced.size());
-        reduced.push_back(std::move(row));
-    }
-    return static_cast<Index>(reduced.size());
-}
 
 } // namespace
 
 std::vector<Index> betti_numbers(const CellComplex& complex) {
     const int n = complex.dimension();
-    const Reduction reduction(complex);
-
-    std::vector<Index> betti(n + 1), ranks(n + 2, 0); // ranks[k]: of the boundary of k-cells
-    std::vector<bool> is_pivot(complex.size(n), false);
-    for (int k = n; k > 0; --k) {
-        std::vector<bool> pivots(complex.size(k - 1), false);
-        ranks[k] = rank(complex.coboundary(k - 1), reduction.alive(k), reduction.alive(k - 1),
-                        is_pivot, pivots);
-        is_pivot = std::move(pivots);
-    }
+    const Coreduction reduction(complex);
+    const CoreElimination core(complex, reduction);
+    std::vector<Index> betti(n + 1);
     for (int k = 0; k <= n; ++k) {
-        const auto& alive = reduction.alive(k);
-        const auto left = static_cast<Index>(std::count(alive.begin(), alive.end(), true));
-        betti[k] = left - ranks[k] - ranks[k + 1];
+        const auto& cells = reduction.core(k);
+        const auto left = static_cast<Index>(std::count(cells.begin(), cells.end(), true));
+        betti[k] = left - core.rank(k - 1) - core.rank(k);
     }
-    betti[0] += reduction.base_vertices();
+    betti[0] += static_cast<Index>(reduction.base_vertices().size());
     return betti;
+}
+
+SparseMatrix homology_generators(const CellComplex& complex, int k) {
+    check_degree(complex, k);
+    const Coreduction reduction(complex);
+    const CoreElimination core(complex, reduction, k);
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    Index count = 0;
+    for (const Index v : reduction.base_vertices())
+        if (k == 0)
+            entries.emplace_back(v, count++, 1.0);
+
+    const Embedding embed(complex, reduction, k);
+    for (const auto& cycle : core.cycles()) {
+        for (const auto& [cell, coefficient] : embed(integral(cycle)))
+            if (coefficient != 0)
+                entries.emplace_back(cell, count, static_cast<double>(coefficient));
+        ++count;
+    }
+    SparseMatrix generators(complex.size(k), count);
+    generators.setFromTriplets(entries.begin(), entries.end());
+    return generators;
+}
+
+RegularMinor regular_minor(const CellComplex& complex, int k) {
+    check_degree(complex, k);
+    const Coreduction reduction(complex);
+    const CoreElimination core(complex, reduction);
+    RegularMinor minor{core.pivot_columns(k), core.pivot_rows(k)};
+    for (const auto& [face, coface] : reduction.pairs(k)) {
+        minor.columns.push_back(face);
+        minor.rows.push_back(coface);
+    }
+    std::sort(minor.columns.begin(), minor.columns.end());
+    std::sort(minor.rows.begin(), minor.rows.end());
+    return minor;
 }
 
 } // namespace polydec

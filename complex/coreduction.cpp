@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "complex/coreduction.h"
+
+#include "complex/disjoint_sets.h"
+
+#include <cstdlib>
+
+namespace polydec {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+
+} // namespace
+
+Coreduction::Coreduction(const CellComplex& complex) : complex_(complex) {
+    const int n = complex.dimension();
+    pairs_.resize(n + 2);
+    for (int k = 0; k <= n; ++k) {
+        alive_.emplace_back(complex.size(k), true);
+        cofaces_.push_back(k < n ? complex.boundary(k + 1) : IncidenceMatrix());
+        auto& count = faces_left_.emplace_back(complex.size(k), 0);
+        for (Index t = 0; k > 0 && t < complex.size(k); ++t)
+            count[t] = complex.coboundary(k - 1).outerIndexPtr()[t + 1] -
+                       complex.coboundary(k - 1).outerIndexPtr()[t];
+    }
+    remove_base_vertices();
+    for (int k = 1; k <= n; ++k)
+        for (Index t = 0; t < complex.size(k); ++t)
+            if (faces_left_[k][t] == 1)
+                queue_.emplace_back(k, t);
+    while (!queue_.empty()) {
+        const auto [k, t] = queue_.front();
+        queue_.pop_front();
+        pair_with_last_face(k, t);
+    }
+    cofaces_.clear();
+}
+
+/// One vertex of each component with a 0-cocycle stands for it. A component has none if an edge
+/// has one end only, as in a complex relative to its boundary, or if signs clash around a loop.
+void Coreduction::remove_base_vertices() {
+    const IncidenceMatrix& D = complex_.coboundary(0);
+    DisjointSets parts(complex_.size(0));
+    std::vector<Index> without_cocycle;
+    for (Index e = 0; e < D.rows(); ++e) {
+        const Row tail(D, e);
+        Row head = tail;
+        if (!tail || !++head || std::abs(tail.value()) != std::abs(head.value()) ||
+            faces_left_[1][e] != 2) {
+            for (Row v(D, e); v; ++v)
+                without_cocycle.push_back(static_cast<Index>(v.col()));
+            continue;
+        }
+        const int relative_sign = tail.value() == head.value() ? -1 : 1;
+        if (!parts.join(static_cast<Index>(tail.col()), static_cast<Index>(head.col()),
+                        relative_sign))
+            without_cocycle.push_back(static_cast<Index>(tail.col()));
+    }
+
+    std::vector<bool> done(complex_.size(0), false); // at roots
+    for (const Index v : without_cocycle)
+        done[parts.find(v).element] = true;
+    for (Index v = 0; v < complex_.size(0); ++v) {
+        const auto root = parts.find(v).element;
+        if (done[root])
+            continue;
+        done[root] = true;
+        base_vertices_.push_back(v);
+        remove(0, v);
+    }
+}
+
+void Coreduction::remove(int k, Index s) {
+    alive_[k][s] = false;
+    if (k == complex_.dimension())
+        return;
+    for (Row t(cofaces_[k], s); t; ++t) {
+        const auto cell = static_cast<Index>(t.col());
+        if (--faces_left_[k + 1][cell] == 1)
+            queue_.emplace_back(k + 1, cell);
+    }
+}
+
+void Coreduction::pair_with_last_face(int k, Index t) {
+    if (!alive_[k][t] || faces_left_[k][t] != 1)
+        return;
+    for (Row s(complex_.coboundary(k - 1), t); s; ++s) {
+        // only an incidence that is invertible over the integers may cancel
+        const auto face = static_cast<Index>(s.col());
+        if (!alive_[k - 1][face] || std::abs(s.value()) != 1)
+            continue;
+        pairs_[k].push_back({face, t});
+        remove(k - 1, face);
+        remove(k, t);
+        return;
+    }
+}
+
+} // namespace polydec

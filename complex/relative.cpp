@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "complex/relative.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+
+void check_closed(const CellComplex& complex, const CellMarks& dropped) {
+    const int n = complex.dimension();
+    for (int k = 0; k <= n; ++k)
+        if (static_cast<int>(dropped.size()) <= k ||
+            static_cast<Index>(dropped[k].size()) != complex.size(k))
+            throw InvalidInput(fmt::format("a relative complex needs to be told of each of the {} "
+                                           "{}-cells whether it is dropped",
+                                           complex.size(k), k));
+    for (int k = 1; k <= n; ++k)
+        for (Index t = 0; t < complex.size(k); ++t)
+            for (Row s(complex.coboundary(k - 1), t); s; ++s)
+                if (dropped[k][t] && !dropped[k - 1][s.col()])
+                    throw InvalidInput(fmt::format("the {}-cell {} is to be dropped but not its "
+                                                   "face, the {}-cell {}: drop both or none",
+                                                   k, t, k - 1, s.col()));
+}
+
+/// d_k between the kept cells, whose numbers are `cells`; number[s] is the new one of k-cell s.
+IncidenceMatrix kept_part(const IncidenceMatrix& d, const std::vector<Index>& rows,
+                          const std::vector<Index>& number, Index columns) {
+    IncidenceMatrix part(static_cast<Index>(rows.size()), columns);
+    part.reserve(d.nonZeros());
+    for (std::size_t t = 0; t < rows.size(); ++t) {
+        part.startVec(static_cast<Index>(t));
+        for (Row s(d, rows[t]); s; ++s)
+            if (number[s.col()] >= 0)
+                part.insertBack(static_cast<Index>(t), number[s.col()]) = s.value();
+    }
+    part.finalize();
+    return part;
+}
+
+} // namespace
+
+Vector RelativeComplex::extend(int k, const Vector& kept) const {
+    Vector whole = Vector::Zero(whole_sizes.at(k));
+    whole(cells[k]) = kept;
+    return whole;
+}
+
+RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dropped) {
+    check_closed(complex, dropped);
+    const int n = complex.dimension();
+    std::vector<std::vector<Index>> cells(n + 1), numbers(n + 1), counts(n);
+    std::vector<Index> sizes;
+    for (int k = 0; k <= n; ++k) {
+        sizes.push_back(complex.size(k));
+        numbers[k].assign(complex.size(k), -1);
+        for (Index s = 0; s < complex.size(k); ++s)
+            if (!dropped[k][s]) {
+                numbers[k][s] = static_cast<Index>(cells[k].size());
+                cells[k].push_back(s);
+                if (k < n)
+                    counts[k].push_back(complex.coface_counts(k)[s]);
+            }
+    }
+    std::vector<IncidenceMatrix> coboundaries;
+    for (int k = 0; k < n; ++k)
+        coboundaries.push_back(kept_part(complex.coboundary(k), cells[k + 1], numbers[k],
+                                         static_cast<Index>(cells[k].size())));
+    return {CellComplex(CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts)),
+            std::move(cells), std::move(sizes)};
+}
+
+RelativeComplex relative_to_boundary(const CellComplex& complex) {
+    return relative_complex(complex, boundary_cells(complex));
+}
+
+} // namespace polydec

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/components.h"
+
+namespace polydec {
+
+/// A complex relative to some of its cells: those are dropped in every degree, the others keep
+/// their order and orientation. Its cochains are those of the whole complex that vanish on the
+/// dropped cells, as forms under an essential boundary condition do.
+struct RelativeComplex {
+    CellComplex complex;
+    std::vector<std::vector<Index>> cells; ///< cells[k]: the kept k-cells' numbers in the whole
+    std::vector<Index> whole_sizes;        ///< numbers of cells of the whole
+
+    /// The values on the kept k-cells, of one value for every k-cell of the whole.
+    Vector restrict(int k, const Vector& whole) const { return whole(cells.at(k)); }
+
+    /// The same values on the whole complex, 0 on the dropped cells.
+    Vector extend(int k, const Vector& kept) const;
+};
+
+/// The complex relative to a closed set of cells (with each cell, all its faces). Linear time.
+/// Throws InvalidInput, naming the cells, if the set is not closed or does not fit the complex.
+RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dropped);
+
+/// The complex relative to its boundary.
+RelativeComplex relative_to_boundary(const CellComplex& complex);
+
+} // namespace polydec
