@@ -27,6 +27,7 @@
 #include "dec/merge.h"
 #include "dec/side.h"
 #include "dec/star.h"
+#include "dec/transfer.h"
 #include "dec/whitney.h"
 #include "io/draw_cells.h"
 #include "io/draw_modes.h"

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "dec/cochain.h"
+
+#include "dec/derivative.h"
+#include "dec/dual_parts.h"
+#include "dec/laplacian.h"
+#include "dec/star.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+class Cochains : public OverMeshes {
+protected:
+    /// A random form or chain of K or P.
+    template <class Values>
+    Values random(const CellComplex& complex, Side side, int degree, unsigned seed) const {
+        const Index size = complex.size(cell_degree(complex, side, degree));
+        return {side, degree, random_vector(size, seed)};
+    }
+};
+
+constexpr double rounding = 1e-11;
+constexpr Side sides[] = {Side::primal, Side::dual};
+
+TEST_P(Cochains, stokes_theorem_pairs_d_with_the_boundary) {
+    for (const auto& m : both(mesh()))
+        for (const Side side : sides)
+            for (int k = 0; k < mesh().n(); ++k) {
+                const auto w = random<Cochain>(m.complex, side, k, 1);
+                const auto c = random<Chain>(m.complex, side, k + 1, 2);
+                const double left = pairing(d(m.complex, w), c);
+                const double right = pairing(w, boundary(m.complex, c));
+                const double size = d(m.complex, w).values.norm() * c.values.norm();
+                EXPECT_NEAR(left, right, rounding * size) << m.name << ", k = " << k;
+                if (std::abs(left) > 1e-3 * size) {
+                    EXPECT_GT(std::abs(left + right), rounding * size) << "with the sign flipped";
+                }
+            }
+}
+
+TEST_P(Cochains, boundary_of_a_boundary_is_zero) {
+    for (const auto& m : both(mesh()))
+        for (const Side side : sides)
+            for (int k = 2; k <= mesh().n(); ++k) {
+                const auto c = random<Chain>(m.complex, side, k, 3);
+                const auto twice = boundary(m.complex, boundary(m.complex, c));
+                EXPECT_EQ(twice.degree, k - 2);
+                EXPECT_LE(twice.values.cwiseAbs().maxCoeff(), 1e-13 * c.values.size());
+            }
+}
+
+TEST_P(Cochains, star_star_is_the_sign_of_the_degree) {
+    const int n = mesh().n();
+    for (const auto& m : both(mesh()))
+        for (const Side side : sides)
+            for (int k = 0; k <= n; ++k) {
+                const int cells = cell_degree(m.complex, side, k);
+                if (!zero_star_cells(m.volumes, cells).empty())
+                    continue;
+                const auto w = random<Cochain>(m.complex, side, k, 4);
+                const auto there = star(m.complex, m.volumes, w);
+                EXPECT_NE(there.side, side);
+                EXPECT_EQ(there.degree, n - k);
+                const double sign = k * (n - k) % 2 == 0 ? 1 : -1;
+                const auto back = star(m.complex, m.volumes, there);
+                EXPECT_LE(relative_difference(back.values, sign * w.values), rounding);
+                EXPECT_GT(relative_difference(back.values, -sign * w.values), 1);
+            }
+}
+
+TEST_P(Cochains, d_and_codifferential_are_adjoint) {
+    for (const auto& m : both(mesh()))
+        for (const Side side : sides)
+            for (int k = 0; k < mesh().n(); ++k) {
+                const int cells = cell_degree(m.complex, side, k);
+                const int upper = cell_degree(m.complex, side, k + 1);
+                if (!zero_star_cells(m.volumes, cells).empty() ||
+                    !zero_star_cells(m.volumes, upper).empty())
+                    continue;
+                const auto a = random<Cochain>(m.complex, side, k, 5);
+                const auto b = random<Cochain>(m.complex, side, k + 1, 6);
+                const auto db = codifferential(m.complex, m.volumes, b);
+                const double left = inner_product(m.complex, m.volumes, d(m.complex, a), b);
+                const double right = inner_product(m.complex, m.volumes, a, db);
+                const Vector mass =
+                    side == Side::primal ? star(m.volumes, upper) : inverse_star(m.volumes, upper);
+                const double size =
+                    d(m.complex, a).values.cwiseAbs().dot(mass.cwiseProduct(b.values).cwiseAbs());
+                EXPECT_NEAR(left, right, rounding * size) << m.name << ", " << name(side) << k;
+                if (std::abs(left) > 1e-3 * size) {
+                    EXPECT_GT(std::abs(left + right), rounding * size) << "with the sign flipped";
+                }
+            }
+}
+
+TEST_P(Cochains, laplacian_is_d_codifferential_plus_codifferential_d) {
+    const int n = mesh().n();
+    for (const auto& m : both(mesh())) {
+        bool invertible = true;
+        for (int k = 0; k <= n; ++k)
+            invertible = invertible && zero_star_cells(m.volumes, k).empty();
+        if (!invertible)
+            continue;
+        for (const Side side : sides)
+            for (int k = 0; k <= n; ++k) {
+                const auto w = random<Cochain>(m.complex, side, k, 7);
+                Cochain sum{side, k, Vector::Zero(w.values.size())};
+                if (k > 0)
+                    sum = sum + d(m.complex, codifferential(m.complex, m.volumes, w));
+                if (k < n)
+                    sum = sum + codifferential(m.complex, m.volumes, d(m.complex, w));
+                const auto L = laplacian(m.complex, m.volumes, w);
+                EXPECT_LE((L - sum).values.norm(), rounding * (sum.values.norm() + 1e-300));
+            }
+    }
+}
+
+TEST_P(Cochains, the_star_is_an_isometry_where_duals_are_positive) {
+    for (const auto& m : both(mesh()))
+        for (int k = 0; k <= mesh().n(); ++k) {
+            if (!zero_star_cells(m.volumes, k).empty() ||
+                !negative_star_cells(m.volumes, k).empty())
+                continue;
+            const auto w = random<Cochain>(m.complex, Side::primal, k, 8);
+            const double length = norm(m.complex, m.volumes, w);
+            EXPECT_NEAR(norm(m.complex, m.volumes, star(m.complex, m.volumes, w)), length,
+                        rounding * length);
+        }
+}
+
+TEST_P(Cochains, parts_of_duals_sum_to_the_duals_and_weighted_to_the_simplices) {
+    const auto& K = mesh().K();
+    const int n = mesh().n();
+    for (int m = 0; m <= n; ++m) {
+        double binomial = 1; // m over k
+        for (int k = 0; k <= m; ++k) {
+            const SparseMatrix parts = dual_parts(K, mesh().points, mesh().input_volumes, k, m);
+            const Vector rows = parts * mesh().input_volumes.primal[k];
+            const double scale = parts.cwiseAbs().sum();
+            EXPECT_LE((rows - binomial * mesh().input_volumes.primal[m]).cwiseAbs().maxCoeff(),
+                      rounding * (scale + 1) * mesh().input_volumes.primal[k].maxCoeff());
+            binomial *= double(m - k) / (k + 1);
+            if (m == n) {
+                const Vector columns = SparseMatrix(parts.transpose()) * Vector::Ones(K.size(n));
+                EXPECT_LE((columns - mesh().input_volumes.dual[k]).cwiseAbs().maxCoeff(),
+                          rounding * scale)
+                    << "k = " << k;
+            }
+        }
+    }
+}
+
+POLYDEC_OVER_MESHES(Cochains);
+
+TEST(CochainErrors, name_side_degree_and_sizes) {
+    const auto& m = merged("grid4");
+    const auto& P = m.P();
+    EXPECT_EQ(refusal([&] {
+                  d(P, {Side::primal, 1, Vector::Zero(3)});
+              }),
+              "a primal 1-form of 3 values is given: the complex has 40 1-cells");
+    EXPECT_EQ(refusal([&] {
+                  d(P, {Side::dual, 0, Vector::Zero(25)});
+              }),
+              "a dual 0-form of 25 values is given: the complex has 16 2-cells");
+    EXPECT_EQ(refusal([&] {
+                  star(P, m.volumes, Cochain{Side::dual, 3, {}});
+              }),
+              "dual forms and chains of degree 3 are asked for: in dimension 2 the degrees are 0 "
+              "to 2");
+    EXPECT_EQ(refusal([&] {
+                  pairing({Side::primal, 1, Vector::Zero(40)}, {Side::dual, 1, Vector::Zero(40)});
+              }),
+              "a dual 1-chain of 40 values does not go with a primal 1-form of 40 values: side, "
+              "degree and size must agree");
+    EXPECT_EQ(refusal([&] {
+                  return Cochain{Side::primal, 0, Vector::Zero(25)} +
+                         Cochain{Side::primal, 2, Vector::Zero(16)};
+              }),
+              "a primal 2-form of 16 values does not go with a primal 0-form of 25 values: side, "
+              "degree and size must agree");
+    const auto& bad = merged("star_negative");
+    EXPECT_EQ(refusal([&] {
+                  Vector spike = Vector::Zero(bad.P().size(0));
+                  spike[negative_star_cells(bad.volumes, 0).front()] = 1;
+                  norm(bad.P(), bad.volumes, {Side::primal, 0, spike});
+              }).substr(0, 55),
+              "the square of the norm of a primal 0-form of 7 values i");
+}
+
+TEST(Cochains, of_the_ends_of_the_tower_are_empty) {
+    const auto& P = merged("grid4").P();
+    EXPECT_EQ(d(P, {Side::primal, 2, Vector::Zero(16)}).values.size(), 0);
+    EXPECT_EQ(boundary(P, {Side::dual, 0, Vector::Zero(16)}).values.size(), 0);
+    EXPECT_EQ(boundary(P, {Side::primal, 0, Vector::Zero(25)}).degree, -1);
+}
+
+} // namespace
+} // namespace polydec::test

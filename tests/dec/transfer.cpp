@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "dec/transfer.h"
+
+#include "dec/derivative.h"
+#include "dec/laplacian.h"
+#include "dec/lift.h"
+#include "dec/star.h"
+#include "meshes/generate.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+class Transfers : public OverMeshes {
+protected:
+    Transfers() : bundle_(discretize(mesh_named(GetParam()), {.tolerance = tolerance})) {}
+
+    const Discretization& bundle() const { return bundle_; }
+    int n() const { return bundle_.dimension(); }
+
+private:
+    Discretization bundle_;
+};
+
+SparseMatrix product(const SparseMatrix& A, const SparseMatrix& B) {
+    return A * B;
+}
+
+SparseMatrix identity(Index size) {
+    SparseMatrix I(size, size);
+    I.setIdentity();
+    return I;
+}
+
+constexpr double rounding = 1e-12;
+
+TEST_P(Transfers, there_and_back_is_the_identity_on_merged_cells) {
+    const auto& [merging, volumes] = std::tie(bundle().merging, bundle().input_volumes);
+    for (int k = 0; k <= n(); ++k) {
+        const SparseMatrix I = identity(bundle().complex().size(k));
+        EXPECT_LE(
+            relative_difference(
+                product(primal_to_merged(merging, k), primal_to_input(merging, volumes, k)), I),
+            rounding);
+        EXPECT_LE(relative_difference(product(dual_to_merged(merging, volumes, n() - k),
+                                              dual_to_input(merging, n() - k)),
+                                      I),
+                  rounding);
+    }
+}
+
+TEST_P(Transfers, sums_commute_with_d_and_copies_with_the_dual_d) {
+    const auto& merging = bundle().merging;
+    const auto& K = bundle().input();
+    const auto& P = bundle().complex();
+    for (int k = 0; k < n(); ++k) {
+        EXPECT_EQ(relative_difference(product(primal_to_merged(merging, k + 1), derivative(K, k)),
+                                      product(derivative(P, k), primal_to_merged(merging, k))),
+                  0);
+        EXPECT_EQ(relative_difference(product(dual_to_input(merging, k + 1), dual_derivative(P, k)),
+                                      product(dual_derivative(K, k), dual_to_input(merging, k))),
+                  0);
+    }
+}
+
+TEST_P(Transfers, shares_and_copies_are_transposed) {
+    const auto& [merging, volumes] = std::tie(bundle().merging, bundle().input_volumes);
+    for (int k = 0; k <= n(); ++k) {
+        EXPECT_EQ(
+            relative_difference(SparseMatrix(primal_to_input(merging, volumes, k).transpose()),
+                                dual_to_merged(merging, volumes, n() - k)),
+            0);
+        EXPECT_EQ(relative_difference(SparseMatrix(primal_to_merged(merging, k).transpose()),
+                                      dual_to_input(merging, n() - k)),
+                  0);
+    }
+}
+
+TEST_P(Transfers, the_star_of_merged_cells_is_that_of_the_simplices_between_the_maps) {
+    // star_k^P = R_k^T star_k R_k: what the volumes of merged cells are made for
+    for (int k = 0; k <= n(); ++k) {
+        const SparseMatrix R = primal_to_input(bundle().merging, bundle().input_volumes, k);
+        const SparseMatrix between =
+            SparseMatrix(R.transpose()) * star(bundle().input_volumes, k).asDiagonal() * R;
+        EXPECT_LE(relative_difference(Vector(between.diagonal()), star(bundle().volumes, k)), 1e-11)
+            << "k = " << k;
+    }
+}
+
+TEST_P(Transfers, operators_act_on_the_input_as_on_merged_cells) {
+    for (int k = 0; k <= n(); ++k)
+        for (const Side side : {Side::primal, Side::dual}) {
+            const int degree = side == Side::primal ? k : n() - k;
+            const Cochain w{side, degree, random_vector(bundle().complex().size(k), 3)};
+            if (degree == n())
+                continue;
+            const SparseMatrix O = side == Side::primal
+                                       ? derivative(bundle().complex(), degree)
+                                       : dual_derivative(bundle().complex(), degree);
+            const SparseMatrix wrapped = on_input(bundle(), O, {side, degree}, {side, degree + 1});
+            const Cochain seen{side, degree + 1, wrapped * to_input(bundle(), w).values};
+            const Cochain there = d(bundle().complex(), w);
+            EXPECT_LE(relative_difference(to_merged(bundle(), seen).values, there.values),
+                      rounding);
+            EXPECT_LE(relative_difference(seen.values, to_input(bundle(), there).values), rounding);
+        }
+}
+
+TEST_P(Transfers, copies_are_consistent_and_nothing_else_is) {
+    for (int j = 0; j <= n(); ++j) {
+        const int k = n() - j;
+        const Cochain merged_form{Side::dual, j, random_vector(bundle().complex().size(k), 4)};
+        Cochain form = to_input(bundle(), merged_form);
+        EXPECT_TRUE(consistency(bundle(), form).within(rounding)) << "j = " << j;
+
+        // one removed simplex, or one piece among several, that is changed must be found
+        for (Index s = 0; s < form.values.size(); ++s) {
+            const auto& carrier = bundle().merging.carriers(k)[s];
+            const auto pieces =
+                carrier.dimension == k
+                    ? SparseMatrix::StorageIndex(
+                          bundle().merging.diamond(k).outerIndexPtr()[carrier.cell + 1] -
+                          bundle().merging.diamond(k).outerIndexPtr()[carrier.cell])
+                    : 0;
+            if (pieces == 1)
+                continue;
+            form.values[s] += 10;
+            const auto result = consistency(bundle(), form);
+            EXPECT_GT(result.worst, 1) << "j = " << j << ", simplex " << s;
+            form.values[s] -= 10;
+            break;
+        }
+    }
+}
+
+POLYDEC_OVER_MESHES(Transfers);
+
+TEST(TransfersBroken, shares_are_no_cochain_map) {
+    const auto bundle = discretize(grid(3, 3));
+    const SparseMatrix up =
+        derivative(bundle.input(), 0) * primal_to_input(bundle.merging, bundle.input_volumes, 0);
+    const SparseMatrix down =
+        primal_to_input(bundle.merging, bundle.input_volumes, 1) * derivative(bundle.complex(), 0);
+    EXPECT_GE(largest(up - down), 1);
+}
+
+TEST(TransfersBroken, the_transposed_sum_is_no_right_inverse_for_cells_of_several_pieces) {
+    const auto bundle = discretize(grid(3, 3));
+    const SparseMatrix dia = primal_to_merged(bundle.merging, 2);
+    EXPECT_GE(relative_difference(product(dia, SparseMatrix(dia.transpose())),
+                                  identity(bundle.complex().size(2))),
+              1);
+}
+
+TEST(TransfersBroken, adding_the_entries_of_star_2_is_not_the_star_of_merged_cells) {
+    const auto bundle = discretize(grid(3, 3));
+    const Vector sums = primal_to_merged(bundle.merging, 2) * star(bundle.input_volumes, 2);
+    EXPECT_GT(relative_difference(sums, star(bundle.volumes, 2)), 1);
+}
+
+TEST(Transfers, a_laplacian_of_the_merged_mesh_runs_on_the_triangle_mesh) {
+    const auto bundle = discretize(grid(4, 4));
+    const SparseMatrix L = on_input(bundle, dual_laplacian(bundle.complex(), bundle.volumes, 0),
+                                    {Side::dual, 0}, {Side::dual, 0});
+    EXPECT_EQ(L.rows(), 32);
+    const Vector image = L * Vector::Ones(32);
+    const Vector linear = Vector::LinSpaced(32, 0, 1);
+    EXPECT_TRUE(consistency(bundle, {Side::dual, 0, L * linear}).within(1e-10));
+    EXPECT_GT(image.cwiseAbs().maxCoeff(), 1) << "the boundary is open to dual 0-forms";
+}
+
+TEST(Consistency, names_the_worst_offender) {
+    const auto bundle = discretize(grid(1, 1));
+    Cochain circulation{Side::dual, 1, Vector::Zero(5)};
+    EXPECT_EQ(consistency(bundle, circulation).description, "");
+    Index diagonal = 0;
+    while (bundle.merging.carriers(1)[diagonal].dimension == 1)
+        ++diagonal;
+    circulation.values[diagonal] = 0.25;
+    EXPECT_EQ(consistency(bundle, circulation).description,
+              "the 1-simplex 2 with vertices 0, 3 lies inside a merged 2-cell, so its dual has no "
+              "extent, but the form has the value 0.25 there: expected 0");
+    EXPECT_EQ(consistency(bundle, {Side::dual, 0, Eigen::Vector2d(1, 3)}).description,
+              "the 2-simplex 0 with vertices 0, 1, 3 is a piece of the merged 2-cell 0, whose "
+              "pieces have one dual, but the form has the value 1 there and 2 in the mean");
+}
+
+TEST(TransferErrors, name_what_does_not_fit) {
+    const auto bundle = discretize(grid(1, 1));
+    EXPECT_EQ(refusal([&] {
+                  consistency(bundle, {Side::primal, 1, Vector::Zero(5)});
+              }),
+              "consistency is asked of a primal 1-form: it is a question about dual forms, whose "
+              "cells may coincide");
+    EXPECT_EQ(refusal([&] {
+                  to_merged(bundle, {Side::dual, 1, Vector::Zero(4)});
+              }),
+              "a dual 1-form of 4 values is given: the complex has 5 1-cells");
+    EXPECT_EQ(refusal([&] {
+                  on_input(bundle, SparseMatrix(3, 3), {Side::dual, 0}, {Side::dual, 1});
+              }),
+              "an operator from dual 0-forms to dual 1-forms on the merged cells is 4 x 1, the "
+              "one given is 3 x 3");
+}
+
+} // namespace
+} // namespace polydec::test
