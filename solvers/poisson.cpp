@@ -2,10 +2,10 @@
 #include "solvers/poisson.h"
 
 #include "base/errors.h"
-#include "complex/components.h"
 #include "dec/cell_centers.h"
 #include "dec/circumsphere.h"
 #include "dec/derivative.h"
+#include "dec/dual_parts.h"
 #include "dec/star.h"
 
 #include <fmt/format.h>
@@ -103,7 +103,7 @@ void average_rows(SparseMatrix& matrix) {
     }
 }
 
-DualFluxes dual_fluxes(const Discretization& discretization, BoundaryCondition boundary) {
+DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& essential) {
     const auto& complex = discretization.complex();
     const auto& volumes = discretization.volumes;
     const int n = complex.dimension();
@@ -118,8 +118,8 @@ DualFluxes dual_fluxes(const Discretization& discretization, BoundaryCondition b
     for (Index f = 0; f < facets; ++f) {
         const bool interior = complex.coface_counts(n - 1)[f] == 2;
         const Row coface(cofaces, f);
-        // nothing flows through the boundary, or from a cell to itself
-        if (!coface || (!interior && boundary == BoundaryCondition::natural))
+        // what flows through the natural boundary is given; nothing flows from a cell to itself
+        if (!coface || (!interior && !essential[n - 1][f]))
             continue;
         const auto cell = static_cast<Index>(coface.col());
         const double dual = volumes.dual[n - 1][f];
@@ -143,19 +143,33 @@ DualFluxes dual_fluxes(const Discretization& discretization, BoundaryCondition b
     return result;
 }
 
+/// 1 for each facet that a natural condition concerns, 0 for the others.
+Vector natural_facets(const CellComplex& complex, const CellMarks& essential) {
+    const int n = complex.dimension();
+    Vector result = Vector::Zero(complex.size(n - 1));
+    for (Index f = 0; f < result.size(); ++f)
+        if (complex.coface_counts(n - 1)[f] == 1 && !essential[n - 1][f])
+            result[f] = 1;
+    return result;
+}
+
 } // namespace
 
 PoissonSolver::PoissonSolver(const Discretization& discretization, const PoissonOptions& options)
     : side_(options.side) {
+    const auto essential = essential_cells(discretization.complex(), options.boundary);
+    flux_sites_ = cell_centers(discretization.merging, discretization.points,
+                               discretization.input_volumes, discretization.dimension() - 1);
     if (side_ == Side::primal)
-        set_up_primal(discretization, options);
+        set_up_primal(discretization, essential, options.linear_solver);
     else
-        set_up_dual(discretization, options);
+        set_up_dual(discretization, essential, options.linear_solver);
 }
 
-void PoissonSolver::set_up_primal(const Discretization& discretization,
-                                  const PoissonOptions& options) {
+void PoissonSolver::set_up_primal(const Discretization& discretization, const CellMarks& essential,
+                                  const std::string& engine) {
     const auto& complex = discretization.complex();
+    const int n = complex.dimension();
     const Index size = complex.size(0);
     sites_ = cell_centers(discretization.merging, discretization.points,
                           discretization.input_volumes, 0);
@@ -166,33 +180,39 @@ void PoissonSolver::set_up_primal(const Discretization& discretization,
     for (const Index edge : zero_star_cells(discretization.volumes, 1))
         weights[edge] = 0; // no more than rounding: the edge connects nothing
     ConstrainedSystem system{weighted_product(derivative(complex, 0), weights),
-                             std::vector<bool>(size, false),
+                             essential[0],
                              std::vector<bool>(size, false),
                              mass_.cwiseAbs(),
                              by_sign(weights),
-                             complex.dimension()};
-    if (options.boundary == BoundaryCondition::dirichlet)
-        system.fixed = boundary_cells(complex)[0];
+                             n};
+    // each piece of a facet is shared among its vertices as their duals divide it
+    const SparseMatrix parts = dual_parts(discretization.input(), discretization.points,
+                                          discretization.input_volumes, 0, n - 1);
+    const SparseMatrix pieces = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
+    const SparseMatrix shares = natural_facets(complex, essential).asDiagonal() * pieces * parts;
+    flux_load_ = shares.transpose();
     boundary_load_.resize(size, size);
     boundary_fix_.resize(size, size);
     boundary_fix_.setIdentity();
-    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
+    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), engine);
 }
 
-void PoissonSolver::set_up_dual(const Discretization& discretization,
-                                const PoissonOptions& options) {
+void PoissonSolver::set_up_dual(const Discretization& discretization, const CellMarks& essential,
+                                const std::string& engine) {
     check_two_sided(discretization);
     const auto& complex = discretization.complex();
     const int n = complex.dimension();
     sites_ = cell_centers(discretization.merging, discretization.points,
                           discretization.input_volumes, n);
-    boundary_sites_ = cell_centers(discretization.merging, discretization.points,
-                                   discretization.input_volumes, n - 1);
+    boundary_sites_ = flux_sites_;
     mass_ = discretization.volumes.primal[n];
 
-    auto fluxes = dual_fluxes(discretization, options.boundary);
+    auto fluxes = dual_fluxes(discretization, essential);
     boundary_load_ = std::move(fluxes.load);
     boundary_fix_ = std::move(fluxes.fix);
+    const Vector areas =
+        natural_facets(complex, essential).cwiseProduct(discretization.volumes.primal[n - 1]);
+    flux_load_ = complex.boundary(n).transpose().cast<double>().cwiseAbs() * areas.asDiagonal();
     const SparseMatrix gradient = derivative(complex, n - 1).transpose();
     ConstrainedSystem system{weighted_product(gradient, fluxes.weights),
                              std::move(fluxes.fixed),
@@ -200,13 +220,19 @@ void PoissonSolver::set_up_dual(const Discretization& discretization,
                              mass_,
                              by_sign(fluxes.weights),
                              n};
-    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
+    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), engine);
 }
 
 Vector PoissonSolver::solve(const Vector& f, const Vector& boundary_values) {
+    return solve(f, boundary_values, Vector::Zero(flux_sites_.rows()));
+}
+
+Vector PoissonSolver::solve(const Vector& f, const Vector& boundary_values,
+                            const Vector& normal_derivatives) {
     check_values(f, sites_, "right-hand side");
     check_values(boundary_values, boundary_sites_, "boundary data");
-    const Vector load = boundary_load_ * boundary_values;
+    check_values(normal_derivatives, flux_sites_, "normal derivatives");
+    const Vector load = boundary_load_ * boundary_values + flux_load_ * normal_derivatives;
     return solver_->solve(mass_.cwiseProduct(f) + load, boundary_fix_ * boundary_values);
 }
 

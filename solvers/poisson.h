@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/boundary_conditions.h"
 #include "dec/discretization.h"
 #include "dec/side.h"
 #include "solvers/constrained_system.h"
 
 namespace polydec {
 
-/// What is known on the boundary: the solution's values, or that nothing flows through it.
-enum class BoundaryCondition { dirichlet, natural };
-
 struct PoissonOptions {
     Side side = Side::primal;
-    BoundaryCondition boundary = BoundaryCondition::dirichlet;
+    BoundaryConditions boundary = {}; ///< essential: u is given; natural: its normal derivative
     std::string linear_solver = "auto";
 };
 
 /// Solves Delta u = f for primal 0-forms (values at vertices) or dual 0-forms (values at the cells'
 /// circumcenters), Delta = -div grad the positive Laplacian, with one factorization.
 ///
-/// Primal, Dirichlet: values at boundary vertices are fixed. Dual, Dirichlet: a boundary facet's
-/// dual reaches from the cell's circumcenter to the facet's, where the boundary value is; where it
-/// has no length the cell's value is the boundary value. Components without boundary data have the
-/// solution of mean 0, and the mean of f is removed there. No star is inverted that need not be.
+/// Primal, essential: values at the vertices of these facets are fixed. Dual, essential: a boundary
+/// facet's dual reaches from the cell's circumcenter to the facet's, where the boundary value is;
+/// where it has no length the cell's value is the boundary value. Natural: what flows through the
+/// facet enters the right-hand side. Components without an essential facet have the solution of
+/// mean 0, and the mean of the data is removed there. No star is inverted that need not be.
 class PoissonSolver {
 public:
     /// Throws InvalidInput, naming the facets, if dual 0-forms are asked for on a complex that is
-    /// non-orientable or branching, or where an interior dual has no length.
+    /// non-orientable or branching, or where an interior dual has no length, or if the conditions
+    /// do not fit the facets.
     PoissonSolver(const Discretization& discretization, const PoissonOptions& options = {});
 
     /// Where f has its values, one row of coordinates each: vertices or circumcenters of n-cells.
@@ -34,9 +34,15 @@ public:
     /// Where boundary values are asked for: vertices (those off the boundary do not matter), or
     /// circumcenters of facets (those with two cofaces do not matter).
     const Points& boundary_sites() const { return boundary_sites_; }
+    /// Where normal derivatives are asked for: circumcenters of facets (only those with a natural
+    /// condition matter).
+    const Points& flux_sites() const { return flux_sites_; }
 
-    /// f at sites(), boundary values at boundary_sites(); both finite. u at sites().
+    /// f at sites(), u on the essential part of the boundary at boundary_sites(), its derivative
+    /// along the outward normal on the natural part at flux_sites(), by default 0; all finite.
+    /// u at sites().
     Vector solve(const Vector& f, const Vector& boundary_values);
+    Vector solve(const Vector& f, const Vector& boundary_values, const Vector& normal_derivatives);
 
     /// Of the last solve.
     double residual() const { return solver_->residual(); }
@@ -44,14 +50,17 @@ public:
     const Compatibility& compatibility() const { return solver_->compatibility(); }
 
 private:
-    void set_up_primal(const Discretization& discretization, const PoissonOptions& options);
-    void set_up_dual(const Discretization& discretization, const PoissonOptions& options);
+    void set_up_primal(const Discretization& discretization, const CellMarks& essential,
+                       const std::string& engine);
+    void set_up_dual(const Discretization& discretization, const CellMarks& essential,
+                     const std::string& engine);
 
     Side side_;
-    Points sites_, boundary_sites_;
+    Points sites_, boundary_sites_, flux_sites_;
     Vector mass_;                // volume that each value of f stands for
     SparseMatrix boundary_load_; // boundary values to right-hand side
     SparseMatrix boundary_fix_;  // boundary values to fixed unknowns
+    SparseMatrix flux_load_;     // normal derivatives to right-hand side
     std::unique_ptr<ConstrainedSolver> solver_;
 };
 

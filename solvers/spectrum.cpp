@@ -4,21 +4,13 @@
 #include "base/errors.h"
 #include "dec/laplacian.h"
 #include "dec/star.h"
+#include "solvers/positive_mass.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 
 namespace polydec {
 
 namespace {
-
-std::string first_few(std::vector<Index> cells) {
-    const bool more = cells.size() > 5;
-    cells.resize(std::min<std::size_t>(cells.size(), 5));
-    return fmt::format("{}{}", fmt::join(cells, ", "), more ? ", .." : "");
-}
 
 void check_degree(const CellComplex& complex, const SpectrumOptions& options, int k) {
     if (k < 0 || k > complex.dimension())
@@ -31,20 +23,6 @@ void check_degree(const CellComplex& complex, const SpectrumOptions& options, in
                                        "so 1 to {} can be had",
                                        options.count, name(options.side), options.degree,
                                        complex.size(k), k, complex.size(k)));
-}
-
-/// With a mass that is not positive, eigenvalues mean nothing and cannot be counted.
-void check_mass(const CellVolumes& volumes, const SpectrumOptions& options, int k) {
-    const auto zero = zero_star_cells(volumes, k), negative = negative_star_cells(volumes, k);
-    if (zero.empty() && negative.empty())
-        return;
-    const auto& bad = negative.empty() ? zero : negative;
-    throw InvalidInput(fmt::format(
-        "the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have {} volume "
-        "(cells {})\na spectrum needs a positive mass: take dual 0-forms, whose mass are the "
-        "volumes of the cells, or a mesh that is nearer to Delaunay there",
-        name(options.side), options.degree, bad.size(), volumes.primal[k].size(), k,
-        negative.empty() ? "zero" : "negative", first_few(bad)));
 }
 
 /// The Laplacian is semidefinite for sure if the stars around it are positive.
@@ -64,7 +42,7 @@ Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
     const int k =
         options.side == Side::primal ? options.degree : complex.dimension() - options.degree;
     check_degree(complex, options, k);
-    check_mass(volumes, options, k);
+    check_positive_mass(volumes, options.side, options.degree, k);
 
     const Vector mass = star(volumes, k);
     CertifiedEigensolver solver(symmetric_laplacian(complex, volumes, k), mass,

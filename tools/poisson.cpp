@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/poisson.h"
 
+#include "dec/cell_centers.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
 #include "tools/commands.h"
@@ -20,14 +21,16 @@ namespace {
 struct Arguments {
     MeshArguments mesh;
     PoissonOptions poisson;
-    std::string rhs, boundary, exact;
+    std::string rhs, boundary, exact, flux, essential_where;
     bool natural = false;
     std::filesystem::path out;
 };
 
 Json describe(const Arguments& arguments, const PoissonSolver& solver, const Vector& u) {
     Json answer{{"side", name(arguments.poisson.side)},
-                {"boundary", arguments.natural ? "natural" : "dirichlet"},
+                {"boundary", arguments.natural                   ? "natural"
+                             : arguments.essential_where.empty() ? "dirichlet"
+                                                                 : "mixed"},
                 {"unknowns", u.size()},
                 {"min", u.minCoeff()},
                 {"max", u.maxCoeff()},
@@ -80,19 +83,34 @@ void warn_of_compatibility(const PoissonSolver& solver) {
                          compatibility.free_components == 1 ? "" : "s", compatibility.worst));
 }
 
+BoundaryConditions conditions(const Discretization& mesh, const Arguments& arguments) {
+    if (arguments.natural)
+        return {BoundaryCondition::natural};
+    if (arguments.essential_where.empty())
+        return {};
+    const Points sites =
+        cell_centers(mesh.merging, mesh.points, mesh.input_volumes, mesh.dimension() - 1);
+    const Vector holds = values_at("--essential-where", arguments.essential_where, sites);
+    BoundaryConditions result;
+    for (const double value : holds)
+        result.facets.push_back(value != 0 ? BoundaryCondition::essential
+                                           : BoundaryCondition::natural);
+    return result;
+}
+
 void run(Arguments arguments) {
     Timing timing;
-    if (arguments.natural)
-        arguments.poisson.boundary = BoundaryCondition::natural;
     const Discretization mesh = load(arguments.mesh, timing);
+    arguments.poisson.boundary = conditions(mesh, arguments);
     if (!arguments.out.empty())
         check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
     timing.begin("operators");
     PoissonSolver solver(mesh, arguments.poisson);
     const Vector f = values_at("--rhs", arguments.rhs, solver.sites());
     const Vector g = values_at("--boundary", arguments.boundary, solver.boundary_sites());
+    const Vector h = values_at("--flux", arguments.flux, solver.flux_sites());
     timing.begin("solve");
-    const Vector u = solver.solve(f, g);
+    const Vector u = solver.solve(f, g, h);
     warn_of_compatibility(solver);
     if (!arguments.out.empty()) {
         timing.begin("write");
@@ -124,8 +142,17 @@ void add_poisson(CLI::App& app) {
     auto* boundary = command->add_option("--boundary", arguments->boundary,
                                          "boundary values: expression or file (default 0)");
     arguments->boundary = "0";
-    command->add_flag("--natural", arguments->natural, "no Dirichlet data; u has mean 0")
-        ->excludes(boundary);
+    auto* natural =
+        command->add_flag("--natural", arguments->natural, "no Dirichlet data; u has mean 0")
+            ->excludes(boundary);
+    command
+        ->add_option("--essential-where", arguments->essential_where,
+                     "Dirichlet data only on boundary facets at whose circumcenter this is not 0")
+        ->excludes(natural);
+    command->add_option("--flux", arguments->flux,
+                        "derivative of u along the outward normal where there are no Dirichlet "
+                        "data (default 0)");
+    arguments->flux = "0";
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
     command->add_option("-o,--out", arguments->out, "write u to this .vtu file");
     command->add_option("--engine", arguments->poisson.linear_solver, "linear solver")
@@ -133,9 +160,12 @@ void add_poisson(CLI::App& app) {
     command->footer(
         "A file holds one value for each vertex (primal) or merged cell (dual); for --boundary "
         "one\n"
-        "for each vertex or merged facet, of which those off the boundary do not matter.\n\n"
+        "for each vertex or merged facet, of which those off the boundary do not matter; for "
+        "--flux\n"
+        "and --essential-where one for each merged facet.\n\n"
         "Examples:\n"
         "  polydec poisson grid.nsc --side dual --rhs '2*pi^2*sin(pi*x)*sin(pi*y)' -o u.vtu\n"
+        "  polydec poisson grid.nsc --side primal --rhs 1 --essential-where 'x < 1e-9' --flux=-y\n"
         "  polydec poisson sphere.off --side primal --rhs=-z --natural --json");
     command->callback([arguments] { run(*arguments); });
 }

@@ -199,8 +199,8 @@ TEST(SpectrumRefuses, degrees_that_there_are_not) {
 
 TEST(SpectrumRefuses, masses_that_are_not_positive) {
     const std::string advice =
-        "\na spectrum needs a positive mass: take dual 0-forms, whose mass are the volumes of the "
-        "cells, or a mesh that is nearer to Delaunay there";
+        "\nspectra and decompositions need a positive mass: take dual 0-forms, whose mass are the "
+        "volumes of the cells, or a mesh that is nearer to Delaunay there";
     EXPECT_EQ(refusal("star_negative", {.count = 2}),
               "the mass of primal 0-forms is not positive: the duals of 1 of 7 0-cells have "
               "negative volume (cells 0)" +

@@ -173,7 +173,7 @@ TEST(NaturalProblem, has_the_solution_of_mean_zero_on_every_component) {
     for (const auto& input : {two_components(), two_squares})
         for (const Side side : {Side::primal, Side::dual}) {
             const auto mesh = discretize(input);
-            PoissonSolver solver(mesh, {.side = side, .boundary = BoundaryCondition::natural});
+            PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
             const Vector f = values(wave, solver.sites());
             const Vector none = Vector::Zero(solver.boundary_sites().rows());
             const Vector u = solver.solve(f, none);
@@ -196,7 +196,7 @@ TEST(NaturalProblem, converges_to_a_solution_known) {
     };
     const auto error = [&](int N, Side side) {
         const auto mesh = discretize(grid(N, N));
-        PoissonSolver solver(mesh, {.side = side, .boundary = BoundaryCondition::natural});
+        PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
         const Vector u = solver.solve(5 * M_PI * M_PI * values(cosines, solver.sites()),
                                       Vector::Zero(solver.boundary_sites().rows()));
         return l2(mesh, side, u - values(cosines, solver.sites()));
@@ -209,7 +209,7 @@ TEST(ClosedSurface, has_no_use_for_boundary_data) {
     const auto mesh = discretize(torus(16, 8));
     for (const Side side : {Side::primal, Side::dual}) {
         PoissonSolver fixed(mesh, {.side = side});
-        PoissonSolver natural(mesh, {.side = side, .boundary = BoundaryCondition::natural});
+        PoissonSolver natural(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
         const Vector f = values(wave, fixed.sites());
         const Vector u = fixed.solve(f, Vector::Ones(fixed.boundary_sites().rows()));
         EXPECT_TRUE(

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/cochain.h"
+
+#include <memory>
+#include <string>
+
+namespace polydec {
+
+/// A form as the sum of an exact, a coexact and a harmonic one, orthogonal in the inner product of
+/// its side.
+struct HodgeParts {
+    Cochain exact, coexact, harmonic;
+    Cochain potential;   ///< of the same side, degree k-1: d potential = exact
+    Cochain copotential; ///< of the other side, degree n-k-1: d copotential = star coexact
+};
+
+/// Decomposes forms of one side and degree with one factorization for each part. The normal
+/// equations of d, whose kernel is large, are solved on a largest regular minor of d (see
+/// regular_minor), where they are positive definite; so all that is needed is that the star of
+/// these forms is positive, and no Betti number need be known.
+///
+/// On the whole complex the exact part is orthogonal to coclosed forms with natural boundary; for
+/// the decomposition with essential conditions hand over a relative complex and its volumes.
+class HodgeSolver {
+public:
+    /// Throws InvalidInput if there is no such degree or, naming the cells, if the star of these
+    /// forms is not positive; what the engine throws where it fails.
+    HodgeSolver(const CellComplex& complex, const CellVolumes& volumes, Side side, int degree,
+                const std::string& engine = "auto");
+    HodgeSolver(HodgeSolver&&) noexcept;
+    ~HodgeSolver();
+
+    /// Throws InvalidInput if the form is of another kind or has values that are not finite.
+    HodgeParts decompose(const Cochain& form);
+
+    /// Harmonic forms, b_k of them on the absolute complex: columns of norm 1, orthogonal to each
+    /// other, closed and coclosed. They span what the homology generators, as dual forms, become
+    /// without their exact part.
+    DenseMatrix harmonic_forms();
+
+private:
+    class Projection; // onto the range of a matrix, orthogonal in the inner product
+
+    CellComplex complex_;
+    Side side_;
+    int degree_, k_;
+    Vector mass_;                        // star_k
+    std::vector<Index> faces_, cofaces_; // the cells of the regular minors
+    std::unique_ptr<Projection> exact_, coexact_;
+};
+
+/// The decomposition by a solver made for it.
+HodgeParts hodge_decomposition(const CellComplex& complex, const CellVolumes& volumes,
+                               const Cochain& form, const std::string& engine = "auto");
+
+/// The harmonic forms by a solver made for them.
+DenseMatrix harmonic_forms(const CellComplex& complex, const CellVolumes& volumes, Side side,
+                           int degree, const std::string& engine = "auto");
+
+} // namespace polydec

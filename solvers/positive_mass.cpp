@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/positive_mass.h"
+
+#include "base/errors.h"
+#include "dec/star.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+std::string first_few(std::vector<Index> cells) {
+    const bool more = cells.size() > 5;
+    cells.resize(std::min<std::size_t>(cells.size(), 5));
+    return fmt::format("{}{}", fmt::join(cells, ", "), more ? ", .." : "");
+}
+
+} // namespace
+
+void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int k) {
+    const auto zero = zero_star_cells(volumes, k), negative = negative_star_cells(volumes, k);
+    if (zero.empty() && negative.empty())
+        return;
+    const auto& bad = negative.empty() ? zero : negative;
+    throw InvalidInput(fmt::format(
+        "the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have {} volume "
+        "(cells {})\nspectra and decompositions need a positive mass: take dual 0-forms, whose "
+        "mass are the volumes of the cells, or a mesh that is nearer to Delaunay there",
+        name(side), degree, bad.size(), volumes.primal[k].size(), k,
+        negative.empty() ? "zero" : "negative", first_few(bad)));
+}
+
+} // namespace polydec

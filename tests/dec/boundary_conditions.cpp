@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "dec/boundary_conditions.h"
+
+#include "dec/cell_centers.h"
+#include "dec/derivative.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+class BoundaryData : public OverMeshes {
+protected:
+    bool is_manifold() const {
+        const auto& counts = mesh().P().coface_counts(mesh().n() - 1);
+        return std::all_of(counts.begin(), counts.end(), [](Index c) { return c <= 2; });
+    }
+};
+
+/// The derivative of dual j-forms of the boundary, which lives on boundary cells and is oriented by
+/// the outward normal.
+SparseMatrix boundary_dual_derivative(const CellComplex& complex, int j) {
+    const int n = complex.dimension(), k = n - j - 2;
+    const auto marks = boundary_cells(complex);
+    const IncidenceMatrix cofaces = complex.boundary(n);
+    SparseMatrix D = derivative(complex, k);
+    for (Index t = 0; t < D.rows(); ++t)
+        for (SparseMatrix::InnerIterator entry(D, t); entry; ++entry) {
+            const int induced = k + 1 == n - 1 && marks[k + 1][t]
+                                    ? IncidenceMatrix::InnerIterator(cofaces, t).value()
+                                    : 1;
+            entry.valueRef() *= marks[k + 1][t] ? induced : 0;
+        }
+    return ((k % 2 == 0 ? -1.0 : 1.0) * D).transpose();
+}
+
+TEST_P(BoundaryData, derivative_twice_is_zero_with_the_boundary) {
+    const auto& P = mesh().P();
+    for (int j = 0; j + 2 <= mesh().n(); ++j) {
+        const SparseMatrix inside = dual_derivative(P, j + 1) * dual_boundary_derivative(P, j);
+        const SparseMatrix along =
+            dual_boundary_derivative(P, j + 1) * boundary_dual_derivative(P, j);
+        EXPECT_EQ(largest(inside + along), 0) << "j = " << j;
+        if (largest(inside) > 0) {
+            EXPECT_GT(largest(inside - along), 0) << "with the sign flipped";
+        }
+    }
+}
+
+TEST_P(BoundaryData, with_it_constant_dual_functions_have_derivative_zero) {
+    const auto& P = mesh().P();
+    if (!is_manifold() || !mesh().K().orientable())
+        return;
+    const Vector zero = dual_derivative(P, 0) * Vector::Ones(P.size(mesh().n())) +
+                        dual_boundary_derivative(P, 0) * Vector::Ones(P.size(mesh().n() - 1));
+    EXPECT_EQ(zero.cwiseAbs().maxCoeff(), 0);
+}
+
+TEST_P(BoundaryData, essential_everywhere_is_relative_to_the_boundary_and_natural_is_absolute) {
+    const auto& P = mesh().P();
+    EXPECT_EQ(essential_cells(P, {BoundaryCondition::essential}), boundary_cells(P));
+    for (const auto& marks : essential_cells(P, {BoundaryCondition::natural}))
+        EXPECT_EQ(std::count(marks.begin(), marks.end(), true), 0);
+}
+
+TEST_P(BoundaryData, mixed_conditions_drop_closed_sets) {
+    const auto& P = mesh().P();
+    const int n = mesh().n();
+    const Points sites = cell_centers(mesh().merging(), mesh().points, mesh().input_volumes, n - 1);
+    const double middle = sites.col(0).mean();
+    const auto conditions =
+        essential_where(sites, [&](const Vector& site) { return site[0] < middle; });
+    const auto relative = relative_complex(P, essential_cells(P, conditions));
+    const auto volumes = relative_volumes(relative, mesh().volumes);
+    for (int k = 0; k <= n; ++k) {
+        EXPECT_EQ(volumes.primal[k].size(), relative.complex.size(k));
+        EXPECT_LE(relative.complex.size(k), P.size(k));
+        EXPECT_GE(relative.complex.size(k), relative_to_boundary(P).complex.size(k));
+    }
+}
+
+POLYDEC_OVER_MESHES(BoundaryData);
+
+TEST(BoundaryDataBroken, without_the_boundary_constants_have_jumps_there) {
+    const auto& P = merged("grid4").P();
+    EXPECT_EQ((dual_derivative(P, 0) * Vector::Ones(16)).cwiseAbs().sum(), 16);
+}
+
+TEST(BoundaryErrors, count_the_conditions) {
+    const auto& P = merged("grid4").P();
+    EXPECT_EQ(refusal([&] {
+                  essential_cells(P, {.facets = {3, BoundaryCondition::natural}});
+              }),
+              "3 boundary conditions are given: expected one for each of the 40 1-cells, or one "
+              "for all");
+}
+
+} // namespace
+} // namespace polydec::test

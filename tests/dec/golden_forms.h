@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "tests/dec/golden_numbers.h"
+#include "tests/support/forms.h"
+
+#include <string>
+#include <vector>
+
+namespace polydec::test {
+
+/// The golden numbers of forms and their products, by the file names of meshes.
+const Json& golden_calculus();
+
+/// The names in it of the golden meshes that lie with the tests.
+std::vector<std::string> golden_calculus_names();
+
+/// The forms of which they are, in R^N with coordinates x, y, z, w as far as there are; missing
+/// ones are 0.
+
+/// (1 - y + x z, x^2 + y, y z + x, w + x) . dl
+Vector alpha(const Vector& point);
+
+/// (y, z - x, x y + 1, w^2) . dl
+Vector beta(const Vector& point);
+
+/// (1 + y) dx^dy + (x - z^2) dx^dz + (x y + 2) dy^dz
+Vector eta(const Vector& point);
+
+/// The integrals of a k-form over the merged cells.
+Vector on_merged_cells(const Merged& mesh, int k, const Form& form);
+
+} // namespace polydec::test

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "complex/components.h"
+#include "meshes/generate.h"
+#include "solvers/poisson.h"
+#include "tests/support/families.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+constexpr Side sides[] = {Side::primal, Side::dual};
+
+/// Outward unit normals of the boundary facets of a full-dimensional mesh, a row for each facet.
+DenseMatrix outward_normals(const Discretization& mesh) {
+    const auto& K = mesh.input();
+    const int n = mesh.dimension();
+    const IncidenceMatrix cofaces = K.boundary(n);
+    DenseMatrix normals = DenseMatrix::Zero(mesh.complex().size(n - 1), n);
+    for (Index f = 0; f < K.size(n - 1); ++f) {
+        const auto& carrier = mesh.merging.carriers(n - 1)[f];
+        if (K.coface_counts(n - 1)[f] != 1 || carrier.dimension != n - 1)
+            continue;
+        const auto corners = K.simplices(n - 1).row(f);
+        const auto top = static_cast<Index>(IncidenceMatrix::InnerIterator(cofaces, f).col());
+        DenseMatrix edges(n, n - 1);
+        for (int i = 1; i < n; ++i)
+            edges.col(i - 1) = (mesh.points.row(corners[i]) - mesh.points.row(corners[0]));
+        const DenseMatrix Q = Eigen::HouseholderQR<DenseMatrix>(edges).householderQ();
+        Vector normal = Q.col(n - 1);
+        for (const Index v : K.simplices(n).row(top))
+            if (std::find(corners.begin(), corners.end(), v) == corners.end() &&
+                normal.dot((mesh.points.row(v) - mesh.points.row(corners[0])).transpose()) > 0)
+                normal = -normal;
+        normals.row(carrier.cell) = normal;
+    }
+    return normals;
+}
+
+class FlatMeshes : public testing::TestWithParam<std::string> {
+protected:
+    FlatMeshes() : mesh_(discretize(mesh_named(GetParam()))) {}
+    const Discretization& mesh() const { return mesh_; }
+
+    /// Largest error for a linear function with its values on the facets beyond the middle of the
+    /// first coordinate, and `factor` times its normal derivative elsewhere.
+    double linear_error(Side side, double factor) const {
+        const int n = mesh().dimension();
+        const Vector slope = Vector::LinSpaced(n, 1, 2);
+        const double middle =
+            (mesh().points.col(0).minCoeff() + mesh().points.col(0).maxCoeff()) / 2;
+        const Points sites = cell_centers_of_facets();
+        PoissonSolver solver(
+            mesh(), {.side = side, .boundary = essential_where(sites, [&](const Vector& site) {
+                                       return site[0] < middle;
+                                   })});
+        const Vector u =
+            solver.solve(Vector::Zero(solver.sites().rows()), solver.boundary_sites() * slope,
+                         factor * (outward_normals(mesh()) * slope));
+        return relative_difference(u, Vector(solver.sites() * slope));
+    }
+
+private:
+    Points cell_centers_of_facets() const {
+        return PoissonSolver(mesh(), {.side = Side::primal}).flux_sites();
+    }
+
+    Discretization mesh_;
+};
+
+TEST_P(FlatMeshes, have_linear_functions_as_solutions_under_mixed_conditions) {
+    for (const Side side : sides) {
+        EXPECT_LE(linear_error(side, 1), 1e-10) << name(side);
+        EXPECT_GT(linear_error(side, -1), 1e-2) << name(side) << " with the flux reversed";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bounded, FlatMeshes,
+                         testing::Values("grid4", "hex4", "wellcentred4", "ring6", "kuhn1d",
+                                         "kuhn3", "split_cubes", "solid_torus3", "bcc2", "boxes",
+                                         "kuhn4", "tesseracts2", "hexagons5", "rectangles"),
+                         [](const auto& instance) { return instance.param; });
+
+double wave(const Vector& p) {
+    return std::sin(2 * p[0]) * std::cos(p[1]);
+}
+
+/// L2 error of the wave on a grid with values on the left half of the boundary.
+double wave_error(Side side, int cells) {
+    const auto mesh = discretize(grid(cells, cells));
+    const Points sites = PoissonSolver(mesh).flux_sites();
+    PoissonSolver solver(
+        mesh, {.side = side,
+               .boundary = essential_where(sites, [](const Vector& p) { return p[0] < 0.5; })});
+    const DenseMatrix normals = outward_normals(mesh);
+    Vector f(solver.sites().rows()), values(solver.boundary_sites().rows()), slopes(sites.rows());
+    for (Index i = 0; i < f.size(); ++i)
+        f[i] = 5 * wave(solver.sites().row(i));
+    for (Index i = 0; i < values.size(); ++i)
+        values[i] = wave(solver.boundary_sites().row(i));
+    for (Index i = 0; i < slopes.size(); ++i) {
+        const double x = sites(i, 0), y = sites(i, 1);
+        slopes[i] = normals.row(i).dot(
+            Eigen::RowVector2d(2 * std::cos(2 * x) * std::cos(y), -std::sin(2 * x) * std::sin(y)));
+    }
+    const Vector u = solver.solve(f, values, slopes);
+    const Vector& volume =
+        side == Side::primal ? mesh.volumes.dual.front() : mesh.volumes.primal.back();
+    double square = 0;
+    for (Index i = 0; i < u.size(); ++i)
+        square += volume[i] * std::pow(u[i] - wave(solver.sites().row(i)), 2);
+    return std::sqrt(square);
+}
+
+TEST(MixedConditions, converge_with_order_2) {
+    for (const Side side : sides)
+        EXPECT_NEAR(std::log2(wave_error(side, 16) / wave_error(side, 32)), 2.0, 0.15)
+            << name(side);
+}
+
+TEST(NaturalConditions, say_how_far_fluxes_are_from_balanced) {
+    const auto mesh = discretize(grid(4, 4));
+    for (const Side side : sides) {
+        PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
+        const Vector zero = Vector::Zero(solver.sites().rows());
+        const Vector none = Vector::Zero(solver.boundary_sites().rows());
+        // what is made inside, 4 per area, leaves through the boundary of length 4
+        const Vector out = Vector::Constant(solver.flux_sites().rows(), -1);
+        solver.solve(zero.array() + 4, none, out);
+        EXPECT_LE(solver.compatibility().worst, 1e-12);
+        solver.solve(zero.array() + 5, none, out);
+        EXPECT_GT(solver.compatibility().worst, 0.1);
+    }
+}
+
+TEST(BoundaryDataErrors, name_what_does_not_fit) {
+    const auto mesh = discretize(grid(2, 2));
+    PoissonSolver solver(mesh);
+    EXPECT_EQ(refusal([&] { solver.solve(Vector::Zero(9), Vector::Zero(9), Vector::Zero(9)); }),
+              "normal derivatives: 9 values for 12 places");
+    EXPECT_EQ(refusal([&] {
+                  PoissonSolver(mesh, {.boundary = {.facets = {2, BoundaryCondition::natural}}});
+              }),
+              "2 boundary conditions are given: expected one for each of the 12 1-cells, or one "
+              "for all");
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/hodge.h"
+
+#include "complex/homology.h"
+#include "dec/boundary_conditions.h"
+#include "dec/cell_centers.h"
+#include "dec/derivative.h"
+#include "dec/discretization.h"
+#include "dec/laplacian.h"
+#include "dec/star.h"
+#include "meshes/generate.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+bool positive(const CellVolumes& volumes, int k) {
+    return zero_star_cells(volumes, k).empty() && negative_star_cells(volumes, k).empty();
+}
+
+constexpr double rounding = 1e-10;
+
+class HodgeParted : public OverMeshes {
+protected:
+    /// Calls law(complex, volumes, k) for K, P and P relative to its boundary and every degree
+    /// whose star is positive.
+    template <class Law>
+    void for_positive(Law law) const {
+        for (const auto& m : both(mesh()))
+            for (int k = 0; k <= mesh().n(); ++k)
+                if (positive(m.volumes, k))
+                    law(m.complex, m.volumes, k);
+        const auto relative = relative_to_boundary(mesh().P());
+        const auto volumes = relative_volumes(relative, mesh().volumes);
+        for (int k = 0; k <= mesh().n(); ++k)
+            if (relative.complex.size(k) > 0 && positive(volumes, k))
+                law(relative.complex, volumes, k);
+    }
+};
+
+TEST_P(HodgeParted, forms_are_sums_of_orthogonal_parts_with_their_potentials) {
+    const int n = mesh().n();
+    for_positive([&](const CellComplex& complex, const CellVolumes& volumes, int k) {
+        for (const Side side : {Side::primal, Side::dual}) {
+            const int degree = side == Side::primal ? k : n - k;
+            const Cochain w{side, degree, random_vector(complex.size(k), 1)};
+            const auto parts = hodge_decomposition(complex, volumes, w);
+            const double square = inner_product(complex, volumes, w, w);
+            const auto product = [&](const Cochain& a, const Cochain& b) {
+                return std::abs(inner_product(complex, volumes, a, b)) / square;
+            };
+            SCOPED_TRACE(std::string(name(side)) + " " + std::to_string(degree));
+            EXPECT_LE(product(parts.exact, parts.coexact), rounding);
+            EXPECT_LE(product(parts.exact, parts.harmonic), rounding);
+            EXPECT_LE(product(parts.coexact, parts.harmonic), rounding);
+            EXPECT_LE(relative_difference((parts.exact + parts.coexact + parts.harmonic).values,
+                                          w.values),
+                      rounding);
+
+            const double size = w.values.norm();
+            if (degree > 0) {
+                EXPECT_LE((d(complex, parts.potential).values - parts.exact.values).norm(),
+                          rounding * size);
+            }
+            if (degree < n) {
+                const Vector expected = star(complex, volumes, parts.coexact).values;
+                EXPECT_LE((d(complex, parts.copotential).values - expected).norm(),
+                          rounding * (star(complex, volumes, w).values.norm()));
+            }
+        }
+    });
+}
+
+TEST_P(HodgeParted, harmonic_forms_are_as_many_as_betti_numbers_say_closed_and_coclosed) {
+    const int n = mesh().n();
+    for_positive([&](const CellComplex& complex, const CellVolumes& volumes, int k) {
+        const DenseMatrix H = harmonic_forms(complex, volumes, Side::primal, k);
+        ASSERT_EQ(H.cols(), betti_numbers(complex)[k]) << "k = " << k;
+        if (H.cols() == 0)
+            return;
+        const Vector mass = star(volumes, k);
+        const DenseMatrix gram = H.transpose() * mass.asDiagonal() * H;
+        EXPECT_LE((gram - DenseMatrix::Identity(H.cols(), H.cols())).cwiseAbs().maxCoeff(),
+                  rounding);
+        const DenseMatrix below = SparseMatrix(derivative(complex, k - 1).transpose()) *
+                                  DenseMatrix(mass.asDiagonal() * H);
+        EXPECT_LE(below.norm(), rounding * DenseMatrix(mass.asDiagonal() * H).norm());
+        if (k < n) {
+            EXPECT_LE(DenseMatrix(derivative(complex, k) * H).norm(), rounding * H.norm());
+        }
+    });
+}
+
+TEST_P(HodgeParted, exact_forms_have_no_other_part_and_harmonic_ones_stay) {
+    for_positive([&](const CellComplex& complex, const CellVolumes& volumes, int k) {
+        HodgeSolver solver(complex, volumes, Side::primal, k);
+        if (k > 0) {
+            const Vector da = derivative(complex, k - 1) * random_vector(complex.size(k - 1), 2);
+            const auto parts = solver.decompose({Side::primal, k, da});
+            EXPECT_LE((parts.exact.values - da).norm(), rounding * da.norm());
+        }
+        const DenseMatrix H = solver.harmonic_forms();
+        for (Index i = 0; i < H.cols(); ++i) {
+            const auto parts = solver.decompose({Side::primal, k, H.col(i)});
+            EXPECT_LE((parts.harmonic.values - H.col(i)).norm(), rounding * H.col(i).norm());
+        }
+    });
+}
+
+POLYDEC_OVER_MESHES(HodgeParted);
+
+struct Hole {
+    std::string name;
+    std::vector<Index> absolute, relative;
+};
+
+class Shapes : public testing::TestWithParam<Hole> {};
+
+TEST_P(Shapes, have_the_harmonic_forms_of_their_holes) {
+    const auto& mesh = merged(GetParam().name);
+    const auto relative = relative_to_boundary(mesh.P());
+    const auto volumes = relative_volumes(relative, mesh.volumes);
+    for (int k = 0; k <= mesh.n(); ++k) {
+        EXPECT_EQ(harmonic_forms(mesh.P(), mesh.volumes, Side::primal, k).cols(),
+                  GetParam().absolute[k]);
+        EXPECT_EQ(harmonic_forms(mesh.P(), mesh.volumes, Side::dual, mesh.n() - k).cols(),
+                  GetParam().absolute[k]);
+        EXPECT_EQ(harmonic_forms(relative.complex, volumes, Side::primal, k).cols(),
+                  GetParam().relative[k]);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Known, Shapes,
+                         testing::Values(Hole{"icosphere3", {1, 0, 1}, {1, 0, 1}},
+                                         Hole{"torus8x6", {1, 2, 1}, {1, 2, 1}},
+                                         Hole{"genus_two", {1, 4, 1}, {1, 4, 1}},
+                                         Hole{"annulus9", {1, 1, 0}, {0, 1, 1}},
+                                         Hole{"solid_torus3", {1, 1, 0, 0}, {0, 0, 1, 1}},
+                                         Hole{"hollow_cube", {1, 0, 1, 0}, {0, 1, 0, 1}},
+                                         Hole{"cubical_torus3", {1, 3, 3, 1}, {1, 3, 3, 1}}),
+                         [](const auto& instance) { return instance.param.name; });
+
+TEST(MixedConditions, have_the_harmonic_forms_of_the_pair) {
+    // a ring held at the outer circle is that circle times an interval held at one end
+    const auto ring = discretize(annulus(12));
+    const auto& P = ring.complex();
+    const Points sites = cell_centers(ring.merging, ring.points, ring.input_volumes, 1);
+    const double middle =
+        0.5 * (sites.rowwise().norm().maxCoeff() + sites.rowwise().norm().minCoeff());
+    const auto held =
+        relative_complex(P, essential_cells(P, essential_where(sites, [&](const Vector& site) {
+                                                return site.norm() > middle;
+                                            })));
+    EXPECT_EQ(betti_numbers(held.complex), (std::vector<Index>{0, 0, 0}));
+    const auto volumes = relative_volumes(held, ring.volumes);
+    EXPECT_EQ(harmonic_forms(held.complex, volumes, Side::primal, 1).cols(), 0);
+}
+
+TEST(HarmonicForms, on_a_flat_ring_are_the_angle) {
+    // |d angle|^2 integrates to 2 pi log(outer / inner), so periods tell the norm
+    const auto error = [](int segments) {
+        const auto ring = discretize(annulus(segments));
+        const DenseMatrix H = harmonic_forms(ring.complex(), ring.volumes, Side::primal, 1);
+        const SparseMatrix G = homology_generators(ring.complex(), 1);
+        const double period = std::abs((G.transpose() * H)(0, 0));
+        const double outer = ring.points.rowwise().norm().maxCoeff();
+        const double inner = ring.points.rowwise().norm().minCoeff();
+        const double exact = std::sqrt(2 * M_PI / std::log(outer / inner));
+        return std::abs(period - exact) / exact;
+    };
+    EXPECT_LT(error(64), 0.1);
+}
+
+TEST(HodgeBroken, without_one_cell_of_the_minor_the_exact_part_is_not_all) {
+    const auto& m = merged("torus8x6");
+    auto columns = regular_minor(m.P(), 0).columns;
+    columns.pop_back();
+    const DenseMatrix D = DenseMatrix(derivative(m.P(), 0))(Eigen::all, columns);
+    const Vector w = derivative(m.P(), 0) * random_vector(m.P().size(0), 5);
+    const Vector mass = star(m.volumes, 1);
+    const DenseMatrix A = D.transpose() * mass.asDiagonal() * D;
+    const Vector x = A.ldlt().solve(D.transpose() * mass.cwiseProduct(w));
+    EXPECT_GT((D * x - w).norm(), 1e-3 * w.norm());
+}
+
+TEST(HodgeBroken, in_the_plain_inner_product_parts_are_not_orthogonal_in_the_star) {
+    const auto& m = merged("torus9x5");
+    CellVolumes ones = m.volumes;
+    for (int k = 0; k <= 2; ++k)
+        ones.dual[k] = ones.primal[k];
+    const Cochain w{Side::primal, 1, random_vector(m.P().size(1), 6)};
+    const auto parts = hodge_decomposition(m.P(), ones, w);
+    EXPECT_GT(std::abs(inner_product(m.P(), m.volumes, parts.exact, parts.coexact)),
+              1e-4 * inner_product(m.P(), m.volumes, w, w));
+}
+
+TEST(HodgeErrors, name_what_is_missing) {
+    const auto& m = merged("fcc1");
+    EXPECT_EQ(refusal([&] { HodgeSolver(m.P(), m.volumes, Side::primal, 2); }).substr(0, 78),
+              "the mass of primal 2-forms is not positive: the duals of 24 of 56 2-cells have");
+    const auto& grid = merged("grid4");
+    HodgeSolver solver(grid.P(), grid.volumes, Side::dual, 1);
+    EXPECT_EQ(refusal([&] {
+                  solver.decompose({Side::primal, 1, Vector::Zero(40)});
+              }),
+              "a primal 1-form is given: this solver decomposes dual 1-forms");
+    Vector bad = Vector::Zero(40);
+    bad[3] = NAN;
+    EXPECT_EQ(refusal([&] {
+                  solver.decompose({Side::dual, 1, bad});
+              }),
+              "a form with a value that is not finite cannot be decomposed");
+}
+
+} // namespace
+} // namespace polydec::test
