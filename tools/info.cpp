@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
 #include "complex/homology.h"
+#include "dec/facet_kinds.h"
 #include "dec/star.h"
+#include "dec/well_defined.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -26,11 +29,50 @@ Json cell_counts(const CellComplex& complex) {
 
 Json star_numbers(const CellVolumes& volumes, int k) {
     const Vector values = star(volumes, k);
-    return {{"min", values.minCoeff()},
-            {"max", values.maxCoeff()},
-            {"min_abs", values.cwiseAbs().minCoeff()},
-            {"negative", negative_star_cells(volumes, k).size()},
-            {"zero", zero_star_cells(volumes, k).size()}};
+    const auto zero = zero_star_cells(volumes, k).size();
+    Json numbers{{"min", values.minCoeff()},
+                 {"max", values.maxCoeff()},
+                 {"min_abs", values.cwiseAbs().minCoeff()},
+                 {"negative", negative_star_cells(volumes, k).size()},
+                 {"zero", zero}};
+    // of a diagonal matrix; there is none if an entry is zero
+    numbers["condition"] = nullptr;
+    if (zero == 0)
+        numbers["condition"] = values.cwiseAbs().maxCoeff() / values.cwiseAbs().minCoeff();
+    return numbers;
+}
+
+Json stars(const CellVolumes& volumes) {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < volumes.primal.size(); ++k)
+        list.push_back(star_numbers(volumes, static_cast<int>(k)));
+    return list;
+}
+
+Json kinds(const Discretization& mesh) {
+    const auto count = facet_kinds(mesh.input(), mesh.points, mesh.input_volumes, mesh.options);
+    return {{"well_centered", count.well_centered},
+            {"delaunay", count.delaunay},
+            {"non_delaunay", count.non_delaunay},
+            {"cospherical", count.cospherical}};
+}
+
+/// A row for each operator: the verdicts on it for primal and dual forms, before and after merging.
+Json operators(const Discretization& mesh) {
+    Json rows = Json::array();
+    for (const auto& [stage, label] : {std::pair{Stage::input, "input"}, {Stage::merged, "merged"}})
+        for (const auto& verdict : operator_verdicts(mesh, stage)) {
+            const auto same = [&](const Json& row) {
+                return row["operator"] == verdict.name && row["degree"] == verdict.degree;
+            };
+            auto row = std::find_if(rows.begin(), rows.end(), same);
+            if (row == rows.end()) {
+                rows.push_back({{"operator", verdict.name}, {"degree", verdict.degree}});
+                row = rows.end() - 1;
+            }
+            (*row)[label][name(verdict.side)] = name(verdict.verdict);
+        }
+    return rows;
 }
 
 Json vertices_per_cell(const Merging& merging) {
@@ -77,9 +119,10 @@ Json describe(const Discretization& mesh, Timing& timing) {
     answer["facets"] = {{"degenerate", mesh.degenerate.interior},
                         {"boundary_degenerate", mesh.degenerate.boundary},
                         {"branching_degenerate", mesh.degenerate.branching}};
-    answer["stars"] = Json::array();
-    for (int k = 0; k <= mesh.dimension(); ++k)
-        answer["stars"].push_back(star_numbers(mesh.volumes, k));
+    answer["pairs"] = kinds(mesh);
+    answer["stars"] = stars(mesh.volumes);
+    answer["input_stars"] = stars(mesh.input_volumes);
+    answer["operators"] = operators(mesh);
     answer["vertices_per_cell"] = vertices_per_cell(mesh.merging);
     if (mesh.dimension() == 2)
         answer["concyclic"] = concyclic(mesh.merging);
@@ -128,14 +171,62 @@ void print_duals(const Json& answer) {
                    answer["concyclic"]["edges"].get<Index>(),
                    answer["concyclic"]["faces"].get<Index>(),
                    answer["concyclic"]["percent"].get<double>());
-    fmt::print("Hodge stars after merging\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}\n", "degree", "min",
-               "max", "min abs", "negative", "zero");
-    int k = 0;
-    for (const auto& star : answer["stars"])
-        fmt::print("  {:<7}{:>14.6g}{:>14.6g}{:>14.6g}{:>10}{:>8}\n", k++,
+    const auto& pairs = answer["pairs"];
+    fmt::print("pairs of neighbors\n  {} well-centered, {} Delaunay, {} non-Delaunay, {} "
+               "{}\n",
+               pairs["well_centered"].get<Index>(), pairs["delaunay"].get<Index>(),
+               pairs["non_delaunay"].get<Index>(), pairs["cospherical"].get<Index>(),
+               answer["dimension"] == 2 ? "concyclic" : "cospherical");
+}
+
+void print_stars(const Json& answer) {
+    fmt::print("Hodge stars after merging\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n",
+               "degree", "min", "max", "min abs", "negative", "zero", "condition", "(before)");
+    const auto condition = [](const Json& star) {
+        return star["condition"].is_null() ? std::string("infinite")
+                                           : fmt::format("{:.3g}", star["condition"].get<double>());
+    };
+    for (std::size_t k = 0; k < answer["stars"].size(); ++k) {
+        const auto& star = answer["stars"][k];
+        fmt::print("  {:<7}{:>14.6g}{:>14.6g}{:>14.6g}{:>10}{:>8}{:>12}{:>14}\n", k,
                    star["min"].get<double>(), star["max"].get<double>(),
                    star["min_abs"].get<double>(), star["negative"].get<Index>(),
-                   star["zero"].get<Index>());
+                   star["zero"].get<Index>(), condition(star), condition(answer["input_stars"][k]));
+    }
+}
+
+bool everywhere_yes(const Json& row) {
+    for (const char* stage : {"input", "merged"})
+        for (const auto& verdict : row[stage])
+            if (verdict != "yes")
+                return false;
+    return true;
+}
+
+/// The verdicts as a table in which what always holds is left out.
+void print_operators(const Json& answer) {
+    std::vector<std::string> lines;
+    const auto cell = [](const Json& verdicts, const char* side) {
+        return verdicts.contains(side) ? verdicts[side].get<std::string>() : std::string("-");
+    };
+    for (const auto& row : answer["operators"]) {
+        if (everywhere_yes(row))
+            continue;
+        const auto name = row["operator"].get<std::string>();
+        const bool graded = name.find(' ') == std::string::npos;
+        lines.push_back(
+            fmt::format("  {:<18}{:>14}{:>14}{:>16}{:>14}\n",
+                        graded ? fmt::format("{} {}", name, row["degree"].get<int>()) : name,
+                        cell(row["input"], "primal"), cell(row["input"], "dual"),
+                        cell(row["merged"], "primal"), cell(row["merged"], "dual")));
+    }
+    if (lines.empty()) {
+        fmt::print("operators\n  all are well defined, before and after merging\n");
+        return;
+    }
+    fmt::print("operators that are not well defined everywhere\n  {:<18}{:>14}{:>14}{:>16}{:>14}\n"
+               "{}",
+               "", "input primal", "dual", "merged primal", "dual", fmt::join(lines, ""));
 }
 
 /// What the stars allow for the Laplacian on forms that live on the k-cells.
@@ -175,6 +266,8 @@ void run(const MeshArguments& arguments) {
     print_cells(answer);
     print_topology(answer);
     print_duals(answer);
+    print_stars(answer);
+    print_operators(answer);
     print_advice(answer);
     print_timing(arguments, timing);
 }

@@ -147,11 +147,10 @@ void add_poisson(CLI::App& app) {
             ->excludes(boundary);
     command
         ->add_option("--essential-where", arguments->essential_where,
-                     "Dirichlet data only on boundary facets at whose circumcenter this is not 0")
+                     "Dirichlet data only at boundary facets where this is not 0")
         ->excludes(natural);
     command->add_option("--flux", arguments->flux,
-                        "derivative of u along the outward normal where there are no Dirichlet "
-                        "data (default 0)");
+                        "outward derivative of u on the rest of the boundary (default 0)");
     arguments->flux = "0";
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
     command->add_option("-o,--out", arguments->out, "write u to this .vtu file");
@@ -165,7 +164,7 @@ void add_poisson(CLI::App& app) {
         "and --essential-where one for each merged facet.\n\n"
         "Examples:\n"
         "  polydec poisson grid.nsc --side dual --rhs '2*pi^2*sin(pi*x)*sin(pi*y)' -o u.vtu\n"
-        "  polydec poisson grid.nsc --side primal --rhs 1 --essential-where 'x < 1e-9' --flux=-y\n"
+        "  polydec poisson grid.nsc --side primal --rhs 1 --essential-where 'x<.01' --flux=-y\n"
         "  polydec poisson sphere.off --side primal --rhs=-z --natural --json");
     command->callback([arguments] { run(*arguments); });
 }

@@ -26,7 +26,8 @@ class Json(TestCase):
                          {"degenerate", "boundary_degenerate", "branching_degenerate"})
         self.assertEqual(len(answer["stars"]), 3)
         for star in answer["stars"]:
-            self.assertEqual(set(star), {"min", "max", "min_abs", "negative", "zero"})
+            self.assertEqual(set(star), {"min", "max", "min_abs", "negative", "zero",
+                                         "condition"})
         self.assertEqual(answer["concyclic"], {"edges": 16, "faces": 32, "percent": 100})
         self.assertEqual((answer["dimension"], answer["orientable"], answer["volume"]),
                          (2, True, 1))
@@ -69,6 +70,25 @@ class Json(TestCase):
         self.assertLessEqual({"side", "residual", "engine", "tried", "error"}, set(answer))
         self.assertLess(answer["residual"], 1e-10)
         self.assertLess(answer["error"]["max"], 1e-12)
+
+    def test_mixed_boundary_data(self):
+        for side in ("primal", "dual"):
+            answer = self.ask("poisson", golden("grid4.nsc"), "--side", side, "--rhs", "0",
+                              "--essential-where", "x < 0.001", "--boundary", "2*x+y", "--flux",
+                              "2*(x>0.999) + (y>0.999) - (y<0.001)", "--exact", "2*x+y")
+            self.assertEqual(answer["boundary"], "mixed")
+            self.assertLess(answer["error"]["max"], 1e-12)
+
+    def test_info_tells_kinds_of_pairs_and_which_operators_make_sense(self):
+        answer = self.ask("info", golden("grid4.nsc"))
+        self.assertEqual(answer["pairs"], {"well_centered": 0, "delaunay": 24, "non_delaunay": 0,
+                                           "cospherical": 16})
+        verdicts = {(row["operator"], row["degree"]): row for row in answer["operators"]}
+        self.assertEqual(verdicts["star", 1]["input"], {"primal": "yes", "dual": "no"})
+        self.assertEqual(verdicts["star", 2]["input"], {"primal": "restricted", "dual": "yes"})
+        self.assertEqual(verdicts["star", 1]["merged"], {"primal": "yes", "dual": "yes"})
+        self.assertEqual([star["condition"] for star in answer["stars"]], [4, 2, 1])
+        self.assertIsNone(answer["input_stars"][1]["condition"])
 
     def test_backends(self):
         engines = {engine["name"]: engine for engine in self.ask("backends")["backends"]}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "dec/well_defined.h"
+
+#include "dec/facet_defects.h"
+#include "dec/star.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+
+/// What spoils operators, by degree of cells.
+struct Faults {
+    std::vector<Index> without_dual; ///< cells whose dual has no extent
+    std::vector<Index> copies;       ///< cells whose dual is that of another one
+};
+
+Index count(const std::vector<bool>& marks) {
+    return static_cast<Index>(std::count(marks.begin(), marks.end(), true));
+}
+
+/// The k-cells of the stage whose dual has no extent.
+Index without_dual(const Discretization& mesh, Stage stage, int k,
+                   const std::vector<bool>& degenerate) {
+    const auto& carriers = mesh.merging.carriers(k);
+    const bool input = stage == Stage::input;
+    const auto& volumes = input ? mesh.input_volumes : mesh.volumes;
+    std::vector<bool> marks(volumes.dual[k].size(), false);
+    for (const Index s : zero_star_cells(volumes, k))
+        marks[s] = true;
+    const bool facets = k + 1 == mesh.dimension();
+    for (std::size_t s = 0; s < carriers.size(); ++s) {
+        const bool removed = carriers[s].dimension > k;
+        if (input && (removed || (facets && degenerate[s])))
+            marks[s] = true;
+        if (!input && !removed && facets && degenerate[s])
+            marks[carriers[s].cell] = true;
+    }
+    return count(marks);
+}
+
+/// Marks the n-cells whose circumcenter is that of a neighbor, across a degenerate facet.
+void mark_concentric(const Discretization& mesh, Stage stage, const std::vector<bool>& degenerate,
+                     std::vector<bool>& marks) {
+    const int n = mesh.dimension();
+    const IncidenceMatrix cofaces = mesh.input().boundary(n);
+    for (Index f = 0; f < cofaces.rows(); ++f) {
+        if (!degenerate[f] || mesh.input().coface_counts(n - 1)[f] != 2)
+            continue;
+        if (stage == Stage::merged && mesh.merging.carriers(n - 1)[f].dimension == n)
+            continue;
+        for (Row t(cofaces, f); t; ++t) {
+            const auto top = static_cast<Index>(t.col());
+            marks[stage == Stage::input ? top : mesh.merging.carriers(n)[top].cell] = true;
+        }
+    }
+}
+
+/// The k-cells of the stage whose dual is that of another one: pieces of one merged cell.
+Index copies(const Discretization& mesh, Stage stage, int k, const std::vector<bool>& degenerate) {
+    const auto& volumes = stage == Stage::input ? mesh.input_volumes : mesh.volumes;
+    std::vector<bool> marks(volumes.dual[k].size(), false);
+    const IncidenceMatrix& dia = mesh.merging.diamond(k);
+    for (Index cell = 0; stage == Stage::input && cell < dia.rows(); ++cell)
+        if (dia.outerIndexPtr()[cell + 1] - dia.outerIndexPtr()[cell] > 1)
+            for (Row piece(dia, cell); piece; ++piece)
+                marks[piece.col()] = true;
+    if (k == mesh.dimension())
+        mark_concentric(mesh, stage, degenerate, marks);
+    return count(marks);
+}
+
+Faults find_faults(const Discretization& mesh, Stage stage) {
+    const auto degenerate =
+        facet_defects(mesh.input(), mesh.points, mesh.input_volumes, mesh.options).degenerate;
+    Faults faults;
+    for (int k = 0; k <= mesh.dimension(); ++k) {
+        faults.without_dual.push_back(without_dual(mesh, stage, k, degenerate));
+        faults.copies.push_back(copies(mesh, stage, k, degenerate));
+    }
+    return faults;
+}
+
+/// Collects verdicts: an operator is as good as the stars it is made of.
+class Table {
+public:
+    explicit Table(Faults faults) : faults_(std::move(faults)) {}
+
+    /// Stars are applied to primal forms of some degrees, and inverted in others.
+    void add(std::string name, int degree, Side side, const std::vector<int>& stars,
+             const std::vector<int>& inverses) {
+        OperatorVerdict verdict{std::move(name), degree, side};
+        for (const int k : stars)
+            if (verdict.verdict == WellDefined::yes && has(faults_.copies, k))
+                verdict = spoiled(verdict, WellDefined::restricted, k, faults_.copies[k]);
+        for (const int k : inverses)
+            if (verdict.verdict != WellDefined::no && has(faults_.without_dual, k))
+                verdict = spoiled(verdict, WellDefined::no, k, faults_.without_dual[k]);
+        verdicts_.push_back(std::move(verdict));
+    }
+
+    std::vector<OperatorVerdict> take() { return std::move(verdicts_); }
+
+private:
+    static bool has(const std::vector<Index>& cells, int k) {
+        return k >= 0 && k < static_cast<int>(cells.size()) && cells[k] > 0;
+    }
+
+    static OperatorVerdict spoiled(OperatorVerdict verdict, WellDefined how, int k, Index cells) {
+        verdict.verdict = how;
+        verdict.cell_degree = k;
+        verdict.cells = cells;
+        return verdict;
+    }
+
+    Faults faults_;
+    std::vector<OperatorVerdict> verdicts_;
+};
+
+} // namespace
+
+std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretization, Stage stage) {
+    const int n = discretization.dimension();
+    Table table(find_faults(discretization, stage));
+    for (int k = 0; k < n; ++k) {
+        table.add("d", k, Side::primal, {}, {});
+        table.add("d", k, Side::dual, {}, {});
+    }
+    for (int k = 0; k <= n; ++k) {
+        table.add("star", k, Side::primal, {k}, {});
+        table.add("star", k, Side::dual, {}, {k});
+    }
+    for (int k = 1; k <= n; ++k) {
+        table.add("codifferential", k, Side::primal, {k}, {k - 1});
+        table.add("codifferential", k, Side::dual, {n - k + 1}, {n - k});
+    }
+    for (int k = 0; k <= n; ++k)
+        for (const Side side : {Side::primal, Side::dual}) {
+            // the Laplacian inverts the star of its own cells only where there is a degree above
+            const int cells = side == Side::primal ? k : n - k;
+            const int own = cells < n ? cells : -1;
+            table.add("laplacian", k, side, {cells > 0 ? cells : -1, cells + 1}, {cells - 1, own});
+        }
+    table.add("wedge", 1, Side::primal, {}, {});
+    table.add("flat ppp", 1, Side::primal, {}, {});
+    table.add("flat pdp", 1, Side::primal, {}, {});
+    table.add("flat dpp", 1, Side::dual, {}, {1});
+    table.add("flat ppd", 1, Side::primal, {}, {});
+    table.add("flat pdd", 1, Side::primal, {}, {});
+    table.add("flat dpd", 1, Side::dual, {}, {});
+    table.add("sharp pp", 1, Side::primal, {}, {0});
+    table.add("sharp pd", 1, Side::primal, {}, {});
+    return table.take();
+}
+
+} // namespace polydec

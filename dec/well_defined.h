@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/side.h"
+
+namespace polydec {
+
+/// Whether an operator makes sense on a mesh.
+enum class WellDefined {
+    yes,
+    restricted, ///< on forms alone that have one density on all pieces of a cell (Schier, Eq. 4)
+    no,         ///< it divides by duals without extent
+};
+
+inline const char* name(WellDefined verdict) {
+    return verdict == WellDefined::yes ? "yes" : verdict == WellDefined::no ? "no" : "restricted";
+}
+
+/// The verdict on one operator, as Table 1 of Schier's paper has it for triangle meshes.
+struct OperatorVerdict {
+    std::string name = {};    ///< d, star, codifferential, laplacian, wedge, flat ppp, sharp pp ..
+    int degree = 0;           ///< of the forms it takes; of a star that of the primal cells
+    Side side = Side::primal; ///< of the forms (sharp: of the form; flat: of the field) it takes
+    WellDefined verdict = WellDefined::yes;
+    int cell_degree = -1; ///< of the cells that spoil it; -1 if none do
+    Index cells = 0;      ///< how many they are
+};
+
+/// Which complex a question is about.
+enum class Stage { input, merged };
+
+/// All operators in the order of the table, judged by the duals that the mesh has, not by theory:
+/// a dual has no extent where the merging removed its cell, where a facet is degenerate within the
+/// tolerance, or where the star entry is zero in the sense of zero_star_cells.
+std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretization, Stage stage);
+
+} // namespace polydec

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "dec/facet_kinds.h"
+#include "dec/well_defined.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/over_meshes.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numeric>
+
+namespace polydec::test {
+namespace {
+
+FacetKinds kinds(const Mesh& mesh) {
+    const auto bundle = discretize(mesh);
+    return facet_kinds(bundle.input(), bundle.points, bundle.input_volumes, bundle.options);
+}
+
+std::vector<Index> counts(const FacetKinds& kinds) {
+    return {kinds.well_centered, kinds.delaunay, kinds.non_delaunay, kinds.cospherical};
+}
+
+/// Two triangles on the edge from (0,0) to (2,0), their apices at these heights over (1,0).
+Mesh kite(double up, double down) {
+    return made_of({{0, 0}, {2, 0}, {1, up}, {1, -down}}, {{0, 1, 2}, {1, 0, 3}});
+}
+
+TEST(Kinds, of_a_pair_go_by_its_angles) {
+    EXPECT_EQ(counts(kinds(kite(2, 2))), (std::vector<Index>{1, 0, 0, 0}));
+    EXPECT_EQ(counts(kinds(kite(2, 0.9))), (std::vector<Index>{0, 1, 0, 0}));
+    EXPECT_EQ(counts(kinds(kite(0.8, 0.9))), (std::vector<Index>{0, 0, 1, 0}));
+    EXPECT_EQ(counts(kinds(kite(2, 0.5))), (std::vector<Index>{0, 0, 0, 1}));
+}
+
+TEST(Kinds, of_generated_meshes_are_what_they_were_made_for) {
+    EXPECT_EQ(kinds(well_centered(4)).well_centered,
+              kinds(well_centered(4)).well_centered + kinds(well_centered(4)).cospherical);
+    EXPECT_EQ(counts(kinds(grid(4, 4))), (std::vector<Index>{0, 24, 0, 16}));
+    EXPECT_GT(kinds(perturbed(grid(8, 8), 0.25, 1)).non_delaunay, 0);
+}
+
+class KindsOf : public OverMeshes {};
+
+TEST_P(KindsOf, all_pairs_are_one_of_four) {
+    const auto& m = mesh();
+    const auto all =
+        counts(facet_kinds(m.K(), m.points, m.input_volumes, {.tolerance = tolerance}));
+    const auto& cofaces = m.K().coface_counts(m.n() - 1);
+    EXPECT_EQ(std::accumulate(all.begin(), all.end(), Index{0}),
+              std::count(cofaces.begin(), cofaces.end(), 2));
+}
+
+POLYDEC_OVER_MESHES(KindsOf);
+
+using Verdicts = std::map<std::string, std::string>;
+
+/// "star 1 dual" -> "no", for what is not well defined.
+Verdicts failures(const Discretization& bundle, Stage stage) {
+    Verdicts result;
+    for (const auto& verdict : operator_verdicts(bundle, stage))
+        if (verdict.verdict != WellDefined::yes)
+            result[fmt::format("{} {} {}", verdict.name, verdict.degree, name(verdict.side))] =
+                name(verdict.verdict);
+    return result;
+}
+
+/// Table 1 of the paper, and what its section 5 says of the Laplacians. The sharps, which the paper
+/// leaves open on polygons, are there.
+const Verdicts table_1 = {{"star 1 dual", "no"},           {"star 2 primal", "restricted"},
+                          {"codifferential 1 dual", "no"}, {"codifferential 2 primal", "no"},
+                          {"laplacian 0 dual", "no"},      {"laplacian 1 dual", "no"},
+                          {"laplacian 1 primal", "no"},    {"laplacian 2 primal", "no"},
+                          {"flat dpp 1 dual", "no"}};
+
+TEST(Table1, comes_out_on_every_surface_with_concyclic_triangles) {
+    for (const auto& mesh : {grid(4, 4), uv_sphere(12, 6), torus(9, 5), goldberg(2)}) {
+        const auto bundle = discretize(mesh);
+        EXPECT_EQ(failures(bundle, Stage::input), table_1);
+        EXPECT_EQ(failures(bundle, Stage::merged), Verdicts{});
+        const auto plain = discretize(mesh, {.criterion = MergeCriterion::none});
+        EXPECT_EQ(failures(plain, Stage::input), table_1);
+        EXPECT_EQ(failures(plain, Stage::merged), table_1) << "nothing is merged";
+    }
+}
+
+TEST(Table1, has_no_failures_where_nothing_is_concyclic) {
+    for (const auto& mesh : {well_centered(4), icosphere(4)})
+        for (const Stage stage : {Stage::input, Stage::merged})
+            EXPECT_EQ(failures(discretize(mesh), stage), Verdicts{});
+}
+
+TEST(Table1, does_not_forget_vertices_whose_dual_area_vanishes) {
+    // three near and three far spokes in the ratio at which the negative parts cancel the positive
+    const double far = (1 + std::sin(M_PI / 3)) / std::cos(M_PI / 3);
+    std::vector<std::vector<double>> points{{0, 0}};
+    std::vector<std::vector<Index>> triangles;
+    for (int i = 0; i < 6; ++i) {
+        const double r = i % 2 == 0 ? 1 : far;
+        points.push_back({r * std::cos(i * M_PI / 3), r * std::sin(i * M_PI / 3)});
+        triangles.push_back({0, Index(i + 1), Index((i + 1) % 6 + 1)});
+    }
+    const auto found = failures(discretize(made_of(points, triangles)), Stage::merged);
+    EXPECT_EQ(found.count("star 0 dual"), 1U);
+    EXPECT_EQ(found.count("laplacian 0 primal"), 1U);
+    EXPECT_EQ(found.count("sharp pp 1 primal"), 1U);
+}
+
+TEST(Table1, names_the_cells_that_spoil_an_operator) {
+    for (const auto& verdict : operator_verdicts(discretize(grid(4, 4)), Stage::input))
+        if (verdict.name == "star" && verdict.side == Side::dual && verdict.degree == 1) {
+            EXPECT_EQ(verdict.cell_degree, 1);
+            EXPECT_EQ(verdict.cells, 16);
+        }
+}
+
+TEST(Table1, in_space_is_cured_down_to_the_edges) {
+    const auto bundle = discretize(kuhn(3, 2));
+    EXPECT_EQ(failures(bundle, Stage::input).count("star 1 dual"), 1U);
+    EXPECT_EQ(failures(bundle, Stage::input).count("star 2 dual"), 1U);
+    EXPECT_EQ(failures(bundle, Stage::merged), Verdicts{});
+}
+
+} // namespace
+} // namespace polydec::test
