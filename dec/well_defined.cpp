@@ -32,7 +32,8 @@ Index without_dual(const Discretization& mesh, Stage stage, int k,
     std::vector<bool> marks(volumes.dual[k].size(), false);
     for (const Index s : zero_star_cells(volumes, k))
         marks[s] = true;
-    const bool facets = k + 1 == mesh.dimension();
+    const int facet_degree = mesh.dimension() - 1;
+    const bool facets = k == facet_degree;
     for (std::size_t s = 0; s < carriers.size(); ++s) {
         const bool removed = carriers[s].dimension > k;
         if (input && (removed || (facets && degenerate[s])))
