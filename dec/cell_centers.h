@@ -13,4 +13,10 @@ namespace polydec {
 Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
                     int k);
 
+/// Centroids (centers of mass) of the merged k-cells, the means by volume of those of their pieces:
+/// one row of N coordinates per cell. Where vector fields made from forms belong: the mean of a
+/// linear function over a cell is its value there. Arguments as above.
+Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
+                      int k);
+
 } // namespace polydec

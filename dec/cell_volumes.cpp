@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/circumsphere.h"
+#include "dec/simplex_geometry.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,10 +11,6 @@
 namespace polydec {
 
 namespace {
-
-std::span<const Index> vertices(const Simplices& simplices, Index s) {
-    return {&simplices(s, 0), static_cast<std::size_t>(simplices.cols())};
-}
 
 void check_points(const SimplicialComplex& complex, const Points& points) {
     const auto largest = complex.simplices(0).maxCoeff();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/circumsphere.h"
 
+#include "dec/simplex_geometry.h"
+
 #include <cmath>
 #include <limits>
 
@@ -77,7 +79,7 @@ Vector circumradii(const Points& points, const Simplices& simplices) {
     Circumsphere sphere(points);
     Vector radii(simplices.rows());
     for (Index s = 0; s < simplices.rows(); ++s) {
-        sphere.look_at({&simplices(s, 0), static_cast<std::size_t>(simplices.cols())});
+        sphere.look_at(vertices(simplices, s));
         radii[s] = sphere.radius();
     }
     return radii;
@@ -87,7 +89,7 @@ Points circumcenters(const Points& points, const Simplices& simplices) {
     Circumsphere sphere(points);
     Points centers = Points::Zero(simplices.rows(), points.cols());
     for (Index s = 0; s < simplices.rows(); ++s) {
-        sphere.look_at({&simplices(s, 0), static_cast<std::size_t>(simplices.cols())});
+        sphere.look_at(vertices(simplices, s));
         for (Index i = 0; i < simplices.cols(); ++i)
             centers.row(s) += sphere.barycentric(i) * points.row(simplices(s, i));
     }

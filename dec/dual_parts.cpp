@@ -2,6 +2,7 @@
 #include "dec/dual_parts.h"
 
 #include "dec/circumsphere.h"
+#include "dec/simplex_geometry.h"
 
 namespace polydec {
 
@@ -13,7 +14,7 @@ SparseMatrix heights(const SimplicialComplex& complex, const Points& points,
     SparseMatrix H = complex.coboundary(k).cast<double>();
     Circumsphere sphere(points);
     for (Index t = 0; t < complex.size(k + 1); ++t) {
-        sphere.look_at({&complex.simplices(k + 1)(t, 0), static_cast<std::size_t>(k + 2)});
+        sphere.look_at(vertices(complex.simplices(k + 1), t));
         // faces stand in the row in the order of their numbers, which omits the last vertex first
         for (int i = 0; i <= k + 1; ++i) {
             const Index entry = t * (k + 2) + (k + 1 - i);

@@ -2,6 +2,7 @@
 #include "dec/facet_defects.h"
 
 #include "dec/circumsphere.h"
+#include "dec/simplex_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ Vector apex_angles(const SimplicialComplex& complex, const Points& points,
     Vector angles = Vector::Zero(complex.size(n - 1));
     Circumsphere sphere(points);
     for (Index t = 0; t < complex.size(n); ++t) {
-        sphere.look_at({&tops(t, 0), static_cast<std::size_t>(n + 1)});
+        sphere.look_at(vertices(tops, t));
         for (int i = 0; i <= n; ++i) {
             const Index f = complex.face(n, t, i);
             angles[f] += std::atan2(radii[f], sphere.height(i, volumes.primal[n - 1][f]));

@@ -3,6 +3,7 @@
 
 #include "dec/circumsphere.h"
 #include "dec/facet_defects.h"
+#include "dec/simplex_geometry.h"
 
 namespace polydec {
 
@@ -16,7 +17,7 @@ std::vector<Index> well_centered_cofaces(const SimplicialComplex& complex, const
     std::vector<Index> counts(complex.size(n - 1), 0);
     Circumsphere sphere(points);
     for (Index t = 0; t < complex.size(n); ++t) {
-        sphere.look_at({&complex.simplices(n)(t, 0), static_cast<std::size_t>(n + 1)});
+        sphere.look_at(vertices(complex.simplices(n), t));
         bool inside = true;
         for (int i = 0; i <= n; ++i)
             inside = inside && sphere.barycentric(i) > 0;

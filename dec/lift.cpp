@@ -2,6 +2,8 @@
 #include "dec/lift.h"
 
 #include "base/errors.h"
+#include "dec/simplex_faces.h"
+#include "dec/simplex_geometry.h"
 #include "dec/whitney.h"
 
 #include <Eigen/QR>
@@ -213,21 +215,10 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
     // W_ii and the force W_ii x + W_ib x_b, gathered over the pieces of F
     DenseMatrix W = DenseMatrix::Zero(unknown.size(), unknown.size());
     DenseMatrix force = DenseMatrix::Zero(unknown.size(), cells.size());
-    const auto face_positions = subsets(m + 1, j + 1);
+    SimplexFaces faces_of_pieces(K_, m, j);
     for (const Index piece : inside_[m][m][F]) {
-        const auto& corners = K_.simplices(m).row(piece);
-        const std::span<const Index> vertices{corners.data(), static_cast<std::size_t>(m + 1)};
-        const DenseMatrix mass = whitney_mass(points_, vertices, j);
-
-        std::vector<Index> faces;
-        for (const auto& positions : face_positions) {
-            Index s = piece;
-            // leaving out the other vertices one after another leads down to the face
-            for (int k = m, v = m; v >= 0; --v)
-                if (!std::binary_search(positions.begin(), positions.end(), v))
-                    s = K_.face(k--, s, v);
-            faces.push_back(s);
-        }
+        const DenseMatrix mass = whitney_mass(points_, vertices(K_.simplices(m), piece), j);
+        const auto& faces = faces_of_pieces.of(piece);
         for (std::size_t a = 0; a < faces.size(); ++a) {
             if (!is_inside(m, F, j, faces[a]))
                 continue;

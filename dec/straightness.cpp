@@ -4,6 +4,7 @@
 #include "complex/components.h"
 #include "dec/circumsphere.h"
 #include "dec/facet_defects.h"
+#include "dec/simplex_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ StraightnessTest::Side StraightnessTest::look(int k, Index s, Index f) const {
         ++apex;
 
     Circumsphere sphere(points_);
-    sphere.look_at({&simplices(f, 0), static_cast<std::size_t>(k + 1)});
+    sphere.look_at(vertices(simplices, f));
     Side side{sphere.height(apex, volumes_.primal[k - 1][s]), sphere.radius(), {}, 0};
 
     // the part of the edge to the apex that is orthogonal to s
@@ -48,7 +49,7 @@ StraightnessTest::Side StraightnessTest::look(int k, Index s, Index f) const {
 bool StraightnessTest::operator()(int k, Index s, Index f, Index g) const {
     const Side a = look(k, s, f), b = look(k, s, g);
     Circumsphere sphere(points_);
-    sphere.look_at({&complex_.simplices(k - 1)(s, 0), static_cast<std::size_t>(k)});
+    sphere.look_at(vertices(complex_.simplices(k - 1), s));
     const double l = 2 * sphere.radius();
     const double rounding = dual_length_rounding(std::max(a.radius, b.radius), l);
 

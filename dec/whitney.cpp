@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "dec/whitney.h"
 
+#include "dec/simplex_geometry.h"
+
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <cmath>
 
 namespace polydec {
 
 namespace {
-
-/// Rows: gradients of the barycentric coordinates, in R^N.
-DenseMatrix barycentric_gradients(const Points& points, std::span<const Index> vertices) {
-    const auto m = static_cast<Index>(vertices.size()) - 1;
-    DenseMatrix edges(m, points.cols());
-    for (Index i = 0; i < m; ++i)
-        edges.row(i) = points.row(vertices[i + 1]) - points.row(vertices[0]);
-    DenseMatrix gradients(m + 1, points.cols());
-    gradients.bottomRows(m) = edges.completeOrthogonalDecomposition().pseudoInverse().transpose();
-    gradients.row(0) = -gradients.bottomRows(m).colwise().sum();
-    return gradients;
-}
 
 double volume(const DenseMatrix& gradients) {
     // the gradients of all but one vertex span the dual lattice of the edges

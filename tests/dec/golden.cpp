@@ -2,7 +2,7 @@
 #include "complex/homology.h"
 #include "dec/laplacian.h"
 #include "dec/star.h"
-#include "tests/dec/golden_numbers.h"
+#include "tests/support/golden_numbers.h"
 #include "tests/support/matrices.h"
 
 #include <fmt/format.h>

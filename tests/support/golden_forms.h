@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "tests/dec/golden_numbers.h"
 #include "tests/support/forms.h"
+#include "tests/support/golden_numbers.h"
 
 #include <string>
 #include <vector>

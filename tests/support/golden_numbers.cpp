@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/dec/golden_numbers.h"
+#include "tests/support/golden_numbers.h"
 
 #include "dec/star.h"
 #include "tests/support/read_golden.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/dec/golden_forms.h"
+#include "tests/support/golden_forms.h"
 
 #include "dec/whitney.h"
 

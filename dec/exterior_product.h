@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// Exterior products of k vectors (or covectors) of R^N, expanded by minors in tables made once.
+class ExteriorProduct {
+public:
+    ExteriorProduct(int N, int k);
+
+    /// Number of coefficients: N over k; 1 for k = 0.
+    Index size() const { return static_cast<Index>(degrees_.back().size()); }
+
+    /// v_1 ^ .. ^ v_k of the rows of a k x N matrix: its coefficients at the k-subsets of the axes
+    /// in lexicographic order, each the minor of these columns.
+    Vector operator()(const DenseMatrix& vectors) const;
+
+private:
+    struct Term {
+        Index rest; // the subset without this axis
+        Index axis;
+        double sign;
+    };
+    std::vector<std::vector<std::vector<Term>>> degrees_; // by degree and subset
+};
+
+} // namespace polydec

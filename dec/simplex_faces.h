@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/simplicial_complex.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// The k-faces of one m-simplex after another, in the order of subsets(m+1, k+1): the position of a
+/// face in the list tells which of the simplex's ascending vertices it has. Keeps a reference to
+/// the complex, which must outlive it. 0 <= k <= m.
+class SimplexFaces {
+public:
+    SimplexFaces(const SimplicialComplex& complex, int m, int k);
+
+    /// The numbers of the k-faces of m-simplex s; valid until the next call. Time
+    /// O((m-k) C(m+1, k+1)).
+    const std::vector<Index>& of(Index s);
+
+    /// Which vertices of the m-simplex each face has: subsets(m+1, k+1).
+    const std::vector<std::vector<int>>& positions() const { return positions_; }
+
+private:
+    const SimplicialComplex& complex_;
+    int m_;
+    std::vector<std::vector<int>> positions_;
+    std::vector<std::vector<int>> omitted_; // descending
+    std::vector<Index> faces_;
+};
+
+} // namespace polydec

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+#include "dec/de_rham.h"
+
+#include "dec/circumsphere.h"
+#include "dec/derivative.h"
+#include "dec/star.h"
+#include "dec/whitney.h"
+#include "tests/dec/discretized.h"
+#include "tests/support/forms.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace polydec::test {
+namespace {
+
+/// A random k-form on R^N whose coefficients are c + b.x + (l.x)^2 + (m.x)^3, and its derivative.
+class CubicForm {
+public:
+    CubicForm(Index N, int k, unsigned seed)
+        : N_(N), k_(k), random_(coefficients(N, k), 3 * N + 1) {
+        random_.reshaped() = random_vector(static_cast<Index>(random_.size()), seed);
+    }
+
+    Vector value(const Vector& x) const {
+        return random_.col(0).array() + (linear(0) * x).array() + (linear(1) * x).array().square() +
+               (linear(2) * x).array().cube();
+    }
+
+    /// Coefficient at dx_J: sum over p of (-1)^p d/dx_(J_p) of that at J without J_p.
+    Vector derivative(const Vector& x) const {
+        const Vector a = 2 * linear(1) * x, b = 3 * (linear(2) * x).array().square();
+        const DenseMatrix partial = linear(0) + DenseMatrix(a.asDiagonal() * linear(1)) +
+                                    DenseMatrix(b.asDiagonal() * linear(2));
+        const auto lower = subsets(static_cast<int>(N_), k_);
+        const auto upper = subsets(static_cast<int>(N_), k_ + 1);
+        Vector result = Vector::Zero(static_cast<Index>(upper.size()));
+        for (std::size_t J = 0; J < upper.size(); ++J)
+            for (int p = 0; p <= k_; ++p) {
+                auto rest = upper[J];
+                rest.erase(rest.begin() + p);
+                const auto I = std::lower_bound(lower.begin(), lower.end(), rest) - lower.begin();
+                result[J] += (p % 2 == 0 ? 1 : -1) * partial(I, upper[J][p]);
+            }
+        return result;
+    }
+
+    SmoothForm form() const {
+        return [*this](const Vector& x) { return value(x); };
+    }
+    SmoothForm d() const {
+        return [*this](const Vector& x) { return derivative(x); };
+    }
+
+private:
+    DenseMatrix linear(Index which) const { return random_.middleCols(1 + which * N_, N_); }
+
+    Index N_;
+    int k_;
+    DenseMatrix random_;
+};
+
+Index space(const Discretization& mesh) {
+    return static_cast<Index>(mesh.points.cols());
+}
+
+class DeRham : public OverMeshes {};
+
+TEST_P(DeRham, satisfies_stokes_theorem) {
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        for (int k = 0; k < mesh.dimension(); ++k) {
+            const CubicForm w(space(mesh), k, 7 + k);
+            const Cochain left = d(mesh.complex(), de_rham(mesh, k, w.form(), 3));
+            EXPECT_LE(relative_difference(left.values, de_rham(mesh, k + 1, w.d(), 3).values),
+                      1e-12)
+                << "k = " << k;
+        }
+    });
+}
+
+TEST_P(DeRham, gives_the_exact_integrals_of_quadratic_forms) {
+    const auto& mesh = discretized(GetParam());
+    for (int k = 0; k <= mesh.dimension(); ++k) {
+        const Vector coefficient = random_vector(coefficients(space(mesh), k), 3);
+        const SmoothForm form = [&](const Vector& x) {
+            return Vector((1 + x.squaredNorm() - x[0]) * coefficient);
+        };
+        EXPECT_LE(relative_difference(de_rham(mesh.input(), mesh.points, k, form),
+                                      integrate(mesh.input(), mesh.points, k, form)),
+                  1e-12)
+            << "k = " << k;
+    }
+}
+
+/// Cells of K, by degree, that no facet with other than two cofaces has as a face.
+std::vector<std::vector<bool>> interior(const SimplicialComplex& K) {
+    const int n = K.dimension();
+    std::vector<std::vector<bool>> inside;
+    for (int k = 0; k <= n; ++k)
+        inside.emplace_back(K.size(k), true);
+    for (Index f = 0; f < K.size(n - 1); ++f)
+        inside[n - 1][f] = K.coface_counts(n - 1)[f] == 2;
+    for (int k = n - 1; k > 0; --k)
+        for (Index s = 0; s < K.size(k); ++s)
+            for (int omitted = 0; omitted <= k && !inside[k][s]; ++omitted)
+                inside[k - 1][K.face(k, s, omitted)] = false;
+    return inside;
+}
+
+/// How far d R(w), times a sign, is from R(dw) on dual (j+1)-cells off the boundary.
+double dual_stokes_defect(const Discretization& mesh, int j, double sign) {
+    const int k = mesh.dimension() - j - 1;
+    const CubicForm w(space(mesh), j, 11 + j);
+    Vector left = sign * d(mesh.complex(), dual_de_rham(mesh, j, w.form(), 3)).values;
+    Vector right = dual_de_rham(mesh, j + 1, w.d(), 3).values;
+    // where everything inside is degenerate, the cells at the boundary tell what size there is
+    const double scale = right.cwiseAbs().maxCoeff();
+    const auto inside = interior(mesh.input());
+    const auto& carriers = mesh.merging.carriers(k);
+    for (Index s = 0; s < mesh.input().size(k); ++s)
+        if (!inside[k][s] && carriers[s].dimension == k)
+            left[carriers[s].cell] = right[carriers[s].cell] = 0;
+    return (left - right).cwiseAbs().maxCoeff() / scale;
+}
+
+TEST_P(DeRham, on_duals_satisfies_stokes_theorem_off_the_boundary) {
+    for_merged_and_not(GetParam(), [&](const Discretization& mesh) {
+        // a bent cell has several duals, and their means are no boundary of anything
+        const bool bent =
+            !is_flat(mesh_named(GetParam())) &&
+            mesh.complex().size(mesh.dimension()) < mesh.input().size(mesh.dimension());
+        if (bent || !mesh.input().orientable())
+            return;
+        for (int j = 0; j < mesh.dimension(); ++j)
+            EXPECT_LE(dual_stokes_defect(mesh, j, 1), 1e-12) << "j = " << j;
+    });
+}
+
+/// Sign of the permutation (I, complement of I), and the complement's place among the subsets.
+struct Complement {
+    double sign;
+    Index place;
+};
+
+Complement complement(int n, const std::vector<int>& I) {
+    const int k = static_cast<int>(I.size());
+    std::vector<int> rest;
+    int swaps = 0;
+    for (int axis = 0; axis < n; ++axis)
+        if (!std::binary_search(I.begin(), I.end(), axis))
+            rest.push_back(axis);
+        else
+            swaps += static_cast<int>(rest.size());
+    const auto all = subsets(n, n - k);
+    return {swaps % 2 == 0 ? 1.0 : -1.0,
+            static_cast<Index>(std::lower_bound(all.begin(), all.end(), rest) - all.begin())};
+}
+
+/// The Hodge star of a constant k-form on R^n: dx_I goes to sign(I, I') dx_I'.
+Vector smooth_star(int n, int k, const Vector& coefficient) {
+    Vector result(coefficient.size());
+    const auto all = subsets(n, k);
+    for (std::size_t I = 0; I < all.size(); ++I) {
+        const auto [sign, place] = complement(n, all[I]);
+        result[place] = sign * coefficient[I];
+    }
+    return result;
+}
+
+/// For each k-cell the orientation in space of the n-cells around it.
+Vector orientations_around(const Discretization& mesh, int k) {
+    const int n = mesh.dimension();
+    Vector signs = orientations_in_space(mesh);
+    for (int i = n; i > k; --i) {
+        Vector lower(mesh.input().size(i - 1));
+        for (Index s = 0; s < mesh.input().size(i); ++s)
+            for (int omitted = 0; omitted <= i; ++omitted)
+                lower[mesh.input().face(i, s, omitted)] = signs[s];
+        signs = lower;
+    }
+    Vector merged(mesh.complex().size(k));
+    const auto& carriers = mesh.merging.carriers(k);
+    for (Index s = 0; s < mesh.input().size(k); ++s)
+        if (carriers[s].dimension == k)
+            merged[carriers[s].cell] = signs[s];
+    return merged;
+}
+
+TEST_P(DeRham, takes_the_star_of_constant_forms_to_their_hodge_star) {
+    if (!is_flat(mesh_named(GetParam())))
+        return;
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        const int n = mesh.dimension();
+        for (int k = 0; k <= n; ++k) {
+            const Vector w = random_vector(coefficients(n, k), 5 + k);
+            const Cochain left =
+                star(mesh.complex(), mesh.volumes, de_rham(mesh, k, constant_form(w), 1));
+            const Vector right =
+                dual_de_rham(mesh, n - k, constant_form(smooth_star(n, k, w)), 1).values;
+            EXPECT_LE(
+                relative_difference(left.values, right.cwiseProduct(orientations_around(mesh, k))),
+                1e-12)
+                << "k = " << k;
+        }
+    });
+}
+
+/// Facets of the boundary as coefficients of the boundary of all n-cells.
+Vector boundary_facets(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    return derivative(mesh.complex(), n - 1).transpose() * Vector::Ones(mesh.complex().size(n));
+}
+
+TEST_P(DeRham, of_a_flux_form_counts_what_flows_out) {
+    if (!is_flat(mesh_named(GetParam())))
+        return;
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        const int n = mesh.dimension();
+        if (orientations_in_space(mesh).minCoeff() < 0)
+            return;
+        const auto position = [](const Vector& x) { return x; };
+        const Cochain flux = de_rham(mesh, n - 1, flux_form(position));
+        const double volume = mesh.volumes.primal[n].sum();
+        EXPECT_NEAR(flux.values.dot(boundary_facets(mesh)), n * volume, 1e-12 * n * volume);
+        const auto divergence = [&](const Vector&) { return double(n); };
+        EXPECT_LE(relative_difference(d(mesh.complex(), flux).values,
+                                      de_rham(mesh, n, function_form(divergence)).values),
+                  1e-12);
+    });
+}
+
+TEST_P(DeRham, of_functions_is_their_values) {
+    const auto& mesh = discretized(GetParam());
+    const auto f = [](const Vector& x) { return std::sin(x.sum()) + 2; };
+    const Cochain values = de_rham(mesh, 0, function_form(f));
+    const Cochain at_centers = dual_de_rham(mesh, 0, function_form(f));
+    for (Index v = 0; v < values.values.size(); ++v)
+        EXPECT_NEAR(values.values[v], f(mesh.points.row(mesh.input().simplices(0)(v, 0))), 1e-14);
+    EXPECT_EQ(at_centers.side, Side::dual);
+    EXPECT_EQ(at_centers.values.size(), mesh.complex().size(mesh.dimension()));
+}
+
+POLYDEC_OVER_MESHES(DeRham);
+
+const std::vector<std::string> some_meshes = {"hex4", "uv8", "kuhn3", "split_cubes", "kuhn4"};
+
+TEST(DeRhamBroken, without_the_orientation_of_n_cells_stokes_theorem_fails) {
+    for (const auto& name : some_meshes) {
+        const auto& mesh = discretized(name, MergeCriterion::none);
+        const int n = mesh.dimension();
+        const CubicForm w(space(mesh), n - 1, 3);
+        Vector top = de_rham(mesh, n, w.d(), 3).values;
+        for (Index t = 0; t < top.size(); ++t)
+            top[t] *= mesh.input().orientation(t);
+        EXPECT_GT(
+            relative_difference(d(mesh.complex(), de_rham(mesh, n - 1, w.form(), 3)).values, top),
+            0.1)
+            << name;
+    }
+}
+
+TEST(DeRhamBroken, with_too_few_quadrature_points_stokes_theorem_fails) {
+    for (const auto& name : some_meshes) {
+        const auto& mesh = discretized(name);
+        for (int k = 1; k < mesh.dimension(); ++k) {
+            const CubicForm w(space(mesh), k, 3);
+            EXPECT_GT(relative_difference(d(mesh.complex(), de_rham(mesh, k, w.form(), 1)).values,
+                                          de_rham(mesh, k + 1, w.d(), 1).values),
+                      1e-4)
+                << name << ", k = " << k;
+        }
+    }
+}
+
+TEST(DeRhamBroken, with_the_other_sign_dual_stokes_theorem_fails) {
+    // obtuse4 has no vertex inside
+    const std::vector<std::pair<std::string, int>> highest_degrees = {
+        {"hex4", 1}, {"uv8", 1}, {"boundary_of_tesseract", 2}, {"obtuse4", 2}};
+    for (const auto& [name, highest] : highest_degrees)
+        for (int j = 0; j <= highest; ++j)
+            EXPECT_GT(dual_stokes_defect(discretized(name, MergeCriterion::none), j, -1), 1e-3)
+                << name << ", j = " << j;
+}
+
+/// How far the integrals of a constant 1-form along dual edges from center to center are from the
+/// star of the (n-1)-form whose Hodge star it is.
+double star_defect(const Discretization& mesh, const std::vector<Points>& centers) {
+    const auto& K = mesh.input();
+    const int n = mesh.dimension();
+    const Vector w = random_vector(n, 4);
+    Vector flux = Vector::Zero(K.size(n - 1));
+    const double sign = n % 2 == 0 ? 1 : -1;
+    for (Index t = 0; t < K.size(n); ++t)
+        for (IncidenceMatrix::InnerIterator f(K.coboundary(n - 1), t); f; ++f)
+            flux[f.col()] +=
+                sign * f.value() * (centers[n].row(t) - centers[n - 1].row(f.col())).dot(w);
+    // the (n-1)-form of which the constant 1-form w is the star: (-1)^(n-1) times w's own star
+    const Vector coefficient = (n % 2 == 0 ? -1 : 1) * smooth_star(n, 1, w);
+    const Cochain form = de_rham(mesh, n - 1, constant_form(coefficient), 1);
+    return relative_difference(flux, star(mesh.complex(), mesh.volumes, form).values);
+}
+
+TEST(DeRhamBroken, with_barycenters_the_star_of_constant_forms_is_wrong) {
+    for (const auto& name : {"wellcentred4", "obtuse_planar", "bcc2", "kuhn4"}) {
+        const auto& mesh = discretized(name, MergeCriterion::none);
+        const int n = mesh.dimension();
+        std::vector<Points> circum, bary;
+        for (int k = 0; k <= n; ++k) {
+            circum.push_back(circumcenters(mesh.points, mesh.input().simplices(k)));
+            Points centroids = Points::Zero(mesh.input().size(k), n);
+            for (Index s = 0; s < centroids.rows(); ++s)
+                for (const Index v : mesh.input().simplices(k).row(s))
+                    centroids.row(s) += mesh.points.row(v) / (k + 1);
+            bary.push_back(centroids);
+        }
+        EXPECT_LE(star_defect(mesh, circum), 1e-12) << name;
+        EXPECT_GT(star_defect(mesh, bary), 0.01) << name;
+    }
+}
+
+TEST(DeRhamRefuses, what_is_no_form) {
+    const auto& mesh = discretized("grid4");
+    const SmoothForm two = constant_form(Vector::Ones(2)), none;
+    EXPECT_EQ(refusal([&] { de_rham(mesh, 0, two); }),
+              "the form has 2 coefficients at the point (0, 0): 1 expected");
+    EXPECT_EQ(refusal([&] { de_rham(mesh, 3, two); }),
+              "primal forms and chains of degree 3 are asked for: in dimension 2 the degrees are 0 "
+              "to 2");
+    EXPECT_NE(refusal([&] { dual_de_rham(mesh, -1, two); }), "accepted");
+    EXPECT_EQ(refusal([&] { de_rham(mesh, 1, none); }),
+              "an empty function is given for a smooth form");
+    const auto pole = function_form([](const Vector& x) { return 1 / x.norm(); });
+    EXPECT_EQ(refusal([&] { de_rham(mesh, 0, pole); }),
+              "the form is not finite at the point (0, 0): the mesh must not touch a singularity");
+    EXPECT_EQ(refusal([&] {
+                  de_rham(mesh, 1, circulation_form(constant_form(Vector::Ones(3))));
+              }).substr(0, 36),
+              "the vector field has 3 coefficients ");
+    EXPECT_EQ(refusal([&] { de_rham(mesh.input(), Points::Zero(3, 2), 1, two); }),
+              "a cell uses vertex 24 but there are only 3 points");
+}
+
+} // namespace
+} // namespace polydec::test

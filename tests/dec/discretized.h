@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "tests/support/families.h"
+#include "tests/support/merged.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace polydec::test {
+
+/// A mesh of the family made ready for calculus, once: merged, or as the simplices that it has.
+inline const Discretization& discretized(const std::string& name,
+                                         MergeCriterion criterion = MergeCriterion::dual_length) {
+    static std::map<std::pair<std::string, MergeCriterion>, std::unique_ptr<Discretization>> made;
+    auto& entry = made[{name, criterion}];
+    if (!entry)
+        entry =
+            std::make_unique<Discretization>(discretize(mesh_named(name), {criterion, tolerance}));
+    return *entry;
+}
+
+/// Calls law(mesh) for the merged mesh and for its simplices.
+template <class Law>
+void for_merged_and_not(const std::string& name, Law law) {
+    for (const auto criterion : {MergeCriterion::dual_length, MergeCriterion::none}) {
+        SCOPED_TRACE(criterion == MergeCriterion::none ? "simplices" : "merged");
+        law(discretized(name, criterion));
+    }
+}
+
+/// The orientation of each n-simplex of a full-dimensional mesh against that of R^n: 1 or -1.
+inline Vector orientations_in_space(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    const auto& K = mesh.input();
+    Vector result(K.size(n));
+    for (Index t = 0; t < K.size(n); ++t) {
+        DenseMatrix edges(n, n);
+        for (int i = 0; i < n; ++i)
+            edges.row(i) =
+                mesh.points.row(K.simplices(n)(t, i + 1)) - mesh.points.row(K.simplices(n)(t, 0));
+        result[t] = K.orientation(t) * (edges.determinant() > 0 ? 1 : -1);
+    }
+    return result;
+}
+
+} // namespace polydec::test

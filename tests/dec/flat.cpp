@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "dec/flat.h"
+
+#include "dec/cell_centers.h"
+#include "dec/de_rham.h"
+#include "dec/dual_parts.h"
+#include "dec/star.h"
+#include "tests/dec/discretized.h"
+#include "tests/support/forms.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace polydec::test {
+namespace {
+
+constexpr double rounding = 1e-12;
+const std::vector<Flat> primal_kinds = {Flat::ppp, Flat::pdp, Flat::dpp};
+const std::vector<Flat> dual_kinds = {Flat::ppd, Flat::pdd, Flat::dpd};
+
+bool is_at_cells(Flat kind) {
+    return kind == Flat::dpp || kind == Flat::dpd;
+}
+
+/// A field sampled where the flat wants it: at the points or at the circumcenters of merged cells.
+DenseMatrix sampled(const Discretization& mesh, Flat kind, const SmoothForm& field) {
+    const Points places = is_at_cells(kind) ? cell_centers(mesh.merging, mesh.points,
+                                                           mesh.input_volumes, mesh.dimension())
+                                            : mesh.points;
+    DenseMatrix result(places.rows(), places.cols());
+    for (Index i = 0; i < places.rows(); ++i)
+        result.row(i) = field(places.row(i));
+    return result;
+}
+
+SmoothForm linear_field(Index N, unsigned seed) {
+    const DenseMatrix A = random_vector(N * N, seed).reshaped(N, N);
+    const Vector b = random_vector(N, seed + 1);
+    return [A, b](const Vector& x) { return Vector(A * x + b); };
+}
+
+SmoothForm random_constant(const Discretization& mesh) {
+    return constant_form(random_vector(static_cast<Index>(mesh.points.cols()), 6));
+}
+
+class Flats : public OverMeshes {};
+
+/// By how much rounding grows where the parts of an edge's dual nearly cancel.
+double amplification(const Discretization& mesh) {
+    const SparseMatrix parts =
+        dual_parts(mesh.input(), mesh.points, mesh.input_volumes, 1, mesh.dimension());
+    const Vector sizes = parts.cwiseAbs().transpose() * Vector::Ones(parts.rows());
+    double result = 1;
+    for (Index e = 0; e < sizes.size(); ++e)
+        if (mesh.merging.carriers(1)[e].dimension == 1)
+            result = std::max(result, sizes[e] / std::abs(mesh.input_volumes.dual[1][e]));
+    return result;
+}
+
+TEST_P(Flats, of_constant_fields_on_edges_are_their_circulations) {
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        const SmoothForm X = random_constant(mesh);
+        const Vector exact = de_rham(mesh, 1, circulation_form(X)).values;
+        for (const Flat kind : primal_kinds) {
+            if (kind == Flat::dpp && !zero_star_cells(mesh.volumes, 1).empty()) {
+                EXPECT_NE(refusal([&] { flat(mesh, kind, sampled(mesh, kind, X)); }), "accepted");
+                continue;
+            }
+            const Cochain form = flat(mesh, kind, sampled(mesh, kind, X));
+            EXPECT_EQ(form.side, Side::primal);
+            EXPECT_EQ(form.degree, 1);
+            EXPECT_LE(relative_difference(form.values, exact),
+                      rounding * (kind == Flat::dpp ? amplification(mesh) : 1))
+                << int(kind);
+        }
+    });
+}
+
+TEST_P(Flats, of_constant_fields_on_dual_edges_are_their_circulations) {
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        const SmoothForm X = random_constant(mesh);
+        const Vector exact = dual_de_rham(mesh, 1, circulation_form(X)).values;
+        for (const Flat kind : dual_kinds) {
+            const Cochain form = flat(mesh, kind, sampled(mesh, kind, X));
+            EXPECT_EQ(form.side, Side::dual);
+            EXPECT_EQ(form.degree, 1);
+            EXPECT_LE(relative_difference(form.values, exact), rounding) << int(kind);
+        }
+    });
+}
+
+TEST_P(Flats, of_linear_fields_at_vertices_are_exact_on_edges) {
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        const SmoothForm X = linear_field(static_cast<Index>(mesh.points.cols()), 1);
+        EXPECT_LE(relative_difference(flat(mesh, Flat::ppp, sampled(mesh, Flat::ppp, X)).values,
+                                      de_rham(mesh, 1, circulation_form(X)).values),
+                  rounding);
+    });
+}
+
+TEST_P(Flats, of_linear_fields_at_vertices_are_exact_on_dual_edges) {
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        const SmoothForm X = linear_field(static_cast<Index>(mesh.points.cols()), 3);
+        const Vector exact = dual_de_rham(mesh, 1, circulation_form(X)).values;
+        const auto error = [&](Flat kind) {
+            return relative_difference(flat(mesh, kind, sampled(mesh, kind, X)).values, exact);
+        };
+        EXPECT_LE(error(Flat::ppd), 1e-12);
+    });
+}
+
+TEST_P(Flats, ppp_and_pdp_are_one) {
+    const auto& mesh = discretized(GetParam());
+    const DenseMatrix field = random_vector(static_cast<Index>(mesh.points.size()), 9)
+                                  .reshaped(mesh.points.rows(), mesh.points.cols());
+    EXPECT_EQ(relative_difference(flat(mesh, Flat::pdp, field).values,
+                                  flat(mesh, Flat::ppp, field).values),
+              0);
+}
+
+POLYDEC_OVER_MESHES(Flats);
+
+/// The same values on facets between two cells, and 0 on the boundary.
+Vector inside(const Discretization& mesh, Vector values) {
+    for (Index f = 0; f < values.size(); ++f)
+        if (mesh.complex().coface_counts(mesh.dimension() - 1)[f] != 2)
+            values[f] = 0;
+    return values;
+}
+
+/// How far a dual flat of a linear field is from its circulation, between cells.
+double linear_defect(const Discretization& mesh, Flat kind) {
+    const SmoothForm X = linear_field(static_cast<Index>(mesh.points.cols()), 3);
+    return relative_difference(inside(mesh, flat(mesh, kind, sampled(mesh, kind, X)).values),
+                               inside(mesh, dual_de_rham(mesh, 1, circulation_form(X)).values));
+}
+
+const std::vector<std::string> equal_boxes = {"segments4", "grid4", "rectangles", "boxes",
+                                              "kuhn3",     "kuhn4", "tesseracts2"};
+
+TEST(FlatsOnBoxes, are_exact_for_linear_fields_on_dual_edges_inside) {
+    for (const auto& name : equal_boxes)
+        for (const Flat kind : dual_kinds)
+            EXPECT_LE(linear_defect(discretized(name), kind), rounding) << name << int(kind);
+}
+
+TEST(FlatsOnBoxes, of_a_field_that_jumps_between_boxes_are_its_circulations_on_dual_edges) {
+    for (const auto& name : equal_boxes) {
+        const auto& mesh = discretized(name);
+        const auto n = mesh.dimension();
+        const Points centers = cell_centers(mesh.merging, mesh.points, mesh.input_volumes, n);
+        const DenseMatrix field =
+            random_vector(static_cast<Index>(centers.size()), 2).reshaped(centers.rows(), n);
+        const auto of_box = [&](const Vector& x) {
+            Index nearest = 0;
+            (centers.rowwise() - x.transpose()).rowwise().norm().minCoeff(&nearest);
+            return Vector(field.row(nearest));
+        };
+        EXPECT_LE(relative_difference(flat(mesh, Flat::dpd, field).values,
+                                      dual_de_rham(mesh, 1, circulation_form(of_box)).values),
+                  rounding)
+            << name;
+    }
+}
+
+TEST(FlatsBroken, piecewise_constants_are_not_exact_for_linear_fields_on_other_meshes) {
+    for (const auto& name : {"obtuse_planar", "obtuse_solid", "obtuse4"})
+        for (const Flat kind : {Flat::pdd, Flat::dpd})
+            EXPECT_GT(linear_defect(discretized(name), kind), 1e-3) << name << int(kind);
+}
+
+TEST(FlatsBroken, unmerged_squares_have_no_dpp) {
+    const auto& mesh = discretized("grid4", MergeCriterion::none);
+    EXPECT_EQ(refusal([&] { flat(mesh, Flat::dpp, DenseMatrix::Ones(32, 2)); }),
+              "the dpp flat divides by zero: the dual of the edge with vertices 0, 6 has no volume "
+              "(16 such edges, see zero_star_cells of degree 1); let cells be merged, or take the "
+              "field at the vertices");
+}
+
+TEST(FlatsRefuse, fields_of_the_wrong_shape_and_what_is_not_finite) {
+    const auto& mesh = discretized("grid4");
+    EXPECT_EQ(refusal([&] { flat(mesh, Flat::ppp, DenseMatrix::Ones(16, 2)); }),
+              "a field of 16 x 2 numbers is given: expected are 25 x 2, a row for each vertex");
+    EXPECT_EQ(
+        refusal([&] { flat(mesh, Flat::dpd, DenseMatrix::Ones(25, 2)); }),
+        "a field of 25 x 2 numbers is given: expected are 16 x 2, a row for each merged cell");
+    DenseMatrix field = DenseMatrix::Ones(25, 2);
+    field(7, 1) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refusal([&] { flat(mesh, Flat::pdd, field); }),
+              "the vector at vertex 7 is not finite");
+    const auto& sparse = discretized("with_isolated_vertices");
+    DenseMatrix unused = DenseMatrix::Ones(sparse.points.rows(), sparse.points.cols());
+    unused(0, 0) = field(7, 1);
+    EXPECT_TRUE(flat(sparse, Flat::ppp, unused).values.allFinite());
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/cochain.h"
+#include "tests/support/over_meshes.h"
+
+namespace polydec::test {
+
+/// The commuting lift of a mesh of the family, made once.
+const std::vector<SparseMatrix>& lift_of(const std::string& name);
+
+/// A cochain with random values, the same for the same seed.
+Cochain random_form(const CellComplex& complex, Side side, int degree, unsigned seed);
+
+/// Coefficients of the exterior product of a constant k-form and a constant l-form on R^N.
+Vector exterior_product(Index N, int k, const Vector& a, int l, const Vector& b);
+
+/// Coefficients of the contraction i_x a of a constant k-form on R^N, k >= 1, with a vector.
+Vector contraction(const Vector& x, int k, const Vector& a);
+
+/// A primal form of the simplices on the merged cells: added over the pieces.
+Vector on_merged_cells(const Merged& mesh, int k, const Vector& values);
+
+} // namespace polydec::test

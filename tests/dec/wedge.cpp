@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#include "dec/wedge.h"
+
+#include "complex/corners.h"
+#include "dec/lift.h"
+#include "meshes/generate.h"
+#include "tests/dec/products.h"
+#include "tests/support/forms.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <set>
+
+namespace polydec::test {
+namespace {
+
+constexpr double rounding = 1e-12;
+
+using Product = std::function<Cochain(const Cochain&, const Cochain&)>;
+
+struct NamedProduct {
+    std::string name;
+    const CellComplex& complex;
+    Product product;
+};
+
+/// The product of the simplices and of the merged cells of a mesh, with each of the weights.
+std::vector<NamedProduct> products(const std::string& name, WedgeWeights weights) {
+    const auto& mesh = merged(name);
+    const auto& lift = lift_of(name);
+    if (weights == WedgeWeights::uniform)
+        return {{"simplices", mesh.K(),
+                 [&](const Cochain& a, const Cochain& b) { return wedge(mesh.K(), a, b); }},
+                {"merged", mesh.P(), [&](const Cochain& a, const Cochain& b) {
+                     return wedge(mesh.merging(), lift, a, b);
+                 }}};
+    return {{"simplices, circumcentric", mesh.K(),
+             [&](const Cochain& a, const Cochain& b) {
+                 return circumcentric_wedge(mesh.K(), mesh.points, mesh.input_volumes, a, b);
+             }},
+            {"merged, circumcentric", mesh.P(), [&](const Cochain& a, const Cochain& b) {
+                 return circumcentric_wedge(mesh.merging(), lift, mesh.points, mesh.input_volumes,
+                                            a, b);
+             }}};
+}
+
+std::vector<NamedProduct> products(const std::string& name) {
+    auto all = products(name, WedgeWeights::uniform);
+    for (auto& other : products(name, WedgeWeights::circumcentric))
+        all.push_back(std::move(other));
+    return all;
+}
+
+/// Calls law(k, l) for all degrees whose sum is at most n.
+template <class Law>
+void for_degrees(int n, Law law) {
+    for (int k = 0; k <= n; ++k)
+        for (int l = 0; k + l <= n; ++l) {
+            SCOPED_TRACE(fmt::format("k = {}, l = {}", k, l));
+            law(k, l);
+        }
+}
+
+double parity(int degree) {
+    return degree % 2 == 0 ? 1 : -1;
+}
+
+/// How far a ^ b is from (-1)^(kl) b ^ a.
+double commutator(const CellComplex& complex, const Product& product, int k, int l) {
+    const auto a = random_form(complex, Side::primal, k, 1);
+    const auto b = random_form(complex, Side::primal, l, 2);
+    return relative_difference(parity(k * l) * product(b, a).values, product(a, b).values);
+}
+
+/// d(a ^ b) - (da ^ b + sign a ^ db), the largest entry over that of the two terms, or over 1, the
+/// size of the values, where both vanish.
+double leibniz_defect(const CellComplex& complex, const Product& product, int k, int l,
+                      double sign) {
+    const auto a = random_form(complex, Side::primal, k, 1);
+    const auto b = random_form(complex, Side::primal, l, 2);
+    const Vector first = product(d(complex, a), b).values;
+    const Vector second = sign * product(a, d(complex, b)).values;
+    const Vector defect = d(complex, product(a, b)).values - first - second;
+    const double size = std::max(first.cwiseAbs().maxCoeff(), second.cwiseAbs().maxCoeff());
+    return defect.cwiseAbs().maxCoeff() / (size > rounding ? size : 1);
+}
+
+class Wedges : public OverMeshes {
+protected:
+    Index N() const { return static_cast<Index>(mesh().points.cols()); }
+
+    Vector constant_on_simplices(int k, const Vector& coefficients) const {
+        return integrate(mesh().K(), mesh().points, k, constant_form(coefficients));
+    }
+};
+
+TEST_P(Wedges, are_anticommutative) {
+    for (const auto& [name, complex, product] : products(GetParam()))
+        for_degrees(mesh().n(),
+                    [&, &name = name, &complex = complex, &product = product](int k, int l) {
+                        EXPECT_LE(commutator(complex, product, k, l), rounding) << name;
+                    });
+}
+
+TEST_P(Wedges, obey_the_rule_of_leibniz) {
+    for (const auto& [name, complex, product] : products(GetParam(), WedgeWeights::uniform))
+        for_degrees(mesh().n() - 1, [&, &name = name, &complex = complex,
+                                     &product = product](int k, int l) {
+            EXPECT_LE(leibniz_defect(complex, product, k, l, parity(k)), rounding) << name;
+            // a cell that meets itself in every facet: nothing has a derivative there
+            if (d(complex, random_form(complex, Side::primal, k + l, 1)).values.isZero())
+                return;
+            EXPECT_GT(leibniz_defect(complex, product, k, l, -parity(k)), 1e-2)
+                << name << ", with the wrong sign";
+        });
+}
+
+TEST_P(Wedges, multiply_constant_forms_exactly) {
+    for_degrees(mesh().n(), [&](int k, int l) {
+        const Vector a = random_vector(coefficients(N(), k), 3);
+        const Vector b = random_vector(coefficients(N(), l), 4);
+        const Vector first = constant_on_simplices(k, a), second = constant_on_simplices(l, b);
+        const Vector exact = constant_on_simplices(k + l, exterior_product(N(), k, a, l, b));
+        for (const auto& [name, complex, product] : products(GetParam())) {
+            const bool on_simplices = &complex == &mesh().K();
+            // a bent cell has no constant forms
+            if (!on_simplices && !is_flat(mesh_named(GetParam())))
+                continue;
+            const auto of = [&](int degree, const Vector& values) {
+                return on_simplices ? values : on_merged_cells(mesh(), degree, values);
+            };
+            const auto found =
+                product({Side::primal, k, of(k, first)}, {Side::primal, l, of(l, second)});
+            EXPECT_LE(relative_difference(found.values, of(k + l, exact)), rounding) << name;
+        }
+    });
+}
+
+TEST_P(Wedges, have_the_constant_function_1_as_unit) {
+    for (const auto& [name, complex, product] : products(GetParam()))
+        for (int k = 0; k <= mesh().n(); ++k) {
+            const Cochain one{Side::primal, 0, Vector::Ones(complex.size(0))};
+            const auto a = random_form(complex, Side::primal, k, 5);
+            EXPECT_LE(relative_difference(product(one, a).values, a.values), rounding)
+                << name << ", k = " << k;
+            EXPECT_LE(relative_difference(product(a, one).values, a.values), rounding)
+                << name << ", k = " << k;
+        }
+}
+
+TEST_P(Wedges, are_the_same_for_both_weights_up_to_degree_1) {
+    const auto uniform = products(GetParam(), WedgeWeights::uniform);
+    const auto other = products(GetParam(), WedgeWeights::circumcentric);
+    for_degrees(1, [&](int k, int l) {
+        for (std::size_t i = 0; i < uniform.size(); ++i) {
+            const auto a = random_form(uniform[i].complex, Side::primal, k, 1);
+            const auto b = random_form(uniform[i].complex, Side::primal, l, 2);
+            EXPECT_LE(
+                relative_difference(other[i].product(a, b).values, uniform[i].product(a, b).values),
+                rounding)
+                << uniform[i].name;
+        }
+    });
+}
+
+/// The product on a p-gon of the forms with these values along its boundary:
+/// sum_j (1/2 - j/p) sum_i a_i (b_(i+j) - b_(i-j)), j = 1 .. (p-1)/2.
+double polygon_product(const Vector& a, const Vector& b) {
+    const auto p = static_cast<Index>(a.size());
+    double sum = 0;
+    for (Index j = 1; j <= (p - 1) / 2; ++j)
+        for (Index i = 0; i < p; ++i)
+            sum += (0.5 - double(j) / p) * a[i] * (b[(i + j) % p] - b[(i + p - j) % p]);
+    return sum;
+}
+
+TEST_P(Wedges, of_closed_1_forms_on_polygons_are_those_of_their_boundary_values) {
+    if (mesh().n() == 1)
+        return;
+    const auto& K = mesh().K();
+    const auto& P = mesh().P();
+    const Cochain f{Side::primal, 0, random_vector(P.size(0), 1)};
+    const Cochain g{Side::primal, 0, random_vector(P.size(0), 2)};
+    const auto found = wedge(mesh().merging(), lift_of(GetParam()), d(P, f), d(P, g));
+    std::vector<Index> number(mesh().points.rows(), -1);
+    for (Index v = 0; v < K.size(0); ++v)
+        number[K.simplices(0)(v, 0)] = v;
+
+    for (Index F = 0; F < P.size(2); ++F) {
+        const auto walk = corners(mesh().merging(), F);
+        const auto along = [&](const Cochain& function) {
+            Vector differences(walk.size());
+            for (std::size_t i = 0; i < walk.size(); ++i)
+                differences[i] = function.values[number[walk[(i + 1) % walk.size()]]] -
+                                 function.values[number[walk[i]]];
+            return differences;
+        };
+        EXPECT_NEAR(found.values[F], polygon_product(along(f), along(g)), rounding)
+            << "polygon " << F;
+    }
+}
+
+POLYDEC_OVER_MESHES(Wedges);
+
+TEST(WedgesOfRegularSimplices, are_the_same_for_both_weights) {
+    for (int n = 1; n <= 5; ++n) {
+        Mesh mesh{Points::Identity(n + 1, n + 1), Simplices(1, n + 1), {}};
+        std::iota(mesh.simplices.data(), mesh.simplices.data() + n + 1, 0);
+        const SimplicialComplex K(mesh.simplices);
+        const auto volumes = circumcentric_volumes(K, mesh.points);
+        for_degrees(n, [&](int k, int l) {
+            const auto a = random_form(K, Side::primal, k, 1);
+            const auto b = random_form(K, Side::primal, l, 2);
+            EXPECT_LE(relative_difference(circumcentric_wedge(K, mesh.points, volumes, a, b).values,
+                                          wedge(K, a, b).values),
+                      rounding);
+        });
+    }
+}
+
+TEST(WedgesOfDiscretizations, are_those_with_the_lift_of_their_merging) {
+    const auto mesh = discretize(hexagons(3));
+    const auto& P = mesh.complex();
+    const auto a = random_form(P, Side::primal, 1, 1), b = random_form(P, Side::primal, 1, 2);
+    const auto lift = commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
+    const auto uniform = wedge(mesh.merging, lift, a, b);
+    const auto other =
+        circumcentric_wedge(mesh.merging, lift, mesh.points, mesh.input_volumes, a, b);
+    EXPECT_EQ(wedge(mesh, a, b).values, uniform.values);
+    EXPECT_EQ(wedge(mesh, a, b, WedgeWeights::circumcentric).values, other.values);
+    EXPECT_GT(relative_difference(other.values, uniform.values), 1e-2);
+}
+
+TEST(WedgesBroken, circumcentric_weights_break_the_rule_of_leibniz_from_degree_1_on) {
+    for (const char* name : {"wellcentred4", "obtuse_solid", "hex4", "split_cubes", "goldberg2"})
+        for (const auto& [where, complex, product] : products(name, WedgeWeights::circumcentric)) {
+            EXPECT_LE(leibniz_defect(complex, product, 0, 0, 1), rounding) << name << ", " << where;
+            EXPECT_GT(leibniz_defect(complex, product, 0, 1, 1), 1e-2) << name << ", " << where;
+        }
+}
+
+/// The cup product: the first k+1 vertices of a simplex and its last l+1. n-simplices have to be
+/// oriented by ascending vertices.
+Cochain cup(const SimplicialComplex& K, const Cochain& a, const Cochain& b) {
+    const int k = a.degree, m = a.degree + b.degree;
+    Vector values(K.size(m));
+    for (Index s = 0; s < K.size(m); ++s) {
+        Index front = s, back = s;
+        for (int v = m; v > k; --v)
+            front = K.face(v, front, v);
+        for (int v = m; v > b.degree; --v)
+            back = K.face(v, back, 0);
+        values[s] = a.values[front] * b.values[back];
+    }
+    return {Side::primal, m, values};
+}
+
+TEST(WedgesBroken, the_cup_product_obeys_leibniz_but_is_not_anticommutative) {
+    const SimplicialComplex K(boundary_of(kuhn(3, 1)).simplices);
+    const Product product = [&](const Cochain& a, const Cochain& b) { return cup(K, a, b); };
+    EXPECT_LE(leibniz_defect(K, product, 0, 0, 1), rounding);
+    EXPECT_GT(commutator(K, product, 0, 1), 0.1);
+    EXPECT_GT(commutator(K, product, 0, 2), 0.1);
+    EXPECT_GT(commutator(K, product, 1, 1), 0.1);
+}
+
+TEST(WedgesBroken, polygons_know_more_than_the_boundary_values_of_forms_that_are_not_closed) {
+    const auto& mesh = merged("grid4");
+    const auto a = random_form(mesh.P(), Side::primal, 1, 1);
+    const auto b = random_form(mesh.P(), Side::primal, 1, 2);
+    const auto found = wedge(mesh.merging(), lift_of("grid4"), a, b);
+    double largest_error = 0;
+    for (Index F = 0; F < mesh.P().size(2); ++F) {
+        const auto walk = corners(mesh.merging(), F);
+        Vector first(walk.size()), second(walk.size());
+        for (IncidenceMatrix::InnerIterator e(mesh.P().coboundary(1), F); e; ++e) {
+            const auto ends = mesh.merging().vertices(1, static_cast<Index>(e.col()));
+            for (std::size_t i = 0; i < walk.size(); ++i)
+                if (std::set{walk[i], walk[(i + 1) % walk.size()]} == std::set{ends[0], ends[1]}) {
+                    first[i] = e.value() * a.values[e.col()];
+                    second[i] = e.value() * b.values[e.col()];
+                }
+        }
+        largest_error =
+            std::max(largest_error, std::abs(found.values[F] - polygon_product(first, second)));
+    }
+    EXPECT_GT(largest_error, 1e-2);
+}
+
+TEST(WedgesBroken, zeros_instead_of_the_lift_give_a_third_of_dx_dy_on_the_square) {
+    const auto mesh = make_merged(grid(1, 1));
+    std::vector<SparseMatrix> by_fraction;
+    for (int k = 0; k <= 2; ++k)
+        by_fraction.emplace_back(
+            mesh.input_volumes.primal[k].asDiagonal() *
+            SparseMatrix(mesh.merging().diamond(k).cast<double>().transpose()) *
+            mesh.volumes.primal[k].cwiseInverse().asDiagonal());
+    const auto form = [&](Vector coefficients) -> Cochain {
+        const Vector values =
+            integrate(mesh.K(), mesh.points, 1, constant_form(std::move(coefficients)));
+        return {Side::primal, 1, on_merged_cells(mesh, 1, values)};
+    };
+    const auto dx = form(Eigen::Vector2d(1, 0)), dy = form(Eigen::Vector2d(0, 1));
+    const auto lift = commuting_lift(mesh.merging(), mesh.points, mesh.input_volumes);
+    EXPECT_NEAR(wedge(mesh.merging(), lift, dx, dy).values[0], 1, rounding);
+    EXPECT_NEAR(wedge(mesh.merging(), by_fraction, dx, dy).values[0], 1.0 / 3, rounding);
+}
+
+TEST(WedgeErrors, name_the_degrees_and_the_product_to_take) {
+    const auto& mesh = merged("grid4");
+    const auto& P = mesh.P();
+    const auto one = random_form(P, Side::primal, 1, 1), two = random_form(P, Side::primal, 2, 1);
+    const auto dual = random_form(P, Side::dual, 1, 1);
+    const auto& lift = lift_of("grid4");
+    const auto multiply = [&](const Cochain& a, const Cochain& b) {
+        return refusal([&] { wedge(mesh.merging(), lift, a, b); });
+    };
+    EXPECT_EQ(multiply(one, two), "the wedge product of a 1-form and a 2-form has degree 3: in "
+                                  "dimension 2 there is no such form");
+    EXPECT_EQ(
+        multiply(one, dual),
+        "the wedge product of a primal 1-form and a dual 1-form is asked for: wedge multiplies "
+        "primal forms; take primal_dual_wedge for a primal k-form and a dual (n-k)-form, "
+        "dual_wedge for two dual forms");
+    EXPECT_EQ(refusal([&] { wedge(mesh.merging(), {}, one, one); }),
+              "a lift of 0 matrices is given: expected one for each degree 0 to 2, as "
+              "commuting_lift makes them");
+    EXPECT_EQ(refusal([&] { wedge(mesh.merging(), lift_of("hex4"), one, one); }),
+              "the lift of degree 0 is 46 x 46: expected 25 x 25, simplices times merged cells of "
+              "the same merging");
+    EXPECT_EQ(refusal([&] { wedge(mesh.K(), one, one); }),
+              "a primal 1-form of 40 values is given: the complex has 56 1-cells");
+}
+
+} // namespace
+} // namespace polydec::test

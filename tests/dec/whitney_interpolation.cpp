@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "dec/whitney_interpolation.h"
+
+#include "dec/lift.h"
+#include "dec/quadrature.h"
+#include "tests/support/forms.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+class WhitneyInterpolation : public OverMeshes {
+protected:
+    const SimplicialComplex& K() const { return mesh().K(); }
+    const Points& points() const { return mesh().points; }
+};
+
+/// Positions of the vertices of k-simplex s in n-simplex t.
+std::vector<Index> positions(const SimplicialComplex& K, int k, Index s, Index t) {
+    const auto& corners = K.simplices(K.dimension());
+    std::vector<Index> result;
+    for (const Index v : K.simplices(k).row(s))
+        for (Index i = 0; i < corners.cols(); ++i)
+            if (corners(t, i) == v)
+                result.push_back(i);
+    return result;
+}
+
+/// All k-simplices that are faces of n-simplex t.
+std::vector<Index> faces(const SimplicialComplex& K, int k, Index t) {
+    std::vector<Index> result{t};
+    for (int i = K.dimension(); i > k; --i) {
+        std::vector<Index> lower;
+        for (const Index s : result)
+            for (int omitted = 0; omitted <= i; ++omitted)
+                lower.push_back(K.face(i, s, omitted));
+        std::sort(lower.begin(), lower.end());
+        lower.erase(std::unique(lower.begin(), lower.end()), lower.end());
+        result = lower;
+    }
+    return result;
+}
+
+/// The integral of the Whitney form, as it is in n-simplex t, over k-face s of t.
+double integral(const Merged& mesh, const DenseMatrix& multivectors, const Cochain& form, Index t,
+                Index s) {
+    const int k = form.degree;
+    const auto rule = grundmann_moeller(k, 1);
+    const auto places = positions(mesh.K(), k, s, t);
+    double sum = 0;
+    for (Index q = 0; q < rule.weights.size(); ++q) {
+        Vector barycentric = Vector::Zero(mesh.n() + 1);
+        barycentric(places) = rule.points.row(q).transpose();
+        sum += rule.weights[q] *
+               multivectors.row(s).dot(whitney_form(mesh.K(), mesh.points, form, t, barycentric));
+    }
+    return sum;
+}
+
+TEST_P(WhitneyInterpolation, integrates_to_the_values_that_are_interpolated) {
+    // every n-simplex of small meshes, some of large ones
+    const Index step = K().size(mesh().n()) / 50 + 1;
+    for (int k = 0; k <= mesh().n(); ++k) {
+        const Cochain form{Side::primal, k, random_vector(K().size(k), 2)};
+        const DenseMatrix simplices = multivectors(K(), points(), k);
+        double worst = 0;
+        for (Index t = 0; t < K().size(mesh().n()); t += step)
+            for (const Index s : faces(K(), k, t))
+                worst = std::max(
+                    worst, std::abs(integral(mesh(), simplices, form, t, s) - form.values[s]));
+        EXPECT_LE(worst, 1e-12) << "k = " << k;
+    }
+}
+
+/// A random point of a simplex, not necessarily inside.
+Vector barycentric_point(int n, unsigned seed) {
+    Vector result = random_vector(n + 1, seed);
+    result[0] += 1 - result.sum();
+    return result;
+}
+
+TEST_P(WhitneyInterpolation, returns_constant_forms_at_every_point_of_flat_meshes) {
+    if (!is_flat(mesh_named(GetParam())))
+        return;
+    const auto lift = commuting_lift(mesh().merging(), points(), mesh().input_volumes);
+    for (int k = 0; k <= mesh().n(); ++k) {
+        const Vector w = random_vector(coefficients(mesh().n(), k), 5);
+        const Cochain fine{Side::primal, k, integrate(K(), points(), k, constant_form(w))};
+        const Cochain coarse{Side::primal, k,
+                             mesh().merging().diamond(k).cast<double>() * fine.values};
+        for (Index t = 0; t < K().size(mesh().n()); t += K().size(mesh().n()) / 50 + 1) {
+            const Vector place = barycentric_point(mesh().n(), t);
+            EXPECT_LE(relative_difference(whitney_form(K(), points(), fine, t, place), w), 1e-12)
+                << "k = " << k << ", simplex " << t;
+            EXPECT_LE(relative_difference(
+                          whitney_form(mesh().merging(), points(), lift, coarse, t, place), w),
+                      1e-12)
+                << "k = " << k << ", simplex " << t << ", merged";
+        }
+        const DenseMatrix expected = w.transpose().replicate(K().size(mesh().n()), 1);
+        EXPECT_LE((whitney_at_centroids(K(), points(), fine) - expected).cwiseAbs().maxCoeff(),
+                  1e-12);
+        EXPECT_LE((whitney_at_centroids(mesh().merging(), points(), lift, coarse) - expected)
+                      .cwiseAbs()
+                      .maxCoeff(),
+                  1e-12);
+    }
+}
+
+/// How far W df is from the gradient of the linear function with the values f, by its change along
+/// every edge of n-simplex t.
+double gradient_defect(const Merged& mesh, const Vector& f, double sign, Index t) {
+    const auto& K = mesh.K();
+    const Cochain df = sign * d(K, {Side::primal, 0, f});
+    const Vector gradient = whitney_form(K, mesh.points, df, t, barycentric_point(mesh.n(), t));
+    double worst = 0;
+    for (const Index e : faces(K, 1, t)) {
+        const Index tail = K.face(1, e, 1), head = K.face(1, e, 0);
+        const Vector edge =
+            mesh.points.row(K.simplices(0)(head, 0)) - mesh.points.row(K.simplices(0)(tail, 0));
+        const double change = f[head] - f[tail];
+        worst = std::max(worst, std::abs(edge.dot(gradient) - change));
+    }
+    return worst;
+}
+
+TEST_P(WhitneyInterpolation, of_the_differential_of_a_function_is_its_gradient) {
+    const Vector f = random_vector(K().size(0), 3);
+    for (Index t = 0; t < K().size(mesh().n()); t += K().size(mesh().n()) / 50 + 1) {
+        EXPECT_LE(gradient_defect(mesh(), f, 1, t), 1e-12);
+        EXPECT_GT(gradient_defect(mesh(), f, -1, t), 1e-3) << "with the sign flipped";
+    }
+}
+
+TEST_P(WhitneyInterpolation, is_tangent_to_the_simplices) {
+    const DenseMatrix covectors =
+        whitney_at_centroids(K(), points(), {Side::primal, 1, random_vector(K().size(1), 8)});
+    for (Index t = 0; t < covectors.rows(); ++t) {
+        DenseMatrix edges(mesh().n(), points().cols());
+        for (int i = 0; i < mesh().n(); ++i)
+            edges.row(i) = points().row(K().simplices(mesh().n())(t, i + 1)) -
+                           points().row(K().simplices(mesh().n())(t, 0));
+        const Vector inside =
+            edges.transpose() *
+            (edges * edges.transpose()).ldlt().solve(edges * covectors.row(t).transpose());
+        EXPECT_LE(relative_difference(inside, covectors.row(t)), 1e-12) << "simplex " << t;
+    }
+}
+
+POLYDEC_OVER_MESHES(WhitneyInterpolation);
+
+TEST(WhitneyInterpolationBroken, by_zeros_inside_merged_cells_misses_constant_forms) {
+    for (const auto& name : {"grid4", "hex4", "kuhn3", "split_cubes"}) {
+        const auto& mesh = merged(name);
+        const Vector w = random_vector(mesh.n(), 5);
+        const SparseMatrix diamond = mesh.merging().diamond(1).cast<double>();
+        auto lift = commuting_lift(mesh.merging(), mesh.points, mesh.input_volumes);
+        const Cochain form{Side::primal, 1,
+                           diamond * integrate(mesh.K(), mesh.points, 1, constant_form(w))};
+        lift[1] = diamond.transpose();
+        const DenseMatrix expected = w.transpose().replicate(mesh.K().size(mesh.n()), 1);
+        EXPECT_GT((whitney_at_centroids(mesh.merging(), mesh.points, lift, form) - expected)
+                      .cwiseAbs()
+                      .maxCoeff(),
+                  0.05)
+            << name;
+    }
+}
+
+TEST(WhitneyInterpolationBroken, without_the_orientation_of_n_simplices_misses_densities) {
+    const auto& mesh = merged("kuhn3");
+    const int n = mesh.n();
+    Cochain form{Side::primal, n,
+                 integrate(mesh.K(), mesh.points, n, constant_form(Vector::Ones(1)))};
+    EXPECT_LE((whitney_at_centroids(mesh.K(), mesh.points, form).array() - 1).abs().maxCoeff(),
+              1e-12);
+    for (Index t = 0; t < form.values.size(); ++t)
+        form.values[t] *= mesh.K().orientation(t);
+    EXPECT_GT((whitney_at_centroids(mesh.K(), mesh.points, form).array() - 1).abs().maxCoeff(), 1);
+}
+
+TEST(WhitneyInterpolationRefuses, what_it_cannot_place) {
+    const auto& mesh = merged("grid4");
+    const auto& K = mesh.K();
+    const Cochain form{Side::primal, 1, Vector::Ones(K.size(1))};
+    const Vector middle = Vector::Constant(3, 1.0 / 3);
+    EXPECT_EQ(refusal([&] {
+                  whitney_form(K, mesh.points, {Side::dual, 1, form.values}, 0, middle);
+              }),
+              "a dual 1-form has no Whitney form: take its star, which is primal");
+    EXPECT_EQ(refusal([&] { whitney_form(K, mesh.points, form, 32, middle); }),
+              "2-simplex 32 is asked for: there are 32");
+    EXPECT_EQ(refusal([&] { whitney_form(K, mesh.points, form, 0, Vector::Ones(3)); }),
+              "(1, 1, 1) are no barycentric coordinates in 2-simplex 0: 3 numbers of sum 1 are "
+              "expected");
+    EXPECT_EQ(refusal([&] {
+                  whitney_at_centroids(mesh.merging(), mesh.points, {},
+                                       {Side::primal, 0, Vector::Ones(mesh.P().size(0))});
+              }),
+              "a lift of 0 matrices is given: expected one for each degree 0 to 2, as "
+              "commuting_lift makes them");
+    EXPECT_NE(refusal([&] {
+                  whitney_at_centroids(K, mesh.points, {Side::primal, 2, form.values});
+              }),
+              "accepted");
+}
+
+} // namespace
+} // namespace polydec::test
