@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// The code on docs/diagnosis.md: kinds of pairs, verdicts on operators, condition numbers.
+#include <iostream>
+#include <polydec.h>
+
+namespace {
+
+void kinds_of_pairs() {
+    const auto mesh = polydec::discretize(polydec::perturbed(polydec::hexagons(16), 0.01, 3));
+    const auto kinds = polydec::facet_kinds(mesh.input(), mesh.points, mesh.input_volumes);
+    std::cout << kinds.well_centered << " well-centered, " << kinds.delaunay << " Delaunay, "
+              << kinds.non_delaunay << " non-Delaunay, " << kinds.cospherical << " concyclic\n";
+}
+
+void verdicts() {
+    const auto mesh = polydec::discretize(polydec::torus(24, 12));
+    for (const auto stage : {polydec::Stage::input, polydec::Stage::merged}) {
+        std::cout << (stage == polydec::Stage::input ? "input: " : "merged:");
+        for (const auto& verdict : polydec::operator_verdicts(mesh, stage))
+            if (verdict.verdict != polydec::WellDefined::yes)
+                std::cout << ' ' << polydec::name(verdict.side) << ' ' << verdict.name << ' '
+                          << verdict.degree << " (" << polydec::name(verdict.verdict) << ')';
+        std::cout << '\n';
+    }
+}
+
+void condition_numbers() {
+    const polydec::Mesh torus = polydec::perturbed(polydec::torus(24, 12), 1e-7, 1);
+    for (const double tolerance : {1e-10, 1e-4}) {
+        const auto mesh = polydec::discretize(torus, {.tolerance = tolerance});
+        const polydec::Vector star = polydec::star(mesh.volumes, 1).cwiseAbs();
+        std::cout << "tolerance " << tolerance << ": condition of star_1 "
+                  << star.maxCoeff() / star.minCoeff() << ", negative entries "
+                  << polydec::negative_star_cells(mesh.volumes, 1).size() << '\n';
+    }
+}
+
+void zero_vertex_dual() {
+    // six spokes at 60 degrees, three short and three long by the ratio that makes the dual 0
+    polydec::Mesh star;
+    star.points = polydec::Points::Zero(7, 2);
+    star.simplices.resize(6, 3);
+    const double ratio = (1 + std::sqrt(0.75)) / 0.5;
+    for (int i = 0; i < 6; ++i) {
+        const double angle = i * std::acos(0.5), r = i % 2 == 0 ? 1 : ratio;
+        star.points.row(i + 1) << r * std::cos(angle), r * std::sin(angle);
+        star.simplices.row(i) << 0, i + 1, (i + 1) % 6 + 1;
+    }
+    const auto mesh = polydec::discretize(star);
+    std::cout << "ratio " << ratio << ": vertices without dual area";
+    for (const auto v : polydec::zero_star_cells(mesh.volumes, 0))
+        std::cout << ' ' << v;
+    std::cout << '\n';
+}
+
+} // namespace
+
+int main() {
+    kinds_of_pairs();
+    verdicts();
+    condition_numbers();
+    zero_vertex_dual();
+}
