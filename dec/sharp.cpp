@@ -84,7 +84,9 @@ SparseMatrix edge_weights(const Discretization& mesh) {
     const SparseMatrix parts = dual_parts(mesh.input(), mesh.points, mesh.input_volumes, 1, n);
     const SparseMatrix cells = mesh.merging.diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging.diamond(1).cast<double>().cwiseAbs();
-    const SparseMatrix weighted = parts * mesh.input_volumes.primal[1].cwiseInverse().asDiagonal();
+    // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
+    const Vector inverse_lengths = mesh.input_volumes.primal[1].cwiseInverse();
+    const SparseMatrix weighted = parts * inverse_lengths.asDiagonal();
     const SparseMatrix on_cells = cells * weighted;
     return on_cells * SparseMatrix(edges.transpose());
 }

@@ -2,7 +2,9 @@
 #include "dec/boundary_conditions.h"
 
 #include "dec/cell_centers.h"
+#include "dec/de_rham.h"
 #include "dec/derivative.h"
+#include "dec/discretization.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
@@ -57,6 +59,24 @@ TEST_P(BoundaryData, with_it_constant_dual_functions_have_derivative_zero) {
     const Vector zero = dual_derivative(P, 0) * Vector::Ones(P.size(mesh().n())) +
                         dual_boundary_derivative(P, 0) * Vector::Ones(P.size(mesh().n() - 1));
     EXPECT_EQ(zero.cwiseAbs().maxCoeff(), 0);
+}
+
+TEST_P(BoundaryData, with_it_linear_dual_functions_have_their_gradient_on_flat_meshes) {
+    const auto& input = mesh_named(GetParam());
+    if (!is_flat(input) || !mesh().K().orientable())
+        return;
+    const auto bundle = discretize(input, {.tolerance = tolerance});
+    const int n = mesh().n();
+    const Vector slope = random_vector(n, 1);
+    const auto centers = [&](int k) {
+        return cell_centers(bundle.merging, bundle.points, bundle.input_volumes, k);
+    };
+    const Vector inside = dual_derivative(bundle.complex(), 0) * Vector(centers(n) * slope);
+    const Vector at_boundary =
+        dual_boundary_derivative(bundle.complex(), 0) * Vector(centers(n - 1) * slope);
+    const auto exact = dual_de_rham(bundle, 1, [&](const Vector&) { return slope; });
+    EXPECT_LE((inside + at_boundary - exact.values).norm(), 1e-11 * at_boundary.norm());
+    EXPECT_GT((inside - at_boundary - exact.values).norm(), 1e-2 * at_boundary.norm());
 }
 
 TEST_P(BoundaryData, essential_everywhere_is_relative_to_the_boundary_and_natural_is_absolute) {

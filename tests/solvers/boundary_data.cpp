@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "complex/components.h"
+#include "backends/registry.h"
+#include "complex/relative.h"
+#include "dec/de_rham.h"
+#include "dec/derivative.h"
+#include "dec/laplacian.h"
+#include "dec/star.h"
 #include "meshes/generate.h"
 #include "solvers/poisson.h"
 #include "tests/support/families.h"
+#include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
@@ -137,6 +143,42 @@ TEST(NaturalConditions, say_how_far_fluxes_are_from_balanced) {
         solver.solve(zero.array() + 5, none, out);
         EXPECT_GT(solver.compatibility().worst, 0.1);
     }
+}
+
+/// Solves Delta u = 0 for primal k-forms whose values on the boundary are those of w, and nothing
+/// is known of w inside. Forms that vanish on the boundary are those of the relative complex.
+Vector harmonic_extension(const Discretization& mesh, int k, const Vector& w) {
+    const auto& P = mesh.complex();
+    const auto relative = relative_to_boundary(P);
+    const auto volumes = relative_volumes(relative, mesh.volumes);
+    Vector boundary_part = w;
+    boundary_part(relative.cells[k]).setZero();
+
+    const SparseMatrix d = derivative(P, k);
+    const Vector flux = d.transpose() * star(mesh.volumes, k + 1).cwiseProduct(d * boundary_part);
+    const auto solver = make_linear_solver("auto");
+    solver->factorize(symmetric_laplacian(relative.complex, volumes, k),
+                      {.symmetry = Symmetry::symmetric, .definiteness = Definiteness::positive});
+    const Vector inside = solver->solve(Vector(-relative.restrict(k, flux)));
+    return boundary_part + relative.extend(k, inside);
+}
+
+TEST(EssentialConditions, of_every_degree_determine_constant_forms) {
+    for (const char* name :
+         {"grid4", "wellcentred4", "rectangles", "kuhn3", "boxes", "tesseracts2"}) {
+        const auto mesh = discretize(mesh_named(name));
+        const int n = mesh.dimension();
+        for (int k = 0; k < n; ++k) {
+            const Vector coefficients = random_vector(test::coefficients(n, k), 1);
+            const auto w = de_rham(mesh, k, [&](const Vector&) { return coefficients; });
+            EXPECT_LE(relative_difference(harmonic_extension(mesh, k, w.values), w.values), 1e-11)
+                << name << ", k = " << k;
+        }
+    }
+    // what is not harmonic is not returned
+    const auto mesh = discretize(grid(4, 4));
+    const Vector bump = random_vector(mesh.complex().size(1), 2);
+    EXPECT_GT(relative_difference(harmonic_extension(mesh, 1, bump), bump), 0.1);
 }
 
 TEST(BoundaryDataErrors, name_what_does_not_fit) {
