@@ -9,20 +9,23 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
-/// How many of the n-simplices at each facet contain their circumcenter in their interior.
-std::vector<Index> well_centered_cofaces(const SimplicialComplex& complex, const Points& points) {
+/// How many of the n-simplices at each facet have their circumcenter on their own side of it.
+std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const Points& points,
+                                    const CellVolumes& volumes) {
     const int n = complex.dimension();
+    const Vector radii = circumradii(points, complex.simplices(n - 1));
     std::vector<Index> counts(complex.size(n - 1), 0);
     Circumsphere sphere(points);
     for (Index t = 0; t < complex.size(n); ++t) {
         sphere.look_at(vertices(complex.simplices(n), t));
-        bool inside = true;
-        for (int i = 0; i <= n; ++i)
-            inside = inside && sphere.barycentric(i) > 0;
-        for (Row f(complex.coboundary(n - 1), t); inside && f; ++f)
-            ++counts[f.col()];
+        for (int i = 0; i <= n; ++i) {
+            const Index f = complex.face(n, t, i);
+            const double l = 2 * radii[f];
+            // a facet without extent, a vertex, has its edges' centers on their own sides
+            const double rounding = l > 0 ? dual_length_rounding(sphere.radius(), l) : 0;
+            if (sphere.height(i, volumes.primal[n - 1][f]) >= -rounding)
+                ++counts[f];
+        }
     }
     return counts;
 }
@@ -33,7 +36,7 @@ FacetKinds facet_kinds(const SimplicialComplex& complex, const Points& points,
                        const CellVolumes& volumes, const MergeOptions& options) {
     const int n = complex.dimension();
     const auto degenerate = facet_defects(complex, points, volumes, options).degenerate;
-    const auto well_centered = well_centered_cofaces(complex, points);
+    const auto centered = centered_cofaces(complex, points, volumes);
     FacetKinds kinds;
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         if (complex.coface_counts(n - 1)[f] != 2)
@@ -42,7 +45,7 @@ FacetKinds facet_kinds(const SimplicialComplex& complex, const Points& points,
             ++kinds.cospherical;
         else if (volumes.dual[n - 1][f] < 0)
             ++kinds.non_delaunay;
-        else if (well_centered[f] == 2)
+        else if (centered[f] == 2)
             ++kinds.well_centered;
         else
             ++kinds.delaunay;

@@ -5,13 +5,14 @@
 
 namespace polydec {
 
-/// Pairs of n-simplices that share a facet with no third one, by kind. Source: Schier, section 4
-/// and Fig. 2, for triangles; here in every dimension.
+/// Pairs of n-simplices that share a facet with no third one, by where their circumcenters lie as
+/// seen from this facet. Source: Schier, section 4.2 and Fig. 2, for triangles; here in every
+/// dimension.
 struct FacetKinds {
-    Index well_centered = 0; ///< both contain their circumcenters inside, and the dual is positive
-    Index delaunay = 0;      ///< the dual is positive, but a circumcenter lies outside
-    Index non_delaunay = 0;  ///< the dual is negative
-    Index cospherical = 0;   ///< the dual has no extent within the tolerance: concyclic triangles
+    Index well_centered = 0; ///< each on its own side, or on the facet: the dual crosses the facet
+    Index delaunay = 0;      ///< both on one side, in the right order: the dual is positive
+    Index non_delaunay = 0;  ///< in the wrong order: the dual is negative
+    Index cospherical = 0;   ///< in one place within the tolerance: concyclic triangles
 };
 
 /// Counts the pairs of each kind. volumes are those of `complex`; of the options the criterion and

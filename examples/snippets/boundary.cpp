@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The code on docs/boundary.md: essential, natural and mixed conditions, boundary data of duals.
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numbers>

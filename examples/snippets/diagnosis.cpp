@@ -7,10 +7,12 @@
 namespace {
 
 void kinds_of_pairs() {
-    const auto mesh = polydec::discretize(polydec::perturbed(polydec::hexagons(16), 0.01, 3));
-    const auto kinds = polydec::facet_kinds(mesh.input(), mesh.points, mesh.input_volumes);
-    std::cout << kinds.well_centered << " well-centered, " << kinds.delaunay << " Delaunay, "
-              << kinds.non_delaunay << " non-Delaunay, " << kinds.cospherical << " concyclic\n";
+    for (const double noise : {0.0, 0.01}) {
+        const auto mesh = polydec::discretize(polydec::perturbed(polydec::hexagons(16), noise, 3));
+        const auto kinds = polydec::facet_kinds(mesh.input(), mesh.points, mesh.input_volumes);
+        std::cout << kinds.well_centered << " well-centered, " << kinds.delaunay << " Delaunay, "
+                  << kinds.non_delaunay << " non-Delaunay, " << kinds.cospherical << " concyclic\n";
+    }
 }
 
 void verdicts() {

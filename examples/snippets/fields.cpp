@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 #include <polydec.h>
+#include <vector>
 
 namespace {
 

@@ -2,6 +2,7 @@
 //
 // The code on docs/merging.md: what merges, the maps between both complexes, the lift, operators on
 // the input's simplices, consistent dual forms.
+#include <cstdlib>
 #include <iostream>
 #include <polydec.h>
 

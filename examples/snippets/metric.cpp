@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The code on docs/metric.md: signed duals, stars, codifferential, Laplacians, inner products.
+#include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <polydec.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The code on docs/products.md: wedges, interior product, Lie derivative, upwinding.
+#include <cstdlib>
 #include <iostream>
 #include <polydec.h>
 

@@ -12,7 +12,7 @@ from pathlib import Path
 def blocks(text):
     """The C++ blocks, each with the number of its first line."""
     return [(text.count("\n", 0, match.start(1)) + 1, match.group(1))
-            for match in re.finditer(r"^```cpp\n(.*?)^```", text, re.DOTALL | re.MULTILINE)]
+            for match in re.finditer(r"^ *```cpp\n(.*?)^ *```", text, re.DOTALL | re.MULTILINE)]
 
 
 def stands_in(block, source):

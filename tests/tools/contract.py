@@ -81,7 +81,7 @@ class Json(TestCase):
 
     def test_info_tells_kinds_of_pairs_and_which_operators_make_sense(self):
         answer = self.ask("info", golden("grid4.nsc"))
-        self.assertEqual(answer["pairs"], {"well_centered": 0, "delaunay": 24, "non_delaunay": 0,
+        self.assertEqual(answer["pairs"], {"well_centered": 24, "delaunay": 0, "non_delaunay": 0,
                                            "cospherical": 16})
         verdicts = {(row["operator"], row["degree"]): row for row in answer["operators"]}
         self.assertEqual(verdicts["star", 1]["input"], {"primal": "yes", "dual": "no"})
