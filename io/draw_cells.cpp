@@ -65,7 +65,6 @@ void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {
     PolygonMesh mesh;
     mesh.points = points;
-    mesh.offsets.push_back(0);
     for (Index cell = 0; cell < merging.merged().size(2); ++cell) {
         const auto polygon = corners(merging, cell);
         mesh.corners.insert(mesh.corners.end(), polygon.begin(), polygon.end());

@@ -276,6 +276,13 @@ class Files(TestCase):
             self.succeed("merge", golden(name), "-o", "a.vtu")
             self.assertEqual(self.arrays("a.vtu")[:2], (cells, points))
 
+    def test_a_merged_file_has_as_many_faces_as_there_are_merged_cells(self):
+        self.succeed("merge", golden("grid4.nsc"), "-o", "a.off")
+        with open(self.path("a.off"), encoding="ascii") as file:
+            lines = file.read().splitlines()
+        self.assertEqual(lines[1].split()[:2], ["25", "16"])
+        self.assertTrue(all(line.split()[0] == "4" for line in lines[27:]), lines[27:])
+
     def test_merged_cells_as_polygons_read_back_as_the_same(self):
         before = self.ask("info", golden("torus8x6.off"))
         for extension in ("off", "obj", "ply"):
