@@ -59,6 +59,8 @@ protected:
 private:
     void check_success(const char* what) const {
         if constexpr (requires { solver_.info() == Eigen::Success; }) {
+            if (solver_.info() == Eigen::NoConvergence)
+                fail(std::string(what) + " did not converge within its limit of iterations");
             if (solver_.info() != Eigen::Success)
                 fail(std::string(what) + " failed: the matrix is singular, or its facts are wrong");
         }
