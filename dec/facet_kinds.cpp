@@ -53,4 +53,20 @@ FacetKinds facet_kinds(const SimplicialComplex& complex, const Points& points,
     return kinds;
 }
 
+MergedPairs merged_pairs(const Merging& merging) {
+    const auto& K = merging.input();
+    const int n = K.dimension();
+    const auto& carriers = merging.carriers(n - 1);
+    MergedPairs pairs;
+    for (const auto& carrier : carriers)
+        pairs.facets += carrier.dimension == n ? 1 : 0;
+    for (Index t = 0; t < K.size(n); ++t) {
+        bool in_pair = false;
+        for (int i = 0; i <= n; ++i)
+            in_pair = in_pair || carriers[K.face(n, t, i)].dimension == n;
+        pairs.simplices += in_pair ? 1 : 0;
+    }
+    return pairs;
+}
+
 } // namespace polydec

@@ -20,4 +20,14 @@ struct FacetKinds {
 FacetKinds facet_kinds(const SimplicialComplex& complex, const Points& points,
                        const CellVolumes& volumes, const MergeOptions& options = {});
 
+/// What a merging has joined.
+struct MergedPairs {
+    Index facets = 0; ///< removed (n-1)-simplices, each between two n-simplices; a surface's edges
+    Index simplices = 0; ///< n-simplices beside at least one of them: concyclic triangles
+};
+
+/// Counts the pairs that were merged, after all guards; compare FacetKinds::cospherical.
+/// Source: Schier, Table 2, counts concyclic triangles in this way.
+MergedPairs merged_pairs(const Merging& merging);
+
 } // namespace polydec

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "io/atomic_file.h"
 #include "io/base64.h"
+#include "io/xml_text.h"
 
 #include <fmt/format.h>
 
@@ -182,18 +183,6 @@ private:
     const VtuGrid& grid_;
 };
 
-std::string escaped(std::string_view text) {
-    constexpr std::array<std::pair<char, std::string_view>, 4> marks{
-        {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}}};
-    std::string result;
-    for (const char c : text) {
-        const auto* mark = std::find_if(marks.begin(), marks.end(),
-                                        [c](const auto& each) { return each.first == c; });
-        result += mark == marks.end() ? std::string_view(&c, 1) : mark->second;
-    }
-    return result;
-}
-
 template <typename Number>
 const char* type_name() {
     if constexpr (std::is_same_v<Number, double>) {
@@ -216,7 +205,7 @@ void write_array(AtomicFile& file, std::string_view name, int components,
     const auto columns =
         components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : std::string();
     file.write(fmt::format("<DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n",
-                           type_name<Number>(), escaped(name), columns));
+                           type_name<Number>(), xml_escaped(name), columns));
     Base64Writer writer([&file](std::string_view text) { file.write(text); });
     writer.write(std::uint64_t{values.size_bytes()});
     for (const Number value : values) {

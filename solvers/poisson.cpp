@@ -3,10 +3,10 @@
 
 #include "base/errors.h"
 #include "dec/cell_centers.h"
-#include "dec/circumsphere.h"
 #include "dec/derivative.h"
 #include "dec/dual_parts.h"
 #include "dec/star.h"
+#include "solvers/dual_fluxes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,108 +41,6 @@ void check_values(const Vector& values, const Points& sites, const char* what) {
             throw InvalidInput(fmt::format("{}: value {} is {}", what, i, values[i]));
 }
 
-/// Dual 0-forms are functions only where every facet separates at most two cells that agree on its
-/// sides.
-void check_two_sided(const Discretization& discretization) {
-    const auto& complex = discretization.complex();
-    const int n = complex.dimension();
-    if (!discretization.input().orientable())
-        throw InvalidInput("the mesh is non-orientable, so dual 0-forms change sign around it: "
-                           "solve for primal 0-forms");
-    const auto& counts = complex.coface_counts(n - 1);
-    const auto branching =
-        std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
-    if (branching != counts.end())
-        throw InvalidInput(fmt::format(
-            "{} cells meet at facet {} (vertices {}), so the flux through it is not a difference "
-            "of two values: solve for primal 0-forms",
-            *branching, branching - counts.begin(),
-            fmt::join(discretization.merging.vertices(
-                          n - 1, static_cast<Index>(branching - counts.begin())),
-                      ", ")));
-}
-
-/// Twice the circumradius of each merged facet: the length its dual is compared with.
-Vector facet_scales(const Discretization& discretization) {
-    const int n = discretization.dimension();
-    const Vector radii =
-        circumradii(discretization.points, discretization.input().simplices(n - 1));
-    Vector scales = Vector::Zero(discretization.complex().size(n - 1));
-    for (Index f = 0; f < scales.size(); ++f)
-        for (Row piece(discretization.merging.diamond(n - 1), f); piece; ++piece)
-            scales[f] = std::max(scales[f], 2 * radii[piece.col()]);
-    return scales;
-}
-
-/// How values of a dual 0-form and boundary values act on each other through the facets.
-struct DualFluxes {
-    Vector weights;          ///< flux through a facet per difference of the values beside it
-    std::vector<bool> fixed; ///< cells whose circumcenter lies on the boundary
-    std::vector<bool> tied;  ///< cells beside a boundary facet through which something flows
-    SparseMatrix load;       ///< boundary values to right-hand side, cells x facets
-    SparseMatrix fix;        ///< boundary values to the values of fixed cells, cells x facets
-};
-
-void check_flux_is_defined(const Discretization& discretization, Index facet, double relative) {
-    constexpr double rounding = 1e-12;
-    if (relative > rounding)
-        return;
-    const int n = discretization.dimension();
-    throw InvalidInput(fmt::format(
-        "the dual of facet {} (vertices {}) has no length, so the flux through it is not defined: "
-        "let cospherical cells be merged",
-        facet, fmt::join(discretization.merging.vertices(n - 1, facet), ", ")));
-}
-
-/// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.
-void average_rows(SparseMatrix& matrix) {
-    for (Index row = 0; row < matrix.rows(); ++row) {
-        const double sum = matrix.row(row).sum();
-        for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
-            entry.valueRef() /= sum;
-    }
-}
-
-DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& essential) {
-    const auto& complex = discretization.complex();
-    const auto& volumes = discretization.volumes;
-    const int n = complex.dimension();
-    const Index cells = complex.size(n), facets = complex.size(n - 1);
-    const Vector scales = facet_scales(discretization);
-    const IncidenceMatrix cofaces = complex.boundary(n);
-
-    DualFluxes result{Vector::Zero(facets), std::vector<bool>(cells, false),
-                      std::vector<bool>(cells, false), SparseMatrix(cells, facets),
-                      SparseMatrix(cells, facets)};
-    std::vector<Eigen::Triplet<double, Index>> load, fix;
-    for (Index f = 0; f < facets; ++f) {
-        const bool interior = complex.coface_counts(n - 1)[f] == 2;
-        const Row coface(cofaces, f);
-        // what flows through the natural boundary is given; nothing flows from a cell to itself
-        if (!coface || (!interior && !essential[n - 1][f]))
-            continue;
-        const auto cell = static_cast<Index>(coface.col());
-        const double dual = volumes.dual[n - 1][f];
-        const double relative = scales[f] > 0 ? std::abs(dual) / scales[f] : 1;
-        if (interior)
-            check_flux_is_defined(discretization, f, relative);
-        if (!interior && relative <= discretization.options.tolerance) {
-            fix.emplace_back(cell, f, 1.0);
-            result.fixed[cell] = true;
-            continue;
-        }
-        result.weights[f] = volumes.primal[n - 1][f] / dual;
-        if (!interior) {
-            load.emplace_back(cell, f, result.weights[f]);
-            result.tied[cell] = true;
-        }
-    }
-    result.load.setFromTriplets(load.begin(), load.end());
-    result.fix.setFromTriplets(fix.begin(), fix.end());
-    average_rows(result.fix);
-    return result;
-}
-
 /// 1 for each facet that a natural condition concerns, 0 for the others.
 Vector natural_facets(const CellComplex& complex, const CellMarks& essential) {
     const int n = complex.dimension();
@@ -153,21 +51,52 @@ Vector natural_facets(const CellComplex& complex, const CellMarks& essential) {
     return result;
 }
 
+void check_conductivity(const CellComplex& complex, const Vector& conductivity) {
+    const int n = complex.dimension();
+    if (conductivity.size() != 0 && conductivity.size() != complex.size(n))
+        throw InvalidInput(fmt::format("{} conductivities are given: expected one for each of the "
+                                       "{} {}-cells, or none",
+                                       conductivity.size(), complex.size(n), n));
+    for (Index cell = 0; cell < conductivity.size(); ++cell)
+        if (!(conductivity[cell] > 0 && std::isfinite(conductivity[cell])))
+            throw InvalidInput(fmt::format("the conductivity of {}-cell {} is {}: expected a "
+                                           "positive number",
+                                           n, cell, conductivity[cell]));
+}
+
+/// star_1 with every part of a dual multiplied by the conductivity of the cell it lies in.
+Vector edge_weights(const Discretization& discretization, const Vector& conductivity) {
+    if (conductivity.size() == 0)
+        return star(discretization.volumes, 1);
+    const auto& merging = discretization.merging;
+    const int n = discretization.dimension();
+    const SparseMatrix parts = dual_parts(discretization.input(), discretization.points,
+                                          discretization.input_volumes, 1, n);
+    const SparseMatrix pieces = merging.diamond(n).cast<double>().cwiseAbs();
+    const Vector of_pieces = pieces.transpose() * conductivity;
+    const Vector products =
+        discretization.input_volumes.primal[1].cwiseProduct(parts.transpose() * of_pieces);
+    const SparseMatrix edges = merging.diamond(1).cast<double>().cwiseAbs();
+    const Vector lengths = discretization.volumes.primal[1];
+    return (edges * products).cwiseQuotient(lengths).cwiseQuotient(lengths);
+}
+
 } // namespace
 
 PoissonSolver::PoissonSolver(const Discretization& discretization, const PoissonOptions& options)
     : side_(options.side) {
     const auto essential = essential_cells(discretization.complex(), options.boundary);
+    check_conductivity(discretization.complex(), options.conductivity);
     flux_sites_ = cell_centers(discretization.merging, discretization.points,
                                discretization.input_volumes, discretization.dimension() - 1);
     if (side_ == Side::primal)
-        set_up_primal(discretization, essential, options.linear_solver);
+        set_up_primal(discretization, essential, options);
     else
-        set_up_dual(discretization, essential, options.linear_solver);
+        set_up_dual(discretization, essential, options);
 }
 
 void PoissonSolver::set_up_primal(const Discretization& discretization, const CellMarks& essential,
-                                  const std::string& engine) {
+                                  const PoissonOptions& options) {
     const auto& complex = discretization.complex();
     const int n = complex.dimension();
     const Index size = complex.size(0);
@@ -176,7 +105,7 @@ void PoissonSolver::set_up_primal(const Discretization& discretization, const Ce
     boundary_sites_ = sites_;
     mass_ = star(discretization.volumes, 0);
 
-    Vector weights = star(discretization.volumes, 1);
+    Vector weights = edge_weights(discretization, options.conductivity);
     for (const Index edge : zero_star_cells(discretization.volumes, 1))
         weights[edge] = 0; // no more than rounding: the edge connects nothing
     ConstrainedSystem system{weighted_product(derivative(complex, 0), weights),
@@ -194,12 +123,11 @@ void PoissonSolver::set_up_primal(const Discretization& discretization, const Ce
     boundary_load_.resize(size, size);
     boundary_fix_.resize(size, size);
     boundary_fix_.setIdentity();
-    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), engine);
+    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
 }
 
 void PoissonSolver::set_up_dual(const Discretization& discretization, const CellMarks& essential,
-                                const std::string& engine) {
-    check_two_sided(discretization);
+                                const PoissonOptions& options) {
     const auto& complex = discretization.complex();
     const int n = complex.dimension();
     sites_ = cell_centers(discretization.merging, discretization.points,
@@ -207,7 +135,7 @@ void PoissonSolver::set_up_dual(const Discretization& discretization, const Cell
     boundary_sites_ = flux_sites_;
     mass_ = discretization.volumes.primal[n];
 
-    auto fluxes = dual_fluxes(discretization, essential);
+    auto fluxes = dual_fluxes(discretization, essential, options.conductivity);
     boundary_load_ = std::move(fluxes.load);
     boundary_fix_ = std::move(fluxes.fix);
     const Vector areas =
@@ -220,7 +148,7 @@ void PoissonSolver::set_up_dual(const Discretization& discretization, const Cell
                              mass_,
                              by_sign(fluxes.weights),
                              n};
-    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), engine);
+    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
 }
 
 Vector PoissonSolver::solve(const Vector& f, const Vector& boundary_values) {

@@ -12,10 +12,11 @@ struct PoissonOptions {
     Side side = Side::primal;
     BoundaryConditions boundary = {}; ///< essential: u is given; natural: its normal derivative
     std::string linear_solver = "auto";
+    Vector conductivity = {}; ///< kappa > 0 of each merged n-cell; empty: 1 everywhere
 };
 
-/// Solves Delta u = f for primal 0-forms (values at vertices) or dual 0-forms (values at the cells'
-/// circumcenters), Delta = -div grad the positive Laplacian, with one factorization.
+/// Solves -div kappa grad u = f for primal 0-forms (values at vertices) or dual 0-forms (values at
+/// the cells' circumcenters), with kappa = 1 Delta u = f, with one factorization.
 ///
 /// Primal, essential: values at the vertices of these facets are fixed. Dual, essential: a boundary
 /// facet's dual reaches from the cell's circumcenter to the facet's, where the boundary value is;
@@ -39,8 +40,8 @@ public:
     const Points& flux_sites() const { return flux_sites_; }
 
     /// f at sites(), u on the essential part of the boundary at boundary_sites(), its derivative
-    /// along the outward normal on the natural part at flux_sites(), by default 0; all finite.
-    /// u at sites().
+    /// along the outward normal, times kappa, on the natural part at flux_sites(), by default 0;
+    /// all finite. u at sites().
     Vector solve(const Vector& f, const Vector& boundary_values);
     Vector solve(const Vector& f, const Vector& boundary_values, const Vector& normal_derivatives);
 
@@ -51,9 +52,9 @@ public:
 
 private:
     void set_up_primal(const Discretization& discretization, const CellMarks& essential,
-                       const std::string& engine);
+                       const PoissonOptions& options);
     void set_up_dual(const Discretization& discretization, const CellMarks& essential,
-                     const std::string& engine);
+                     const PoissonOptions& options);
 
     Side side_;
     Points sites_, boundary_sites_, flux_sites_;

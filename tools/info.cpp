@@ -18,8 +18,6 @@ namespace polydec::tools {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
 Json cell_counts(const CellComplex& complex) {
     Json counts = Json::array();
     for (int k = 0; k <= complex.dimension(); ++k)
@@ -86,19 +84,11 @@ Json vertices_per_cell(const Merging& merging) {
     return result;
 }
 
-/// Edges that were removed, and the triangles beside them.
 Json concyclic(const Merging& merging) {
-    const auto& K = merging.input();
-    Index edges = 0, faces = 0;
-    for (const auto& carrier : merging.carriers(1))
-        edges += carrier.dimension == 2 ? 1 : 0;
-    for (Index t = 0; t < K.size(2); ++t) {
-        bool in_pair = false;
-        for (Row edge(K.coboundary(1), t); edge; ++edge)
-            in_pair = in_pair || merging.carriers(1)[edge.col()].dimension == 2;
-        faces += in_pair ? 1 : 0;
-    }
-    return {{"edges", edges}, {"faces", faces}, {"percent", 100.0 * faces / K.size(2)}};
+    const auto pairs = merged_pairs(merging);
+    return {{"edges", pairs.facets},
+            {"faces", pairs.simplices},
+            {"percent", 100.0 * pairs.simplices / merging.input().size(2)}};
 }
 
 Json describe(const Discretization& mesh, Timing& timing) {

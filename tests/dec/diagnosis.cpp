@@ -55,7 +55,35 @@ TEST_P(KindsOf, all_pairs_are_one_of_four) {
               std::count(cofaces.begin(), cofaces.end(), 2));
 }
 
+TEST_P(KindsOf, cospherical_pairs_are_those_that_merge_unless_a_guard_forbids) {
+    const auto& m = mesh();
+    const auto before = facet_kinds(m.K(), m.points, m.input_volumes, {.tolerance = tolerance});
+    const auto merged = merged_pairs(m.merging());
+    EXPECT_LE(merged.facets, before.cospherical);
+    EXPECT_LE(merged.simplices, 2 * merged.facets);
+    // each cell of P that has m pieces takes at least m - 1 facets away
+    EXPECT_GE(merged.facets, m.K().size(m.n()) - m.P().size(m.n()));
+    EXPECT_GE(merged.simplices, 2 * (merged.facets > 0));
+    const auto none = merged_pairs(unmerged(m.K()));
+    EXPECT_EQ(none.facets, 0);
+    EXPECT_EQ(none.simplices, 0);
+}
+
 POLYDEC_OVER_MESHES(KindsOf);
+
+TEST(MergedPairs, count_removed_edges_and_the_triangles_beside_them) {
+    const auto squares = merged_pairs(discretize(grid(4, 3)).merging);
+    EXPECT_EQ(squares.facets, 12);
+    EXPECT_EQ(squares.simplices, 24);
+    // a hexagon of four triangles has three diagonals
+    const auto fans =
+        merged_pairs(discretize(made_of({{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}},
+                                        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}),
+                                {.tolerance = 0.5})
+                         .merging);
+    EXPECT_EQ(fans.facets, 3);
+    EXPECT_EQ(fans.simplices, 4);
+}
 
 using Verdicts = std::map<std::string, std::string>;
 

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import sources
 
-CHAIN = ["base", "backends", "complex", "meshes", "dec", "solvers", "io", "polydec.h", "tools"]
-LAST = {"examples", "tests", "benchmarks"}
-LIBRARY = set(CHAIN) - {"tools"}
+CHAIN = ["base", "backends", "complex", "meshes", "dec", "solvers", "io", "polydec.h",
+         "examples", "tools"]
+LAST = {"tests", "benchmarks"}
 WITHOUT_DIMENSION = {"complex", "dec"}
 MAX_LINES = 400
 
@@ -53,7 +53,7 @@ def include_complaint(path, delimiter, target, public):
         return f'"{target}" is no path from the repository root (third-party headers go in <>)'
 
     in_backends = "backends" in path.parts[:2]
-    in_test = here in {"tests", "benchmarks"} and target.startswith("Eigen/")
+    in_test = here in LAST | {"examples"} and target.startswith("Eigen/")
     if not in_backends and not in_test and ENGINE.match(target):
         return f"the engine header <{target}> belongs into backends/"
 

@@ -10,7 +10,8 @@ import xml.etree.ElementTree
 import command
 from command import TestCase, golden
 
-SUBCOMMANDS = ("info", "operators", "merge", "spectrum", "poisson", "generate", "backends")
+SUBCOMMANDS = ("info", "operators", "merge", "spectrum", "poisson", "generate", "reproduce",
+               "backends")
 
 
 class Json(TestCase):

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "examples/paper/report.h"
+
+#include "base/errors.h"
+#include "io/atomic_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace polydec::paper {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t line_width = 100;
+
+/// How many characters, not bytes.
+std::size_t width(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+    }));
+}
+
+/// A table whose rows fit its columns and whose numbers are finite or NaN.
+void check(const Table& table) {
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        if (table.rows[i].size() != table.columns.size())
+            throw InvalidInput(fmt::format("table '{}': row {} has {} entries, expected {}",
+                                           table.name, i, table.rows[i].size(),
+                                           table.columns.size()));
+        for (std::size_t j = 0; j < table.columns.size(); ++j) {
+            const auto* number = std::get_if<double>(&table.rows[i][j]);
+            if (number != nullptr && std::isinf(*number))
+                throw InvalidInput(fmt::format("table '{}': '{}' of row {} is infinite; find out "
+                                               "what made it so",
+                                               table.name, table.columns[j], i));
+        }
+    }
+}
+
+std::string short_text(const Entry& entry) {
+    if (const auto* word = std::get_if<std::string>(&entry))
+        return *word;
+    if (const auto* count = std::get_if<long>(&entry))
+        return fmt::format("{}", *count);
+    const double number = std::get<double>(entry);
+    return std::isnan(number) ? "-" : fmt::format("{:.4g}", number);
+}
+
+std::string padded(const std::string& text, std::size_t to, bool left) {
+    const std::string space(to - width(text), ' ');
+    return left ? text + space : space + text;
+}
+
+std::string without_trailing_space(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
+}
+
+/// Columns of words stand at the left, those of numbers at the right.
+std::string to_text(const Table& table) {
+    check(table);
+    std::vector<std::size_t> widths;
+    std::vector<bool> words;
+    for (std::size_t j = 0; j < table.columns.size(); ++j) {
+        widths.push_back(width(table.columns[j]));
+        words.push_back(!table.rows.empty());
+        for (const auto& row : table.rows) {
+            widths[j] = std::max(widths[j], width(short_text(row[j])));
+            words[j] = words[j] && std::holds_alternative<std::string>(row[j]);
+        }
+    }
+    const auto line = [&](const auto& text_of) {
+        std::string text = " ";
+        for (std::size_t j = 0; j < table.columns.size(); ++j)
+            text += " " + padded(text_of(j), widths[j], words[j]) + " ";
+        return without_trailing_space(text) + "\n";
+    };
+    std::string text = table.title + "\n" + line([&](std::size_t j) { return table.columns[j]; });
+    text += line([&](std::size_t j) { return std::string(widths[j], '-'); });
+    for (const auto& row : table.rows)
+        text += line([&](std::size_t j) { return short_text(row[j]); });
+    return text;
+}
+
+/// Lines of at most line_width characters, broken at blanks; the first begins with a star.
+std::string wrapped(std::string_view remark) {
+    std::string text, line = "  *";
+    for (std::size_t begin = 0; begin < remark.size();) {
+        const auto end = std::min(remark.find(' ', begin), remark.size());
+        const auto word = remark.substr(begin, end - begin);
+        if (width(line) + 1 + width(word) > line_width && width(line) > 3) {
+            text += line + "\n";
+            line = "   ";
+        }
+        (line += ' ') += word;
+        begin = end + 1;
+    }
+    return text + line + "\n";
+}
+
+Json json_of(const Entry& entry) {
+    if (const auto* number = std::get_if<double>(&entry); number && std::isnan(*number))
+        return nullptr;
+    return std::visit([](const auto& value) { return Json(value); }, entry);
+}
+
+Json json_of(const Table& table) {
+    check(table);
+    Json rows = Json::array();
+    for (const auto& row : table.rows) {
+        Json list = Json::array();
+        for (const auto& entry : row)
+            list.push_back(json_of(entry));
+        rows.push_back(std::move(list));
+    }
+    return {{"name", table.name},
+            {"title", table.title},
+            {"columns", table.columns},
+            {"rows", std::move(rows)}};
+}
+
+Json json_of(const std::vector<double>& values) {
+    Json list = Json::array();
+    for (const double value : values)
+        list.push_back(json_of(Entry(value)));
+    return list;
+}
+
+Json json_of(const NamedPlot& named) {
+    const auto& plot = named.plot;
+    Json series = Json::array();
+    for (const auto& each : plot.series)
+        series.push_back({{"name", each.name}, {"x", json_of(each.x)}, {"y", json_of(each.y)}});
+    return {{"name", named.name},
+            {"title", plot.title},
+            {"x", plot.x.label},
+            {"y", plot.y.label},
+            {"series", std::move(series)}};
+}
+
+std::string csv_of(std::string text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos)
+        return text;
+    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2)
+        text.insert(at, 1, '"');
+    return '"' + text + '"';
+}
+
+std::string csv_of(const Entry& entry) {
+    const auto* number = std::get_if<double>(&entry);
+    if (number == nullptr)
+        return csv_of(short_text(entry));
+    return std::isnan(*number) ? "" : fmt::format("{:.17g}", *number);
+}
+
+std::string csv_of(const Table& table) {
+    check(table);
+    const auto line = [&](const auto& values) {
+        std::string text;
+        for (std::size_t j = 0; j < values.size(); ++j)
+            text += (j == 0 ? "" : ",") + csv_of(values[j]);
+        return text + "\r\n";
+    };
+    std::string text = line(table.columns);
+    for (const auto& row : table.rows)
+        text += line(row);
+    return text;
+}
+
+/// File names and what will be in them.
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+/// All names in one folder begin with the report's.
+std::string file_name(const Report& report, const std::string& name, const char* extension) {
+    const bool begins = name == report.name || name.rfind(report.name + "_", 0) == 0;
+    const std::string stem = begins ? name : report.name + "_" + name;
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_';
+    };
+    if (name.empty() || !std::all_of(stem.begin(), stem.end(), plain))
+        throw InvalidInput(fmt::format("'{}' is no name for a file of {}: letters, digits and _",
+                                       name, report.name));
+    return stem + extension;
+}
+
+Files files_of(const Report& report) {
+    Files files{{file_name(report, report.name, ".json"), to_json(report) + "\n"}};
+    for (const auto& table : report.tables)
+        files.emplace_back(file_name(report, table.name, ".csv"), csv_of(table));
+    for (const auto& [name, plot] : report.plots)
+        files.emplace_back(file_name(report, name, ".svg"), to_svg(plot));
+    for (const auto& [name, drawing] : report.drawings)
+        files.emplace_back(file_name(report, name, ".svg"), to_svg(drawing));
+    std::set<std::string> names;
+    for (const auto& [name, text] : files)
+        if (!names.insert(name).second)
+            throw InvalidInput(fmt::format("{} is the name of two files: choose another", name));
+    return files;
+}
+
+} // namespace
+
+double observed_order(const std::vector<double>& sizes, const std::vector<double>& errors) {
+    const std::size_t n = sizes.size();
+    if (n != errors.size() || n < 2)
+        throw InvalidInput(fmt::format("an order of convergence of {} sizes and {} errors: "
+                                       "expected as many, at least two",
+                                       n, errors.size()));
+    const double size_ratio = sizes[n - 2] / sizes[n - 1];
+    if (!(sizes[n - 2] > 0 && sizes[n - 1] > 0) || size_ratio == 1)
+        throw InvalidInput(fmt::format("an order of convergence of sizes {} and {}: expected "
+                                       "different positive numbers",
+                                       sizes[n - 2], sizes[n - 1]));
+    if (!(errors[n - 2] > 0 && errors[n - 1] > 0))
+        return std::numeric_limits<double>::quiet_NaN();
+    return std::log2(errors[n - 2] / errors[n - 1]) / std::log2(size_ratio);
+}
+
+std::string to_text(const Report& report) {
+    std::string text = fmt::format("{}: {}\n", report.name, report.title);
+    for (const auto& table : report.tables)
+        text += "\n" + to_text(table);
+    if (!report.remarks.empty())
+        text += "\nRemarks\n";
+    for (const auto& remark : report.remarks)
+        text += wrapped(remark);
+    return text;
+}
+
+std::string to_json(const Report& report) {
+    Json tables = Json::array(), plots = Json::array(), drawings = Json::array();
+    for (const auto& table : report.tables)
+        tables.push_back(json_of(table));
+    for (const auto& plot : report.plots)
+        plots.push_back(json_of(plot));
+    for (const auto& drawing : report.drawings)
+        drawings.push_back({{"name", drawing.name}, {"title", drawing.drawing.title}});
+    return Json{{"name", report.name},
+                {"title", report.title},
+                {"tables", std::move(tables)},
+                {"plots", std::move(plots)},
+                {"drawings", std::move(drawings)},
+                {"remarks", report.remarks}}
+        .dump();
+}
+
+std::vector<std::filesystem::path> write_report(const std::filesystem::path& folder,
+                                                const Report& report) {
+    // all texts are made before the first file, so that a flaw leaves no part behind
+    const Files files = files_of(report);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw IoError(
+            fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+    std::vector<std::filesystem::path> written;
+    for (const auto& [name, text] : files) {
+        AtomicFile file(folder / name);
+        file.write(text);
+        file.commit();
+        written.push_back(folder / name);
+    }
+    return written;
+}
+
+} // namespace polydec::paper

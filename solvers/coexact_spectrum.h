@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "solvers/spectrum.h"
+
+namespace polydec {
+
+/// Smallest eigenpairs of delta d on coexact primal k-forms, e.g. curl curl on divergence-free
+/// fields (k = 1: the modes of a cavity, on the complex relative to its walls). delta d alone has a
+/// kernel as large as the rank of d_(k-1); so the certified spectrum of the Laplacian is computed,
+/// in which exact and coexact forms stand beside each other, and the coexact ones are taken out.
+/// The certificate is that of the Laplacian: it counts the exact and harmonic forms too.
+///
+/// Of the options the side must be primal; count is that of coexact pairs.
+/// Throws like spectrum, and InvalidInput if there are fewer coexact forms than asked for.
+Spectrum coexact_spectrum(const CellComplex& complex, const CellVolumes& volumes,
+                          const SpectrumOptions& options);
+
+} // namespace polydec

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/cochain.h"
+#include "solvers/poisson.h"
+
+namespace polydec {
+
+/// Pressure and flux of a flow through a porous medium.
+struct DarcyFlow {
+    Cochain pressure; ///< dual 0-form: at the circumcenters of the n-cells
+    Cochain flux;     ///< primal (n-1)-form: through the facets, as they are oriented
+};
+
+/// Darcy's problem: flux = -kappa grad p, div flux = source. The pressure is a dual 0-form, the
+/// flux a primal (n-1)-form whose balance d flux = integral of the source is exact in every cell; a
+/// pressure that is linear comes out exactly, and so does its flux, on every flat mesh. On a facet
+/// of the boundary either the pressure is given (essential) or the flux (natural).
+///
+/// Where the dual of an essential facet has no length the pressure of its cell is given, and what
+/// flows through the facet is what the balance of the cell asks for, shared by area among such
+/// facets of one cell.
+class DarcySolver {
+public:
+    /// Of the options the side does not matter. Throws like PoissonSolver for dual 0-forms.
+    DarcySolver(const Discretization& discretization, PoissonOptions options = {});
+
+    /// Places of cells and of facets: circumcenters.
+    const Points& sites() const { return poisson_.sites(); }
+    const Points& facet_sites() const { return poisson_.flux_sites(); }
+
+    /// source at sites(), per volume; pressures at the essential facets and outflow per area at the
+    /// natural ones, both at facet_sites(). Throws like PoissonSolver::solve.
+    DarcyFlow solve(const Vector& source, const Vector& pressures, const Vector& outflow);
+
+    const PoissonSolver& poisson() const { return poisson_; }
+
+private:
+    PoissonSolver poisson_;
+    CellComplex complex_;
+    Vector volumes_, areas_, weights_;
+    SparseMatrix divergence_; // d_(n-1)
+    std::vector<bool> essential_;
+};
+
+} // namespace polydec

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/dual_fluxes.h"
+
+#include "base/errors.h"
+#include "dec/circumsphere.h"
+#include "dec/dual_parts.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+
+/// Dual 0-forms are functions only where every facet separates at most two cells that agree on its
+/// sides.
+void check_two_sided(const Discretization& discretization) {
+    const auto& complex = discretization.complex();
+    const int n = complex.dimension();
+    if (!discretization.input().orientable())
+        throw InvalidInput("the mesh is non-orientable, so dual 0-forms change sign around it: "
+                           "solve for primal 0-forms");
+    const auto& counts = complex.coface_counts(n - 1);
+    const auto branching =
+        std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
+    if (branching != counts.end())
+        throw InvalidInput(fmt::format(
+            "{} cells meet at facet {} (vertices {}), so the flux through it is not a difference "
+            "of two values: solve for primal 0-forms",
+            *branching, branching - counts.begin(),
+            fmt::join(discretization.merging.vertices(
+                          n - 1, static_cast<Index>(branching - counts.begin())),
+                      ", ")));
+}
+
+/// Twice the circumradius of each merged facet: the length its dual is compared with.
+Vector facet_scales(const Discretization& discretization) {
+    const int n = discretization.dimension();
+    const Vector radii =
+        circumradii(discretization.points, discretization.input().simplices(n - 1));
+    Vector scales = Vector::Zero(discretization.complex().size(n - 1));
+    for (Index f = 0; f < scales.size(); ++f)
+        for (Row piece(discretization.merging.diamond(n - 1), f); piece; ++piece)
+            scales[f] = std::max(scales[f], 2 * radii[piece.col()]);
+    return scales;
+}
+
+/// The dual length of each merged facet divided by the conductivity it lies in, piece by piece, as
+/// resistances in series add up.
+Vector resistances(const Discretization& discretization, const Vector& conductivity) {
+    const int n = discretization.dimension();
+    if (conductivity.size() == 0)
+        return discretization.volumes.dual[n - 1];
+    const auto& volumes = discretization.input_volumes;
+    const SparseMatrix parts =
+        dual_parts(discretization.input(), discretization.points, volumes, n - 1, n);
+    const SparseMatrix pieces = discretization.merging.diamond(n).cast<double>().cwiseAbs();
+    const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
+    const Vector products = volumes.primal[n - 1].cwiseProduct(parts.transpose() * of_pieces);
+    const SparseMatrix facets = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
+    return (facets * products).cwiseQuotient(discretization.volumes.primal[n - 1]);
+}
+
+void check_flux_is_defined(const Discretization& discretization, Index facet, double relative) {
+    constexpr double rounding = 1e-12;
+    if (relative > rounding)
+        return;
+    const int n = discretization.dimension();
+    throw InvalidInput(fmt::format(
+        "the dual of facet {} (vertices {}) has no length, so the flux through it is not defined: "
+        "let cospherical cells be merged",
+        facet, fmt::join(discretization.merging.vertices(n - 1, facet), ", ")));
+}
+
+/// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.
+void average_rows(SparseMatrix& matrix) {
+    for (Index row = 0; row < matrix.rows(); ++row) {
+        const double sum = matrix.row(row).sum();
+        for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+            entry.valueRef() /= sum;
+    }
+}
+
+} // namespace
+
+DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& essential,
+                       const Vector& conductivity) {
+    check_two_sided(discretization);
+    const auto& complex = discretization.complex();
+    const auto& volumes = discretization.volumes;
+    const int n = complex.dimension();
+    const Index cells = complex.size(n), facets = complex.size(n - 1);
+    const Vector scales = facet_scales(discretization);
+    const Vector resistance = resistances(discretization, conductivity);
+    const IncidenceMatrix cofaces = complex.boundary(n);
+
+    DualFluxes result{Vector::Zero(facets), std::vector<bool>(cells, false),
+                      std::vector<bool>(cells, false), SparseMatrix(cells, facets),
+                      SparseMatrix(cells, facets)};
+    std::vector<Eigen::Triplet<double, Index>> load, fix;
+    for (Index f = 0; f < facets; ++f) {
+        const bool interior = complex.coface_counts(n - 1)[f] == 2;
+        const Row coface(cofaces, f);
+        // what flows through the natural boundary is given; nothing flows from a cell to itself
+        if (!coface || (!interior && !essential[n - 1][f]))
+            continue;
+        const auto cell = static_cast<Index>(coface.col());
+        const double dual = volumes.dual[n - 1][f];
+        const double relative = scales[f] > 0 ? std::abs(dual) / scales[f] : 1;
+        if (interior)
+            check_flux_is_defined(discretization, f, relative);
+        if (!interior && relative <= discretization.options.tolerance) {
+            fix.emplace_back(cell, f, 1.0);
+            result.fixed[cell] = true;
+            continue;
+        }
+        result.weights[f] = volumes.primal[n - 1][f] / resistance[f];
+        if (!interior) {
+            load.emplace_back(cell, f, result.weights[f]);
+            result.tied[cell] = true;
+        }
+    }
+    result.load.setFromTriplets(load.begin(), load.end());
+    result.fix.setFromTriplets(fix.begin(), fix.end());
+    average_rows(result.fix);
+    return result;
+}
+
+} // namespace polydec

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/heat.h"
+
+#include "backends/registry.h"
+#include "base/errors.h"
+#include "dec/laplacian.h"
+#include "dec/star.h"
+#include "solvers/positive_mass.h"
+
+#include <fmt/format.h>
+
+namespace polydec {
+
+HeatSolver::HeatSolver(const CellComplex& complex, const CellVolumes& volumes, Side side,
+                       int degree, const HeatOptions& options)
+    : complex_(complex), side_(side), degree_(degree) {
+    const int k = cell_degree(complex, side, degree);
+    check_positive_mass(volumes, side, degree, k);
+    if (!(options.time_step > 0))
+        throw InvalidInput(
+            fmt::format("a time step of {} is given: expected one above 0", options.time_step));
+    const bool implicit = options.scheme == HeatScheme::backward_euler;
+    const double implicit_part = implicit ? options.time_step : options.time_step / 2;
+    explicit_part_ = options.time_step - implicit_part;
+    mass_ = star(volumes, k);
+    stiffness_ = symmetric_laplacian(complex, volumes, k);
+
+    SparseMatrix A(mass_.size(), mass_.size());
+    A.setIdentity();
+    A = mass_.asDiagonal() * A;
+    A += implicit_part * stiffness_;
+    solver_ = make_linear_solver(options.linear_solver);
+    solver_->factorize(A, {.symmetry = Symmetry::symmetric,
+                           .definiteness = Definiteness::positive,
+                           .domain_dimension = complex.dimension()});
+}
+
+Cochain HeatSolver::step(const Cochain& form) {
+    check(complex_, form);
+    if (form.side != side_ || form.degree != degree_)
+        throw InvalidInput(fmt::format("a {} {}-form is given: this solver is for {} {}-forms",
+                                       name(form.side), form.degree, name(side_), degree_));
+    // dual forms are stars of primal ones, and stars commute with the Laplacian
+    const bool primal = side_ == Side::primal;
+    const Vector w = primal ? form.values : Vector(form.values.cwiseQuotient(mass_));
+    const Vector right_side = mass_.cwiseProduct(w) - explicit_part_ * (stiffness_ * w);
+    const Vector next = solver_->solve(right_side);
+    return {side_, degree_, primal ? next : Vector(mass_.cwiseProduct(next))};
+}
+
+} // namespace polydec

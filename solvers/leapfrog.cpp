@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/leapfrog.h"
+
+#include "backends/registry.h"
+#include "base/errors.h"
+#include "dec/derivative.h"
+#include "dec/star.h"
+#include "solvers/positive_mass.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+void check_stars(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    if (k < 0 || k >= complex.dimension())
+        throw InvalidInput(fmt::format("waves of {}-forms are asked for: in dimension {} the "
+                                       "degrees are 0 to {}",
+                                       k, complex.dimension(), complex.dimension() - 1));
+    check_positive_mass(volumes, Side::primal, k, k);
+    const auto negative = negative_star_cells(volumes, k + 1);
+    if (!negative.empty())
+        throw InvalidInput(fmt::format("the duals of {} {}-cells are negative, the first is cell "
+                                       "{}: waves would grow without bound; take a mesh that is "
+                                       "nearer to Delaunay there",
+                                       negative.size(), k + 1, negative.front()));
+}
+
+} // namespace
+
+double stable_step(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    check_stars(complex, volumes, k);
+    const SparseMatrix d = derivative(complex, k);
+    const SparseMatrix d_transposed = d.transpose();
+    const Vector root = star(volumes, k).cwiseSqrt().cwiseInverse();
+    const Vector upper = star(volumes, k + 1);
+    if (d.nonZeros() == 0)
+        return std::numeric_limits<double>::infinity();
+    const SymmetricOperator A{complex.size(k), [&](const Vector& x, Vector& y) {
+                                  const Vector curl = d * root.cwiseProduct(x);
+                                  y = root.cwiseProduct(d_transposed * upper.cwiseProduct(curl));
+                              }};
+    const auto largest = make_eigen_solver("spectra")->largest(A, 1, {.tolerance = 1e-8});
+    if (largest.converged < 1)
+        throw SolverFailure("the largest frequency of the waves could not be found: the "
+                            "eigensolver did not converge");
+    return 2 / std::sqrt(largest.values[0]);
+}
+
+Leapfrog::Leapfrog(const CellComplex& complex, const CellVolumes& volumes, int k, double time_step)
+    : time_step_(time_step) {
+    const double limit = stable_step(complex, volumes, k);
+    if (!(time_step > 0 && time_step < limit))
+        throw InvalidInput(fmt::format("a time step of {:.6g} is given: expected one above 0 and "
+                                       "below {:.6g}, beyond which waves grow",
+                                       time_step, limit));
+    d_ = derivative(complex, k);
+    d_transposed_ = d_.transpose();
+    mass_ = star(volumes, k);
+    upper_mass_ = star(volumes, k + 1);
+}
+
+void Leapfrog::step(Vector& E, Vector& B) const {
+    B -= time_step_ * (d_ * E);
+    const Vector flow = d_transposed_ * upper_mass_.cwiseProduct(B);
+    E += time_step_ * flow.cwiseQuotient(mass_);
+}
+
+double Leapfrog::energy(const Vector& E, const Vector& B) const {
+    const Vector next = B - time_step_ * (d_ * E);
+    return (E.dot(mass_.cwiseProduct(E)) + B.dot(upper_mass_.cwiseProduct(next))) / 2;
+}
+
+} // namespace polydec

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include "complex/relative.h"
+#include "dec/boundary_conditions.h"
+#include "dec/discretization.h"
+#include "dec/star.h"
+#include "meshes/generate.h"
+#include "solvers/coexact_spectrum.h"
+#include "solvers/heat.h"
+#include "solvers/hodge.h"
+#include "solvers/leapfrog.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+/// The complex of forms that vanish on the boundary, with its volumes.
+struct Cavity {
+    RelativeComplex relative;
+    CellVolumes volumes;
+
+    explicit Cavity(const Discretization& mesh)
+        : relative(relative_to_boundary(mesh.complex())),
+          volumes(relative_volumes(relative, mesh.volumes)) {}
+};
+
+Vector cavity_eigenvalues(int cells, Index count) {
+    const Cavity cavity(discretize(kuhn(3, cells)));
+    const auto modes =
+        coexact_spectrum(cavity.relative.complex, cavity.volumes, {.degree = 1, .count = count});
+    EXPECT_TRUE(modes.certificate.complete);
+    EXPECT_LE(modes.residuals.maxCoeff(), 1e-6);
+    return modes.eigenvalues / (M_PI * M_PI);
+}
+
+TEST(CavityModes, of_the_cube_are_those_of_an_independent_program) {
+    const Vector values = cavity_eigenvalues(12, 17);
+    for (Index i = 0; i < 3; ++i)
+        EXPECT_NEAR(values[i], 1.9886, 1e-4);
+    for (Index i = 3; i < 5; ++i)
+        EXPECT_NEAR(values[i], 2.9829, 1e-4);
+    for (Index i = 5; i < 11; ++i)
+        EXPECT_NEAR(values[i], 4.9037, 1e-4);
+    for (Index i = 11; i < 17; ++i)
+        EXPECT_NEAR(values[i], 5.898, 1e-3);
+}
+
+TEST(CavityModes, converge_with_order_2) {
+    const double exact[] = {2, 2, 2, 3, 3};
+    const Vector coarse = cavity_eigenvalues(4, 5), fine = cavity_eigenvalues(8, 5);
+    for (Index i = 0; i < 5; ++i)
+        EXPECT_NEAR(std::log2((exact[i] - coarse[i]) / (exact[i] - fine[i])), 2.0, 0.15);
+}
+
+TEST(CavityModes, are_divergence_free_and_no_gradients) {
+    const Cavity cavity(discretize(kuhn(3, 4)));
+    const auto modes =
+        coexact_spectrum(cavity.relative.complex, cavity.volumes, {.degree = 1, .count = 8});
+    HodgeSolver hodge(cavity.relative.complex, cavity.volumes, Side::primal, 1);
+    for (Index i = 0; i < 8; ++i) {
+        const auto parts = hodge.decompose({Side::primal, 1, modes.modes.col(i)});
+        EXPECT_LE(parts.exact.values.norm(), 1e-7 * modes.modes.col(i).norm());
+    }
+    // the plain spectrum has gradients among them: 3 pi^2 of the Dirichlet Laplacian
+    const auto plain = spectrum(cavity.relative.complex, cavity.volumes, {.degree = 1, .count = 8});
+    EXPECT_GT((plain.eigenvalues - modes.eigenvalues).cwiseAbs().maxCoeff(), 1);
+}
+
+/// Yee's scheme on n^3 cubes of side h in a conducting box, written out index by index.
+class Yee {
+public:
+    explicit Yee(int n) : n_(n), h_(1.0 / n) {}
+
+    double& E(int axis, int i, int j, int k) { return field(E_[axis], i, j, k); }
+    double& B(int axis, int i, int j, int k) { return field(B_[axis], i, j, k); }
+
+    void step(double dt) {
+        for (int a = 0; a < 3; ++a)
+            for_all([&](int i, int j, int k) {
+                const int b = (a + 1) % 3, c = (a + 2) % 3;
+                int p[3] = {i, j, k}, q[3] = {i, j, k};
+                ++p[b], ++q[c];
+                if (p[b] > n_ || q[c] > n_)
+                    return;
+                B(a, i, j, k) -= dt / h_ *
+                                 (E(c, p[0], p[1], p[2]) - E(c, i, j, k) - E(b, q[0], q[1], q[2]) +
+                                  E(b, i, j, k));
+            });
+        for (int a = 0; a < 3; ++a)
+            for_all([&](int i, int j, int k) {
+                const int b = (a + 1) % 3, c = (a + 2) % 3;
+                int p[3] = {i, j, k}, q[3] = {i, j, k};
+                const bool wall = p[b] == 0 || p[b] == n_ || p[c] == 0 || p[c] == n_;
+                if (wall || p[a] == n_)
+                    return;
+                --p[b], --q[c];
+                E(a, i, j, k) += dt / h_ *
+                                 (B(c, i, j, k) - B(c, p[0], p[1], p[2]) - B(b, i, j, k) +
+                                  B(b, q[0], q[1], q[2]));
+            });
+    }
+
+private:
+    using Field = std::vector<double>;
+
+    double& field(Field& values, int i, int j, int k) {
+        values.resize((n_ + 1) * (n_ + 1) * (n_ + 1), 0.0);
+        return values[(i * (n_ + 1) + j) * (n_ + 1) + k];
+    }
+
+    template <class Visit>
+    void for_all(Visit visit) const {
+        for (int i = 0; i <= n_; ++i)
+            for (int j = 0; j <= n_; ++j)
+                for (int k = 0; k <= n_; ++k)
+                    visit(i, j, k);
+    }
+
+    int n_;
+    double h_;
+    Field E_[3], B_[3];
+};
+
+/// An edge of the merged grid as Yee's code numbers it.
+struct GridEdge {
+    int axis, i, j, k;
+};
+
+GridEdge grid_edge(const Discretization& mesh, Index edge, int n) {
+    const auto ends = mesh.merging.vertices(1, edge);
+    const Eigen::RowVector3d a = mesh.points.row(ends[0]), b = mesh.points.row(ends[1]);
+    int axis = 0;
+    (b - a).cwiseAbs().maxCoeff(&axis);
+    const Eigen::RowVector3d low = a.cwiseMin(b) * n;
+    return {axis, int(std::lround(low[0])), int(std::lround(low[1])), int(std::lround(low[2]))};
+}
+
+/// Largest difference after some steps from random fields, over the largest field.
+double difference_from_yee(int n, int steps, double factor) {
+    const auto mesh = discretize(kuhn(3, n));
+    const Cavity cavity(mesh);
+    const auto& edges = cavity.relative.cells[1];
+    const double dt = 0.5 / n;
+    const Leapfrog leapfrog(cavity.relative.complex, cavity.volumes, 1, dt);
+    Vector E = random_vector(cavity.relative.complex.size(1), 1);
+    Vector B = Vector::Zero(cavity.relative.complex.size(2));
+
+    Yee yee(n);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto [axis, i, j, k] = grid_edge(mesh, edges[e], n);
+        yee.E(axis, i, j, k) = E[Index(e)] * n; // values along an edge are field times length
+    }
+    for (int step = 0; step < steps; ++step) {
+        leapfrog.step(E, B);
+        yee.step(factor * dt);
+    }
+    double worst = 0;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto [axis, i, j, k] = grid_edge(mesh, edges[e], n);
+        worst = std::max(worst, std::abs(yee.E(axis, i, j, k) - E[Index(e)] * n));
+    }
+    return worst / (E.cwiseAbs().maxCoeff() * n);
+}
+
+TEST(Maxwell, leapfrog_on_a_merged_kuhn_grid_is_the_scheme_of_yee) {
+    EXPECT_LE(difference_from_yee(6, 1000, 1), 1e-11);
+    EXPECT_GT(difference_from_yee(6, 100, 1.01), 1e-3) << "with another time step";
+}
+
+TEST(Maxwell, energy_is_conserved_over_ten_thousand_steps) {
+    const Cavity cavity(discretize(kuhn(3, 4)));
+    const auto& complex = cavity.relative.complex;
+    const Leapfrog leapfrog(complex, cavity.volumes, 1,
+                            0.99 * stable_step(complex, cavity.volumes, 1));
+    Vector E = random_vector(complex.size(1), 3), B = random_vector(complex.size(2), 4);
+    const double begin = leapfrog.energy(E, B);
+    for (int step = 0; step < 10000; ++step)
+        leapfrog.step(E, B);
+    EXPECT_NEAR(leapfrog.energy(E, B), begin, 1e-10 * begin);
+    // the sum of the squares alone swings
+    const auto squares = [&] {
+        return E.dot(star(cavity.volumes, 1).cwiseProduct(E)) +
+               B.dot(star(cavity.volumes, 2).cwiseProduct(B));
+    };
+    const double before = squares();
+    leapfrog.step(E, B);
+    EXPECT_GT(std::abs(squares() - before), 1e-6 * before);
+}
+
+TEST(Waves, of_functions_swing_with_their_frequency_in_any_dimension) {
+    for (const int n : {1, 2, 3, 4}) {
+        const Cavity cavity(discretize(kuhn(n, 4)));
+        const auto& complex = cavity.relative.complex;
+        const auto mode = spectrum(complex, cavity.volumes, {.degree = 0, .count = 1});
+        const double frequency = std::sqrt(mode.eigenvalues[0]);
+        const int steps = 2000;
+        const double dt = 2 * M_PI / frequency / steps;
+        const Leapfrog leapfrog(complex, cavity.volumes, 0, dt);
+        Vector u = mode.modes.col(0), v = Vector::Zero(complex.size(1));
+        // half a step back makes the velocity stand still at the beginning
+        v = 0.5 * dt * (complex.coboundary(0).cast<double>() * u);
+        const Vector begin = u;
+        for (int step = 0; step < steps; ++step)
+            leapfrog.step(u, v);
+        EXPECT_LE((u - begin).norm(), 1e-4 * begin.norm()) << "n = " << n;
+    }
+}
+
+class Heat : public OverMeshes {};
+
+TEST_P(Heat, eigenforms_decay_with_their_eigenvalues_on_both_sides) {
+    const int n = mesh().n();
+    for (int k = 0; k <= n; ++k)
+        for (const Side side : {Side::primal, Side::dual}) {
+            if (!zero_star_cells(mesh().volumes, k).empty() ||
+                !negative_star_cells(mesh().volumes, k).empty() ||
+                (k > 0 && !zero_star_cells(mesh().volumes, k - 1).empty()))
+                continue;
+            const int degree = side == Side::primal ? k : n - k;
+            const auto modes =
+                spectrum(mesh().P(), mesh().volumes, {.side = side, .degree = degree, .count = 1});
+            const double lambda = modes.eigenvalues[0], dt = 1e-3;
+            if (lambda < -1e-9)
+                continue; // spurious, of a negative dual: grows instead
+            HeatSolver solver(mesh().P(), mesh().volumes, side, degree, {.time_step = dt});
+            const Cochain mode{side, degree, modes.modes.col(0)};
+            const Vector expected = mode.values / (1 + dt * lambda);
+            EXPECT_LE(relative_difference(solver.step(mode).values, expected), 1e-8)
+                << name(side) << ' ' << degree;
+        }
+}
+
+POLYDEC_OVER_MESHES(Heat);
+
+TEST(HeatOrders, are_1_and_2_in_time) {
+    const auto mesh = discretize(grid(6, 6));
+    const auto modes = spectrum(mesh, {.degree = 0, .count = 2});
+    const double lambda = modes.eigenvalues[1], end = 0.1;
+    const auto error = [&](HeatScheme scheme, int steps) {
+        HeatSolver solver(mesh.complex(), mesh.volumes, Side::primal, 0,
+                          {.time_step = end / steps, .scheme = scheme});
+        Cochain u{Side::primal, 0, modes.modes.col(1)};
+        const Vector exact = std::exp(-lambda * end) * u.values;
+        for (int step = 0; step < steps; ++step)
+            u = solver.step(u);
+        return (u.values - exact).norm();
+    };
+    for (const auto& [scheme, order] :
+         {std::pair{HeatScheme::backward_euler, 1.0}, {HeatScheme::crank_nicolson, 2.0}})
+        EXPECT_NEAR(std::log2(error(scheme, 20) / error(scheme, 40)), order, 0.1);
+}
+
+TEST(WaveErrors, name_what_is_wrong) {
+    const auto mesh = discretize(grid(4, 4));
+    EXPECT_EQ(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes, 2, 0.1); }),
+              "waves of 2-forms are asked for: in dimension 2 the degrees are 0 to 1");
+    EXPECT_EQ(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes, 0, 1); }).substr(0, 42),
+              "a time step of 1 is given: expected one ab");
+    EXPECT_EQ(refusal([&] { HeatSolver(mesh.complex(), mesh.volumes, Side::dual, 0, {}); }),
+              "a time step of 0 is given: expected one above 0");
+    EXPECT_EQ(
+        refusal([&] { coexact_spectrum(mesh.complex(), mesh.volumes, {.side = Side::dual}); }),
+        "coexact spectra are of primal forms: a coexact dual form is the star of an exact "
+        "primal one");
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""The figures and tables of the paper as programs get them; those that take no time."""
+import os
+import xml.etree.ElementTree
+
+import command
+from command import TestCase, golden
+
+NAMES = ["table1", "table2", "fig2", "fig6", "fig7", "fig8", "fig9", "fig10", "spectra"]
+QUICK = ("fig2", "fig6", "table1")
+
+
+class Reproduce(TestCase):
+    def test_the_list_names_each_with_a_summary(self):
+        listed = self.ask("reproduce", "--list")["reproductions"]
+        self.assertEqual([each["name"] for each in listed], NAMES)
+        lines = self.succeed("reproduce", "--list").out.splitlines()
+        self.assertEqual(lines, [f"{each['name']:<9} {each['summary']}" for each in listed])
+
+    def test_reports_are_printed(self):
+        for name in QUICK:
+            outcome = self.succeed("reproduce", name)
+            self.assertTrue(outcome.out.startswith(f"{name}: "))
+            self.assertEqual(outcome.err, "")
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_json_is_one_object_with_the_rows_of_every_table(self):
+        for name in QUICK:
+            report = self.ask("reproduce", name)
+            self.assertEqual(set(report), {"name", "title", "tables", "plots", "drawings",
+                                           "remarks"})
+            self.assertEqual(report["name"], name)
+            self.assertTrue(report["tables"])
+            for table in report["tables"]:
+                self.assertTrue(table["rows"])
+                for row in table["rows"]:
+                    self.assertEqual(len(row), len(table["columns"]))
+
+    def test_the_files_told_are_those_written(self):
+        for name in QUICK:
+            lines = self.succeed("reproduce", name, "--out", f"out/{name}").out.splitlines()
+            told = [line for line in lines if line.startswith("out/")]
+            there = [f"out/{name}/{file}" for file in os.listdir(self.path(f"out/{name}"))]
+            self.assertEqual(sorted(told), sorted(there))
+            self.assertIn(f"out/{name}/{name}.json", there)
+            report = command.parse(self.read(f"out/{name}/{name}.json"))
+            self.assertEqual(report, self.ask("reproduce", name))
+            suffixes = [os.path.splitext(file)[1] for file in there]
+            self.assertEqual(suffixes.count(".csv"), len(report["tables"]))
+            self.assertEqual(suffixes.count(".svg"),
+                             len(report["plots"]) + len(report["drawings"]))
+            for file in there:
+                if file.endswith(".svg"):
+                    root = xml.etree.ElementTree.parse(self.path(file)).getroot()
+                    self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+
+    def test_a_folder_of_meshes_is_surveyed(self):
+        report = self.ask("reproduce", "table2", "--meshes", golden("."))
+        rows = {row[0]: row for row in report["tables"][0]["rows"]}
+        self.assertEqual(rows["uv8.off"][1], 112)
+        self.assertIn("all", rows)
+        self.assertIn("cells of dimension 3", rows["kuhn3.nsc"][-1])
+        self.assertIsNone(rows["kuhn3.nsc"][1])
+
+    def test_refusals(self):
+        more = "\nRun with --help for more information."
+        known = ", ".join(NAMES)
+        for arguments, message in (
+                ((), "NAME is required"),
+                (("fig1",), f"NAME: there is no 'fig1'; expected {known}, or all"),
+                (("fig2", "--list"), "NAME excludes --list"),
+                (("fig2", "--levels", "0"),
+                 "--levels: expected a number from 1 to 20, not '0'")):
+            self.assertEqual(self.fail_with(1, "reproduce", *arguments),
+                             f"polydec: {message}{more}")
+        self.write("file", "")
+        self.assertEqual(self.fail_with(4, "reproduce", "table2", "--meshes", "none"),
+                         "polydec: cannot read the folder none: No such file or directory")
+        os.mkdir(self.path("empty"))
+        self.assertEqual(self.fail_with(2, "reproduce", "table2", "--meshes", "empty"),
+                         "polydec: the folder empty holds no file with the extension of a mesh: "
+                         "expected .off, .obj, .ply, .stl or another that polydec reads")
+
+    def test_a_folder_that_cannot_be_made_is_code_4(self):
+        self.write("file", "")
+        outcome = command.run("reproduce", "fig2", "--out", "file", folder=self.folder)
+        self.assertEqual(outcome.code, 4)
+        self.assertIn("polydec: cannot make the folder file", outcome.err)
+
+
+if __name__ == "__main__":
+    command.main()
