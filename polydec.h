@@ -4,6 +4,7 @@
 /// All of polydec's library: discrete exterior calculus on the mesh you have.
 
 #include "backends/adapt.h"
+#include "backends/mesher.h"
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "base/types.h"
@@ -51,6 +52,7 @@
 #include "meshes/generate.h"
 #include "meshes/mesh.h"
 #include "meshes/rearrange.h"
+#include "meshes/tetrahedralize.h"
 #include "meshes/tidy.h"
 #include "solvers/certified_eigensolver.h"
 #include "solvers/coexact_spectrum.h"

@@ -3,6 +3,7 @@
 
 #include "backends/auto_solver.h"
 #include "backends/builtin_engines.h"
+#include "backends/tetgen.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -19,20 +20,22 @@ namespace {
 template <typename Factory>
 struct Entry {
     EngineInfo info;
-    Factory factory; // empty: known, but not in this program
+    Factory factory;                        // empty: known, but not in this program
+    std::function<bool()> has_program = {}; // for an engine that runs one
 };
 
 struct Registry {
     std::mutex mutex;
     std::map<std::string, Entry<LinearSolverFactory>> linear;
     std::map<std::string, Entry<EigenSolverFactory>> eigen;
+    std::map<std::string, Entry<Mesher>> mesher;
 };
 
 template <typename Factory>
 void add(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Factory factory) {
     info.available = static_cast<bool>(factory);
     const std::string name = info.name;
-    known[name] = {std::move(info), std::move(factory)};
+    known[name] = {std::move(info), std::move(factory), {}};
 }
 
 void add_builtin(Registry& registry) {
@@ -61,6 +64,14 @@ void add_builtin(Registry& registry) {
     add(registry.eigen,
         {"spectra", EngineKind::eigen, true, "Spectra's implicitly restarted Lanczos", ""},
         EigenSolverFactory(builtin::make_spectra));
+    add(registry.mesher,
+        {"tetgen", EngineKind::mesher, false,
+         "TetGen: Delaunay tetrahedra in closed surfaces, with bounds of quality and volume; run "
+         "as "
+         "a program",
+         "apt-get install tetgen"},
+        Mesher(builtin::run_tetgen));
+    registry.mesher.at("tetgen").has_program = builtin::has_tetgen;
 }
 
 // Made at the first call, so nothing hangs on the order in which programs start.
@@ -89,7 +100,8 @@ Factory find(const std::map<std::string, Entry<Factory>>& known, const std::stri
     if (found == known.end())
         throw InvalidInput(fmt::format("there is no {} called `{}`\nKnown are: {}.", kind, name,
                                        available_names(known)));
-    const auto& [info, factory] = found->second;
+    const auto& info = found->second.info;
+    const auto& factory = found->second.factory;
     if (!factory)
         throw BackendUnavailable(fmt::format("the {} `{}` is not part of this program\n"
                                              "To get it: {}.",
@@ -140,6 +152,10 @@ std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name) {
     return solver;
 }
 
+Mesher find_mesher(const std::string& name) {
+    return find(registry().mesher, name, "mesher");
+}
+
 void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory) {
     enroll(registry().linear, info, EngineKind::linear, std::move(factory));
 }
@@ -156,13 +172,23 @@ void register_eigen_solver(const std::string& name, EigenSolverFactory factory) 
     register_eigen_solver(EngineInfo{.name = name, .kind = EngineKind::eigen}, std::move(factory));
 }
 
+void register_mesher(const EngineInfo& info, Mesher mesher) {
+    enroll(registry().mesher, info, EngineKind::mesher, std::move(mesher));
+}
+
 std::vector<EngineInfo> engines() {
     std::vector<EngineInfo> result;
+    const auto list = [&](const auto& known) {
+        for (const auto& [name, entry] : known) {
+            result.push_back(entry.info);
+            if (entry.has_program)
+                result.back().available = entry.has_program();
+        }
+    };
     const std::lock_guard lock(registry().mutex);
-    for (const auto& [name, entry] : registry().linear)
-        result.push_back(entry.info);
-    for (const auto& [name, entry] : registry().eigen)
-        result.push_back(entry.info);
+    list(registry().linear);
+    list(registry().eigen);
+    list(registry().mesher);
     return result;
 }
 

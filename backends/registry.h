@@ -3,6 +3,7 @@
 
 #include "backends/eigen_solver.h"
 #include "backends/linear_solver.h"
+#include "backends/mesher.h"
 
 #include <functional>
 #include <memory>
@@ -11,7 +12,7 @@
 
 namespace polydec {
 
-enum class EngineKind { linear, eigen };
+enum class EngineKind { linear, eigen, mesher };
 
 /// What `polydec backends` tells of an engine.
 struct EngineInfo {
@@ -36,6 +37,11 @@ std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name,
 /// The same for eigensolvers: spectra, or what was registered.
 std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name);
 
+/// The mesher of that name: tetgen, or what was registered. One whose program is not there is
+/// found, and throws BackendUnavailable when it is called. Throws InvalidInput, listing the known
+/// names.
+Mesher find_mesher(const std::string& name);
+
 /// Makes an engine known under a name; `available` is set by the registry.
 /// Throws InvalidInput if the name is empty or taken, or the factory is empty.
 void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory);
@@ -43,7 +49,11 @@ void register_linear_solver(const std::string& name, LinearSolverFactory factory
 void register_eigen_solver(const EngineInfo& info, EigenSolverFactory factory);
 void register_eigen_solver(const std::string& name, EigenSolverFactory factory);
 
-/// Every engine that is known, the missing ones too; linear first, each kind ordered by name.
+/// The same for a mesher.
+void register_mesher(const EngineInfo& info, Mesher mesher);
+
+/// Every engine that is known, the missing ones too; linear first, then eigensolvers, then meshers,
+/// each kind ordered by name. An engine that runs a program is available if that is on PATH now.
 std::vector<EngineInfo> engines();
 
 /// Whether make_linear_solver(name) would find an engine.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "io/cell_lists.h"
 #include "io/readers.h"
 #include "io/scanner.h"
 
@@ -7,6 +8,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace polydec {
 
@@ -75,21 +77,27 @@ Points read_vertices(const Sections& sections, int dimension) {
     return points;
 }
 
-/// No rows where the section is missing.
-Simplices read_cells(const Sections& sections, const char* keyword, int corners, Index vertices) {
+/// Reads the cells of a section, and their references as tags; none where it is missing.
+void read_cells(const Sections& sections, const char* keyword, int corners, Mesh& mesh) {
+    const auto vertices = static_cast<Index>(mesh.points.rows());
+    mesh.simplices.resize(0, corners);
     if (!sections.has(keyword)) {
-        return Simplices(0, corners);
+        return;
     }
     Scanner scanner = sections.at(keyword);
     const Index count = scanner.count(keyword, 2 * (static_cast<std::size_t>(corners) + 1));
-    Simplices cells(count, corners);
+    mesh.simplices.resize(count, corners);
+    mesh.tags.resize(static_cast<std::size_t>(count));
+    bool are_tags = true;
     for (Index cell = 0; cell < count; ++cell) {
         for (int corner = 0; corner < corners; ++corner) {
-            cells(cell, corner) = scanner.vertex(vertices, 1);
+            mesh.simplices(cell, corner) = scanner.vertex(vertices, 1);
         }
-        scanner.number("a reference");
+        const auto tag = tag_from(scanner.number("a reference"));
+        mesh.tags[static_cast<std::size_t>(cell)] = tag.value_or(0);
+        are_tags = are_tags && tag.has_value();
     }
-    return cells;
+    mesh.tags = are_tags ? tags_or_none(std::move(mesh.tags)) : std::vector<Index>();
 }
 
 /// Leaving such cells out would silently make a hole in the mesh.
@@ -111,14 +119,12 @@ Mesh read_medit(const SourceFile& file) {
 
     Mesh mesh;
     mesh.points = read_vertices(sections, read_dimension(sections));
-    const auto vertices = static_cast<Index>(mesh.points.rows());
     constexpr std::array<const char*, 3> kinds{"Tetrahedra", "Triangles", "Edges"};
     for (int kind = 0; kind < 3; ++kind) {
         if (kind == 1) {
             refuse_others(sections, "Quadrilaterals");
         }
-        mesh.simplices =
-            read_cells(sections, kinds[static_cast<std::size_t>(kind)], 4 - kind, vertices);
+        read_cells(sections, kinds[static_cast<std::size_t>(kind)], 4 - kind, mesh);
         if (mesh.simplices.rows() > 0) {
             return mesh;
         }

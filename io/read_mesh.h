@@ -9,13 +9,17 @@ namespace polydec {
 
 /// Reads a mesh; the extension says the format, in any case of its letters: .off, .obj, .ply
 /// (ascii, binary of both byte orders) and .stl (ascii, binary) give triangles in R^3, .mesh
-/// (MEDIT, ascii) its tetrahedra or else its triangles or else its edges, .nsc simplices of any
-/// dimension.
+/// (MEDIT, ascii), .msh (Gmsh 2.2 and 4.1, text and binary), .vtk (legacy VTK, text and binary),
+/// .vtu (VTK's XML UnstructuredGrid in every encoding, uncompressed or by zlib) and .node or .ele
+/// (TetGen, Triangle; the other file beside it, or .face) give the cells of the largest dimension:
+/// tetrahedra, or else triangles and polygons, or else edges; .nsc gives simplices of any
+/// dimension. Other solids and curved cells are refused. Physical groups, references and regions
+/// become the mesh's tags.
 ///
-/// Vertices keep their numbers; an STL file has none, so that equal points become one vertex,
-/// numbered by first appearance. Polygons are split as `split_polygons` does. Nothing else is
-/// repaired: double cells, cells without volume and unused vertices are left for the checks of the
-/// complex.
+/// Vertices keep their numbers, counted from 0 in the order of the file; an STL file has none, so
+/// that equal points become one vertex, numbered by first appearance. Polygons are split as
+/// `split_polygons` does. Nothing else is repaired: double cells, cells without volume and unused
+/// vertices are left for the checks of the complex.
 ///
 /// Throws IoError if the file cannot be read, InvalidInput "path:line: what; expected; advice" if
 /// it is malformed, has coordinates that are not finite, no vertices or no cells.

@@ -23,6 +23,15 @@ Mesh read_ply(const SourceFile& file);
 Mesh read_stl(const SourceFile& file);
 Mesh read_nsc(const SourceFile& file);
 Mesh read_medit(const SourceFile& file);
+Mesh read_gmsh(const SourceFile& file);
+Mesh read_vtk(const SourceFile& file);
+Mesh read_vtu(const SourceFile& file);
+
+/// TetGen's meshes are two files: reads the other one too, which must be beside this one.
+Mesh read_tetgen(const SourceFile& file);
+
+/// The same from a .node file and an .ele or .face file that were read.
+Mesh parse_tetgen(const SourceFile& nodes, const SourceFile& cells);
 
 /// Makes room for faces, mostly triangles, but not for more than `remaining` bytes can hold.
 void reserve_faces(PolygonMesh& polygons, Index faces, std::size_t remaining);

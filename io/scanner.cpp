@@ -124,7 +124,18 @@ std::int64_t Scanner::integer(std::string_view expected, char end_mark) {
 }
 
 double Scanner::coordinate(Index vertex) {
-    const double value = number("a coordinate");
+    return as_coordinate(number("a coordinate"), vertex);
+}
+
+Index Scanner::count(std::string_view plural, std::size_t least_bytes) {
+    return as_count(integer(fmt::format("the number of {}", plural)), plural, least_bytes);
+}
+
+Index Scanner::vertex(Index vertices, Index first) {
+    return as_vertex(integer("a vertex number"), vertices, first);
+}
+
+double Scanner::as_coordinate(double value, Index vertex) const {
     if (!std::isfinite(value)) {
         fail(fmt::format("vertex {} (counted from 0) has a coordinate that is NaN, infinite or "
                          "beyond the doubles; expected finite numbers; repair or remove the vertex",
@@ -133,8 +144,8 @@ double Scanner::coordinate(Index vertex) {
     return value;
 }
 
-Index Scanner::count(std::string_view plural, std::size_t least_bytes) {
-    const auto value = integer(fmt::format("the number of {}", plural));
+Index Scanner::as_count(std::int64_t value, std::string_view plural,
+                        std::size_t least_bytes) const {
     if (value < 0) {
         fail(fmt::format("{} {} are promised; expected a number that is not negative; correct it",
                          value, plural));
@@ -152,14 +163,24 @@ Index Scanner::count(std::string_view plural, std::size_t least_bytes) {
     return static_cast<Index>(value);
 }
 
-Index Scanner::vertex(Index vertices, Index first) {
-    const auto value = integer("a vertex number");
+Index Scanner::as_vertex(std::int64_t value, Index vertices, Index first) const {
     if (value < first || value - first >= vertices) {
         fail(fmt::format("vertex number {} is out of range; expected {} to {}; correct the index "
                          "or add the vertex",
                          value, first, std::int64_t{vertices} - 1 + first));
     }
     return static_cast<Index>(value - first);
+}
+
+std::string_view Scanner::bytes(std::size_t count, std::string_view expected) {
+    if (count > remaining()) {
+        fail(fmt::format("the file ends here; expected {}; export it again, it seems cut off",
+                         expected));
+    }
+    const std::string_view result(position_, count);
+    line_ += static_cast<std::size_t>(std::count(result.begin(), result.end(), '\n'));
+    position_ += count;
+    return result;
 }
 
 void Scanner::stay_on_line(std::string_view record) {

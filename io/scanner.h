@@ -54,6 +54,14 @@ public:
     /// The next word as a vertex number from `first` to `first + vertices - 1`; minus `first`.
     Index vertex(Index vertices, Index first);
 
+    /// The same checks for numbers that were read already.
+    double as_coordinate(double value, Index vertex) const;
+    Index as_count(std::int64_t value, std::string_view plural, std::size_t least_bytes) const;
+    Index as_vertex(std::int64_t value, Index vertices, Index first) const;
+
+    /// The next bytes, whatever they are; LF among them counts as the end of a line.
+    std::string_view bytes(std::size_t count, std::string_view expected);
+
     /// Refuses the end of the line where `record` goes on.
     void stay_on_line(std::string_view record);
 

@@ -302,7 +302,7 @@ void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh) {
     const auto extension = lower_extension(path);
     if (extension != ".off" && extension != ".obj" && extension != ".ply") {
         refuse(path, fmt::format("the extension '{}' stands for no format of polygons; use .off, "
-                                 ".obj, .ply or .vtu",
+                                 ".obj or .ply",
                                  extension));
     }
     if (mesh.points.cols() > 3) {

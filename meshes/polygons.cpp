@@ -231,7 +231,9 @@ Corners without_repeats(Corners corners, std::vector<Index>& kept) {
     return kept;
 }
 
-std::vector<Index> triangles_of(const PolygonMesh& polygons, Tallies& tallies) {
+/// The corners of the triangles; appends to `tags` one for each of them if the faces have tags.
+std::vector<Index> triangles_of(const PolygonMesh& polygons, Tallies& tallies,
+                                std::vector<Index>& tags) {
     std::vector<Index> triangles;
     triangles.reserve(polygons.corners.size());
     PolygonSplitter splitter(polygons.points, triangles);
@@ -259,6 +261,9 @@ std::vector<Index> triangles_of(const PolygonMesh& polygons, Tallies& tallies) {
                 "face {} has {} corners and no fan of triangles from its first; expected at most "
                 "{} corners then; split it before",
                 face, corners.size(), most_corners_without_fan));
+        }
+        if (!polygons.tags.empty()) {
+            tags.resize(triangles.size() / 3, polygons.tags[face]);
         }
     }
     return triangles;
@@ -328,12 +333,18 @@ void check_polygons(const PolygonMesh& polygons) {
 
 Mesh split_polygons(PolygonMesh polygons) {
     check_polygons(polygons);
+    if (!polygons.tags.empty() && polygons.tags.size() + 1 != polygons.offsets.size()) {
+        throw InvalidInput(fmt::format("there are {} tags for {} faces; give every face one, or "
+                                       "none at all",
+                                       polygons.tags.size(), polygons.offsets.size() - 1));
+    }
     Mesh mesh;
     if (are_triangles(polygons)) {
         mesh.simplices = simplices_from(polygons.corners);
+        mesh.tags = std::move(polygons.tags);
     } else {
         Tallies tallies;
-        mesh.simplices = simplices_from(triangles_of(polygons, tallies));
+        mesh.simplices = simplices_from(triangles_of(polygons, tallies, mesh.tags));
         mesh.warnings = warnings_of(tallies);
     }
     mesh.points = std::move(polygons.points);

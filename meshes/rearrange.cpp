@@ -51,6 +51,9 @@ Mesh perturbed(Mesh mesh, double amplitude, std::uint64_t seed) {
 }
 
 Shuffled shuffled(const Mesh& mesh, std::uint64_t seed) {
+    const auto cells = static_cast<std::size_t>(mesh.simplices.rows());
+    if (!mesh.tags.empty() && mesh.tags.size() != cells)
+        throw InvalidInput(fmt::format("shuffled: {} tags for {} cells", mesh.tags.size(), cells));
     Random random(seed);
     Shuffled result{mesh, random.order(mesh.points.rows()), random.order(mesh.simplices.rows())};
     std::vector<Index> new_number(result.vertices.size());
@@ -68,6 +71,8 @@ Shuffled shuffled(const Mesh& mesh, std::uint64_t seed) {
                                                result.cells[i], vertex, mesh.points.rows()));
             result.mesh.simplices(static_cast<Eigen::Index>(i), c) = new_number[vertex];
         }
+    for (std::size_t i = 0; i < mesh.tags.size(); ++i)
+        result.mesh.tags[i] = mesh.tags[result.cells[i]];
     return result;
 }
 

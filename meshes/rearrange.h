@@ -21,8 +21,9 @@ struct Shuffled {
 };
 
 /// The same mesh under random vertex and cell numbers; cells keep the order of their corners, so
-/// their orientation. The same seed gives the same numbers on every machine.
-/// Throws InvalidInput, naming the cell, if a vertex number is out of range.
+/// their orientation, and their tags. The same seed gives the same numbers on every machine.
+/// Throws InvalidInput, naming the cell, if a vertex number is out of range, or if there are tags,
+/// but not one for each cell.
 Shuffled shuffled(const Mesh& mesh, std::uint64_t seed);
 
 } // namespace polydec

@@ -59,6 +59,11 @@ void check_input(const Mesh& mesh) {
         throw InvalidInput(fmt::format("cells of dimension {} need points with at least {} "
                                        "coordinates, these have {}",
                                        n, n, N));
+    const auto cells = static_cast<std::size_t>(mesh.simplices.rows());
+    if (!mesh.tags.empty() && mesh.tags.size() != cells)
+        throw InvalidInput(fmt::format("there are {} tags for {} cells; give every cell one, or "
+                                       "none at all",
+                                       mesh.tags.size(), cells));
     for (Index v = 0; v < mesh.points.rows(); ++v)
         if (!mesh.points.row(v).allFinite())
             throw InvalidInput(fmt::format("vertex {} is not at a finite place: {}\n"
@@ -94,11 +99,15 @@ void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view f
         }
         const Index to = cell - static_cast<Index>(left_out);
         mesh.simplices.row(to) = mesh.simplices.row(cell);
+        if (!mesh.tags.empty())
+            mesh.tags[to] = mesh.tags[cell];
         sieve.numbers[to] = sieve.numbers[cell];
     }
     sieve.numbers.resize(sieve.numbers.size() - left_out);
     mesh.simplices.conservativeResize(static_cast<Eigen::Index>(sieve.numbers.size()),
                                       Eigen::NoChange);
+    if (!mesh.tags.empty())
+        mesh.tags.resize(sieve.numbers.size());
 }
 
 /// The cells' vertices in ascending order.

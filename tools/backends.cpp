@@ -12,7 +12,15 @@ namespace polydec::tools {
 namespace {
 
 const char* kind_name(EngineKind kind) {
-    return kind == EngineKind::linear ? "linear solver" : "eigensolver";
+    switch (kind) {
+    case EngineKind::linear:
+        return "linear solver";
+    case EngineKind::eigen:
+        return "eigensolver";
+    case EngineKind::mesher:
+        return "mesher";
+    }
+    return "";
 }
 
 void run(bool json) {

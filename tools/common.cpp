@@ -46,7 +46,9 @@ Json Timing::json() const {
 }
 
 void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption json) {
-    command.add_option("MESH", arguments.mesh, "mesh file: .off .obj .ply .stl .mesh .nsc")
+    command
+        .add_option("MESH", arguments.mesh,
+                    "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc")
         ->required();
     auto* tolerance = command.add_option("--tolerance", arguments.tolerance,
                                          "merge facets with relative dual length up to this");

@@ -87,6 +87,13 @@ TEST(Medit, TakesTheCellsOfHighestDimension) {
               (Cells{{0, 1, 2}, {0, 2, 3}}));
 }
 
+TEST(Medit, ReferencesAreTagsUnlessAllAreZero) {
+    EXPECT_EQ(read_from("a.mesh", medit + "Triangles\n2\n1 2 3 0\n1 3 4 7\n").tags,
+              (std::vector<Index>{0, 7}));
+    EXPECT_TRUE(read_from("a.mesh", medit + "Triangles\n1\n1 2 3 0\n").tags.empty());
+    EXPECT_TRUE(read_from("a.mesh", medit + "Triangles\n1\n1 2 3 0.5\n").tags.empty());
+}
+
 TEST(Medit, SectionsMayComeInAnyOrderAndUnknownOnesAreLeftOut) {
     const auto mesh =
         read_from("a.mesh", "MeshVersionFormatted\n1\n# comment\nTriangles\n1\n1 2 3 0\n"

@@ -64,6 +64,17 @@ TEST(Polygons, ConvexOnesAreFansFromTheFirstCorner) {
     EXPECT_TRUE((mesh.simplices.col(0).array() == 0).all());
 }
 
+TEST(Polygons, TrianglesHaveTheTagOfTheirPolygon) {
+    auto square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    square.corners.insert(square.corners.end(), {0, 1, 2, 3});
+    square.offsets = {0, 4, 5, 8};
+    square.tags = {7, 8, 9};
+    EXPECT_EQ(split_polygons(square).tags, (std::vector<Index>{7, 7, 9}));
+    square.tags = {7, 8};
+    EXPECT_EQ(error_of([&] { split_polygons(square); }),
+              "InvalidInput: there are 2 tags for 3 faces; give every face one, or none at all");
+}
+
 TEST(Polygons, TheNextCornerServesWhereTheFirstMakesATriangleWithoutArea) {
     const auto mesh = split_polygons(polygon({{0, 0}, {1, 0}, {2, 0}, {1, 2}}));
     EXPECT_EQ(rows(mesh.simplices), (Cells{{1, 2, 3}, {1, 3, 0}}));

@@ -215,7 +215,7 @@ TEST(WriteMesh, RefusesPolygonsThatDoNotFit) {
     auto mesh = pentagon_and_square();
     EXPECT_EQ(error_of([&mesh] { write_mesh("a.stl", mesh); }),
               "InvalidInput: cannot write a.stl: the extension '.stl' stands for no format of "
-              "polygons; use .off, .obj, .ply or .vtu");
+              "polygons; use .off, .obj or .ply");
     mesh.corners[0] = -1;
     EXPECT_EQ(error_of([&mesh] { write_mesh("a.off", mesh); }),
               "InvalidInput: face 0 has the vertex -1; expected 0 to 6");

@@ -3,7 +3,10 @@
 
 #include "base/errors.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -96,6 +99,21 @@ std::vector<std::vector<Index>> rows(const Simplices& simplices) {
 bool same(const Mesh& a, const Mesh& b) {
     return a.ambient_dimension() == b.ambient_dimension() && a.dimension() == b.dimension() &&
            rows(a.points) == rows(b.points) && rows(a.simplices) == rows(b.simplices);
+}
+
+double volume(const Mesh& mesh) {
+    double sum = 0.0;
+    for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
+        DenseMatrix edges(mesh.ambient_dimension(), mesh.dimension());
+        double factor = 1.0;
+        for (int i = 0; i < mesh.dimension(); ++i) {
+            edges.col(i) = mesh.points.row(mesh.simplices(cell, i + 1)) -
+                           mesh.points.row(mesh.simplices(cell, 0));
+            factor /= i + 1;
+        }
+        sum += factor * std::sqrt((edges.transpose() * edges).determinant());
+    }
+    return sum;
 }
 
 std::string with_line_breaks(const std::string& text, const std::string& line_break) {

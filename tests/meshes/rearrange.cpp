@@ -57,6 +57,18 @@ TEST(Shuffled, is_the_same_mesh_under_the_numbers_it_returns) {
     }
 }
 
+TEST(Shuffled, tags_follow_their_cells) {
+    Mesh mesh = grid(5, 4);
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
+        mesh.tags.push_back(100 + cell);
+    const Shuffled result = shuffled(mesh, 3);
+    EXPECT_NE(result.mesh.tags, mesh.tags);
+    for (std::size_t cell = 0; cell < mesh.tags.size(); ++cell)
+        EXPECT_EQ(result.mesh.tags[cell], 100 + result.cells[cell]);
+    mesh.tags.pop_back();
+    EXPECT_EQ(refusal([&] { shuffled(mesh, 3); }), "shuffled: 39 tags for 40 cells");
+}
+
 TEST(Shuffled, refuses_a_vertex_number_out_of_range) {
     Mesh mesh = grid(1, 1);
     mesh.simplices(1, 2) = 4;

@@ -51,6 +51,15 @@ TEST(Tidy, leaves_out_cells_with_a_repeated_corner) {
               Warnings{"left out 2 cells with a repeated corner: 0 (0 0 1), 2 (3 4 3)"});
 }
 
+TEST(Tidy, tags_follow_the_cells_that_stay) {
+    Mesh mesh = square_and({{0, 0, 1}, {0, 1, 2}, {3, 4, 3}, {0, 2, 3}, {2, 1, 0}, {3, 2, 4}});
+    mesh.tags = {10, 11, 12, 13, 14, 15};
+    EXPECT_EQ(tidy(mesh).tags, (std::vector<Index>{11, 13, 15}));
+    mesh.tags.pop_back();
+    EXPECT_EQ(refusal([&] { tidy(mesh); }),
+              "there are 5 tags for 6 cells; give every cell one, or none at all");
+}
+
 TEST(Tidy, names_five_cells_and_counts_the_others) {
     const Mesh result = tidy(square_and({{1, 1, 1},
                                          {0, 0, 1},

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "backends/mesher.h"
+
+#include "backends/mesher_input.h"
+#include "backends/registry.h"
+
+namespace polydec {
+
+MesherOutput tetrahedralize(const MesherInput& input, const MesherOptions& options,
+                            const std::string& engine) {
+    const Mesher mesher = find_mesher(engine);
+    check_mesher_options(options);
+    check_mesher_input(input);
+    return mesher(input, options);
+}
+
+} // namespace polydec

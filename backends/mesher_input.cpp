@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include "backends/mesher_input.h"
+
+#include "base/errors.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <tuple>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+using Place = Eigen::Vector3d;
+using Facet = std::span<const Index>;
+
+constexpr double flat_tolerance = 1e-12;   // volumes and areas, relative to lengths
+constexpr double bending_tolerance = 1e-8; // what TetGen takes for plane
+
+Facet facet(const MesherInput& input, Index f) {
+    const auto number = static_cast<std::size_t>(f);
+    const auto begin = static_cast<std::size_t>(input.offsets[number]);
+    const auto end = static_cast<std::size_t>(input.offsets[number + 1]);
+    return Facet(input.corners).subspan(begin, end - begin);
+}
+
+void check_finite(const Points& points, const char* kind) {
+    if (points.cols() != 3) {
+        throw InvalidInput(fmt::format("mesher: a {} has {} coordinates; tetrahedra are made in "
+                                       "three",
+                                       kind, points.cols()));
+    }
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        if (!points.row(i).allFinite()) {
+            throw InvalidInput(fmt::format("mesher: {} {} is at ({}, {}, {}): coordinates must be "
+                                           "finite",
+                                           kind, i, points(i, 0), points(i, 1), points(i, 2)));
+        }
+    }
+}
+
+void check_offsets(const MesherInput& input) {
+    const auto& offsets = input.offsets;
+    const bool whole = offsets.empty() ? input.corners.empty()
+                                       : offsets.front() == 0 &&
+                                             std::cmp_equal(offsets.back(), input.corners.size());
+    if (!whole || !std::is_sorted(offsets.begin(), offsets.end())) {
+        throw InvalidInput(fmt::format("mesher: the offsets of the facets must ascend from 0 to "
+                                       "the number of corners, {}",
+                                       input.corners.size()));
+    }
+}
+
+void check_corners(const MesherInput& input, Index f) {
+    const Facet corners = facet(input, f);
+    if (corners.size() < 3) {
+        throw InvalidInput(
+            fmt::format("mesher: facet {} has {} corners; a facet needs three", f, corners.size()));
+    }
+    for (const Index corner : corners) {
+        if (corner < 0 || corner >= input.points.rows()) {
+            throw InvalidInput(fmt::format("mesher: facet {} has the corner {}, but the points are "
+                                           "0 to {}",
+                                           f, corner, input.points.rows() - 1));
+        }
+    }
+    std::vector<Index> sorted(corners.begin(), corners.end());
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end()) {
+        throw InvalidInput(
+            fmt::format("mesher: facet {} has the corner {} twice", facet_name(input, f), *twice));
+    }
+}
+
+/// Coordinates between -1 and 1, so that products neither overflow nor vanish.
+Points scaled(const Points& points) {
+    const double largest = points.size() == 0 ? 0.0 : points.cwiseAbs().maxCoeff();
+    return largest > 0.0 ? Points(points / largest) : points;
+}
+
+void check_shape(const MesherInput& input, const Points& places, Index f) {
+    const Facet corners = facet(input, f);
+    const Place first = places.row(corners[0]);
+    Place normal = Place::Zero(); // twice the area vector, after Newell
+    double size = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Place here = places.row(corners[i]).transpose() - first;
+        const Place next = places.row(corners[(i + 1) % corners.size()]).transpose() - first;
+        normal += here.cross(next);
+        size = std::max({size, here.norm(), (next - here).norm()});
+    }
+    if (!(normal.norm() > flat_tolerance * size * size)) {
+        throw InvalidInput(fmt::format("mesher: facet {} has no area: its corners lie on one line",
+                                       facet_name(input, f)));
+    }
+    normal.normalize();
+    for (const Index corner : corners) {
+        const Place off = places.row(corner).transpose() - first;
+        if (std::abs(off.dot(normal)) > bending_tolerance * size) {
+            throw InvalidInput(fmt::format("mesher: facet {} is not plane: its corner {} is off by "
+                                           "{:.2g} of its size\nSplit it into triangles.",
+                                           facet_name(input, f), corner,
+                                           std::abs(off.dot(normal)) / size));
+        }
+    }
+}
+
+void check_distinct(const Points& points, std::vector<Index> used) {
+    const auto less = [&](Index a, Index b) {
+        const auto p = points.row(a), q = points.row(b);
+        return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+    };
+    std::stable_sort(used.begin(), used.end(), less);
+    const auto twin =
+        std::adjacent_find(used.begin(), used.end(), [&](Index a, Index b) { return !less(a, b); });
+    if (twin != used.end()) {
+        throw InvalidInput(fmt::format("mesher: points {} and {} are both at ({}, {}, {}): join "
+                                       "them",
+                                       twin[0], twin[1], points(*twin, 0), points(*twin, 1),
+                                       points(*twin, 2)));
+    }
+}
+
+/// The point where a measure is largest, and the measure there.
+template <typename Measure>
+std::pair<Index, double> farthest(const std::vector<Index>& used, Measure measure) {
+    std::pair<Index, double> best{used.front(), -1.0};
+    for (const Index point : used) {
+        const double value = measure(point);
+        if (value > best.second) {
+            best = {point, value};
+        }
+    }
+    return best;
+}
+
+void check_not_coplanar(const Points& places, const std::vector<Index>& used) {
+    const auto off = [&](Index i) -> Place {
+        return (places.row(i) - places.row(used.front())).transpose();
+    };
+    const auto [second, length] = farthest(used, [&](Index i) { return off(i).norm(); });
+    const Place along = off(second) / length;
+    const auto [third, width] = farthest(used, [&](Index i) { return off(i).cross(along).norm(); });
+    if (width <= flat_tolerance * length) {
+        throw InvalidInput(fmt::format("mesher: all {} points lie on the line through points {} "
+                                       "and {}: a volume needs points off it",
+                                       used.size(), used.front(), second));
+    }
+    const Place normal = along.cross(off(third)).normalized();
+    const auto height =
+        farthest(used, [&](Index i) { return std::abs(off(i).dot(normal)); }).second;
+    if (height <= flat_tolerance * length) {
+        throw InvalidInput(fmt::format("mesher: all {} points lie in the plane through points {}, "
+                                       "{} and {}: a volume needs points off it",
+                                       used.size(), used.front(), second, third));
+    }
+}
+
+struct Side {
+    Index a, b, facet; // a < b
+    bool operator<(const Side& other) const {
+        return std::tie(a, b, facet) < std::tie(other.a, other.b, other.facet);
+    }
+    bool beside(const Side& other) const { return a == other.a && b == other.b; }
+};
+
+std::vector<Side> sorted_sides(const MesherInput& input) {
+    std::vector<Side> sides;
+    sides.reserve(input.corners.size());
+    for (Index f = 0; f < facet_count(input); ++f) {
+        const Facet corners = facet(input, f);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto [a, b] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
+            sides.push_back({a, b, f});
+        }
+    }
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+
+void check_closed(const MesherInput& input) {
+    const auto sides = sorted_sides(input);
+    std::string names;
+    std::size_t bad = 0;
+    for (auto begin = sides.begin(); begin != sides.end();) {
+        const auto end = std::find_if(begin, sides.end(),
+                                      [&](const Side& side) { return !side.beside(*begin); });
+        if (end - begin != 2 && ++bad <= 3) {
+            names += fmt::format("{}edge {} {} in {} (facet {})", bad == 1 ? "" : ", ", begin->a,
+                                 begin->b, end - begin, begin->facet);
+        }
+        begin = end;
+    }
+    if (bad > 0) {
+        throw InvalidInput(fmt::format("mesher: the surface is not closed: each edge must be in "
+                                       "two facets, but {} of them {} not\n{}{}\nClose the gaps, "
+                                       "and take away facets that hang on or come twice.",
+                                       bad, bad == 1 ? "is" : "are", names, bad > 3 ? " .." : ""));
+    }
+}
+
+} // namespace
+
+Index facet_count(const MesherInput& input) {
+    return input.offsets.empty() ? 0 : static_cast<Index>(input.offsets.size()) - 1;
+}
+
+std::vector<Index> used_points(const MesherInput& input) {
+    std::vector<Index> used = input.corners;
+    if (facet_count(input) == 0) {
+        used.resize(static_cast<std::size_t>(input.points.rows()));
+        std::iota(used.begin(), used.end(), Index{0});
+        return used;
+    }
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    return used;
+}
+
+std::string facet_name(const MesherInput& input, Index f) {
+    constexpr std::size_t most = 6;
+    const Facet corners = facet(input, f);
+    return fmt::format("{} ({}{})", f,
+                       fmt::join(corners.first(std::min(most, corners.size())), " "),
+                       corners.size() > most ? " .." : "");
+}
+
+void check_mesher_options(const MesherOptions& options) {
+    const double least_quality = std::sqrt(6.0) / 4.0; // of a regular tetrahedron
+    const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+    if (options.quality != 0.0 &&
+        !(positive(options.quality) && options.quality >= least_quality)) {
+        throw InvalidInput(fmt::format("mesher: no tetrahedron has a circumradius of {} shortest "
+                                       "edges, 0.613 is the least: ask for a quality of 1.2 or "
+                                       "more, or 0 for none",
+                                       options.quality));
+    }
+    if (options.largest_volume != 0.0 && !positive(options.largest_volume)) {
+        throw InvalidInput(fmt::format("mesher: the largest volume {} is not positive; 0 means no "
+                                       "bound",
+                                       options.largest_volume));
+    }
+    if (!positive(options.seconds) || options.bytes == 0) {
+        throw InvalidInput(fmt::format("mesher: {} seconds and {} bytes leave no room to work",
+                                       options.seconds, options.bytes));
+    }
+}
+
+void check_mesher_input(const MesherInput& input) {
+    check_finite(input.points, "point");
+    if (input.holes.rows() > 0) {
+        check_finite(input.holes, "hole");
+    }
+    check_offsets(input);
+    for (Index f = 0; f < facet_count(input); ++f) {
+        check_corners(input, f);
+    }
+    if (facet_count(input) == 0 && input.holes.rows() > 0) {
+        throw InvalidInput("mesher: a point set has no holes; give facets that bound them");
+    }
+
+    const auto used = used_points(input);
+    if (used.size() < 4) {
+        throw InvalidInput(
+            fmt::format("mesher: there are {} points; a tetrahedron needs four", used.size()));
+    }
+    check_distinct(input.points, used);
+    const Points places = scaled(input.points);
+    check_not_coplanar(places, used);
+    for (Index f = 0; f < facet_count(input); ++f) {
+        check_shape(input, places, f);
+    }
+    check_closed(input);
+}
+
+} // namespace polydec

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "backends/tetgen_files.h"
+
+#include "backends/mesher_input.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace polydec::builtin {
+
+namespace {
+
+void append_place(fmt::memory_buffer& text, Index number, const Points& points, Index row,
+                  int exponent) {
+    fmt::format_to(std::back_inserter(text), "{} {} {} {}\n", number,
+                   std::ldexp(points(row, 0), -exponent), std::ldexp(points(row, 1), -exponent),
+                   std::ldexp(points(row, 2), -exponent));
+}
+
+void append_facets(fmt::memory_buffer& text, const MesherInput& input,
+                   const std::vector<Index>& used) {
+    const auto new_number = [&](Index point) {
+        return std::lower_bound(used.begin(), used.end(), point) - used.begin();
+    };
+    fmt::format_to(std::back_inserter(text), "{} 0\n", facet_count(input));
+    for (std::size_t f = 0; f + 1 < input.offsets.size(); ++f) {
+        fmt::format_to(std::back_inserter(text), "{}", input.offsets[f + 1] - input.offsets[f]);
+        for (Index i = input.offsets[f]; i < input.offsets[f + 1]; ++i) {
+            fmt::format_to(std::back_inserter(text), " {}",
+                           new_number(input.corners[static_cast<std::size_t>(i)]));
+        }
+        text.push_back('\n');
+    }
+}
+
+/// The numbers of a file, one after the other.
+class Numbers {
+public:
+    explicit Numbers(const std::filesystem::path& path) : name_(path.filename().string()) {
+        std::ifstream file(path, std::ios::binary);
+        std::ostringstream text;
+        text << file.rdbuf();
+        if (!file || !text) {
+            malformed("it cannot be read");
+        }
+        text_ = std::move(text).str();
+    }
+
+    template <typename Number>
+    Number next() {
+        constexpr std::string_view blanks = " \t\r\n";
+        at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
+        Number number{};
+        const char* const begin = text_.data() + at_;
+        const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), number);
+        if (error != std::errc()) {
+            malformed(fmt::format("a number is missing after {} bytes", at_));
+        }
+        at_ += static_cast<std::size_t>(end - begin);
+        return number;
+    }
+
+    /// A count of rows of at least `width` numbers each, which must have room in the file.
+    Index count(std::size_t width) {
+        const auto rows = next<long long>();
+        const auto most =
+            std::min<std::size_t>(text_.size() / (2 * width), std::numeric_limits<Index>::max());
+        if (rows < 0 || std::cmp_greater(rows, most)) {
+            malformed(fmt::format("it promises {} rows in {} bytes", rows, text_.size()));
+        }
+        return static_cast<Index>(rows);
+    }
+
+    void expect(Index value, const char* what) {
+        const auto found = next<long long>();
+        if (found != value) {
+            malformed(fmt::format("{} is {}, not {}", what, found, value));
+        }
+    }
+
+    [[noreturn]] void malformed(const std::string& what) const {
+        throw SolverFailure(fmt::format("tetgen wrote a file {} that makes no sense: {}\n"
+                                        "Is the program of that name on PATH the mesher?",
+                                        name_, what));
+    }
+
+private:
+    std::string name_;
+    std::string text_;
+    std::size_t at_ = 0;
+};
+
+} // namespace
+
+std::string tetgen_input(const MesherInput& input, const std::vector<Index>& used, int exponent) {
+    fmt::memory_buffer text;
+    fmt::format_to(std::back_inserter(text), "{} 3 0 0\n", used.size());
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        append_place(text, static_cast<Index>(i), input.points, used[i], exponent);
+    }
+    if (facet_count(input) > 0) {
+        append_facets(text, input, used);
+        fmt::format_to(std::back_inserter(text), "{}\n", input.holes.rows());
+        for (Index i = 0; i < input.holes.rows(); ++i) {
+            append_place(text, i, input.holes, i, exponent);
+        }
+    }
+    return fmt::to_string(text);
+}
+
+Points read_tetgen_points(const std::filesystem::path& path) {
+    Numbers numbers(path);
+    const Index rows = numbers.count(4);
+    numbers.expect(3, "the dimension");
+    const auto extras = numbers.next<int>() + numbers.next<int>(); // attributes and marker
+    Points points(rows, 3);
+    for (Index i = 0; i < rows; ++i) {
+        numbers.expect(i, "the number of a point");
+        for (int j = 0; j < 3; ++j) {
+            points(i, j) = numbers.next<double>();
+        }
+        if (!points.row(i).allFinite()) {
+            numbers.malformed(fmt::format("point {} is not finite", i));
+        }
+        for (int j = 0; j < extras; ++j) {
+            numbers.next<double>();
+        }
+    }
+    return points;
+}
+
+Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index points) {
+    Numbers numbers(path);
+    const Index rows = numbers.count(5);
+    numbers.expect(4, "the number of corners");
+    const auto extras = numbers.next<int>();
+    Simplices cells(rows, 4);
+    for (Index i = 0; i < rows; ++i) {
+        numbers.expect(i, "the number of a tetrahedron");
+        for (int j = 0; j < 4; ++j) {
+            cells(i, j) = numbers.next<Index>();
+            if (cells(i, j) < 0 || cells(i, j) >= points) {
+                numbers.malformed(fmt::format("tetrahedron {} has the corner {}", i, cells(i, j)));
+            }
+        }
+        for (int j = 0; j < extras; ++j) {
+            numbers.next<double>();
+        }
+    }
+    return cells;
+}
+
+std::vector<std::pair<Index, Index>> crossing_facets(const std::string& output, Index facets) {
+    std::vector<std::pair<Index, Index>> pairs;
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+        int a = 0, b = 0;
+        const bool found =
+            std::sscanf(line.c_str(), " Facet #%d intersects facet #%d", &a, &b) == 2 ||
+            std::sscanf(line.c_str(), " Facet #%d duplicates facet #%d", &a, &b) == 2;
+        if (found && a >= 1 && b >= 1 && a <= facets && b <= facets && a != b) {
+            pairs.emplace_back(std::min(a, b) - 1, std::max(a, b) - 1);
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+} // namespace polydec::builtin

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backends/mesher.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The files that go to TetGen and come from it. The readers of mesh files know more formats and
+/// all of their variants, but stand to the right of backends/ in the chain; these know only what
+/// TetGen itself writes.
+namespace polydec::builtin {
+
+/// The input as .smesh, or as .node where it has no facets: the points `used`, counted from 0,
+/// their coordinates times 2^-exponent, which loses no digit.
+std::string tetgen_input(const MesherInput& input, const std::vector<Index>& used, int exponent);
+
+/// Points and tetrahedra as TetGen wrote them. Throw SolverFailure if a file is not what it writes:
+/// counts that its size cannot hold, numbers missing or out of range.
+Points read_tetgen_points(const std::filesystem::path& path);
+Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index points);
+
+/// Pairs of facets, from 0 and each once, that a run of TetGen with -d says cross or are the same.
+std::vector<std::pair<Index, Index>> crossing_facets(const std::string& output, Index facets);
+
+} // namespace polydec::builtin

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/scanner.h"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+/// What the section MeshFormat says.
+struct GmshFormat {
+    int major_version = 4;            ///< 2 or 4
+    std::optional<std::endian> order; ///< of bytes; none in a text file
+    std::size_t size_bytes = 8;       ///< what a number of records takes in a binary file
+};
+
+/// Reads the section MeshFormat up to its end. Throws InvalidInput for other versions than 2 to 2.2
+/// and 4.1.
+GmshFormat read_gmsh_format(Scanner& scanner);
+
+/// The numbers of a section, as text or as bytes.
+class GmshSource {
+public:
+    GmshSource(Scanner& scanner, const GmshFormat& format) : scanner_(scanner), format_(format) {}
+
+    std::int64_t integer(std::string_view expected);
+
+    /// A number of records or of a node, which is wider than an integer since version 4.
+    std::int64_t size(std::string_view expected);
+
+    double real(std::string_view expected);
+
+    /// The dimension of an entity, 0 to 3.
+    std::size_t dimension();
+
+    /// Such a number as a count of records that each hold this many integers, sizes and reals:
+    /// refused where the rest of the file cannot hold them.
+    struct Record {
+        std::size_t integers = 0, sizes = 0, reals = 0;
+    };
+    Index count(std::string_view plural, const Record& record);
+
+    /// The same check for a number that was read already.
+    Index check(std::int64_t number, std::string_view plural, const Record& record) const;
+
+    /// Passes over so many integers, after checking that they can be there.
+    void skip_integers(std::string_view plural);
+    void skip_reals(int count);
+
+    const GmshFormat& format() const { return format_; }
+    const Scanner& scanner() const { return scanner_; }
+    [[noreturn]] void fail(const std::string& text) const { scanner_.fail(text); }
+
+private:
+    std::int64_t whole_number(std::size_t bytes, std::string_view expected);
+
+    Scanner& scanner_;
+    const GmshFormat& format_;
+};
+
+/// Numbers of the file, each with what stands for it: sorted pairs, found by bisection.
+class NumberTable {
+public:
+    void add(std::int64_t number, Index value) { pairs_.emplace_back(number, value); }
+
+    /// Sorts what was added; the number that is there twice, if there is one.
+    std::optional<std::int64_t> close();
+
+    std::optional<Index> find(std::int64_t number) const;
+
+    std::size_t size() const { return pairs_.size(); }
+
+private:
+    std::vector<std::pair<std::int64_t, Index>> pairs_;
+};
+
+} // namespace polydec

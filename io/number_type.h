@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/byte_reader.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace polydec {
+
+/// What the numbers of a binary array can be.
+enum class NumberType {
+    int8,
+    uint8,
+    int16,
+    uint16,
+    int32,
+    uint32,
+    int64,
+    uint64,
+    float32,
+    float64
+};
+
+/// Bytes of one number.
+inline std::size_t size_of(NumberType type) {
+    constexpr std::array<std::size_t, 10> sizes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+    return sizes[static_cast<std::size_t>(type)];
+}
+
+/// The number that is stored at `place`. A double holds all but whole numbers beyond 2^53, which
+/// become others of that size: too large for an Index all the same.
+inline double value_at(const char* place, NumberType type, std::endian order) {
+    switch (type) {
+    case NumberType::int8:
+        return number_at<std::int8_t>(place, order);
+    case NumberType::uint8:
+        return number_at<std::uint8_t>(place, order);
+    case NumberType::int16:
+        return number_at<std::int16_t>(place, order);
+    case NumberType::uint16:
+        return number_at<std::uint16_t>(place, order);
+    case NumberType::int32:
+        return number_at<std::int32_t>(place, order);
+    case NumberType::uint32:
+        return number_at<std::uint32_t>(place, order);
+    case NumberType::int64:
+        return static_cast<double>(number_at<std::int64_t>(place, order));
+    case NumberType::uint64:
+        return static_cast<double>(number_at<std::uint64_t>(place, order));
+    case NumberType::float32:
+        return static_cast<double>(number_at<float>(place, order));
+    case NumberType::float64:
+        break;
+    }
+    return number_at<double>(place, order);
+}
+
+} // namespace polydec

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/source_file.h"
+#include "io/xml_reader.h"
+
+#include <bit>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polydec {
+
+/// How the binary arrays of a VTU file are written: said by its first tag, and by AppendedData.
+struct VtuEncoding {
+    std::endian order = std::endian::little;
+    std::size_t header_bytes = 4; ///< of the numbers of bytes in front of an array
+    bool is_compressed = false;   ///< by zlib, the only compression that is read
+    std::string_view appended;    ///< behind the mark _
+    bool appended_is_raw = false;
+};
+
+/// A DataArray as it stands in the file.
+struct VtuText {
+    XmlTag tag;
+    std::string_view text;
+    std::size_t text_line = 1;
+
+    std::string name() const { return tag.attribute("Name"); }
+};
+
+/// Reads the encoding of the tag VTKFile. Throws InvalidInput if it cannot be read.
+VtuEncoding vtu_encoding(const XmlTag& tag, const XmlReader& reader);
+
+/// The numbers of the array: from text, or from base64 or raw bytes, here or in AppendedData.
+/// Throws InvalidInput, naming the line of the array, if they are damaged.
+std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding,
+                               const SourceFile& file);
+
+} // namespace polydec

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/source_file.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+/// A tag such as <name key="value">, </name> or <name/>.
+struct XmlTag {
+    std::string_view name;
+    std::vector<std::pair<std::string_view, std::string>> attributes;
+    bool opens = false;
+    bool closes = false;
+    std::size_t line = 1;
+
+    /// The value of the attribute, or what is given for a missing one.
+    std::string attribute(std::string_view key, std::string_view missing = "") const;
+};
+
+/// Goes through a text of XML tag by tag and checks that tags close what was opened. Comments and
+/// declarations are passed over; CDATA and DOCTYPE are refused.
+/// Every function that reads throws InvalidInput "name:line: ..." where the text does not fit.
+class XmlReader {
+public:
+    /// The file must outlive the reader.
+    explicit XmlReader(const SourceFile& file) : file_(file) {}
+
+    /// Goes behind the next tag; false at the end of the text.
+    bool next(XmlTag& tag);
+
+    /// The text in front of the last tag, as it stands, and its first line.
+    std::string_view text() const { return text_; }
+    std::size_t text_line() const { return text_line_; }
+
+    /// What follows the last tag.
+    std::string_view rest() const { return std::string_view(file_.text).substr(position_); }
+
+    /// The names of the elements that are open here, from outside in.
+    const std::vector<std::string_view>& path() const { return path_; }
+
+    [[noreturn]] void fail(const std::string& text) const;
+
+private:
+    void go_to_tag();
+    void go_to(std::size_t position);
+    void pass_over(std::string_view end);
+    void skip_spaces();
+    bool starts_with(std::string_view word) const;
+    std::string_view read_name();
+    std::string read_value();
+    void read_attributes(XmlTag& tag);
+    void keep_path(const XmlTag& tag);
+
+    const SourceFile& file_;
+    std::size_t position_ = 0;
+    std::size_t line_ = 1;
+    std::string_view text_;
+    std::size_t text_line_ = 1;
+    std::vector<std::string_view> path_;
+};
+
+} // namespace polydec

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "backends/mesher.h"
+
+#include "tests/backends/mesher_support.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace polydec {
+namespace {
+
+namespace fs = std::filesystem;
+
+MesherInput both(MesherInput a, const MesherInput& b) {
+    const auto shift = static_cast<Index>(a.points.rows());
+    const auto corners = static_cast<Index>(a.corners.size());
+    a.points.conservativeResize(shift + b.points.rows(), 3);
+    a.points.bottomRows(b.points.rows()) = b.points;
+    for (const Index corner : b.corners)
+        a.corners.push_back(corner + shift);
+    for (std::size_t f = 1; f < b.offsets.size(); ++f)
+        a.offsets.push_back(b.offsets[f] + corners);
+    return a;
+}
+
+Eigen::Matrix3d edges(const MesherOutput& mesh, Eigen::Index cell) {
+    Eigen::Matrix3d result;
+    for (int j = 0; j < 3; ++j)
+        result.row(j) = mesh.points.row(mesh.tetrahedra(cell, j + 1)) -
+                        mesh.points.row(mesh.tetrahedra(cell, 0));
+    return result;
+}
+
+Eigen::RowVector3d circumcenter(const MesherOutput& mesh, Eigen::Index cell) {
+    const Eigen::Matrix3d matrix = edges(mesh, cell);
+    const Eigen::Vector3d squares = 0.5 * matrix.rowwise().squaredNorm();
+    const Eigen::Vector3d center = matrix.inverse() * squares;
+    return center.transpose() + mesh.points.row(mesh.tetrahedra(cell, 0));
+}
+
+double volume(const MesherOutput& mesh) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < mesh.tetrahedra.rows(); ++i)
+        sum += edges(mesh, i).determinant() / 6.0;
+    return sum;
+}
+
+/// How deep a point lies in the circumsphere of a cell, at most; relative to its radius.
+double deepest_intrusion(const MesherOutput& mesh) {
+    double deepest = 0.0;
+    for (Eigen::Index i = 0; i < mesh.tetrahedra.rows(); ++i) {
+        const Eigen::RowVector3d center = circumcenter(mesh, i);
+        const double radius = (mesh.points.row(mesh.tetrahedra(i, 0)) - center).norm();
+        const double least = (mesh.points.rowwise() - center).rowwise().norm().minCoeff();
+        deepest = std::max(deepest, 1.0 - least / radius);
+    }
+    return deepest;
+}
+
+TEST_F(MesherTest, squares_are_filled_with_their_corners_kept) {
+    with_tetgen([] {
+        const auto input = cube(0.7, 0.1);
+        const auto mesh = tetrahedralize(input);
+        EXPECT_EQ(mesh.points, input.points);
+        EXPECT_NEAR(volume(mesh), 0.343, 1e-14);
+        for (Eigen::Index i = 0; i < mesh.tetrahedra.rows(); ++i)
+            EXPECT_GT(edges(mesh, i).determinant(), 0.0);
+    });
+}
+
+TEST_F(MesherTest, the_hull_of_points_is_filled_by_delaunay_tetrahedra) {
+    with_tetgen([] {
+        MesherInput input;
+        input.points = cloud(200);
+        auto mesh = tetrahedralize(input);
+        EXPECT_EQ(mesh.points, input.points);
+        EXPECT_LT(deepest_intrusion(mesh), 1e-9);
+        mesh.points(100, 0) += 0.3; // a point elsewhere is within spheres
+        EXPECT_GT(deepest_intrusion(mesh), 1e-3);
+    });
+}
+
+TEST_F(MesherTest, volumes_are_bounded_if_asked_for) {
+    with_tetgen([] {
+        const auto largest = [](const MesherOptions& options) {
+            const auto mesh = tetrahedralize(cube(1e3), options);
+            double most = 0.0;
+            for (Eigen::Index i = 0; i < mesh.tetrahedra.rows(); ++i)
+                most = std::max(most, edges(mesh, i).determinant() / 6.0);
+            return most;
+        };
+        EXPECT_LE(largest({.largest_volume = 1e7}), 1e7 * (1 + 1e-12));
+        EXPECT_GT(largest({}), 1e7);
+    });
+}
+
+TEST_F(MesherTest, parts_within_are_filled_unless_they_are_holes) {
+    with_tetgen([] {
+        auto input = both(cube(), cube(0.5, 0.25));
+        EXPECT_NEAR(volume(tetrahedralize(input)), 1.0, 1e-14);
+        input.holes = Points::Constant(1, 3, 0.5);
+        EXPECT_NEAR(volume(tetrahedralize(input)), 1.0 - 0.125, 1e-14);
+    });
+}
+
+TEST_F(MesherTest, scaling_by_a_power_of_two_scales_the_mesh_to_the_last_bit) {
+    with_tetgen([] {
+        const auto mesh = tetrahedralize(cube(), {.quality = 1.4, .largest_volume = 0.01});
+        for (const int exponent : {-300, 300}) {
+            const double scale = std::ldexp(1.0, exponent);
+            const auto scaled = tetrahedralize(
+                cube(scale), {.quality = 1.4, .largest_volume = 0.01 * scale * scale * scale});
+            EXPECT_EQ(scaled.points, mesh.points * scale);
+            EXPECT_EQ(scaled.tetrahedra, mesh.tetrahedra);
+        }
+    });
+}
+
+TEST_F(MesherTest, points_on_no_facet_are_left_out) {
+    with_tetgen([] {
+        auto input =
+            both(both(MesherInput{.points = Points::Constant(1, 3, 9.0), .offsets = {0}}, cube()),
+                 MesherInput{.points = Points::Constant(1, 3, 0.5), .offsets = {0}});
+        EXPECT_EQ(tetrahedralize(input).points, cube().points);
+    });
+}
+
+TEST_F(MesherTest, facets_that_cross_are_named) {
+    with_tetgen([] {
+        auto spike = cube();
+        spike.points.conservativeResize(12, 3);
+        spike.points.bottomRows(4) << 0.5, 0.5, 0.5, 0.6, 0.5, 0.5, 0.5, 0.6, 0.5, 0.5, 0.5, 2;
+        for (const Index corner : {8, 10, 9, 8, 9, 11, 8, 11, 10, 9, 10, 11})
+            spike.corners.push_back(corner);
+        for (const Index offset : {27, 30, 33, 36})
+            spike.offsets.push_back(offset);
+        EXPECT_EQ(refusal_of(spike),
+                  "mesher: 3 pairs of facets cross or overlap: 1 (4 5 7 6) and 7 (8 9 11), "
+                  "1 (4 5 7 6) and 8 (8 11 10), 1 (4 5 7 6) and 9 (9 10 11)\nThe facets must meet "
+                  "in common corners and edges only: take the surface apart there and join it "
+                  "anew.");
+    });
+}
+
+TEST_F(MesherTest, points_that_tetgen_would_take_for_one_are_named) {
+    with_tetgen([] {
+        auto thin = cube();
+        thin.points.col(2) *= 1e-10;
+        EXPECT_EQ(message_of<SolverFailure>([&] { tetrahedralize(thin); }).substr(0, 22),
+                  "tetgen left out point ");
+    });
+}
+
+TEST_F(MesherTest, it_is_stopped_after_the_time_given) {
+    with_tetgen([] {
+        EXPECT_EQ(message_of<SolverFailure>(
+                      [] { tetrahedralize(cube(), {.largest_volume = 1e-9, .seconds = 0.01}); }),
+                  "tetgen was stopped, as it was not done within 0.01 seconds\nAllow more time, or "
+                  "ask for larger tetrahedra or less quality.");
+    });
+}
+
+TEST_F(MesherTest, memory_that_does_not_suffice_is_told) {
+    with_tetgen([] {
+        const auto message = message_of<SolverFailure>([] {
+            tetrahedralize(cube(), {.largest_volume = 1e-9, .bytes = std::size_t{100} << 20});
+        });
+        EXPECT_NE(message.find("memory"), std::string::npos) << message;
+    });
+}
+
+TEST_F(MesherTest, holes_that_take_everything_are_told) {
+    with_tetgen([] {
+        auto input = cube();
+        input.holes = Points::Constant(1, 3, 0.5);
+        EXPECT_EQ(message_of<SolverFailure>([&] { tetrahedralize(input); }),
+                  "tetgen made no tetrahedra\nProbable cause: the holes take everything away.");
+    });
+}
+
+TEST_F(MesherTest, without_the_program_it_is_told_how_to_get_it) {
+    const Variable path("PATH", "/nowhere");
+    EXPECT_FALSE(is_available());
+    EXPECT_EQ(message_of<BackendUnavailable>([] { tetrahedralize(cube()); }), missing);
+}
+
+/// Another program of that name, which does what the script says.
+std::string failure_of(const std::string& script) {
+    const TemporaryFolder folder;
+    const auto program = folder.path() / "tetgen";
+    std::ofstream(program) << "#!/bin/sh\n" << script << '\n';
+    fs::permissions(program, fs::perms::owner_all);
+    const Variable path("PATH", folder.path().string() + ":/usr/bin:/bin");
+    return message_of<SolverFailure>([] { tetrahedralize(cube()); });
+}
+
+TEST_F(MesherTest, a_crash_is_decoded) {
+    EXPECT_EQ(failure_of("echo broken; kill -SEGV $$").substr(0, 66),
+              "tetgen was ended by a signal, Segmentation fault, saying: broken\nP");
+    EXPECT_EQ(failure_of("exit 3").substr(0, 30), "tetgen ended with exit code 3\n");
+}
+
+TEST_F(MesherTest, output_that_is_none_is_refused) {
+    const auto wrote = [](const std::string& points, const std::string& cells) {
+        return failure_of("echo '" + points + "' > mesh.1.node; echo '" + cells + "' > mesh.1.ele");
+    };
+    const std::string tetrahedron = "4 3 0 0 0 0 0 0 1 1 0 0 2 0 1 0 3 0 0 1";
+    const auto lacks = [](const std::string& file, const std::string& what) {
+        return "tetgen wrote a file mesh.1." + file + " that makes no sense: " + what +
+               "\nIs the program of that name on PATH the mesher?";
+    };
+    EXPECT_EQ(failure_of("exit 0"),
+              "tetgen made no tetrahedra\nProbable cause: the points are almost in one plane.");
+    EXPECT_EQ(wrote("", ""), lacks("node", "a number is missing after 1 bytes"));
+    EXPECT_EQ(wrote("2000000000 3 0 0", ""),
+              lacks("node", "it promises 2000000000 rows in 17 bytes"));
+    EXPECT_EQ(wrote("1 3 0 0 0 nan 0 0", ""), lacks("node", "point 0 is not finite"));
+    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1 2 4"),
+              lacks("ele", "tetrahedron 0 has the corner 4"));
+    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1"),
+              lacks("ele", "a number is missing after 12 bytes"));
+    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1 2 3").substr(0, 25), "tetgen left out point 3 a");
+}
+
+TEST_F(MesherTest, a_mesher_of_ones_own_can_be_registered) {
+    register_mesher({.name = "mesher-of-test"}, [](const MesherInput& input, const MesherOptions&) {
+        return MesherOutput{input.points, Simplices::Zero(1, 4)};
+    });
+    EXPECT_EQ(tetrahedralize(cube(), {}, "mesher-of-test").points, cube().points);
+    EXPECT_EQ(engines().back().kind, EngineKind::mesher);
+}
+
+} // namespace
+} // namespace polydec

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "backends/mesher.h"
+#include "tests/backends/mesher_support.h"
+
+#include <limits>
+
+namespace polydec {
+namespace {
+
+// All this is found before the program is run, so it holds where there is none.
+
+TEST_F(MesherTest, coordinates_must_be_finite) {
+    auto input = cube();
+    input.points(3, 1) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refusal_of(input), "mesher: point 3 is at (1, nan, 0): coordinates must be finite");
+    input = cube();
+    input.holes = Points::Constant(1, 3, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(refusal_of(input),
+              "mesher: hole 0 is at (inf, inf, inf): coordinates must be finite");
+    EXPECT_EQ(refusal_of({.points = Points::Zero(5, 2)}),
+              "mesher: a point has 2 coordinates; tetrahedra are made in three");
+}
+
+TEST_F(MesherTest, points_must_span_a_volume) {
+    EXPECT_EQ(refusal_of({.points = cloud(3)}),
+              "mesher: there are 3 points; a tetrahedron needs four");
+    Points points = cloud(20);
+    points.col(2) = 0.3 * points.col(0) - 0.7 * points.col(1);
+    EXPECT_EQ(refusal_of({.points = points}).substr(0, 51),
+              "mesher: all 20 points lie in the plane through poin");
+    points.col(1) = 0.1 * points.col(0);
+    points.col(2) = 0.2 * points.col(0);
+    EXPECT_EQ(refusal_of({.points = points}).substr(0, 50),
+              "mesher: all 20 points lie on the line through poin");
+    points = cloud(20);
+    points.row(17) = points.row(4);
+    EXPECT_EQ(refusal_of({.points = points}).substr(0, 38),
+              "mesher: points 4 and 17 are both at (0");
+}
+
+TEST_F(MesherTest, facets_must_be_plane_polygons) {
+    const auto broken = [](std::size_t place, Index corner) {
+        auto input = cube();
+        input.corners[place] = corner;
+        return refusal_of(input);
+    };
+    EXPECT_EQ(broken(5, 8), "mesher: facet 1 has the corner 8, but the points are 0 to 7");
+    EXPECT_EQ(broken(5, 4), "mesher: facet 1 (4 4 7 6) has the corner 4 twice");
+
+    auto input = cube();
+    input.offsets[1] = 2;
+    EXPECT_EQ(refusal_of(input), "mesher: facet 0 has 2 corners; a facet needs three");
+    input.offsets[1] = 9;
+    EXPECT_EQ(refusal_of(input),
+              "mesher: the offsets of the facets must ascend from 0 to the number of corners, 24");
+
+    input = cube();
+    input.points(7, 2) = 1.25;
+    EXPECT_EQ(refusal_of(input),
+              "mesher: facet 1 (4 5 7 6) is not plane: its corner 5 is off by 0.086 of its size\n"
+              "Split it into triangles.");
+}
+
+TEST_F(MesherTest, facets_must_have_area) {
+    MesherInput input;
+    input.points.resize(5, 3);
+    input.points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1;
+    input.corners = {0, 1, 2, 0, 3, 4};
+    input.offsets = {0, 3, 6};
+    EXPECT_EQ(refusal_of(input),
+              "mesher: facet 0 (0 1 2) has no area: its corners lie on one line");
+}
+
+TEST_F(MesherTest, a_surface_must_be_closed) {
+    auto input = cube();
+    input.corners.resize(20);
+    input.offsets.resize(6);
+    EXPECT_EQ(refusal_of(input),
+              "mesher: the surface is not closed: each edge must be in two facets, but 4 of them "
+              "are not\nedge 1 3 in 1 (facet 0), edge 1 5 in 1 (facet 2), edge 3 7 in 1 (facet 3) "
+              "..\nClose the gaps, and take away facets that hang on or come twice.");
+}
+
+TEST_F(MesherTest, options_must_make_sense) {
+    EXPECT_EQ(refusal_of(cube(), {.quality = 0.5}).substr(0, 57),
+              "mesher: no tetrahedron has a circumradius of 0.5 shortest");
+    EXPECT_EQ(refusal_of(cube(), {.largest_volume = -1.0}),
+              "mesher: the largest volume -1 is not positive; 0 means no bound");
+    EXPECT_EQ(refusal_of(cube(), {.seconds = 0.0}).substr(0, 17), "mesher: 0 seconds");
+    EXPECT_EQ(message_of<InvalidInput>([] { tetrahedralize(cube(), {}, "netgen"); }).substr(0, 34),
+              "there is no mesher called `netgen`");
+}
+
+} // namespace
+} // namespace polydec

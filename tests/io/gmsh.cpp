@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include "io/readers.h"
+#include "tests/io/bytes.h"
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace polydec::tests {
+
+namespace {
+
+using Cells = std::vector<std::vector<Index>>;
+
+/// How a file is written: version 2.2 or 4.1, as text or as bytes.
+struct Variant {
+    bool is_old;
+    bool is_binary;
+    std::endian order = std::endian::native;
+    bool is_narrow = false; ///< numbers of records of 4 bytes
+};
+
+const std::array variants{
+    Variant{true, false},
+    Variant{true, true, std::endian::little},
+    Variant{true, true, std::endian::big},
+    Variant{false, false},
+    Variant{false, true, std::endian::little},
+    Variant{false, true, std::endian::big},
+    Variant{false, true, std::endian::little, true},
+};
+
+class Writer {
+public:
+    explicit Writer(const Variant& variant) : variant_(variant) {
+        text_ = std::string("$MeshFormat\n") + (variant.is_old ? "2.2 " : "4.1 ") +
+                (variant.is_binary ? "1 " : "0 ") + (variant.is_narrow ? "4\n" : "8\n");
+        if (variant.is_binary) {
+            text_ += bytes_of(std::int32_t{1}, variant.order) + "\n";
+        }
+        text_ += "$EndMeshFormat\n";
+    }
+
+    Writer& line(const std::string& text) {
+        text_ += text + "\n";
+        return *this;
+    }
+    Writer& integer(std::int32_t value) { return put(value); }
+    Writer& size(std::int64_t value) {
+        return variant_.is_narrow ? put(static_cast<std::int32_t>(value)) : put(value);
+    }
+    Writer& real(double value) { return put(value); }
+
+    const std::string& text() const { return text_; }
+
+private:
+    template <typename Number>
+    Writer& put(Number value) {
+        text_ += variant_.is_binary ? bytes_of(value, variant_.order) : std::to_string(value) + " ";
+        return *this;
+    }
+
+    Variant variant_;
+    std::string text_;
+};
+
+/// Numbers of nodes with gaps and out of order, and where they are.
+const std::array<std::int32_t, 5> numbers{7, 3, 100, 12, 5};
+const std::array<std::array<double, 3>, 5> places{
+    {{0, 0, 0}, {1, 0, 0}, {0, 1.5, 0}, {0, 0, 1}, {1, 1, 1.25}}};
+
+/// Two tetrahedra in the groups 11 and 12, with a boundary triangle of group 40.
+std::string old_file(const Variant& variant) {
+    Writer writer(variant);
+    writer.line("$Nodes").line("5");
+    for (std::size_t i = 0; i < 5; ++i) {
+        writer.integer(numbers[i]).real(places[i][0]).real(places[i][1]).real(places[i][2]);
+    }
+    writer.line("").line("$EndNodes").line("$Elements").line("3");
+    const auto element = [&](int number, int type, int group, const std::vector<int>& nodes) {
+        if (variant.is_binary) {
+            writer.integer(type).integer(1).integer(2).integer(number);
+        } else {
+            writer.integer(number).integer(type).integer(2);
+        }
+        writer.integer(group).integer(1);
+        for (const int node : nodes) {
+            writer.integer(node);
+        }
+    };
+    element(1, 2, 40, {7, 3, 100});
+    element(2, 4, 11, {7, 3, 100, 12});
+    element(3, 4, 12, {3, 100, 12, 5});
+    return writer.line("").line("$EndElements").text();
+}
+
+Writer& entity(Writer& writer, int number, int reals, const std::vector<int>& groups) {
+    writer.integer(number);
+    for (int i = 0; i < reals; ++i) {
+        writer.real(0.5);
+    }
+    writer.size(static_cast<std::int64_t>(groups.size()));
+    for (const int group : groups) {
+        writer.integer(group);
+    }
+    return writer;
+}
+
+std::string new_file(const Variant& variant, const std::vector<int>& second_groups = {12}) {
+    Writer writer(variant);
+    writer.line("$Entities").size(1).size(0).size(1).size(2);
+    entity(writer, 1, 3, {});
+    entity(writer, 6, 6, {40}).size(1).integer(-3);
+    entity(writer, 2, 6, second_groups).size(0);
+    entity(writer, 1, 6, {11}).size(2).integer(6).integer(-7);
+    writer.line("").line("$EndEntities").line("$Nodes");
+
+    // Two blocks of nodes, the second with its parameters on a surface.
+    writer.size(2).size(5).size(3).size(100);
+    for (const std::size_t block : {0U, 1U}) {
+        writer.integer(block == 0 ? 3 : 2).integer(1).integer(block == 0 ? 0 : 1);
+        const std::size_t begin = block == 0 ? 0 : 3;
+        const std::size_t end = block == 0 ? 3 : 5;
+        writer.size(static_cast<std::int64_t>(end - begin));
+        for (std::size_t i = begin; i < end; ++i) {
+            writer.size(numbers[i]);
+        }
+        for (std::size_t i = begin; i < end; ++i) {
+            writer.real(places[i][0]).real(places[i][1]).real(places[i][2]);
+            for (std::size_t parameter = 0; parameter < 2 * block; ++parameter) {
+                writer.real(0.25);
+            }
+        }
+    }
+    writer.line("").line("$EndNodes").line("$Elements").size(3).size(3).size(1).size(3);
+    writer.integer(2).integer(6).integer(2).size(1).size(1).size(7).size(3).size(100);
+    writer.integer(3).integer(1).integer(4).size(1).size(2).size(7).size(3).size(100).size(12);
+    writer.integer(3).integer(2).integer(4).size(1).size(3).size(3).size(100).size(12).size(5);
+    return writer.line("").line("$EndElements").text();
+}
+
+std::string file_of(const Variant& variant) {
+    return variant.is_old ? old_file(variant) : new_file(variant);
+}
+
+const std::string old_start = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+const std::string new_start = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+const std::string square = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n";
+
+} // namespace
+
+TEST(Gmsh, TextAndBytesOfBothVersionsAndOrdersAreTheSame) {
+    for (const auto& variant : variants) {
+        const auto mesh = parse_mesh({"a.msh", file_of(variant)});
+        ASSERT_EQ(mesh.points.rows(), 5);
+        for (Eigen::Index i = 0; i < 5; ++i) {
+            for (Eigen::Index axis = 0; axis < 3; ++axis) {
+                EXPECT_EQ(mesh.points(i, axis),
+                          places[static_cast<std::size_t>(i)][static_cast<std::size_t>(axis)]);
+            }
+        }
+        EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+        EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 12}));
+        EXPECT_TRUE(mesh.warnings.empty());
+    }
+}
+
+TEST(Gmsh, TheMarkOfTheOrderIsNotAllThatIsRead) {
+    // The twin of the proposition above: with the mark of the other order nothing fits.
+    for (const auto& variant : variants) {
+        if (variant.is_binary) {
+            auto text = file_of(variant);
+            const auto mark = text.find('\n', text.find('\n') + 1) + 1;
+            std::reverse(text.begin() + static_cast<std::ptrdiff_t>(mark),
+                         text.begin() + static_cast<std::ptrdiff_t>(mark) + 4);
+            EXPECT_EQ(reading_error("a.msh", text).find("InvalidInput: a.msh:"), 0U);
+        }
+    }
+}
+
+TEST(Gmsh, LinesMayEndInThreeWays) {
+    for (const auto& variant : {variants[0], variants[3]}) {
+        const auto text = "$Comments\nnot $EndComments\n$EndComments\n" + file_of(variant);
+        const auto mesh = read_from("a.msh", text);
+        EXPECT_TRUE(same(mesh, read_from("a.MSH", with_line_breaks(text, "\r\n"))));
+        EXPECT_TRUE(same(mesh, read_from("a.Msh", with_line_breaks(text, "\r"))));
+    }
+}
+
+TEST(Gmsh, TheFirstOfSeveralGroupsIsTheTagWhateverItsSign) {
+    const auto mesh = parse_mesh({"a.msh", new_file(variants[3], {-9, 12})});
+    EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 9}));
+    EXPECT_EQ(mesh.warnings,
+              (std::vector<std::string>{"entities of the model in more than one physical group, of "
+                                        "which the first is the tag: 1"}));
+}
+
+TEST(Gmsh, WithoutGroupsThereAreNoTags) {
+    const auto mesh = read_from("a.msh", old_start + square +
+                                             "$Elements\n2\n1 2 0 1 2 3\n2 2 2 0 1 1 3 4\n"
+                                             "$EndElements\n");
+    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_TRUE(mesh.tags.empty());
+}
+
+TEST(Gmsh, QuadranglesAreSplitAndTheirTagsFollow) {
+    const auto mesh = read_from(
+        "a.msh", old_start + "$Comments\nanything $EndComment\n$EndComments\n" + square +
+                     "$Elements\n4\n1 15 2 1 1 1\n2 1 2 1 1 1 2\n3 3 2 8 1 1 2 3 4\n"
+                     "4 2 2 -9 1 3 2 1\n$EndElements\n$NodeData\n1\n\"x\"\n$EndNodeData\n");
+    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}));
+    EXPECT_EQ(mesh.tags, (std::vector<Index>{8, 8, 9}));
+    EXPECT_EQ(read_from("a.msh", old_start + square +
+                                     "$Elements\n2\n1 15 2 1 1 1\n2 1 2 1 1 1 2\n$EndElements\n")
+                  .simplices.cols(),
+              2);
+}
+
+TEST(Gmsh, PartsOfAPartitionedModelHaveTheirGroups) {
+    const std::string entities = "$PartitionedEntities\n2\n1\n9 2\n0 0 1 0\n"
+                                 "5 2 1 2 1 2 0 0 0 1 1 0 1 77 3 1 2 3\n$EndPartitionedEntities\n";
+    const std::string nodes = "$Nodes\n1 4 1 4\n2 5 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+                              "$EndNodes\n";
+    const auto mesh =
+        read_from("a.msh", new_start + entities + nodes +
+                               "$Elements\n1 1 1 1\n2 5 2 1\n1 1 2 3\n$EndElements\n");
+    EXPECT_EQ(mesh.tags, (std::vector<Index>{77}));
+}
+
+TEST(Gmsh, RefusesCellsThatAreNoSimplices) {
+    const auto error = [](const std::string& element) {
+        return reading_error("a.msh",
+                             old_start + square + "$Elements\n1\n" + element + "\n$EndElements\n");
+    };
+    EXPECT_EQ(error("1 5 0 1 2 3 4 1 2 3 4"),
+              "InvalidInput: a.msh:13: the mesh has hexahedra; expected tetrahedra, triangles, "
+              "quadrangles or lines; split them before");
+    EXPECT_EQ(error("1 6 0 1 2 3 4 1 2"),
+              "InvalidInput: a.msh:13: the mesh has prisms; expected tetrahedra, triangles, "
+              "quadrangles or lines; split them before");
+    EXPECT_EQ(error("1 11 0 1 2 3 4 1 2 3 4 1 2"),
+              "InvalidInput: a.msh:13: the mesh has cells of Gmsh's type 11, which are curved or "
+              "of second or higher order; expected lines, triangles, quadrangles or tetrahedra of "
+              "first order; set Mesh.ElementOrder = 1 and mesh again");
+}
+
+TEST(Gmsh, RefusesWhatDoesNotFit) {
+    const std::string triangle = "$Elements\n1\n1 2 0 1 2 3\n$EndElements\n";
+    EXPECT_EQ(reading_error("a.msh", "$NOD\n1\n1 0 0 0\n$ENDNOD\n"),
+              "InvalidInput: a.msh:1: the section $NOD of an old version; expected MSH 2.2 or 4.1; "
+              "export it again with -format msh41");
+    EXPECT_EQ(reading_error("a.msh", "$MeshFormat\n4 0 8\n$EndMeshFormat\n"),
+              "InvalidInput: a.msh:2: MSH of version '4'; expected 2.2 or 4.1; export it again "
+              "with -format msh41");
+    EXPECT_EQ(reading_error("a.msh", "$MeshFormat\n2.2 2 8\n$EndMeshFormat\n"),
+              "InvalidInput: a.msh:2: file type 2 and data size 8; expected 0 or 1, and 8; export "
+              "it again");
+    EXPECT_EQ(reading_error("a.msh", "$MeshFormat\n2.2 1 8\nabcd\n$EndMeshFormat\n"),
+              "InvalidInput: a.msh:3: the bytes behind the version are not the number 1; expected "
+              "it, to show the order of bytes; export it again");
+    EXPECT_EQ(reading_error("a.msh", square),
+              "InvalidInput: a.msh:1: a section at the wrong place; expected $MeshFormat and no "
+              "other $Nodes before it; check the format");
+    EXPECT_EQ(reading_error("a.msh", old_start + square),
+              "InvalidInput: a.msh:11: the file ends without the section $Elements; expected "
+              "$MeshFormat, $Nodes and $Elements; export it again as MSH 2.2 or 4.1");
+    EXPECT_EQ(reading_error("a.msh", old_start + square + "junk\n"),
+              "InvalidInput: a.msh:11: 'junk' stands outside of the sections; expected a keyword "
+              "such as $Nodes; check the format");
+    EXPECT_EQ(reading_error("a.msh", old_start + "$Views\n1\n" + triangle),
+              "InvalidInput: a.msh:4: the section $Views has no end; expected $EndViews; export "
+              "it again, it seems cut off");
+    EXPECT_EQ(reading_error("a.msh", old_start + "$Nodes\n2\n1 0 0 0\n1 1 0 0\n$EndNodes\n"),
+              "InvalidInput: a.msh:7: the node 1 is there twice; expected every number once; "
+              "number the nodes again");
+    EXPECT_EQ(reading_error("a.msh", old_start + "$Nodes\n1\n1 0 nan 0\n$EndNodes\n"),
+              "InvalidInput: a.msh:6: vertex 0 (counted from 0) has a coordinate that is NaN, "
+              "infinite or beyond the doubles; expected finite numbers; repair or remove the "
+              "vertex");
+    EXPECT_EQ(
+        reading_error("a.msh", old_start + square + "$Elements\n1\n1 2 0 1 2 9\n$EndElements\n"),
+        "InvalidInput: a.msh:13: the node 9 is not in the section $Nodes; expected one of "
+        "its numbers; correct it or add the node");
+    EXPECT_EQ(reading_error("a.msh", old_start + square +
+                                         "$Elements\n1\n1 2 0 1 2 3\n2 2 0 1 3 4\n$EndElements\n"),
+              "InvalidInput: a.msh:14: '2' where the section ends; expected $EndElements; correct "
+              "the number of its records");
+    EXPECT_EQ(reading_error("a.msh", old_start + "$Nodes\n2000000000\n1 0 0 0\n$EndNodes\n"),
+              "InvalidInput: a.msh:5: 2000000000 nodes are promised, but 19 bytes follow; expected "
+              "at least 8 bytes for each; correct the number, or export again if the file was cut "
+              "off");
+    EXPECT_EQ(reading_error("a.msh", new_start + "$Nodes\n1 2 1 2\n2 1 0 1\n1\n0 0 0\n$EndNodes\n"),
+              "InvalidInput: a.msh:8: 2 nodes are promised, but the blocks have 1; expected as "
+              "many; export it again");
+}
+
+TEST(Gmsh, RealFilesAreReadWhole) {
+    for (const auto& path : test_data("planar")) {
+        if (path.filename() == "2d_square_pi_x_pi.msh") {
+            const auto mesh = read_mesh(path);
+            EXPECT_EQ(mesh.points.rows(), 514);
+            EXPECT_EQ(mesh.simplices.rows(), 946);
+            EXPECT_NEAR(volume(mesh), 9.869604401089358, 1e-12);
+        }
+    }
+    for (const auto& path : test_data("tet")) {
+        if (path.filename() == "test_mesh_3d.msh") {
+            const auto mesh = read_mesh(path);
+            EXPECT_EQ(mesh.points.rows(), 342);
+            EXPECT_EQ(mesh.simplices.rows(), 1034);
+            EXPECT_NEAR(volume(mesh), 4.0 / 3.0, 1e-12);
+        }
+    }
+}
+
+} // namespace polydec::tests

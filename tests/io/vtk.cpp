@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "io/readers.h"
+#include "tests/io/bytes.h"
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace polydec::tests {
+
+namespace {
+
+using Cells = std::vector<std::vector<Index>>;
+
+/// Writes parts of a file as text, or with the highest byte first.
+class Writer {
+public:
+    Writer(bool is_binary, const std::string& version, const std::string& kind)
+        : is_binary_(is_binary) {
+        text_ = "# vtk DataFile Version " + version + "\nA title, maybe with POINTS 3 float\n" +
+                (is_binary ? "BINARY" : "ASCII") + "\nDATASET " + kind + "\n";
+    }
+
+    Writer& line(const std::string& text) {
+        text_ += text + "\n";
+        return *this;
+    }
+
+    template <typename Number>
+    Writer& numbers(const std::vector<double>& values) {
+        if (is_binary_) {
+            text_ += bytes_of_all<Number>(values, std::endian::big);
+        }
+        for (std::size_t i = 0; !is_binary_ && i < values.size(); ++i) {
+            text_ += std::to_string(values[i]) + (i % 3 == 2 ? "\n" : " ");
+        }
+        text_ += "\n";
+        return *this;
+    }
+
+    const std::string& text() const { return text_; }
+
+private:
+    bool is_binary_;
+    std::string text_;
+};
+
+const std::vector<double> places{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1.25};
+
+/// Two tetrahedra and a boundary triangle between them.
+std::string grid(bool is_binary, const std::string& version) {
+    Writer writer(is_binary, version, "UNSTRUCTURED_GRID");
+    writer.line("FIELD FieldData 1").line("TIME 1 1 double").numbers<double>({0.5});
+    writer.line("POINTS 5 float").numbers<float>(places);
+    if (version[0] == '5') {
+        writer.line("METADATA").line("INFORMATION 1").line("NAME X LOCATION Y").line("DATA 1 2\n");
+        writer.line("CELLS 4 11").line("OFFSETS vtktypeint64");
+        writer.numbers<std::int64_t>({0, 4, 7, 11}).line("CONNECTIVITY vtktypeint64");
+        writer.numbers<std::int64_t>({0, 1, 2, 3, 0, 1, 2, 1, 2, 3, 4});
+    } else {
+        writer.line("CELLS 3 14");
+        writer.numbers<std::int32_t>({4, 0, 1, 2, 3, 3, 0, 1, 2, 4, 1, 2, 3, 4});
+    }
+    writer.line("CELL_TYPES 3").numbers<std::int32_t>({10, 5, 10});
+    writer.line("POINT_DATA 5").line("SCALARS material double 2").line("LOOKUP_TABLE default");
+    writer.numbers<double>({1, 2, 3, 4, 5, 6, 7, 8, 9, 10}).line("NORMALS n float");
+    writer.numbers<float>(places).line("CELL_DATA 3").line("SCALARS q unsigned_char 1");
+    writer.line("LOOKUP_TABLE t").numbers<std::uint8_t>({1, 2, 3});
+    writer.line("FIELD FieldData 2").line("speed 3 3 float");
+    writer.numbers<float>({1, 2, 3, 4, 5, 6, 7, 8, 9}).line("METADATA").line("INFORMATION 0\n");
+    return writer.line("CellEntityIds 1 3 int").numbers<std::int32_t>({11, 40, 12}).text();
+}
+
+std::string poly_data(bool is_binary, const std::string& version) {
+    Writer writer(is_binary, version, "POLYDATA");
+    writer.line("POINTS 5 double").numbers<double>(places);
+    if (version[0] == '5') {
+        writer.line("POLYGONS 3 7").line("OFFSETS vtktypeint64").numbers<std::int64_t>({0, 3, 7});
+        writer.line("CONNECTIVITY vtktypeint64");
+        writer.numbers<std::int64_t>({2, 1, 0, 0, 1, 4, 2});
+        writer.line("LINES 2 2").line("OFFSETS vtktypeint64").numbers<std::int64_t>({0, 2});
+        writer.line("CONNECTIVITY vtktypeint64").numbers<std::int64_t>({0, 3});
+    } else {
+        writer.line("POLYGONS 2 9").numbers<std::int32_t>({3, 2, 1, 0, 4, 0, 1, 4, 2});
+        writer.line("LINES 1 3").numbers<std::int32_t>({2, 0, 3});
+    }
+    writer.line("CELL_DATA 3").line("SCALARS material int").line("LOOKUP_TABLE default");
+    return writer.numbers<std::int32_t>({5, 6, 7}).text();
+}
+
+std::string small(const std::string& cells) {
+    return "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+           "0 0 0 1 0 0 0 1 0 1 1 0\n" +
+           cells;
+}
+
+std::string one_cell(int type, const std::string& corners, int count) {
+    return small("CELLS 1 " + std::to_string(count + 1) + "\n" + std::to_string(count) + " " +
+                 corners + "\nCELL_TYPES 1\n" + std::to_string(type) + "\n");
+}
+
+} // namespace
+
+TEST(Vtk, TextAndBytesOfOldAndNewVersionsAreTheSame) {
+    for (const char* version : {"2.0", "3.0", "4.2", "5.1"}) {
+        for (const bool is_binary : {false, true}) {
+            const auto mesh = parse_mesh({"a.vtk", grid(is_binary, version)});
+            EXPECT_EQ(rows(mesh.points),
+                      (std::vector<std::vector<double>>{
+                          {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1.25}}));
+            EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+            EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 12}));
+            EXPECT_TRUE(mesh.warnings.empty());
+        }
+    }
+}
+
+TEST(Vtk, PolygonsAreSplitAndTheirTagsFollowThatOfLines) {
+    for (const char* version : {"3.0", "5.1"}) {
+        for (const bool is_binary : {false, true}) {
+            const auto mesh = parse_mesh({"a.vtk", poly_data(is_binary, version)});
+            EXPECT_EQ(rows(mesh.simplices), (Cells{{2, 1, 0}, {0, 1, 4}, {0, 4, 2}}));
+            EXPECT_EQ(mesh.tags, (std::vector<Index>{6, 7, 7}));
+        }
+    }
+}
+
+TEST(Vtk, LinesMayEndInThreeWays) {
+    for (const char* version : {"3.0", "5.1"}) {
+        const auto text = grid(false, version);
+        const auto mesh = read_from("a.vtk", text);
+        EXPECT_TRUE(same(mesh, read_from("a.VTK", with_line_breaks(text, "\r\n"))));
+        EXPECT_TRUE(same(mesh, read_from("a.Vtk", with_line_breaks(text, "\r"))));
+    }
+}
+
+TEST(Vtk, StripsPixelsAndPolylinesBecomeTrianglesQuadsAndEdges) {
+    const auto cells = [](const std::string& text) {
+        return rows(read_from("a.vtk", text).simplices);
+    };
+    EXPECT_EQ(cells(one_cell(6, "0 1 2 3", 4)), (Cells{{0, 1, 2}, {1, 3, 2}}));
+    EXPECT_EQ(cells(one_cell(8, "0 1 2 3", 4)), (Cells{{0, 1, 3}, {0, 3, 2}}));
+    EXPECT_EQ(cells(one_cell(9, "0 1 3 2", 4)), (Cells{{0, 1, 3}, {0, 3, 2}}));
+    EXPECT_EQ(cells(one_cell(4, "0 1 3 2", 4)), (Cells{{0, 1}, {1, 3}, {3, 2}}));
+    EXPECT_EQ(cells(one_cell(7, "0 1 3", 3)), (Cells{{0, 1, 3}}));
+    // All triangles of a strip turn the same way: a surface of two has one area, not none.
+    EXPECT_EQ(volume(read_from("a.vtk", one_cell(6, "0 1 2 3", 4))), 1.0);
+}
+
+TEST(Vtk, NumbersThatAreNotWholeAreNoTags) {
+    const auto text = one_cell(5, "0 1 2", 3) + "CELL_DATA 1\nSCALARS material float\n"
+                                                "LOOKUP_TABLE default\n";
+    EXPECT_TRUE(read_from("a.vtk", text + "1.5\n").tags.empty());
+    EXPECT_EQ(read_from("a.vtk", text + "2\n").tags, (std::vector<Index>{2}));
+}
+
+TEST(Vtk, WarnsOfDataThatAreLeftOut) {
+    const auto mesh =
+        read_from("a.vtk", one_cell(5, "0 1 2", 3) + "CELL_DATA 1\nSCALARS names string\n"
+                                                     "LOOKUP_TABLE default\nx\n");
+    EXPECT_EQ(mesh.warnings,
+              (std::vector<std::string>{"what follows 'scalars' in line 12 was left out"}));
+}
+
+TEST(Vtk, RefusesCellsThatAreNoSimplices) {
+    const auto error = [](int type, int count) {
+        std::string corners;
+        for (int i = 0; i < count; ++i) {
+            corners += std::to_string(i % 4) + " ";
+        }
+        return reading_error("a.vtk", one_cell(type, corners, count));
+    };
+    const std::string start = "InvalidInput: a.vtk:7: cell 0 is ";
+    EXPECT_EQ(error(12, 8), start + "a hexahedron (VTK's type 12); expected tetrahedra, polygons "
+                                    "or lines; split it into tetrahedra before");
+    EXPECT_EQ(error(13, 6), start + "a wedge (VTK's type 13); expected tetrahedra, polygons or "
+                                    "lines; split it into tetrahedra before");
+    EXPECT_EQ(error(24, 10), start + "of second order (VTK's type 24); expected tetrahedra, "
+                                     "polygons or lines; export the mesh with cells of first "
+                                     "order");
+    EXPECT_EQ(error(42, 4), start + "a polyhedron (VTK's type 42); expected tetrahedra, polygons "
+                                    "or lines; read the mesh it was made from, or split it into "
+                                    "tetrahedra");
+    EXPECT_EQ(error(99, 4), start + "of VTK's type 99; expected tetrahedra (10), polygons (5 to "
+                                    "9) or lines (3, 4); convert it before");
+}
+
+TEST(Vtk, RefusesWhatDoesNotFit) {
+    const std::string start = "# vtk DataFile Version 3.0\nx\n";
+    EXPECT_EQ(reading_error("a.vtk", "# vtp DataFile Version 3.0\nx\nASCII\n"),
+              "InvalidInput: a.vtk:1: the file does not begin with # vtk DataFile Version; "
+              "expected a legacy VTK file; check the format");
+    EXPECT_EQ(reading_error("a.vtk", "# vtk DataFile Version 9.0\nx\nASCII\n"),
+              "InvalidInput: a.vtk:1: version 9 of the format; expected 1 to 5.1; save the mesh as "
+              ".vtu");
+    EXPECT_EQ(reading_error("a.vtk", start + "TEXT\n"),
+              "InvalidInput: a.vtk:3: 'text' behind the title; expected ASCII or BINARY; correct "
+              "the third line");
+    EXPECT_EQ(reading_error("a.vtk", start + "ASCII\nDATASET STRUCTURED_GRID\n"),
+              "InvalidInput: a.vtk:4: a data set of the kind 'structured_grid'; expected DATASET "
+              "UNSTRUCTURED_GRID or DATASET POLYDATA; convert it, for instance with ParaView");
+    EXPECT_EQ(reading_error("a.vtk", small("NONSENSE 4\n")),
+              "InvalidInput: a.vtk:7: 'nonsense' in front of the points or cells; expected POINTS, "
+              "CELLS, POLYGONS or other keywords of a grid; check the format");
+    EXPECT_EQ(reading_error("a.vtk", one_cell(10, "0 1 2 4", 4)),
+              "InvalidInput: a.vtk:7: cell 0 has the vertex number 4; expected 0 to 3; correct the "
+              "index or add the vertex");
+    EXPECT_EQ(reading_error("a.vtk", one_cell(5, "0 1 2 3", 4)),
+              "InvalidInput: a.vtk:7: cell 0 of VTK's type 5 has 4 corners; expected the corners "
+              "of its type; export it again");
+    EXPECT_EQ(reading_error("a.vtk", small("CELLS 2 4\n3 0 1 2\nCELL_TYPES 2\n5 5\n")),
+              "InvalidInput: a.vtk:7: the 4 numbers of cells end within cell 1 of 2; expected a "
+              "number of corners and these for each; correct the line");
+    EXPECT_EQ(reading_error("a.vtk", small("CELLS 1 5\n3 0 1 2 3\nCELL_TYPES 1\n5\n")),
+              "InvalidInput: a.vtk:7: 1 cells take 4 numbers, but 5 are promised; expected as "
+              "many; correct the line");
+    EXPECT_EQ(reading_error("a.vtk", small("CELLS 1 4\n3 0 1 2\n")),
+              "InvalidInput: a.vtk:7: 0 types, 1 offsets up to 3 and 3 corners of cells do not "
+              "belong together; expected an offset for each type, up to the number of corners; "
+              "export it again");
+    EXPECT_EQ(reading_error("a.vtk", small("CELLS 1 2000000000\n3 0 1 2\n")),
+              "InvalidInput: a.vtk:8: 2000000000 numbers are promised, but 8 bytes follow; "
+              "expected at least 2 bytes for each; correct the number, or export again if the file "
+              "was cut off");
+    EXPECT_EQ(reading_error("a.vtk", start + "ASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 nan 0\n"),
+              "InvalidInput: a.vtk:1: vertex 0 (counted from 0) has a coordinate that is NaN, "
+              "infinite or beyond the doubles; expected finite numbers; repair or remove the "
+              "vertex");
+    EXPECT_EQ(reading_error("a.vtk", start + "ASCII\nDATASET POLYDATA\nPOINTS 1 quad\n0 0 0\n"),
+              "InvalidInput: a.vtk:5: 'quad' is no type of numbers that is read; expected float, "
+              "double, int or another of VTK's; export it again");
+}
+
+TEST(Vtk, RealFilesAreReadWhole) {
+    for (const auto& path : test_data("tet")) {
+        if (path.filename() == "beam-tet.vtk") {
+            const auto mesh = read_mesh(path);
+            EXPECT_EQ(mesh.points.rows(), 36);
+            EXPECT_EQ(mesh.simplices.rows(), 48);
+            EXPECT_NEAR(volume(mesh), 8.0, 1e-12);
+            EXPECT_EQ(std::count(mesh.tags.begin(), mesh.tags.end(), 1), 24);
+            EXPECT_EQ(std::count(mesh.tags.begin(), mesh.tags.end(), 2), 24);
+        }
+    }
+}
+
+} // namespace polydec::tests

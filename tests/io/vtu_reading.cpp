@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+#include "io/readers.h"
+#include "io/vtu.h"
+#include "tests/io/bytes.h"
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+
+namespace polydec::tests {
+
+namespace {
+
+using Cells = std::vector<std::vector<Index>>;
+
+/// How the arrays of a file are written.
+enum class Place { text, in_line, appended_base64, appended_raw };
+
+struct Variant {
+    Place place;
+    std::endian order = std::endian::little;
+    bool has_wide_headers = true;
+    bool is_compressed = false;
+};
+
+std::vector<Variant> variants() {
+    std::vector<Variant> all{{Place::text}};
+    for (const auto place : {Place::in_line, Place::appended_base64, Place::appended_raw}) {
+        for (const auto order : {std::endian::little, std::endian::big}) {
+            for (const bool wide : {false, true}) {
+                all.push_back({place, order, wide, false});
+                all.push_back({place, order, wide, true});
+            }
+        }
+    }
+    return all;
+}
+
+/// A zlib stream that stores the bytes as they are.
+std::string stored(const std::string& bytes) {
+    std::uint32_t low = 1;
+    std::uint32_t high = 0;
+    for (const char c : bytes) {
+        low = (low + static_cast<unsigned char>(c)) % 65521;
+        high = (high + low) % 65521;
+    }
+    const auto size = static_cast<std::uint16_t>(bytes.size());
+    return from_hex("780101") + bytes_of(size, std::endian::little) +
+           bytes_of(static_cast<std::uint16_t>(~size), std::endian::little) + bytes +
+           bytes_of(high << 16U | low, std::endian::big);
+}
+
+class Writer {
+public:
+    explicit Writer(const Variant& variant) : variant_(variant) {
+        text_ = std::string("<?xml version=\"1.0\"?>\n<!-- a comment -->\n<VTKFile "
+                            "type='UnstructuredGrid' version=\"1.0\" byte_order=\"") +
+                (variant.order == std::endian::big ? "Big" : "Little") +
+                "Endian\" header_type=\"UInt" + (variant.has_wide_headers ? "64" : "32") + "\"" +
+                (variant.is_compressed ? " compressor=\"vtkZLibDataCompressor\"" : "") +
+                ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"5\" NumberOfCells=\"3\">\n";
+    }
+
+    Writer& line(const std::string& text) {
+        text_ += text + "\n";
+        return *this;
+    }
+
+    template <typename Number>
+    Writer& array(const std::string& type, const std::string& attributes,
+                  const std::vector<Number>& values) {
+        constexpr std::array formats{"ascii", "binary", "appended", "appended"};
+        text_ += "<DataArray type=\"" + type + "\" " + attributes + " format=\"" +
+                 formats[static_cast<std::size_t>(variant_.place)] + "\"";
+        const auto [header, body] = encoded(bytes_of_all<Number>(values, variant_.order));
+        switch (variant_.place) {
+        case Place::text:
+            text_ += ">\n";
+            for (const auto value : values) {
+                text_ += std::to_string(value) + " ";
+            }
+            break;
+        case Place::in_line:
+            text_ += ">\n" + in_base64(header, body);
+            break;
+        case Place::appended_base64:
+            text_ += " offset=\"" + std::to_string(appended_.size()) + "\">";
+            appended_ += in_base64(header, body);
+            break;
+        case Place::appended_raw:
+            text_ += " offset=\"" + std::to_string(appended_.size()) + "\">";
+            appended_ += header + body;
+        }
+        return line("\n<InformationKey name=\"x\"><Value>9</Value></InformationKey></DataArray>");
+    }
+
+    std::string text() const {
+        auto text = text_ + "</Piece>\n</UnstructuredGrid>\n";
+        if (!appended_.empty()) {
+            text += std::string("<AppendedData encoding=\"") +
+                    (variant_.place == Place::appended_raw ? "raw" : "base64") + "\">\n_" +
+                    appended_ + "\n</AppendedData>\n";
+        }
+        return text + "</VTKFile>\n";
+    }
+
+private:
+    /// What stands in front of an array, and its bytes: of a compressed one in blocks of 16.
+    std::pair<std::string, std::string> encoded(const std::string& bytes) const {
+        if (!variant_.is_compressed) {
+            return {header({bytes.size()}), bytes};
+        }
+        constexpr std::size_t block = 16;
+        std::vector<std::size_t> numbers{(bytes.size() + block - 1) / block, block,
+                                         bytes.size() % block};
+        std::string body;
+        for (std::size_t begin = 0; begin < bytes.size(); begin += block) {
+            const auto piece = stored(bytes.substr(begin, block));
+            numbers.push_back(piece.size());
+            body += piece;
+        }
+        return {header(numbers), body};
+    }
+
+    std::string header(const std::vector<std::size_t>& numbers) const {
+        return variant_.has_wide_headers ? bytes_of_all<std::uint64_t>(numbers, variant_.order)
+                                         : bytes_of_all<std::uint32_t>(numbers, variant_.order);
+    }
+
+    /// The header of a compressed array is a text of its own.
+    std::string in_base64(const std::string& header, const std::string& body) const {
+        return variant_.is_compressed ? base64(header) + base64(body) : base64(header + body);
+    }
+
+    Variant variant_;
+    std::string text_;
+    std::string appended_;
+};
+
+/// Two tetrahedra and a triangle between them.
+std::string grid(const Variant& variant, std::uint8_t last_type = 10) {
+    Writer writer(variant);
+    writer.line("<PointData>").array<float>("Float32", "Name=\"material\"", {1, 2, 3, 4, 5});
+    writer.line("</PointData>\n<CellData Scalars='q'>");
+    writer.array<double>("Float64", "Name=\"q\"", {0.5, 1, 2});
+    writer.array<std::int16_t>("Int16", "Name=\"gmsh:physical\"", {11, 40, 12});
+    writer.line("</CellData>\n<Points>");
+    writer.array<double>("Float64", "Name=\"Points\" NumberOfComponents=\"3\"",
+                         {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1.25});
+    writer.line("</Points>\n<Cells>");
+    writer.array<std::int64_t>("Int64", "Name=\"connectivity\"", {0, 1, 2, 3, 0, 1, 2, 1, 2, 3, 4});
+    writer.array<std::int32_t>("Int32", "Name=\"offsets\"", {4, 7, 11});
+    writer.array<std::uint8_t>("UInt8", "Name=\"types\"", {10, 5, last_type});
+    return writer.line("</Cells>").text();
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    return text.replace(text.find(what), what.size(), by);
+}
+
+std::string written(const VtuGrid& grid) {
+    const TemporaryFolder folder;
+    write_vtu(folder.path("a.vtu"), grid);
+    return read_text(folder.path("a.vtu"));
+}
+
+VtuGrid cube_corner() {
+    VtuGrid grid;
+    grid.points = Points(5, 3);
+    grid.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1. / 3, 1e-300, -7e300;
+    return grid;
+}
+
+const Variant as_text{Place::text};
+
+} // namespace
+
+TEST(VtuReading, EveryEncodingIsTheSame) {
+    for (const auto& variant : variants()) {
+        const auto mesh = parse_mesh({"a.vtu", grid(variant)});
+        EXPECT_EQ(rows(mesh.points),
+                  (std::vector<std::vector<double>>{
+                      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1.25}}));
+        EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+        EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 12}));
+        EXPECT_TRUE(mesh.warnings.empty());
+    }
+}
+
+TEST(VtuReading, TheOtherOrderOfBytesDoesNotFit) {
+    // The twin of the proposition above.
+    for (const auto& variant : variants()) {
+        if (variant.place != Place::text) {
+            const bool big = variant.order == std::endian::big;
+            const auto damaged = replaced(grid(variant), big ? "BigEndian" : "LittleEndian",
+                                          big ? "LittleEndian" : "BigEndian");
+            EXPECT_EQ(reading_error("a.vtu", damaged).find("InvalidInput: a.vtu:"), 0U);
+        }
+    }
+}
+
+TEST(VtuReading, WhatIsWrittenIsReadToTheLastBit) {
+    auto grid = cube_corner();
+    add_cell(grid, VtuCell::tetra, std::array<Index, 4>{0, 1, 2, 3});
+    add_cell(grid, VtuCell::triangle, std::array<Index, 3>{0, 1, 2});
+    add_cell(grid, VtuCell::tetra, std::array<Index, 4>{1, 2, 3, 4});
+    grid.cell_data.push_back({"material", std::vector<Index>{-3, 1, 2}, 1});
+    const auto mesh = read_from("a.vtu", written(grid));
+    EXPECT_EQ(rows(mesh.points), rows(grid.points));
+    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+    EXPECT_EQ(mesh.tags, (std::vector<Index>{-3, 2}));
+}
+
+TEST(VtuReading, PolygonsThatAreWrittenAreSplitLikeThoseThatAreGiven) {
+    PolygonMesh polygons;
+    polygons.points = Points(7, 3);
+    polygons.points << 0, 0, 0, 1, 0, 0, 1.5, 1, 0, 0.5, 2, 0, -0.5, 1, 0, 2, -1, 0, 3, 0, 0;
+    polygons.corners = {0, 1, 2, 3, 4, 1, 5, 6, 2, 4, 3, 2};
+    polygons.offsets = {0, 5, 9, 12};
+    polygons.tags = {4, 5, 6};
+    const auto mesh = split_polygons(polygons);
+    EXPECT_EQ(mesh.tags, (std::vector<Index>{4, 4, 4, 5, 5, 6}));
+
+    VtuGrid grid;
+    grid.points = polygons.points;
+    add_cell(grid, VtuCell::polygon, std::array<Index, 5>{0, 1, 2, 3, 4});
+    add_cell(grid, VtuCell::quad, std::array<Index, 4>{1, 5, 6, 2});
+    add_cell(grid, VtuCell::triangle, std::array<Index, 3>{4, 3, 2});
+    grid.cell_data.push_back({"gmsh:physical", polygons.tags, 1});
+    const auto read = read_from("a.vtu", written(grid));
+    EXPECT_TRUE(same(read, mesh));
+    EXPECT_EQ(read.tags, mesh.tags);
+    EXPECT_EQ(read.warnings, mesh.warnings);
+}
+
+TEST(VtuReading, PolyhedraAreRefused) {
+    auto grid = cube_corner();
+    add_cell(grid, VtuCell::tetra, std::array<Index, 4>{1, 2, 3, 4});
+    add_polyhedron(grid, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}});
+    EXPECT_EQ(reading_error("a.vtu", written(grid)),
+              "InvalidInput: a.vtu:11: cell 1 is a polyhedron (VTK's type 42); expected "
+              "tetrahedra, polygons or lines; read the mesh it was made from, or split it into "
+              "tetrahedra");
+}
+
+TEST(VtuReading, LinesMayEndInThreeWays) {
+    const auto mesh = read_from("a.vtu", grid(as_text));
+    EXPECT_TRUE(same(mesh, read_from("a.VTU", with_line_breaks(grid(as_text), "\r\n"))));
+    EXPECT_TRUE(same(mesh, read_from("a.Vtu", with_line_breaks(grid(as_text), "\r"))));
+}
+
+TEST(VtuReading, RefusesOtherGridsAndEncodings) {
+    const auto error = [](const std::string& what, const std::string& by) {
+        return reading_error("a.vtu", replaced(grid(as_text), what, by));
+    };
+    EXPECT_EQ(error("UnstructuredGrid", "PolyData"),
+              "InvalidInput: a.vtu:3: a file of the type 'PolyData'; expected UnstructuredGrid; "
+              "convert it, for instance with ParaView");
+    EXPECT_EQ(error("UInt64\"", "UInt64\" compressor=\"vtkLZ4DataCompressor\""),
+              "InvalidInput: a.vtu:3: the arrays are compressed by 'vtkLZ4DataCompressor'; "
+              "expected vtkZLibDataCompressor or none; export it again without compression");
+    EXPECT_EQ(error("UInt64", "UInt16"),
+              "InvalidInput: a.vtu:3: the header_type 'UInt16'; expected UInt32 or UInt64; export "
+              "it again");
+    EXPECT_EQ(error("LittleEndian", "PDP"),
+              "InvalidInput: a.vtu:3: the order of bytes 'PDP'; expected LittleEndian or "
+              "BigEndian; export it again");
+    EXPECT_EQ(error("<Points>", "<Piece NumberOfCells=\"1\"/><Points>"),
+              "InvalidInput: a.vtu:19: a second piece of the grid; expected one; merge them into "
+              "one, for instance with ParaView's filters Merge Blocks and Clean to Grid");
+    EXPECT_EQ(error("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\"").substr(0, 65),
+              "InvalidInput: a.vtu:38: the points have not three components; exp");
+    EXPECT_EQ(error("Name=\"types\"", "Name=\"kinds\""),
+              "InvalidInput: a.vtu:38: the grid has no array types; expected Points and Cells with "
+              "connectivity, offsets and types; export it again");
+    EXPECT_EQ(error("Int32", "String"),
+              "InvalidInput: a.vtu:28: an array of the type 'String'; expected Float64, Int32 or "
+              "another type of numbers; export it again");
+    EXPECT_EQ(reading_error("a.vtu", grid(as_text, 12)),
+              "InvalidInput: a.vtu:25: cell 2 is a hexahedron (VTK's type 12); expected "
+              "tetrahedra, polygons or lines; split it into tetrahedra before");
+}
+
+TEST(VtuReading, RefusesBrokenXml) {
+    EXPECT_EQ(reading_error("a.vtu", "no XML at all"),
+              "InvalidInput: a.vtu:1: the file has no element VTKFile; expected XML of VTK; check "
+              "the format");
+    EXPECT_EQ(reading_error("a.vtu", "<a>\n<b></a>"),
+              "InvalidInput: a.vtu:2: the element 'a' ends here; expected the end of 'b'; export "
+              "it again");
+    EXPECT_EQ(reading_error("a.vtu", "<a>\n"),
+              "InvalidInput: a.vtu:2: the file ends within the element 'a'; expected its end; "
+              "export it again, it seems cut off");
+    EXPECT_EQ(reading_error("a.vtu", "<a b>"),
+              "InvalidInput: a.vtu:1: an attribute without a value; expected = and a value in "
+              "quotes; export it again");
+    EXPECT_EQ(reading_error("a.vtu", "<a b=c>"),
+              "InvalidInput: a.vtu:1: the value of an attribute is not in quotes; expected two of "
+              "them; export it again");
+    EXPECT_EQ(reading_error("a.vtu", "<!DOCTYPE a>"),
+              "InvalidInput: a.vtu:1: '!DOCTYPE a' where a name should be; expected a tag or "
+              "attribute of XML; export it again");
+    EXPECT_EQ(reading_error("a.vtu", "<!-- >"),
+              "InvalidInput: a.vtu:1: the file ends within a comment or declaration; expected "
+              "-->; export it again, it seems cut off");
+}
+
+TEST(VtuReading, DamagedArraysAreNamed) {
+    const auto damaged = [](const Variant& variant, char by) {
+        auto text = grid(variant);
+        const auto array = text.find("\"connectivity\"");
+        text[text.find(">\n", array) + 70] = by;
+        return reading_error("a.vtu", text);
+    };
+    EXPECT_EQ(damaged({Place::in_line}, '*'),
+              "InvalidInput: a.vtu:25: an array ends before 88 more bytes, or is not base64; "
+              "expected all of its bytes; export it again, it seems damaged");
+    EXPECT_EQ(damaged({Place::in_line, std::endian::little, false, true}, '/'),
+              "InvalidInput: a.vtu:25: block 0 of a compressed array is damaged; expected a zlib "
+              "stream of the size that is promised; export it again");
+}
+
+} // namespace polydec::tests

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/tetrahedralize.h"
+
+#include "backends/registry.h"
+#include "base/errors.h"
+#include "meshes/generate.h"
+#include "tests/meshes/propositions.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace polydec {
+namespace {
+
+struct Case {
+    const char* name;
+    Mesh (*surface)();
+    Index euler;    ///< of what it encloses
+    double stretch; ///< makes it bad by itself, but not sharp
+};
+
+Mesh cube() {
+    Mesh mesh;
+    mesh.points.resize(8, 3);
+    for (Index i = 0; i < 8; ++i)
+        mesh.points.row(i) << (i & 1), ((i >> 1) & 1), ((i >> 2) & 1);
+    mesh.simplices.resize(12, 3);
+    mesh.simplices << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4,
+        6, 0, 6, 2, 1, 3, 7, 1, 7, 5;
+    return mesh;
+}
+
+const Case cases[] = {
+    {"cube", cube, 1, 7.0},
+    {"icosphere", [] { return icosphere(5); }, 1, 1.0},
+    {"torus", [] { return torus(24, 12); }, 0, 1.0},
+};
+
+bool is_available() {
+    const auto known = engines();
+    return std::any_of(known.begin(), known.end(), [](const EngineInfo& engine) {
+        return engine.name == "tetgen" && engine.available;
+    });
+}
+
+/// Largest circumradius over shortest edge.
+double worst_quality(const Mesh& mesh) {
+    double worst = 0.0;
+    for (Eigen::Index i = 0; i < mesh.simplices.rows(); ++i) {
+        Eigen::Matrix<double, 4, 3> corners;
+        for (int j = 0; j < 4; ++j)
+            corners.row(j) = mesh.points.row(mesh.simplices(i, j));
+        const Eigen::Matrix3d edges = corners.bottomRows<3>().rowwise() - corners.row(0);
+        const Eigen::Vector3d squares = 0.5 * edges.rowwise().squaredNorm();
+        const Eigen::Vector3d center = edges.inverse() * squares;
+        double shortest = edges.rowwise().norm().minCoeff();
+        for (int j = 1; j < 4; ++j)
+            shortest = std::min(shortest, (corners.row(j) - corners.row(j % 3 + 1)).norm());
+        worst = std::max(worst, center.norm() / shortest);
+    }
+    return worst;
+}
+
+/// The triangles in one tetrahedron, each ascending, in order.
+std::vector<std::vector<Index>> boundary(const Mesh& mesh) {
+    std::vector<std::vector<Index>> facets;
+    for (Eigen::Index i = 0; i < mesh.simplices.rows(); ++i)
+        for (int without = 0; without < 4; ++without) {
+            std::vector<Index> facet;
+            for (int j = 0; j < 4; ++j)
+                if (j != without)
+                    facet.push_back(mesh.simplices(i, j));
+            std::sort(facet.begin(), facet.end());
+            facets.push_back(facet);
+        }
+    std::sort(facets.begin(), facets.end());
+    std::vector<std::vector<Index>> single;
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        if (std::count(facets.begin() + static_cast<std::ptrdiff_t>(i - (i > 0)),
+                       facets.begin() + static_cast<std::ptrdiff_t>(std::min(i + 2, facets.size())),
+                       facets[i]) == 1)
+            single.push_back(facets[i]);
+    return single;
+}
+
+std::vector<std::vector<Index>> triangles(const Mesh& surface) {
+    std::vector<std::vector<Index>> result;
+    for (Eigen::Index i = 0; i < surface.simplices.rows(); ++i) {
+        std::vector<Index> corners{surface.simplices(i, 0), surface.simplices(i, 1),
+                                   surface.simplices(i, 2)};
+        std::sort(corners.begin(), corners.end());
+        result.push_back(corners);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+class Tetrahedralize : public testing::TestWithParam<Case> {
+protected:
+    /// Where the program is not there, each proposition becomes: the error says what to get.
+    template <typename F>
+    void with_tetgen(F proposition) {
+        if (is_available()) {
+            proposition(GetParam().surface());
+            return;
+        }
+        try {
+            proposition(GetParam().surface());
+            FAIL();
+        } catch (const BackendUnavailable& error) {
+            EXPECT_NE(std::string(error.what()).find("apt-get install tetgen"), std::string::npos);
+        }
+    }
+};
+
+TEST_P(Tetrahedralize, the_volume_is_the_enclosed_one) {
+    with_tetgen([](const Mesh& surface) {
+        const double enclosed = enclosed_volume(surface);
+        EXPECT_NEAR(total_volume(tetrahedralize(surface)), enclosed, 1e-12 * enclosed);
+        EXPECT_NEAR(total_volume(tetrahedralize(surface, {.quality = 1.5})), enclosed,
+                    1e-12 * enclosed);
+
+        auto smaller = surface; // not the volume of another surface
+        smaller.points *= 0.999;
+        EXPECT_GT(std::abs(total_volume(tetrahedralize(smaller)) - enclosed), 1e-3 * enclosed);
+    });
+}
+
+TEST_P(Tetrahedralize, cells_are_positive_and_meet_in_whole_facets) {
+    with_tetgen([](const Mesh& surface) {
+        auto mesh = tetrahedralize(surface, {.quality = 1.5});
+        EXPECT_GT(least_determinant(mesh), 0.0);
+        EXPECT_EQ(euler_characteristic(mesh), GetParam().euler);
+        const auto tally = tally_facets(mesh);
+        EXPECT_EQ(tally.clashing + tally.branching, 0);
+        EXPECT_GT(tally.coherent, 0);
+
+        std::swap(mesh.simplices(0, 0), mesh.simplices(0, 1)); // one turned over is seen
+        EXPECT_LT(least_determinant(mesh), 0.0);
+        EXPECT_GT(tally_facets(mesh).clashing, 0);
+    });
+}
+
+TEST_P(Tetrahedralize, the_orientation_of_the_surface_does_not_matter) {
+    with_tetgen([](Mesh surface) {
+        const auto mesh = tetrahedralize(surface);
+        surface.simplices.col(0).swap(surface.simplices.col(1));
+        EXPECT_GT(least_determinant(tetrahedralize(surface)), 0.0);
+        EXPECT_NEAR(total_volume(tetrahedralize(surface)), total_volume(mesh), 1e-12);
+    });
+}
+
+TEST_P(Tetrahedralize, a_boundary_that_may_not_be_split_is_the_surface) {
+    with_tetgen([](const Mesh& surface) {
+        const double volume = enclosed_volume(surface) / 2000;
+        const auto kept = tetrahedralize(
+            surface, {.largest_volume = volume, .boundary = BoundarySplitting::forbidden});
+        EXPECT_EQ(boundary(kept), triangles(surface));
+        EXPECT_EQ(kept.points.topRows(surface.points.rows()), surface.points);
+
+        const auto split = tetrahedralize(surface, {.largest_volume = volume});
+        EXPECT_NE(boundary(split), triangles(surface));
+        EXPECT_EQ(split.points.topRows(surface.points.rows()), surface.points);
+    });
+}
+
+TEST_P(Tetrahedralize, quality_is_bounded_if_asked_for) {
+    with_tetgen([](const Mesh& surface) {
+        Mesh tall = surface;
+        tall.points.col(2) *= GetParam().stretch;
+        const auto mesh = tetrahedralize(tall, {.quality = 1.5});
+        EXPECT_LE(worst_quality(mesh), 1.5 * (1 + 1e-9));
+        EXPECT_TRUE(mesh.warnings.empty());
+        EXPECT_GT(worst_quality(tetrahedralize(tall)), 1.5);
+    });
+}
+
+TEST_P(Tetrahedralize, quality_that_is_missed_is_told_with_the_worst) {
+    with_tetgen([](const Mesh& surface) {
+        Mesh tall = surface;
+        tall.points.col(2) *= 7.0;
+        const auto mesh =
+            tetrahedralize(tall, {.quality = 1.2, .boundary = BoundarySplitting::forbidden});
+        ASSERT_EQ(mesh.warnings.size(), 1U);
+        const auto worst = std::to_string(worst_quality(mesh)).substr(0, 4);
+        EXPECT_NE(mesh.warnings[0].find("miss the quality 1.2, the worst has " + worst),
+                  std::string::npos)
+            << mesh.warnings[0];
+    });
+}
+
+TEST_P(Tetrahedralize, a_surface_that_crosses_another_is_named_by_triangles) {
+    with_tetgen([](const Mesh& surface) {
+        Mesh two = surface;
+        const auto count = surface.points.rows(), cells = surface.simplices.rows();
+        two.points.conservativeResize(2 * count, 3);
+        two.points.bottomRows(count) =
+            surface.points.rowwise() + Eigen::RowVector3d(0.31, 0.23, 0.17);
+        two.simplices.conservativeResize(2 * cells, 3);
+        two.simplices.bottomRows(cells) =
+            (surface.simplices.array() + static_cast<Index>(count)).matrix();
+        const auto message = refusal([&] { tetrahedralize(two); });
+        EXPECT_NE(message.find("pairs of facets cross or overlap: "), std::string::npos) << message;
+    });
+}
+
+TEST_P(Tetrahedralize, vertices_of_no_triangle_are_left_out_with_a_warning) {
+    with_tetgen([](const Mesh& surface) {
+        Mesh more = surface;
+        more.points.conservativeResize(surface.points.rows() + 2, 3);
+        more.points.bottomRows(2).setConstant(0.123);
+        const auto mesh = tetrahedralize(more), plain = tetrahedralize(surface);
+        EXPECT_EQ(mesh.points, plain.points);
+        EXPECT_EQ(mesh.warnings, std::vector<std::string>{"left out 2 vertices of no triangle"});
+        EXPECT_TRUE(plain.warnings.empty());
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, Tetrahedralize, testing::ValuesIn(cases),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(TetrahedralizeErrors, what_is_no_closed_surface_is_refused) {
+    EXPECT_EQ(refusal([] { tetrahedralize(kuhn(3, 1)); }),
+              "tetrahedra are made within surfaces of triangles in three coordinates; this mesh "
+              "has 6 cells of dimension 3 in 3");
+    EXPECT_EQ(refusal([] { tetrahedralize(grid(2, 2)); }),
+              "tetrahedra are made within surfaces of triangles in three coordinates; this mesh "
+              "has 8 cells of dimension 2 in 2");
+    Mesh open = cube();
+    open.simplices.conservativeResize(11, 3);
+    EXPECT_EQ(refusal([&] { tetrahedralize(open); }),
+              "mesher: the surface is not closed: each edge must be in two facets, but 3 of them "
+              "are not\nedge 1 5 in 1 (facet 4), edge 1 7 in 1 (facet 10), edge 5 7 in 1 (facet 2)"
+              "\nClose the gaps, and take away facets that hang on or come twice.");
+}
+
+} // namespace
+} // namespace polydec
