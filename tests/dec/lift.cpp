@@ -2,6 +2,7 @@
 #include "dec/lift.h"
 
 #include "dec/derivative.h"
+#include "tests/dec/products.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -9,21 +10,10 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 
 namespace polydec::test {
 namespace {
-
-const std::vector<SparseMatrix>& lift_of(const std::string& name) {
-    static std::map<std::string, std::vector<SparseMatrix>> made;
-    auto& entry = made[name];
-    if (entry.empty()) {
-        const auto& mesh = merged(name);
-        entry = commuting_lift(mesh.merging(), mesh.points, mesh.input_volumes);
-    }
-    return entry;
-}
 
 class Lifts : public OverMeshes {
 protected:
