@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate_lattices.h"
 
-#include "base/errors.h"
 #include "meshes/generate_parts.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace polydec {
 
@@ -16,37 +11,11 @@ namespace {
 
 using Triple = std::array<Index, 3>;
 
-/// Vertex number steps along the axes of a box of vertices numbered lexicographically.
-std::vector<Index> strides(const std::vector<int>& cells) {
-    std::vector<Index> result(cells.size(), 1);
-    for (std::size_t k = cells.size(); k-- > 1;)
-        result[k - 1] = result[k] * (cells[k] + 1);
+double corners_of_cubes(const std::vector<int>& counts) {
+    double result = 1.0;
+    for (const int count : counts)
+        result *= count + 1.0;
     return result;
-}
-
-void check_box(const std::vector<int>& cells, const std::vector<double>& lengths) {
-    check_count("kuhn", "n", static_cast<std::int64_t>(cells.size()), 1, 12);
-    double vertices = 1.0, simplices = 1.0;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-        check_count("kuhn", fmt::format("cells[{}]", k), cells[k], 1);
-        vertices *= cells[k] + 1.0;
-        simplices *= (k + 1.0) * cells[k];
-    }
-    if (!lengths.empty() && lengths.size() != cells.size())
-        throw InvalidInput(
-            fmt::format("kuhn: {} lengths for {} axes; give one for each axis, or none",
-                        lengths.size(), cells.size()));
-    for (std::size_t k = 0; k < lengths.size(); ++k)
-        check_length("kuhn", fmt::format("lengths[{}]", k), lengths[k]);
-    check_sizes("kuhn", vertices, simplices);
-}
-
-bool is_odd(const std::vector<int>& permutation) {
-    int inversions = 0;
-    for (std::size_t i = 0; i < permutation.size(); ++i)
-        for (std::size_t j = i + 1; j < permutation.size(); ++j)
-            inversions += permutation[i] > permutation[j];
-    return inversions % 2 == 1;
 }
 
 /// Tetrahedra of a mesh in R^3 that is filled one after the other.
@@ -71,24 +40,42 @@ void for_each_triple(const Triple& sizes, F f) {
 
 /// Numbers and places of the vertices of cubic lattices: corners first, then the others.
 struct Cubes {
-    Index cells;
+    Triple cells;
+    double edge;
 
-    Index corner(const Triple& p) const { return (p[0] * (cells + 1) + p[1]) * (cells + 1) + p[2]; }
-    Index corners() const { return (cells + 1) * (cells + 1) * (cells + 1); }
-    Index center(const Triple& p) const { return corners() + (p[0] * cells + p[1]) * cells + p[2]; }
+    Index cube_count() const { return cells[0] * cells[1] * cells[2]; }
+    Index corner_count() const { return (cells[0] + 1) * (cells[1] + 1) * (cells[2] + 1); }
+
+    Index corner(const Triple& p) const {
+        return (p[0] * (cells[1] + 1) + p[1]) * (cells[2] + 1) + p[2];
+    }
+    Index center(const Triple& p) const {
+        return corner_count() + (p[0] * cells[1] + p[1]) * cells[2] + p[2];
+    }
 
     /// Center of the square at the low end of cube p along an axis; p may be one beyond the last.
     Index face_center(int axis, const Triple& p) const {
-        const Index layer = p[axis] * cells + p[(axis + 1) % 3];
-        return corners() + axis * (cells + 1) * cells * cells + layer * cells + p[(axis + 2) % 3];
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        Index result = corner_count() + (p[axis] * cells[u] + p[u]) * cells[v] + p[v];
+        for (int before = 0; before < axis; ++before)
+            result += cube_count() / cells[before] * (cells[before] + 1);
+        return result;
     }
 
-    /// Place of a point given in half cubes.
+    /// Numbers of squares across an axis: their layers along it, then along the axes that follow.
+    Triple squares(int axis) const {
+        return {cells[axis] + 1, cells[(axis + 1) % 3], cells[(axis + 2) % 3]};
+    }
+
+    /// Place of a point given in half cubes; the ends of the box come out to the last bit.
     Eigen::RowVector3d place(const Triple& halves) const {
-        return Eigen::RowVector3d(halves[0], halves[1], halves[2]) / (2.0 * cells);
+        Eigen::RowVector3d result;
+        for (int k = 0; k < 3; ++k)
+            result[k] = halves[k] / (2.0 * cells[k]) * (cells[k] * edge);
+        return result;
     }
     void place_corners(Points& points) const {
-        for_each_triple({cells + 1, cells + 1, cells + 1}, [&](const Triple& p) {
+        for_each_triple({cells[0] + 1, cells[1] + 1, cells[2] + 1}, [&](const Triple& p) {
             points.row(corner(p)) = place({2 * p[0], 2 * p[1], 2 * p[2]});
         });
     }
@@ -114,7 +101,7 @@ void add_bcc_square(Tetrahedra& tetrahedra, const Cubes& cubes, int axis, const 
         const Index above = cubes.center(along(axis, layer, u, v));
         tetrahedra.add(square[0], square[1], square[2], above);
         tetrahedra.add(square[0], square[2], square[3], above);
-    } else if (layer == cubes.cells) {
+    } else if (layer == cubes.cells[axis]) {
         const Index below = cubes.center(along(axis, layer - 1, u, v));
         tetrahedra.add(square[0], square[2], square[1], below);
         tetrahedra.add(square[0], square[3], square[2], below);
@@ -157,95 +144,57 @@ void add_fcc_cube(Tetrahedra& tetrahedra, const Cubes& cubes, const Triple& p) {
 
 } // namespace
 
-Mesh kuhn(const std::vector<int>& cells, const std::vector<double>& lengths) {
-    check_box(cells, lengths);
-    const auto n = static_cast<Index>(cells.size());
-    const std::vector<Index> stride = strides(cells);
+Mesh bcc(const std::vector<int>& counts, double edge) {
+    const double boxes = check_cubes("bcc", counts, 3, edge);
+    check_sizes("bcc", boxes + corners_of_cubes(counts), 12 * boxes);
 
+    const Cubes cubes{{counts[0], counts[1], counts[2]}, edge};
     Mesh mesh;
-    mesh.points.resize(stride[0] * (static_cast<Eigen::Index>(cells[0]) + 1), n);
-    std::vector<Index> origins; // lowest vertices of the cubes
-    for (Index v = 0; v < mesh.points.rows(); ++v) {
-        bool is_origin = true;
-        for (Index k = 0, rest = v; k < n; rest %= stride[k++]) {
-            const Index i = rest / stride[k];
-            const double length = lengths.empty() ? 1.0 : lengths[k];
-            mesh.points(v, k) = static_cast<double>(i) / cells[k] * length;
-            is_origin = is_origin && i < cells[k];
-        }
-        if (is_origin)
-            origins.push_back(v);
-    }
-
-    // Every order of the axes is a path along the edges of a cube from its origin to the opposite
-    // corner; the vertices of the path span a simplex.
-    std::vector<int> axes(n);
-    std::iota(axes.begin(), axes.end(), 0);
-    Eigen::Index paths = 1;
-    for (Index k = 2; k <= n; ++k)
-        paths *= k;
-    mesh.simplices.resize(paths * static_cast<Eigen::Index>(origins.size()), n + 1);
-    Eigen::Index simplex = 0;
-    do {
-        Eigen::Matrix<Index, 1, Eigen::Dynamic> path(n + 1);
-        path[0] = 0;
-        for (Index k = 0; k < n; ++k)
-            path[k + 1] = path[k] + stride[axes[k]];
-        if (is_odd(axes))
-            std::swap(path[0], path[1]);
-        for (const Index origin : origins)
-            mesh.simplices.row(simplex++) = path.array() + origin;
-    } while (std::next_permutation(axes.begin(), axes.end()));
-    return mesh;
-}
-
-Mesh kuhn(int n, int cells_per_side) {
-    check_count("kuhn", "n", n, 1, 12);
-    check_count("kuhn", "cells_per_side", cells_per_side, 1);
-    return kuhn(std::vector<int>(n, cells_per_side));
-}
-
-Mesh bcc(int cells) {
-    check_count("bcc", "cells", cells, 1);
-    const double c = cells;
-    check_sizes("bcc", (c + 1) * (c + 1) * (c + 1) + c * c * c, 12 * c * c * c);
-
-    const Cubes cubes{cells};
-    Mesh mesh;
-    mesh.points.resize(cubes.corners() + cells * cells * cells, 3);
+    mesh.points.resize(cubes.corner_count() + cubes.cube_count(), 3);
     cubes.place_corners(mesh.points);
-    for_each_triple({cells, cells, cells}, [&](const Triple& p) {
+    for_each_triple(cubes.cells, [&](const Triple& p) {
         mesh.points.row(cubes.center(p)) = cubes.place({2 * p[0] + 1, 2 * p[1] + 1, 2 * p[2] + 1});
     });
 
-    Tetrahedra tetrahedra(mesh, 12 * cells * cells * cells);
+    Tetrahedra tetrahedra(mesh, 12 * cubes.cube_count());
     for (int axis = 0; axis < 3; ++axis)
-        for_each_triple({cells + 1, cells, cells}, [&](const Triple& place) {
+        for_each_triple(cubes.squares(axis), [&](const Triple& place) {
             add_bcc_square(tetrahedra, cubes, axis, place);
         });
     return mesh;
 }
 
-Mesh fcc(int cells) {
-    check_count("fcc", "cells", cells, 1);
-    const double c = cells;
-    check_sizes("fcc", (c + 1) * (c + 1) * (c + 1) + 3 * (c + 1) * c * c, 24 * c * c * c);
+Mesh bcc(int cells) {
+    check_count("bcc", "cells", cells, 1);
+    return bcc({cells, cells, cells}, 1.0 / cells);
+}
 
-    const Cubes cubes{cells};
+Mesh fcc(const std::vector<int>& counts, double edge) {
+    const double boxes = check_cubes("fcc", counts, 3, edge);
+    const Cubes cubes{{counts[0], counts[1], counts[2]}, edge};
+    double squares = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+        squares += boxes / counts[axis] * (counts[axis] + 1.0);
+    check_sizes("fcc", squares + corners_of_cubes(counts), 24 * boxes);
+
     Mesh mesh;
-    mesh.points.resize(cubes.corners() + 3 * (cells + 1) * cells * cells, 3);
+    mesh.points.resize(cubes.corner_count() + static_cast<Eigen::Index>(squares), 3);
     cubes.place_corners(mesh.points);
     for (int axis = 0; axis < 3; ++axis)
-        for_each_triple({cells + 1, cells, cells}, [&](const Triple& place) {
+        for_each_triple(cubes.squares(axis), [&](const Triple& place) {
             const auto [layer, u, v] = place;
             mesh.points.row(cubes.face_center(axis, along(axis, layer, u, v))) =
                 cubes.place(along(axis, 2 * layer, 2 * u + 1, 2 * v + 1));
         });
 
-    Tetrahedra tetrahedra(mesh, 24 * cells * cells * cells);
-    for_each_triple({cells, cells, cells},
-                    [&](const Triple& p) { add_fcc_cube(tetrahedra, cubes, p); });
+    Tetrahedra tetrahedra(mesh, 24 * cubes.cube_count());
+    for_each_triple(cubes.cells, [&](const Triple& p) { add_fcc_cube(tetrahedra, cubes, p); });
     return mesh;
+}
+
+Mesh fcc(int cells) {
+    check_count("fcc", "cells", cells, 1);
+    return fcc({cells, cells, cells}, 1.0 / cells);
 }
 
 } // namespace polydec

@@ -32,6 +32,19 @@ void check_sizes(std::string_view generator, double vertices, double cells) {
                                            generator, count, noun));
 }
 
+double check_cubes(std::string_view generator, const std::vector<int>& counts, int n, double edge) {
+    if (counts.size() != static_cast<std::size_t>(n))
+        throw InvalidInput(fmt::format("{}: {} counts of cubes; give one for each of the {} axes",
+                                       generator, counts.size(), n));
+    double result = 1.0;
+    for (int k = 0; k < n; ++k) {
+        check_count(generator, fmt::format("cells[{}]", k), counts[k], 1);
+        result *= counts[k];
+    }
+    check_length(generator, "edge", edge);
+    return result;
+}
+
 Eigen::Vector2d circle_point(std::int64_t i, std::int64_t n) {
     // The angle is so many quarter turns and the fraction rest / n of another.
     const std::int64_t quarters = 4 * i / n;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 namespace polydec {
 
@@ -19,6 +20,10 @@ void check_length(std::string_view generator, std::string_view name, double valu
 /// Throws InvalidInput if the mesh to be made has more vertices or cells than an Index counts.
 /// Counts are doubles, so that no product of arguments overflows on its way here.
 void check_sizes(std::string_view generator, double vertices, double cells);
+
+/// The number of cubes in a box that holds counts[k] >= 1 of them along axis k = 0 .. n-1, as a
+/// double. Throws InvalidInput if there are not n counts, or one or the edge is not positive.
+double check_cubes(std::string_view generator, const std::vector<int>& counts, int n, double edge);
 
 /// (cos, sin) of i/n of a full turn, 0 <= i <= n, n >= 1. Points that are images of each other
 /// under the symmetries of the square agree to the last bit.

@@ -2,42 +2,13 @@
 #include "meshes/rearrange.h"
 
 #include "base/errors.h"
+#include "meshes/random.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numeric>
-#include <random>
-#include <utility>
 
 namespace polydec {
-
-namespace {
-
-/// Random numbers that are the same everywhere: std fixes the engine, not its distributions.
-class Random {
-public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
-
-    /// Uniform in [0, 1), a multiple of 2^-53.
-    double fraction() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-
-    /// A random order of 0 .. size-1 (Fisher and Yates).
-    std::vector<Index> order(Eigen::Index size) {
-        std::vector<Index> result(static_cast<std::size_t>(size));
-        std::iota(result.begin(), result.end(), 0);
-        for (std::size_t i = result.size(); i > 1; --i) {
-            const double place = fraction() * static_cast<double>(i);
-            std::swap(result[i - 1], result[static_cast<std::size_t>(place)]);
-        }
-        return result;
-    }
-
-private:
-    std::mt19937_64 engine_;
-};
-
-} // namespace
 
 Mesh perturbed(Mesh mesh, double amplitude, std::uint64_t seed) {
     if (!(amplitude >= 0.0) || !std::isfinite(amplitude))

@@ -42,6 +42,13 @@ std::vector<Expectation> expectations() {
         {"kuhn_1", kuhn(1, 7), 8, 7, 1, 2, 1.0},
         {"kuhn_5", kuhn(5, 1), 32, 120, 1, 240, 1.0},
         {"kuhn_box", kuhn({2, 1, 3}, {0.5, 4.0, 3.0}), 24, 36, 1, 44, 6.0},
+        {"split_2", split_boxes({7, 5}), 48, 70, 1, 24, 1.0},
+        {"split_3", split_boxes({2, 1, 3}, {0.5, 4.0, 3.0}, 7), 24, 36, 1, 44, 6.0},
+        {"split_5", split_boxes({1, 1, 1, 1, 2}), 48, 240, 1, 432, 1.0},
+        {"bcc_box", bcc({2, 1, 3}, 0.5), 30, 72, 1, 44, 0.75},
+        {"fcc_box", fcc({1, 3, 2}, 0.5), 53, 144, 1, 88, 0.75},
+        {"d4_1", d4(1), 41, 192, 1, 192, 1.0},
+        {"d4_box", d4({2, 1, 1, 1}, 0.5), 68, 384, 1, 336, 0.125},
     };
     // clang-format on
     for (const Index c : {2, 3, 4, 5, 9, 20}) {
@@ -237,6 +244,21 @@ TEST(Generators, refuse_wrong_arguments_by_name_and_range) {
          "kuhn: 2147483648 vertices are more than 2^31 - 1; ask for fewer"},
         {refusal([] { bcc(0); }), "bcc: cells = 0 is outside 1 .. 2147483647"},
         {refusal([] { bcc(600); }), "bcc: 2592000000 cells are more than 2^31 - 1; ask for fewer"},
+        {refusal([] {
+             bcc({2, 2});
+         }),
+         "bcc: 2 counts of cubes; give one for each of the 3 axes"},
+        {refusal([] {
+             bcc({2, 2, 0});
+         }),
+         "bcc: cells[2] = 0 is outside 1 .. 2147483647"},
+        {refusal([] {
+             fcc({1, 1, 1}, -2.0);
+         }),
+         "fcc: edge = -2 is not positive and finite"},
+        {refusal([] { d4(0); }), "d4: cells = 0 is outside 1 .. 2147483647"},
+        {refusal([] { d4(60); }), "d4: 2488320000 cells are more than 2^31 - 1; ask for fewer"},
+        {refusal([] { split_boxes({}); }), "split_boxes: n = 0 is outside 1 .. 12"},
         {refusal([] { fcc(0); }), "fcc: cells = 0 is outside 1 .. 2147483647"},
         {refusal([] { fcc(448); }), "fcc: 2157969408 cells are more than 2^31 - 1; ask for fewer"},
     };

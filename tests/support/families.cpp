@@ -39,6 +39,11 @@ std::vector<NamedMesh> generated_meshes() {
             {"bcc1", bcc(1)},
             {"tesseracts2", kuhn({2, 1, 1, 1}, {1.0, 0.5, 0.8, 1.2})},
             {"kuhn5", kuhn(5, 1)},
+            {"fcc_box", fcc({2, 1, 1}, 0.5)},
+            {"d4_1", d4(1)},
+            {"split_tesseracts", split_boxes({2, 1, 1, 1}, {1.0, 2.0, 0.7, 1.1}, 3)},
+            {"circles2", sphere_clusters({.dimension = 2, .points_on_sphere = 12})},
+            {"sphere3", sphere_clusters({.cells_per_side = 3, .points_on_sphere = 12})},
             {"almost_squares", perturbed(grid(4, 4), 1e-6, 8)},
             {"obtuse4", perturbed(kuhn(4, 1), 0.15, 9)}};
 }

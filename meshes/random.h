@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+/// Random numbers that are the same everywhere: std fixes the engine, not its distributions.
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+    /// Uniform in [0, 1), a multiple of 2^-53.
+    double fraction() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+
+    /// Uniform in the unit cube of R^n.
+    Vector point(int n) {
+        return Vector::NullaryExpr(n, [this](Eigen::Index) { return fraction(); });
+    }
+
+    /// Uniform among the directions of R^n: a point of the unit ball, drawn until there is one, on
+    /// the unit sphere.
+    Vector direction(int n) {
+        while (true) {
+            const Vector p = 2.0 * point(n).array() - 1.0;
+            const double squared = p.squaredNorm();
+            if (squared <= 1.0 && squared > 1e-4)
+                return p.normalized();
+        }
+    }
+
+    /// A random order of 0 .. size-1 (Fisher and Yates).
+    std::vector<Index> order(Eigen::Index size) {
+        std::vector<Index> result(static_cast<std::size_t>(size));
+        std::iota(result.begin(), result.end(), 0);
+        for (std::size_t i = result.size(); i > 1; --i) {
+            const double place = fraction() * static_cast<double>(i);
+            std::swap(result[i - 1], result[static_cast<std::size_t>(place)]);
+        }
+        return result;
+    }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+} // namespace polydec

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "dec/discretization.h"
+#include "meshes/generate.h"
+#include "solvers/poisson.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace polydec::test {
+namespace {
+
+using std::numbers::pi;
+
+/// A solution of Delta u = n frequency^2 u, a product of cosines.
+struct Waves {
+    double frequency, shift;
+
+    Vector at(const Points& sites) const {
+        return (frequency * sites.array() + shift).cos().rowwise().prod();
+    }
+};
+
+/// Not symmetric, given on the boundary; and one whose normal derivative vanishes there.
+constexpr Waves given{pi / 2, 0.3}, free{pi, 0.0};
+
+/// `terms` is n, or else the right-hand side belongs to another solution.
+double l2_error(const Mesh& input, Side side, BoundaryCondition condition, int terms) {
+    const auto mesh = discretize(input);
+    const Waves& wave = condition == BoundaryCondition::essential ? given : free;
+    PoissonSolver solver(mesh, {.side = side, .boundary = {condition}});
+    const Vector exact = wave.at(solver.sites());
+    const Vector u = solver.solve(terms * wave.frequency * wave.frequency * exact,
+                                  wave.at(solver.boundary_sites()));
+    const Vector& weights =
+        side == Side::primal ? mesh.volumes.dual[0] : mesh.volumes.primal.back();
+    return std::sqrt(weights.dot((u - exact).cwiseAbs2()));
+}
+
+struct Family {
+    std::string name;
+    std::function<Mesh(int)> make;
+    BoundaryCondition condition;
+    int coarse, fine; ///< for primal forms
+    int dual_coarse, dual_fine;
+};
+
+void PrintTo(const Family& family, std::ostream* out) {
+    *out << family.name;
+}
+
+double order(const Family& family, Side side, int more_terms = 0) {
+    const int coarse = side == Side::primal ? family.coarse : family.dual_coarse;
+    const int fine = side == Side::primal ? family.fine : family.dual_fine;
+    const auto error = [&](int cells) {
+        const Mesh mesh = family.make(cells);
+        return l2_error(mesh, side, family.condition, mesh.dimension() + more_terms);
+    };
+    return std::log(error(coarse) / error(fine)) / std::log(static_cast<double>(fine) / coarse);
+}
+
+class Orders : public testing::TestWithParam<Family> {};
+
+TEST_P(Orders, are_two_on_both_sides) {
+    EXPECT_NEAR(order(GetParam(), Side::primal), 2.0, 0.1);
+    EXPECT_NEAR(order(GetParam(), Side::dual), 2.0, 0.1);
+}
+
+TEST_P(Orders, are_not_two_for_another_right_hand_side) {
+    EXPECT_LT(std::abs(order(GetParam(), Side::primal, 1)), 1.0);
+}
+
+constexpr auto essential = BoundaryCondition::essential, natural = BoundaryCondition::natural;
+
+INSTANTIATE_TEST_SUITE_P(
+    Lattices, Orders,
+    testing::Values(Family{"kuhn3", [](int N) { return kuhn(3, N); }, essential, 8, 16, 8, 16},
+                    Family{"bcc", [](int N) { return bcc(N); }, essential, 6, 12, 8, 12},
+                    Family{"fcc", [](int N) { return fcc(N); }, essential, 4, 8, 8, 12},
+                    Family{"split_cubes",
+                           [](int N) {
+                               return split_boxes({N, N, N});
+                           },
+                           essential, 8, 16, 8, 16},
+                    Family{"kuhn4", [](int N) { return kuhn(4, N); }, natural, 4, 8, 4, 8},
+                    Family{"d4", [](int N) { return d4(N); }, natural, 3, 4, 3, 4},
+                    Family{"kuhn5", [](int N) { return kuhn(5, N); }, natural, 3, 4, 3, 4}),
+    [](const auto& instance) { return instance.param.name; });
+
+} // namespace
+} // namespace polydec::test

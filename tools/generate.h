@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "meshes/mesh.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <functional>
+
+/// The parts of `polydec generate`.
+namespace polydec::tools {
+
+/// A subcommand with --out that writes what `make` gives.
+CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
+                        std::function<Mesh()> make);
+
+/// Writes the mesh and tells its size.
+void write_generated(const std::filesystem::path& out, const Mesh& mesh);
+
+/// Boxes and lattices in any dimension, and clusters of cospherical points.
+void add_lattices(CLI::App& generate);
+
+/// The command itself, without the name of a mesh, fills a surface with tetrahedra.
+void add_fill(CLI::App& generate);
+
+} // namespace polydec::tools

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "backends/registry.h"
+#include "io/read_mesh.h"
+#include "meshes/tetrahedralize.h"
+#include "tools/common.h"
+#include "tools/generate.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct FillArguments {
+    std::string mesher;
+    std::filesystem::path surface, out;
+    MesherOptions options;
+    std::vector<std::array<double, 3>> holes;
+};
+
+void fill(const FillArguments& arguments) {
+    Points holes(static_cast<Eigen::Index>(arguments.holes.size()), 3);
+    for (Eigen::Index i = 0; i < holes.rows(); ++i)
+        holes.row(i) = Eigen::RowVector3d(arguments.holes[static_cast<std::size_t>(i)].data());
+
+    Mesh surface, mesh;
+    {
+        const Progress progress;
+        progress("read");
+        surface = read_mesh(arguments.surface);
+        progress(arguments.mesher);
+        mesh = tetrahedralize(surface, arguments.options, holes, arguments.mesher);
+    }
+    for (const Mesh* told : {&surface, &mesh})
+        for (const auto& warning : told->warnings)
+            warn(warning);
+    write_generated(arguments.out, mesh);
+}
+
+/// One of the meshers that are known, also where its program is missing: then that is told.
+std::string check_mesher(const std::string& name) {
+    std::string known;
+    for (const auto& engine : engines()) {
+        if (engine.kind != EngineKind::mesher)
+            continue;
+        if (engine.name == name)
+            return {};
+        known += (known.empty() ? "" : " or ") + engine.name;
+    }
+    return fmt::format("expected {}, not '{}'", known, name);
+}
+
+void fill_if_asked(const CLI::App& command, const FillArguments& arguments) {
+    if (!command.get_subcommands().empty())
+        return;
+    if (arguments.mesher.empty() && arguments.surface.empty())
+        throw CLI::RequiredError("The name of a mesh, or --mesher,");
+    if (arguments.mesher.empty())
+        throw CLI::ValidationError(
+            fmt::format("there is no '{}' here", arguments.surface.string()));
+    for (const char* name : {"SURFACE", "--out"})
+        if (command.count(name) == 0)
+            throw CLI::RequiredError(name);
+    fill(arguments);
+}
+
+} // namespace
+
+void add_fill(CLI::App& generate) {
+    const auto arguments = std::make_shared<FillArguments>();
+    auto& options = arguments->options;
+    auto* mesher = generate.add_option("--mesher", arguments->mesher,
+                                       "fill the closed surface SURFACE with tetrahedra: tetgen");
+    mesher->check(check_mesher);
+    generate.add_option("SURFACE", arguments->surface, "mesh file of a closed surface");
+    generate
+        .add_option("--quality", options.quality,
+                    "most circumradius over shortest edge, 1.2 or more")
+        ->needs(mesher);
+    generate.add_option("--volume", options.largest_volume, "largest volume of a tetrahedron")
+        ->needs(mesher);
+    generate.add_option("--hole", arguments->holes, "a point x y z of a part to be left empty")
+        ->allow_extra_args(false)
+        ->needs(mesher);
+    generate
+        .add_flag_callback(
+            "--keep-boundary", [&options] { options.boundary = BoundarySplitting::forbidden; },
+            "put no new points on the surface")
+        ->needs(mesher);
+    generate.add_option("--seconds", options.seconds, "stop the mesher after this time")
+        ->capture_default_str()
+        ->needs(mesher);
+    generate.add_option("-o,--out", arguments->out, "mesh file of tetrahedra: .mesh .nsc");
+    generate.callback([&generate, arguments] { fill_if_asked(generate, *arguments); });
+}
+
+} // namespace polydec::tools
