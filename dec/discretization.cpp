@@ -32,6 +32,30 @@ void warn_of_branching(const SimplicialComplex& complex, std::vector<std::string
                                        branching, branching == 1 ? "" : "s"));
 }
 
+/// Tags of the merged n-cells; one that joins simplices with different tags has none.
+std::vector<Index> merged_tags(const Merging& merging, const Mesh& mesh,
+                               std::vector<std::string>& warnings) {
+    if (mesh.tags.empty())
+        return {};
+    const int n = merging.merged().dimension();
+    std::vector<Index> result(static_cast<std::size_t>(merging.merged().size(n)), 0);
+    std::vector<char> state(result.size(), 'n'); // new, tagged, or of different tags
+    for (Index t = 0; t < merging.input().size(n); ++t) {
+        const Index cell = merging.carriers(n)[t].cell;
+        const Index tag = mesh.tags[merging.input().input_row(t)];
+        if (state[cell] == 'n')
+            state[cell] = 't', result[cell] = tag;
+        else if (result[cell] != tag)
+            state[cell] = 'd', result[cell] = 0;
+    }
+    const auto different = std::count(state.begin(), state.end(), 'd');
+    if (different > 0)
+        warnings.push_back(
+            fmt::format("{} merged cell{} simplices of different groups; {} tag is 0", different,
+                        different == 1 ? " joins" : "s join", different == 1 ? "its" : "their"));
+    return result;
+}
+
 } // namespace
 
 Discretization discretize(Mesh mesh, const MergeOptions& options,
@@ -50,13 +74,15 @@ Discretization discretize(Mesh mesh, const MergeOptions& options,
     begin("merge");
     auto merged = merge_cospherical(std::move(complex), mesh.points, input_volumes, options);
     auto volumes = merged_volumes(merged.merging, input_volumes);
+    auto tags = merged_tags(merged.merging, mesh, mesh.warnings);
     return {std::move(mesh.points),
             std::move(merged.merging),
             std::move(input_volumes),
             std::move(volumes),
             options,
             merged.degenerate,
-            std::move(mesh.warnings)};
+            std::move(mesh.warnings),
+            std::move(tags)};
 }
 
 } // namespace polydec

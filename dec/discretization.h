@@ -20,6 +20,8 @@ struct Discretization {
     MergeOptions options;
     DegenerateFacets degenerate;
     std::vector<std::string> warnings; ///< what was untidy in the input, and what was done about it
+    std::vector<Index> tags = {};      ///< of each merged n-cell the tag of its simplices, 0 where
+                                       ///< they have different ones; or empty
 
     const SimplicialComplex& input() const { return merging.input(); }
     const CellComplex& complex() const { return merging.merged(); }

@@ -4,30 +4,52 @@
 #include "base/errors.h"
 #include "complex/corners.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace polydec {
 
 namespace {
 
+/// The volume that a closed surface of polygons encloses, positive if they are oriented outward.
+double enclosed_volume(const Points& points, const std::vector<std::vector<Index>>& faces) {
+    double sixfold = 0.0;
+    const Eigen::RowVector3d origin = points.row(faces.front().front());
+    for (const auto& face : faces)
+        for (std::size_t i = 2; i < face.size(); ++i) {
+            const Eigen::RowVector3d a = points.row(face[0]) - origin;
+            const Eigen::RowVector3d b = points.row(face[i - 1]) - origin;
+            const Eigen::RowVector3d c = points.row(face[i]) - origin;
+            sixfold += a.dot(b.cross(c));
+        }
+    return sixfold / 6.0;
+}
+
+/// The faces of a 3-cell, oriented outward.
+std::vector<std::vector<Index>> outward_faces(const Points& points, const Merging& merging,
+                                              Index cell) {
+    std::vector<std::vector<Index>> faces;
+    for (IncidenceMatrix::InnerIterator face(merging.merged().coboundary(2), cell); face; ++face) {
+        faces.push_back(corners(merging, static_cast<Index>(face.col())));
+        if (face.value() < 0)
+            std::reverse(faces.back().begin(), faces.back().end());
+    }
+    if (enclosed_volume(points, faces) < 0.0)
+        for (auto& face : faces)
+            std::reverse(face.begin(), face.end());
+    return faces;
+}
+
 void draw_cell(VtuGrid& grid, const Merging& merging, int k, Index cell) {
-    switch (k) {
-    case 1:
+    if (k == 1)
         add_cell(grid, VtuCell::line, merging.vertices(1, cell));
-        break;
-    case 2:
+    else if (k == 2)
         add_cell(grid, VtuCell::polygon, corners(merging, cell));
-        break;
-    default: {
-        std::vector<std::vector<Index>> faces;
-        for (IncidenceMatrix::InnerIterator face(merging.merged().coboundary(2), cell); face;
-             ++face)
-            faces.push_back(corners(merging, static_cast<Index>(face.col())));
-        add_polyhedron(grid, faces);
-    }
-    }
+    else
+        add_polyhedron(grid, outward_faces(grid.points, merging, cell));
 }
 
 } // namespace

@@ -14,9 +14,9 @@ namespace polydec {
 void check_drawable(int dimension, int ambient_dimension);
 
 /// The cells of P that carry primal k-forms, as a picture: lines, polygons (VTK type 7) or
-/// polyhedra (42); for k = 0, whose values belong to points, the cells of largest dimension. Points
-/// keep the input's numbers, those of no cell too. points has a row per vertex number.
-/// Throws like check_drawable.
+/// polyhedra (42), whose faces look outward; for k = 0, whose values belong to points, the cells of
+/// largest dimension. Points keep the input's numbers, those of no cell too. points has a row per
+/// vertex number. Throws like check_drawable.
 VtuGrid draw_cells(const Merging& merging, const Points& points, int k);
 
 /// Adds the values of a primal k-form on P, or of the dual (n-k)-form on the same cells, to what

@@ -250,7 +250,7 @@ void write_medit(const Path& path, const Mesh& mesh) {
         for (const Index vertex : mesh.simplices.row(cell)) {
             lines.number(std::int64_t{vertex} + 1);
         }
-        lines.word(" 0");
+        lines.number(mesh.tags.empty() ? 0 : mesh.tags[static_cast<std::size_t>(cell)]);
         lines.end();
     }
     lines.text("End\n");
@@ -274,6 +274,9 @@ void write_surface(const Path& path, const std::string& extension, const Faces& 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
     check_points(path, mesh.points);
     check_simplices(path, mesh);
+    if (!mesh.tags.empty() && static_cast<Eigen::Index>(mesh.tags.size()) != mesh.simplices.rows())
+        refuse(path, fmt::format("{} tags for {} simplices: expected one for each, or none",
+                                 mesh.tags.size(), mesh.simplices.rows()));
     const auto extension = lower_extension(path);
     if (extension == ".nsc") {
         write_nsc(path, mesh);

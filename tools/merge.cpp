@@ -20,9 +20,16 @@ struct Arguments {
 };
 
 void write(const std::filesystem::path& out, const Discretization& mesh) {
-    if (out.extension() == ".vtu")
-        write_vtu(out, draw_cells(mesh.merging, mesh.points, mesh.dimension()));
-    else if (mesh.dimension() == 2)
+    if (mesh.dimension() > 3)
+        throw InvalidInput(fmt::format("{}: no format holds merged cells of dimension {}; the "
+                                       "subcommand operators writes them as matrices",
+                                       out.string(), mesh.dimension()));
+    if (out.extension() == ".vtu") {
+        auto grid = draw_cells(mesh.merging, mesh.points, mesh.dimension());
+        if (!mesh.tags.empty())
+            grid.cell_data.push_back({"tag", mesh.tags});
+        write_vtu(out, grid);
+    } else if (mesh.dimension() == 2)
         write_mesh(out, polygon_mesh(mesh.merging, mesh.points));
     else
         throw InvalidInput(fmt::format("{}: merged cells of dimension {} cannot be written in this "

@@ -2,6 +2,7 @@
 #include "solvers/poisson.h"
 
 #include "dec/cell_centers.h"
+#include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
 #include "tools/commands.h"
@@ -13,6 +14,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace polydec::tools {
 
@@ -83,6 +85,17 @@ void warn_of_compatibility(const PoissonSolver& solver) {
                          compatibility.free_components == 1 ? "" : "s", compatibility.worst));
 }
 
+/// Dual cells of negative extent that the problem is made of.
+std::optional<std::string> negative_duals(const Discretization& mesh, Side side) {
+    const int k = side == Side::primal ? 0 : mesh.dimension() - 1;
+    const auto cells = negative_star_cells(mesh.volumes, k).size();
+    if (cells == 0)
+        return std::nullopt;
+    return fmt::format("{} of the {}-cells have a negative dual (the mesh is not Delaunay there): "
+                       "the solution may be far off beside them{}",
+                       cells, k, side == Side::dual ? "; compare with --side primal" : "");
+}
+
 BoundaryConditions conditions(const Discretization& mesh, const Arguments& arguments) {
     if (arguments.natural)
         return {BoundaryCondition::natural};
@@ -104,14 +117,20 @@ void run(Arguments arguments) {
     arguments.poisson.boundary = conditions(mesh, arguments);
     if (!arguments.out.empty())
         check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
-    timing.begin("operators");
-    PoissonSolver solver(mesh, arguments.poisson);
+    timing.begin("solve");
+    PoissonSolver solver = [&] {
+        const Progress progress;
+        progress("solve");
+        return PoissonSolver(mesh, arguments.poisson);
+    }();
     const Vector f = values_at("--rhs", arguments.rhs, solver.sites());
     const Vector g = values_at("--boundary", arguments.boundary, solver.boundary_sites());
     const Vector h = values_at("--flux", arguments.flux, solver.flux_sites());
-    timing.begin("solve");
     const Vector u = solver.solve(f, g, h);
     warn_of_compatibility(solver);
+    const auto negative = negative_duals(mesh, arguments.poisson.side);
+    if (negative)
+        warn(*negative);
     if (!arguments.out.empty()) {
         timing.begin("write");
         draw(mesh, arguments, u);
@@ -121,6 +140,8 @@ void run(Arguments arguments) {
     if (!arguments.exact.empty())
         answer["error"] = errors(mesh, arguments, solver, u);
     answer["warnings"] = mesh.warnings;
+    if (negative)
+        answer["warnings"].push_back(*negative);
     add_timing(answer, arguments.mesh, timing);
     if (arguments.mesh.json) {
         fmt::print("{}\n", answer.dump());

@@ -2,12 +2,15 @@
 #include "dec/discretization.h"
 
 #include "meshes/generate.h"
+#include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
+
+#include <set>
 
 namespace polydec::test {
 namespace {
@@ -41,6 +44,27 @@ TEST(Discretize, tells_its_stages_as_they_begin) {
 
 TEST(Discretize, warns_of_nothing_where_all_is_well) {
     EXPECT_EQ(discretize(grid(2, 2)).warnings, Words{});
+}
+
+TEST(Discretize, gives_a_merged_cell_the_tag_that_its_simplices_share) {
+    Mesh mesh = shuffled(grid(2, 1), 3).mesh;
+    for (Eigen::Index t = 0; t < 4; ++t) {
+        double sum = 0;
+        for (const Index v : mesh.simplices.row(t))
+            sum += mesh.points(v, 0);
+        mesh.tags.push_back(sum < 1.5 ? 7 : 9);
+    }
+    const auto two = discretize(mesh);
+    EXPECT_EQ(std::multiset<Index>(two.tags.begin(), two.tags.end()), (std::multiset<Index>{7, 9}));
+    EXPECT_EQ(two.warnings, Words{});
+    EXPECT_TRUE(discretize(grid(2, 1)).tags.empty());
+
+    Mesh mixed = grid(2, 1);
+    mixed.tags = {7, 9, 7, 8};
+    const auto clash = discretize(mixed);
+    EXPECT_EQ(clash.tags, (std::vector<Index>{7, 0}));
+    EXPECT_EQ(clash.warnings,
+              (Words{"1 merged cell joins simplices of different groups; its tag is 0"}));
 }
 
 TEST(Discretize, warns_of_cells_that_were_turned) {

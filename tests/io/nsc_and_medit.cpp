@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
 #include "tests/io/support.h"
 
 #include <gtest/gtest.h>
@@ -92,6 +94,17 @@ TEST(Medit, ReferencesAreTagsUnlessAllAreZero) {
               (std::vector<Index>{0, 7}));
     EXPECT_TRUE(read_from("a.mesh", medit + "Triangles\n1\n1 2 3 0\n").tags.empty());
     EXPECT_TRUE(read_from("a.mesh", medit + "Triangles\n1\n1 2 3 0.5\n").tags.empty());
+}
+
+TEST(Medit, TagsAreWrittenAndReadBack) {
+    const TemporaryFolder folder;
+    Mesh mesh = read_from("a.mesh", medit + "Triangles\n2\n1 2 3 4\n1 3 4 7\n");
+    write_mesh(folder.path("b.mesh"), mesh);
+    EXPECT_EQ(read_mesh(folder.path("b.mesh")).tags, (std::vector<Index>{4, 7}));
+    mesh.tags = {4};
+    EXPECT_EQ(error_of([&] { write_mesh("c.mesh", mesh); }),
+              "InvalidInput: cannot write c.mesh: 1 tags for 2 simplices: expected one for each, "
+              "or none");
 }
 
 TEST(Medit, SectionsMayComeInAnyOrderAndUnknownOnesAreLeftOut) {

@@ -20,7 +20,7 @@ def limit_memory():
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-def run(*arguments, folder=None, seconds=20, limit=False):
+def run(*arguments, folder=None, seconds=120, limit=False):
     """Code, stdout and stderr. Raises subprocess.TimeoutExpired if it takes too long."""
     done = subprocess.run([COMMAND, *map(str, arguments)], cwd=folder, capture_output=True,
                           stdin=subprocess.DEVNULL, timeout=seconds, text=True,
