@@ -43,6 +43,7 @@
 #include "dec/whitney_interpolation.h"
 #include "io/draw_cells.h"
 #include "io/draw_modes.h"
+#include "io/draw_solid.h"
 #include "io/matrix_market.h"
 #include "io/read_mesh.h"
 #include "io/svg_drawing.h"
