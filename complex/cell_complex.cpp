@@ -72,28 +72,21 @@ void CellComplex::assign(std::vector<IncidenceMatrix> coboundaries,
                          std::vector<std::vector<Index>> coface_counts) {
     const auto vertices = coboundaries.front().cols();
     const auto tops = coboundaries.back().rows();
-    coboundaries_.clear();
-    coboundaries_.emplace_back(vertices, 0);
-    for (auto& D : coboundaries)
-        coboundaries_.push_back(std::move(D));
-    coboundaries_.emplace_back(0, tops);
+    // Eigen's sparse matrices are swapped at no cost, but copied where one would move them
+    coboundaries_ = std::vector<IncidenceMatrix>(coboundaries.size() + 2);
+    coboundaries_.front().resize(vertices, 0);
+    for (std::size_t k = 0; k < coboundaries.size(); ++k)
+        coboundaries_[k + 1].swap(coboundaries[k]);
+    coboundaries_.back().resize(0, tops);
 
     coface_counts_ = std::move(coface_counts);
     coface_counts_.emplace_back(static_cast<std::size_t>(tops), 0);
 }
 
-Index CellComplex::size(int k) const {
-    if (k < 0 || k > dimension())
-        return 0;
-    return static_cast<Index>(coface_counts_[k].size());
-}
-
-const IncidenceMatrix& CellComplex::coboundary(int k) const {
-    if (k < -1 || k > dimension())
-        throw InvalidInput(
-            fmt::format("coboundary {} asked of a complex of dimension {}: expected -1 to {}", k,
-                        dimension(), dimension()));
-    return coboundaries_[k + 1];
+void CellComplex::refuse_degree(int k) const {
+    throw InvalidInput(
+        fmt::format("coboundary {} asked of a complex of dimension {}: expected -1 to {}", k,
+                    dimension(), dimension()));
 }
 
 Index euler_characteristic(const CellComplex& complex) {

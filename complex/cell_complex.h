@@ -26,11 +26,17 @@ public:
     int dimension() const { return static_cast<int>(coface_counts_.size()) - 1; }
 
     /// Number of cells of degree k; 0 outside 0..n.
-    Index size(int k) const;
+    Index size(int k) const {
+        return k < 0 || k > dimension() ? 0 : static_cast<Index>(coface_counts_[k].size());
+    }
 
     /// d_k, size(k+1) x size(k), entries -1, 0, 1 (2 on one-sided surfaces), for k = -1..n: the
     /// ends are 0-column and 0-row matrices.
-    const IncidenceMatrix& coboundary(int k) const;
+    const IncidenceMatrix& coboundary(int k) const {
+        if (k < -1 || k > dimension())
+            refuse_degree(k);
+        return coboundaries_[k + 1];
+    }
 
     /// Boundary matrix of the k-cells, size(k-1) x size(k): the transpose of d_(k-1). Row s lists
     /// the cofaces of s. Made anew at each call, in linear time.
@@ -46,6 +52,8 @@ protected:
                 std::vector<std::vector<Index>> coface_counts);
 
 private:
+    [[noreturn]] void refuse_degree(int k) const;
+
     std::vector<IncidenceMatrix> coboundaries_;     // at k + 1: d_k, for k = -1..n
     std::vector<std::vector<Index>> coface_counts_; // at k: for k = 0..n
 };

@@ -2,6 +2,7 @@
 #include "complex/merging.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace polydec {
@@ -31,27 +32,30 @@ Carriers number_blocks(const SimplicialComplex& complex, const Blocks& blocks) {
     return carriers;
 }
 
-/// Rows are filled by counting: entry (row(i), i) = sign(i) for all i with row(i) >= 0.
-template <class RowOf, class SignOf>
-IncidenceMatrix one_entry_per_column(Index rows, Index columns, RowOf row, SignOf sign) {
-    IncidenceMatrix transposed(columns, rows);
-    transposed.reserve(Eigen::VectorXi::Constant(columns, 1));
-    for (Index i = 0; i < columns; ++i)
-        if (row(i) >= 0)
-            transposed.insert(i, row(i)) = sign(i);
-    transposed.makeCompressed();
-    return transposed.transpose();
-}
-
+/// dia_k: the pieces of each cell are filled in by counting, so they come out ascending.
 IncidenceMatrix make_diamond(const Carriers& carriers, const Blocks& blocks, int k) {
     const auto& own = carriers[k];
-    const auto row = [&](Index s) { return own[s].dimension == k ? own[s].cell : -1; };
-    Index cells = 0;
+    Index cells = 0, pieces = 0;
+    for (const auto& carrier : own)
+        if (carrier.dimension == k) {
+            cells = std::max(cells, carrier.cell + 1);
+            ++pieces;
+        }
+    IncidenceMatrix diamond(cells, static_cast<Index>(own.size()));
+    diamond.resizeNonZeros(pieces);
+    Index* const begin = diamond.outerIndexPtr();
     for (const auto& carrier : own)
         if (carrier.dimension == k)
-            cells = std::max(cells, carrier.cell + 1);
-    return one_entry_per_column(cells, static_cast<Index>(own.size()), row,
-                                [&](Index s) { return blocks.signs[k][s]; });
+            ++begin[carrier.cell + 1];
+    std::partial_sum(begin, begin + cells + 1, begin);
+    std::vector<Index> next(begin, begin + cells);
+    for (std::size_t s = 0; s < own.size(); ++s)
+        if (own[s].dimension == k) {
+            const Index place = next[own[s].cell]++;
+            diamond.innerIndexPtr()[place] = static_cast<Index>(s);
+            diamond.valuePtr()[place] = blocks.signs[k][s];
+        }
+    return diamond;
 }
 
 struct MergedDegree {
@@ -59,51 +63,87 @@ struct MergedDegree {
     std::vector<Index> coface_counts;
 };
 
+/// A cell in a boundary, with its sign.
+struct Side {
+    Index cell;
+    int sign;
+};
+
+/// Sorted, with signs of equal cells added up and those that cancel left out: a cell on both sides
+/// of another. The sides of a single piece are sorted already, those of a few nearly so.
+void add_up(std::vector<Side>& sides) {
+    const auto comes_before = [](const Side& a, const Side& b) { return a.cell < b.cell; };
+    if (!std::is_sorted(sides.begin(), sides.end(), comes_before))
+        std::sort(sides.begin(), sides.end(), comes_before);
+    std::size_t kept = 0;
+    for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
+        Side sum{sides[i].cell, 0};
+        for (; j < sides.size() && sides[j].cell == sum.cell; ++j)
+            sum.sign += sides[j].sign;
+        if (sum.sign != 0)
+            sides[kept++] = sum;
+    }
+    sides.resize(kept);
+}
+
 /// d^P_k. All pieces of a k-cell have the same merged cofaces, so its first piece tells: d^P(E, F)
 /// is the sum over the pieces t of E around it of sign(t) [t : piece] sign(piece).
 MergedDegree merge_degree(const SimplicialComplex& complex, const Blocks& blocks,
-                          const Carriers& carriers, const IncidenceMatrix& diamond,
-                          Index upper_cells, int k) {
-    const auto lower_cells = static_cast<Index>(diamond.rows());
-    std::vector<Eigen::Triplet<std::int8_t, Index>> entries;
-    MergedDegree result{IncidenceMatrix(upper_cells, lower_cells),
-                        std::vector<Index>(lower_cells, 0)};
-    for (Index t = 0; t < complex.size(k + 1); ++t) {
-        if (carriers[k + 1][t].dimension != k + 1)
-            continue;
-        for (Row s(complex.coboundary(k), t); s; ++s) {
-            const auto& block = blocks.carriers[k][s.col()];
-            if (block.dimension != k || block.piece != s.col())
-                continue;
-            const Index cell = carriers[k][s.col()].cell;
-            ++result.coface_counts[cell];
-            entries.emplace_back(carriers[k + 1][t].cell, cell,
-                                 static_cast<std::int8_t>(blocks.signs[k + 1][t] * s.value()));
+                          const Carriers& carriers, const std::vector<IncidenceMatrix>& diamonds,
+                          int k) {
+    const IncidenceMatrix& upper = diamonds[k + 1];
+    const auto cells = static_cast<Index>(upper.rows());
+    std::vector<Index> columns, ends{0};
+    std::vector<std::int8_t> signs;
+    ends.reserve(static_cast<std::size_t>(cells) + 1);
+    columns.reserve(static_cast<std::size_t>(upper.nonZeros()) * 2);
+    signs.reserve(columns.capacity());
+    std::vector<Index> counts(diamonds[k].rows(), 0);
+    std::vector<Side> sides;
+    for (Index cell = 0; cell < cells; ++cell) {
+        sides.clear();
+        for (Row piece(upper, cell); piece; ++piece)
+            for (Row s(complex.coboundary(k), piece.col()); s; ++s) {
+                const auto& block = blocks.carriers[k][s.col()];
+                if (block.dimension != k || block.piece != s.col())
+                    continue;
+                const Index face = carriers[k][s.col()].cell;
+                ++counts[face];
+                sides.push_back({face, piece.value() * s.value()});
+            }
+        add_up(sides);
+        for (const Side& side : sides) {
+            columns.push_back(side.cell);
+            signs.push_back(static_cast<std::int8_t>(side.sign));
         }
+        ends.push_back(static_cast<Index>(columns.size()));
     }
-    result.coboundary.setFromTriplets(entries.begin(), entries.end());
-    // a cell on both sides of F cancels
-    result.coboundary.prune([](Index, Index, std::int8_t value) { return value != 0; });
+    MergedDegree result{IncidenceMatrix(cells, diamonds[k].rows()), std::move(counts)};
+    result.coboundary.resizeNonZeros(static_cast<Index>(columns.size()));
+    std::copy(columns.begin(), columns.end(), result.coboundary.innerIndexPtr());
+    std::copy(signs.begin(), signs.end(), result.coboundary.valuePtr());
+    std::copy(ends.begin(), ends.end(), result.coboundary.outerIndexPtr());
     return result;
 }
 
 CellComplex make_merged(const SimplicialComplex& complex, const Blocks& blocks,
                         const Carriers& carriers, const std::vector<IncidenceMatrix>& diamonds) {
-    std::vector<IncidenceMatrix> coboundaries;
+    std::vector<IncidenceMatrix> coboundaries(complex.dimension());
     std::vector<std::vector<Index>> counts;
     for (int k = 0; k < complex.dimension(); ++k) {
-        auto degree = merge_degree(complex, blocks, carriers, diamonds[k],
-                                   static_cast<Index>(diamonds[k + 1].rows()), k);
-        coboundaries.push_back(std::move(degree.coboundary));
+        auto degree = merge_degree(complex, blocks, carriers, diamonds, k);
+        coboundaries[k].swap(degree.coboundary);
         counts.push_back(std::move(degree.coface_counts));
     }
     return {CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts)};
 }
 
 std::vector<IncidenceMatrix> make_diamonds(const Carriers& carriers, const Blocks& blocks) {
-    std::vector<IncidenceMatrix> diamonds;
-    for (std::size_t k = 0; k < carriers.size(); ++k)
-        diamonds.push_back(make_diamond(carriers, blocks, static_cast<int>(k)));
+    std::vector<IncidenceMatrix> diamonds(carriers.size());
+    for (std::size_t k = 0; k < carriers.size(); ++k) {
+        IncidenceMatrix diamond = make_diamond(carriers, blocks, static_cast<int>(k));
+        diamonds[k].swap(diamond);
+    }
     return diamonds;
 }
 

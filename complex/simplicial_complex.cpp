@@ -62,26 +62,12 @@ SortedTops sort_tops(Simplices tops) {
     for (Index s = 0; s < tops.rows(); ++s)
         signs[s] = sort_with_sign({&tops(s, 0), static_cast<std::size_t>(tops.cols())});
 
-    SortedTops sorted{Simplices(tops.rows(), tops.cols()), lexicographic_order(tops), {}};
-    sorted.signs.resize(signs.size());
-    for (Index s = 0; s < tops.rows(); ++s) {
-        sorted.simplices.row(s) = tops.row(sorted.input_rows[s]);
+    auto [rows, order] = sorted_rows(tops);
+    SortedTops sorted{std::move(rows), std::move(order), std::vector<std::int8_t>(signs.size())};
+    for (std::size_t s = 0; s < signs.size(); ++s)
         sorted.signs[s] = signs[sorted.input_rows[s]];
-    }
     check_tops(sorted);
     return sorted;
-}
-
-/// d_(m-2) from the faces of simplices with m vertices, whose signs are (-1)^omitted.
-IncidenceMatrix incidence(const Faces& faces, Index simplices, Index m) {
-    IncidenceMatrix D(simplices, static_cast<Index>(faces.counts.size()));
-    D.resizeNonZeros(static_cast<Index>(faces.of.size()));
-    std::copy(faces.of.begin(), faces.of.end(), D.innerIndexPtr());
-    for (Index s = 0; s <= simplices; ++s)
-        D.outerIndexPtr()[s] = s * m;
-    for (std::size_t e = 0; e < faces.of.size(); ++e)
-        D.valuePtr()[e] = (m - 1 - Index(e) % m) % 2 == 0 ? 1 : -1;
-    return D;
 }
 
 struct Orientation {
@@ -90,11 +76,24 @@ struct Orientation {
     Index turned = 0;
 };
 
+/// Whether neighbors across facets with two cofaces have opposite signs there already.
+bool is_coherent(const IncidenceMatrix& D, const std::vector<Index>& coface_counts,
+                 const std::vector<std::int8_t>& signs) {
+    std::vector<std::int8_t> sum(coface_counts.size(), 0);
+    for (Index t = 0; t < D.rows(); ++t)
+        for (IncidenceMatrix::InnerIterator f(D, t); f; ++f)
+            if (coface_counts[f.col()] == 2)
+                sum[f.col()] = static_cast<std::int8_t>(sum[f.col()] + f.value() * signs[t]);
+    return std::all_of(sum.begin(), sum.end(), [](std::int8_t s) { return s == 0; });
+}
+
 /// Signs of the tops, coherent across facets with exactly two cofaces wherever that is possible:
 /// in each part connected by such facets the given signs or their opposites, whichever turns
 /// fewer. A part that cannot be oriented keeps what was given.
 Orientation orient(const IncidenceMatrix& D, const std::vector<Index>& coface_counts,
                    const std::vector<std::int8_t>& given) {
+    if (is_coherent(D, coface_counts, given))
+        return {given};
     const auto tops = static_cast<Index>(given.size());
     DisjointSets parts(tops);
     std::vector<Index> first(coface_counts.size(), -1), conflicts;
@@ -147,7 +146,7 @@ SimplicialComplex::SimplicialComplex(const Simplices& tops) {
     std::vector<std::vector<Index>> counts(n);
     for (int k = n - 1; k >= 0; --k) {
         auto faces = faces_of(simplices_[k + 1]);
-        coboundaries[k] = incidence(faces, static_cast<Index>(simplices_[k + 1].rows()), k + 2);
+        coboundaries[k].swap(faces.coboundary);
         simplices_[k] = std::move(faces.simplices);
         counts[k] = std::move(faces.counts);
     }

@@ -26,13 +26,29 @@ void check_points(const SimplicialComplex& complex, const Points& points) {
 }
 
 /// Products of a few volumes must neither overflow nor vanish.
-void check_size(const SimplicialComplex& complex, int k, Index s, double volume) {
+bool is_moderate(double volume) {
     constexpr double largest = 1e100;
-    if (volume < largest && volume > 1 / largest)
-        return;
+    return volume < largest && volume > 1 / largest;
+}
+
+/// Names the simplex of least dimension, of those with t, whose volume is of no use.
+[[noreturn]] void refuse(const SimplicialComplex& complex, const Points& points, int k, Index t) {
+    Circumsphere sphere(points);
+    for (int m = 1; m < k; ++m)
+        for (Index s = 0; s < complex.size(m); ++s) {
+            sphere.look_at(vertices(complex.simplices(m), s));
+            if (!is_moderate(sphere.volume()))
+                refuse(complex, points, m, s);
+        }
+    const auto list = vertices(complex.simplices(k), t);
+    sphere.look_at(list);
+    if (sphere.volume() == 0)
+        throw InvalidInput(
+            fmt::format("the {}-simplex with vertices {} has no volume: remove it or move a vertex",
+                        k, fmt::join(list, ", ")));
     throw InvalidInput(fmt::format(
         "the {}-simplex with vertices {} has volume {:.3g}: scale the mesh to a size nearer to 1",
-        k, fmt::join(vertices(complex.simplices(k), s), ", "), volume));
+        k, fmt::join(list, ", "), sphere.volume()));
 }
 
 } // namespace
@@ -47,27 +63,26 @@ CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points
     }
     volumes.dual[n].setOnes();
 
+    // From the top down: what a simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
+    // barycentric coordinate * k |t| / |s|; the division by |s| comes last.
     Circumsphere sphere(points);
-    for (int k = 1; k <= n; ++k)
-        for (Index s = 0; s < complex.size(k); ++s) {
-            if (!sphere.look_at(vertices(complex.simplices(k), s)))
-                throw InvalidInput(fmt::format(
-                    "the {}-simplex with vertices {} has no volume: remove it or move a vertex", k,
-                    fmt::join(vertices(complex.simplices(k), s), ", ")));
-            check_size(complex, k, s, sphere.volume());
-            volumes.primal[k][s] = sphere.volume();
+    for (int k = n; k >= 1; --k) {
+        const Simplices& simplices = complex.simplices(k);
+        const Index* face = complex.coboundary(k - 1).innerIndexPtr();
+        Vector &primal = volumes.primal[k], &dual = volumes.dual[k], &lower = volumes.dual[k - 1];
+        for (Index t = 0; t < simplices.rows(); ++t) {
+            sphere.look_at(vertices(simplices, t));
+            if (!is_moderate(sphere.volume()))
+                refuse(complex, points, k, t);
+            primal[t] = sphere.volume();
+            if (k < n)
+                dual[t] /= (n - k) * primal[t];
+            const double weight = k * primal[t] * dual[t];
+            for (int i = k; i >= 0; --i)
+                lower[*face++] += sphere.barycentric(i) * weight;
         }
-    for (int k = n - 1; k >= 0; --k) {
-        for (Index t = 0; t < complex.size(k + 1); ++t) {
-            sphere.look_at(vertices(complex.simplices(k + 1), t));
-            for (int i = 0; i <= k + 1; ++i) {
-                const Index s = complex.face(k + 1, t, i);
-                volumes.dual[k][s] +=
-                    sphere.height(i, volumes.primal[k][s]) * volumes.dual[k + 1][t];
-            }
-        }
-        volumes.dual[k] /= n - k;
     }
+    volumes.dual[0] /= n;
     return volumes;
 }
 

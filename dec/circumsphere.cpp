@@ -15,64 +15,91 @@ constexpr double few_last_digits = 16 * std::numeric_limits<double>::epsilon();
 
 } // namespace
 
-bool Circumsphere::look_at(std::span<const Index> vertices) {
-    const auto k = vertices.size() - 1, N = static_cast<std::size_t>(points_.cols());
-    basis_.resize(k * N);
-    triangle_.assign(k * k, 0.0);
-    center_.assign(k, 0.0);
-    barycentric_.assign(k + 1, 0.0);
+/// Dimensions that are fixed let the compiler unroll all loops; -1 stands for any.
+template <int k_fixed, int N_fixed>
+bool Circumsphere::look(std::span<const Index> vertices) {
+    const int k = k_fixed >= 0 ? k_fixed : static_cast<int>(vertices.size()) - 1;
+    const int N = N_fixed >= 0 ? N_fixed : static_cast<int>(points_.cols());
+    double fixed[k_fixed >= 0 ? k_fixed * (N_fixed + k_fixed + 1) + 1 : 1];
+    double* scratch = fixed;
+    if (k_fixed < 0) {
+        scratch_.resize(static_cast<std::size_t>(k * (N + k + 1)));
+        scratch = scratch_.data();
+    }
+    double* const basis = scratch;           // k orthonormal rows of N numbers
+    double* const triangle = basis + k * N;  // edge i = sum over j <= i of (i, j) basis row j
+    double* const center = triangle + k * k; // circumcenter minus first vertex, in the basis
+    const double* const origin = points_.data() + std::ptrdiff_t{vertices[0]} * N;
+    dimension_ = k;
     volume_ = 1;
-    const double* origin = points_.data() + vertices[0] * N;
 
     // edges = triangle * basis, by modified Gram-Schmidt; the center is where |x|^2 = edge . x for
     // every edge, that is triangle * center = squared edge lengths / 2
-    for (std::size_t i = 0; i < k; ++i) {
-        double* row = basis_.data() + i * N;
-        const double* corner = points_.data() + vertices[i + 1] * N;
+    for (int i = 0; i < k; ++i) {
+        double* const row = basis + i * N;
+        const double* const corner = points_.data() + std::ptrdiff_t{vertices[i + 1]} * N;
         double squared_length = 0;
-        for (std::size_t c = 0; c < N; ++c) {
+        for (int c = 0; c < N; ++c) {
             row[c] = corner[c] - origin[c];
             squared_length += row[c] * row[c];
         }
         double right_side = squared_length / 2;
-        for (std::size_t j = 0; j < i; ++j) {
-            const double* other = basis_.data() + j * N;
+        for (int j = 0; j < i; ++j) {
+            const double* const other = basis + j * N;
             double product = 0;
-            for (std::size_t c = 0; c < N; ++c)
+            for (int c = 0; c < N; ++c)
                 product += row[c] * other[c];
-            for (std::size_t c = 0; c < N; ++c)
+            for (int c = 0; c < N; ++c)
                 row[c] -= product * other[c];
-            triangle_[i * k + j] = product;
-            right_side -= product * center_[j];
+            triangle[i * k + j] = product;
+            right_side -= product * center[j];
         }
         double squared = 0;
-        for (std::size_t c = 0; c < N; ++c)
+        for (int c = 0; c < N; ++c)
             squared += row[c] * row[c];
         const double length = std::sqrt(squared);
-        volume_ *= length / static_cast<double>(i + 1);
-        if (!(length > few_last_digits * std::sqrt(squared_length))) {
+        volume_ *= length / (i + 1);
+        if (!(squared > few_last_digits * few_last_digits * squared_length)) {
             volume_ = 0;
             return false;
         }
-        for (std::size_t c = 0; c < N; ++c)
-            row[c] /= length;
-        triangle_[i * k + i] = length;
-        center_[i] = right_side / length;
+        const double inverse = 1 / length;
+        for (int c = 0; c < N; ++c)
+            row[c] *= inverse;
+        triangle[i * k + i] = inverse; // the diagonal is only divided by
+        center[i] = right_side * inverse;
     }
 
     // center = sum of barycentric * edges: solve with the transposed triangle
     double squared_radius = 0, rest = 1;
-    for (std::size_t i = k; i-- > 0;) {
-        squared_radius += center_[i] * center_[i];
-        double value = center_[i];
-        for (std::size_t j = i + 1; j < k; ++j)
-            value -= triangle_[j * k + i] * barycentric_[j + 1];
-        barycentric_[i + 1] = value / triangle_[i * k + i];
+    for (int i = k; i-- > 0;) {
+        squared_radius += center[i] * center[i];
+        double value = center[i];
+        for (int j = i + 1; j < k; ++j)
+            value -= triangle[j * k + i] * barycentric_[j + 1];
+        barycentric_[i + 1] = value * triangle[i * k + i];
         rest -= barycentric_[i + 1];
     }
     barycentric_[0] = rest;
     radius_ = std::sqrt(squared_radius);
     return true;
+}
+
+bool Circumsphere::look_at(std::span<const Index> vertices) {
+    switch (10 * static_cast<int>(points_.cols()) + static_cast<int>(vertices.size()) - 1) {
+    case 21:
+        return look<1, 2>(vertices);
+    case 22:
+        return look<2, 2>(vertices);
+    case 31:
+        return look<1, 3>(vertices);
+    case 32:
+        return look<2, 3>(vertices);
+    case 33:
+        return look<3, 3>(vertices);
+    default:
+        return look<-1, -1>(vertices);
+    }
 }
 
 Vector circumradii(const Points& points, const Simplices& simplices) {

@@ -3,6 +3,7 @@
 
 #include "base/types.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -31,16 +32,17 @@ public:
     /// Signed distance from the circumcenter of the facet opposite to the i-th vertex to the
     /// simplex's own, positive towards that vertex: barycentric coordinate times height.
     double height(int i, double facet_volume) const {
-        return barycentric_[i] * (static_cast<double>(barycentric_.size()) - 1) * volume_ /
-               facet_volume;
+        return barycentric_[i] * dimension_ * volume_ / facet_volume;
     }
 
 private:
+    template <int k_fixed, int N_fixed>
+    bool look(std::span<const Index> vertices);
+
     const Points& points_;
-    std::vector<double> basis_;    // k orthonormal rows of N numbers
-    std::vector<double> triangle_; // k x k, lower: edge i = sum over j <= i of (i, j) basis row j
-    std::vector<double> center_;   // circumcenter minus first vertex, in the basis
-    std::vector<double> barycentric_;
+    std::array<double, 32> barycentric_{}; // more vertices no simplex of a complex has
+    std::vector<double> scratch_;
+    int dimension_ = 0;
     double volume_ = 0;
     double radius_ = 0;
 };

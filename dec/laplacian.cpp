@@ -2,6 +2,7 @@
 #include "dec/laplacian.h"
 
 #include "dec/derivative.h"
+#include "dec/gram.h"
 #include "dec/star.h"
 
 namespace polydec {
@@ -12,18 +13,14 @@ namespace {
 SparseMatrix upper_half(const CellComplex& complex, const CellVolumes& volumes, int k) {
     if (k == complex.dimension())
         return SparseMatrix(complex.size(k), complex.size(k));
-    const SparseMatrix d = derivative(complex, k);
-    const SparseMatrix weighted = star(volumes, k + 1).asDiagonal() * d;
-    return SparseMatrix(d.transpose()) * weighted;
+    return gram(complex.boundary(k + 1), complex.coboundary(k), star(volumes, k + 1));
 }
 
 /// d star^-1 d^T for the d that arrives at degree k; the zero matrix for k = 0.
 SparseMatrix lower_half(const CellComplex& complex, const CellVolumes& volumes, int k) {
     if (k == 0)
         return SparseMatrix(complex.size(k), complex.size(k));
-    const SparseMatrix d = derivative(complex, k - 1);
-    const SparseMatrix weighted = d * inverse_star(volumes, k - 1).asDiagonal();
-    return weighted * SparseMatrix(d.transpose());
+    return gram(complex.coboundary(k - 1), complex.boundary(k), inverse_star(volumes, k - 1));
 }
 
 /// star_k^-1, not asked for where nothing is multiplied with it.
@@ -67,6 +64,8 @@ SparseMatrix dual_laplacian(const CellComplex& complex, const CellVolumes& volum
 }
 
 SparseMatrix symmetric_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    if (k == 0)
+        return upper_half(complex, volumes, k);
     const Vector mass = star(volumes, k);
     const SparseMatrix weighted = mass.asDiagonal() * lower_half(complex, volumes, k);
     const SparseMatrix lower = weighted * mass.asDiagonal();

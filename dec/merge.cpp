@@ -51,13 +51,20 @@ public:
         for (Index f = 0; f < complex.size(n - 1); ++f)
             if (counts[f] == 2 && defects.degenerate[f])
                 candidates_.push_back(f);
-        std::stable_sort(candidates_.begin(), candidates_.end(),
+        // most are exact: only the others need sorting
+        const auto inexact = std::stable_partition(candidates_.begin(), candidates_.end(),
+                                                   [&](Index f) { return defects.defect[f] == 0; });
+        exact_ = static_cast<std::size_t>(inexact - candidates_.begin());
+        std::stable_sort(inexact, candidates_.end(),
                          [&](Index f, Index g) { return defects.ratio(f) < defects.ratio(g); });
     }
 
     std::vector<bool> removed(const std::vector<bool>& kept) const {
         Classes classes(complex_.size(complex_.dimension()));
-        for (std::size_t first = 0, last = 0; first < candidates_.size(); first = last) {
+        for (std::size_t i = 0; i < exact_; ++i)
+            if (const Index f = candidates_[i]; !kept[f])
+                classes.sets.join(sides_[f][0], sides_[f][1]);
+        for (std::size_t first = exact_, last = exact_; first < candidates_.size(); first = last) {
             // measured from the first, so that values close together do not chain
             std::vector<Index> tied;
             const double reach = defects_.ratio(candidates_[first]) + tie;
@@ -83,6 +90,7 @@ private:
     double limit_;
     std::vector<std::array<Index, 2>> sides_; // cofaces of facets with two, -1 otherwise
     std::vector<Index> candidates_;           // in ascending relative defect
+    std::size_t exact_ = 0;                   // of these have none, and add nothing to a class
 };
 
 /// Of the facets with equal defect, those that hang together are all joined or none: which of them
@@ -177,7 +185,7 @@ CosphericalMerging merge_cospherical(SimplicialComplex complex, const Points& po
     for (int k = 0; k < n; ++k)
         kept.emplace_back(complex.size(k), false);
     const FacetChoice choice(complex, defects, options.tolerance);
-    const StraightnessTest test(complex, points, volumes, options.tolerance);
+    StraightnessTest test(complex, points, volumes, options.tolerance);
     const auto straight = [&](int k, Index s, Index f, Index g) {
         return !kept[k - 1][s] && test(k, s, f, g);
     };

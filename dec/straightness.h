@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/cell_volumes.h"
+#include "dec/circumsphere.h"
 
 namespace polydec {
 
@@ -15,21 +16,29 @@ public:
     StraightnessTest(const SimplicialComplex& complex, const Points& points,
                      const CellVolumes& volumes, double tolerance);
 
-    bool operator()(int k, Index s, Index f, Index g) const;
+    bool operator()(int k, Index s, Index f, Index g);
 
 private:
+    /// What f and g look like from s.
     struct Side {
+        int apex;      ///< which of the simplex's vertices is not in s
         double height; ///< signed distance from the circumcenter of s to that of the simplex
         double radius; ///< circumradius
-        Vector away;   ///< unit vector from the plane of s to the opposite vertex
-        double altitude;
     };
-    Side look(int k, Index s, Index f) const;
+    Side look(int k, Index s, Index f);
+
+    /// What of the edge from s to the apex is orthogonal to s: its length, and a unit vector.
+    struct Altitude {
+        double length;
+        Vector direction;
+    };
+    Altitude altitude(int k, Index s, Index f, int apex) const;
 
     const SimplicialComplex& complex_;
     const Points& points_;
     const CellVolumes& volumes_;
     double tolerance_;
+    Circumsphere sphere_;                             // looks at one simplex after the other
     std::vector<std::vector<bool>> must_be_coplanar_; // by degree of s
 };
 
