@@ -16,6 +16,7 @@
 #include "complex/merging.h"
 #include "complex/relative.h"
 #include "complex/simplicial_complex.h"
+#include "dec/apply.h"
 #include "dec/boundary_conditions.h"
 #include "dec/cell_centers.h"
 #include "dec/cell_volumes.h"

@@ -2,8 +2,7 @@
 #include "dec/cochain.h"
 
 #include "base/errors.h"
-#include "dec/derivative.h"
-#include "dec/laplacian.h"
+#include "dec/apply.h"
 #include "dec/star.h"
 
 #include <fmt/format.h>
@@ -36,8 +35,9 @@ void check_alike(const Cochain& a, const Other& b, const char* what) {
                                        described(b, what), described(a, "form")));
 }
 
-SparseMatrix derivative_of(const CellComplex& complex, Side side, int degree) {
-    return side == Side::primal ? derivative(complex, degree) : dual_derivative(complex, degree);
+/// The sign of the dual derivative that is d_k^T.
+double dual_sign(int k) {
+    return k % 2 == 0 ? -1 : 1;
 }
 
 } // namespace
@@ -61,8 +61,11 @@ void check(const CellComplex& complex, const Chain& chain) {
 
 Chain boundary(const CellComplex& complex, const Chain& chain) {
     check(complex, chain);
-    const SparseMatrix D = derivative_of(complex, chain.side, chain.degree - 1);
-    return {chain.side, chain.degree - 1, D.transpose() * chain.values};
+    const int k = cell_degree(complex, chain.side, chain.degree);
+    return {chain.side, chain.degree - 1,
+            chain.side == Side::primal
+                ? apply_transposed_derivative(complex, k - 1, chain.values)
+                : Vector(dual_sign(k) * apply_derivative(complex, k, chain.values))};
 }
 
 double pairing(const Cochain& form, const Chain& chain) {
@@ -72,8 +75,12 @@ double pairing(const Cochain& form, const Chain& chain) {
 
 Cochain d(const CellComplex& complex, const Cochain& form) {
     check(complex, form);
-    return {form.side, form.degree + 1,
-            derivative_of(complex, form.side, form.degree) * form.values};
+    const int k = cell_degree(complex, form.side, form.degree);
+    return {
+        form.side, form.degree + 1,
+        form.side == Side::primal
+            ? apply_derivative(complex, k, form.values)
+            : Vector(dual_sign(k - 1) * apply_transposed_derivative(complex, k - 1, form.values))};
 }
 
 Cochain star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
@@ -88,18 +95,18 @@ Cochain star(const CellComplex& complex, const CellVolumes& volumes, const Cocha
 Cochain codifferential(const CellComplex& complex, const CellVolumes& volumes,
                        const Cochain& form) {
     check(complex, form);
-    const SparseMatrix delta = form.side == Side::primal
-                                   ? codifferential(complex, volumes, form.degree)
-                                   : dual_codifferential(complex, volumes, form.degree);
-    return {form.side, form.degree - 1, delta * form.values};
+    return {form.side, form.degree - 1,
+            form.side == Side::primal
+                ? apply_codifferential(complex, volumes, form.degree, form.values)
+                : apply_dual_codifferential(complex, volumes, form.degree, form.values)};
 }
 
 Cochain laplacian(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
     check(complex, form);
-    const SparseMatrix L = form.side == Side::primal
-                               ? laplacian(complex, volumes, form.degree)
-                               : dual_laplacian(complex, volumes, form.degree);
-    return {form.side, form.degree, L * form.values};
+    return {form.side, form.degree,
+            form.side == Side::primal
+                ? apply_laplacian(complex, volumes, form.degree, form.values)
+                : apply_dual_laplacian(complex, volumes, form.degree, form.values)};
 }
 
 double inner_product(const CellComplex& complex, const CellVolumes& volumes, const Cochain& a,

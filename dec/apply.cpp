@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "dec/apply.h"
+
+#include "base/errors.h"
+#include "dec/star.h"
+
+#include <fmt/format.h>
+
+namespace polydec {
+
+namespace {
+
+void check_size(const Vector& values, Index cells, int k) {
+    if (values.size() != cells)
+        throw InvalidInput(
+            fmt::format("{} values are given for {} {}-cells", values.size(), cells, k));
+}
+
+/// What the upper half of a Laplacian divides by; for k = n there is no such half.
+Vector inverse_below_top(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    return k == complex.dimension() ? Vector(Vector::Zero(complex.size(k)))
+                                    : inverse_star(volumes, k);
+}
+
+/// d^T star d x.
+Vector upper_half(const CellComplex& complex, const CellVolumes& volumes, int k, const Vector& x) {
+    if (k == complex.dimension())
+        return Vector::Zero(complex.size(k));
+    const Vector dx = star(volumes, k + 1).cwiseProduct(apply_derivative(complex, k, x));
+    return apply_transposed_derivative(complex, k, dx);
+}
+
+/// d star^-1 d^T x.
+Vector lower_half(const CellComplex& complex, const CellVolumes& volumes, int k, const Vector& x) {
+    if (k == 0)
+        return Vector::Zero(complex.size(k));
+    const Vector sum = apply_transposed_derivative(complex, k - 1, x);
+    return apply_derivative(complex, k - 1, inverse_star(volumes, k - 1).cwiseProduct(sum));
+}
+
+} // namespace
+
+Vector apply_derivative(const CellComplex& complex, int k, const Vector& x) {
+    const IncidenceMatrix& D = complex.coboundary(k);
+    check_size(x, static_cast<Index>(D.cols()), k);
+    const Index *begin = D.outerIndexPtr(), *face = D.innerIndexPtr();
+    const std::int8_t* sign = D.valuePtr();
+    Vector result(D.rows());
+    for (Index t = 0; t < result.size(); ++t) {
+        double sum = 0;
+        for (Index e = begin[t]; e < begin[t + 1]; ++e)
+            sum += sign[e] * x[face[e]];
+        result[t] = sum;
+    }
+    return result;
+}
+
+Vector apply_transposed_derivative(const CellComplex& complex, int k, const Vector& y) {
+    const IncidenceMatrix& D = complex.coboundary(k);
+    check_size(y, static_cast<Index>(D.rows()), k + 1);
+    const Index *begin = D.outerIndexPtr(), *face = D.innerIndexPtr();
+    const std::int8_t* sign = D.valuePtr();
+    Vector result = Vector::Zero(D.cols());
+    for (Index t = 0; t < y.size(); ++t)
+        for (Index e = begin[t]; e < begin[t + 1]; ++e)
+            result[face[e]] += sign[e] * y[t];
+    return result;
+}
+
+Vector apply_codifferential(const CellComplex& complex, const CellVolumes& volumes, int k,
+                            const Vector& x) {
+    if (k == 0) {
+        check_size(x, complex.size(k), k);
+        return Vector(0);
+    }
+    const Vector weighted = star(volumes, k).cwiseProduct(x);
+    return inverse_star(volumes, k - 1)
+        .cwiseProduct(apply_transposed_derivative(complex, k - 1, weighted));
+}
+
+Vector apply_dual_codifferential(const CellComplex& complex, const CellVolumes& volumes, int j,
+                                 const Vector& y) {
+    const int k = complex.dimension() - j;
+    check_size(y, complex.size(k), k);
+    if (k == complex.dimension())
+        return Vector(0);
+    const Vector weighted = inverse_star(volumes, k).cwiseProduct(y);
+    return (k % 2 == 0 ? -1 : 1) *
+           star(volumes, k + 1).cwiseProduct(apply_derivative(complex, k, weighted));
+}
+
+Vector apply_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k,
+                       const Vector& x) {
+    check_size(x, complex.size(k), k);
+    const Vector upper =
+        inverse_below_top(complex, volumes, k).cwiseProduct(upper_half(complex, volumes, k, x));
+    return upper + lower_half(complex, volumes, k, star(volumes, k).cwiseProduct(x));
+}
+
+Vector apply_dual_laplacian(const CellComplex& complex, const CellVolumes& volumes, int j,
+                            const Vector& y) {
+    const int k = complex.dimension() - j;
+    check_size(y, complex.size(k), k);
+    const Vector upper =
+        upper_half(complex, volumes, k, inverse_below_top(complex, volumes, k).cwiseProduct(y));
+    return upper + star(volumes, k).cwiseProduct(lower_half(complex, volumes, k, y));
+}
+
+} // namespace polydec
