@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/chain.h"
+#include "benchmarks/rows.h"
+#include "dec/discretization.h"
+#include "io/draw_cells.h"
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "meshes/generate.h"
+#include "solvers/poisson.h"
+
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <utility>
+
+namespace polydec::benchmarks {
+
+namespace {
+
+template <typename Value>
+void append(std::string& text, Value value) {
+    std::array<char, sizeof(Value)> raw;
+    std::memcpy(raw.data(), &value, sizeof(Value));
+    text.append(raw.data(), raw.size());
+}
+
+/// Triangles as binary PLY of this machine's byte order, which the library itself does not write.
+void write_binary_ply(const std::filesystem::path& path, const Mesh& mesh) {
+    const bool little = std::endian::native == std::endian::little;
+    std::string text = std::string("ply\nformat binary_") + (little ? "little" : "big") +
+                       "_endian 1.0\nelement vertex " + std::to_string(mesh.points.rows()) +
+                       "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+                       std::to_string(mesh.simplices.rows()) +
+                       "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const double coordinate : mesh.points.reshaped<Eigen::RowMajor>())
+        append(text, coordinate);
+    for (const auto& triangle : mesh.simplices.rowwise()) {
+        append(text, static_cast<unsigned char>(3));
+        for (const Index vertex : triangle)
+            append(text, vertex);
+    }
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+/// The time of each stage, round by round.
+class Stages {
+public:
+    /// Ends the stage before and begins one; with an empty name it begins none.
+    void next(const std::string& name) {
+        const auto now = std::chrono::steady_clock::now();
+        if (!name_.empty())
+            seconds_[name_].push_back(std::chrono::duration<double>(now - begin_).count());
+        name_ = name;
+        begin_ = now;
+    }
+    void report(benchmark::State& state) const {
+        for (const auto& [name, seconds] : seconds_)
+            state.counters["stage_" + name] = median(seconds);
+    }
+
+private:
+    std::string name_;
+    std::chrono::steady_clock::time_point begin_;
+    std::map<std::string, std::vector<double>> seconds_;
+};
+
+/// From a file to the operators of the merged mesh, a solution of Poisson's problem, and a file.
+Operators whole_way(const std::filesystem::path& from, const std::filesystem::path& to,
+                    Stages& stages) {
+    stages.next("1_read");
+    Mesh mesh = read_mesh(from);
+    const auto cells = discretize(std::move(mesh), {}, [&](std::string_view stage) {
+        const bool first = stage == "complex", second = stage == "volumes";
+        stages.next((first ? "2_" : second ? "3_" : "4_") + std::string(stage));
+    });
+    stages.next("5_operators");
+    auto operators = all_operators(cells.complex(), cells.volumes);
+    stages.next("6_poisson");
+    PoissonSolver solver(cells);
+    const Vector u =
+        solver.solve(solver.sites().col(0), Vector::Zero(solver.boundary_sites().rows()));
+    stages.next("7_write");
+    auto grid = draw_cells(cells.merging, cells.points, 0);
+    add_cochain(grid, cells.merging, 0, "u", u);
+    write_vtu(to, grid);
+    stages.next("");
+    return operators;
+}
+
+void add_reading(const std::string& name, const SharedMesh& mesh, const Settings& settings,
+                 void (*write)(const std::filesystem::path&, const Mesh&)) {
+    const auto path = settings.folder / ("mesh." + name);
+    add_row("read/" + name, settings.rounds, [=](benchmark::State& state) {
+        write(path, mesh->get());
+        const auto size = static_cast<double>(std::filesystem::file_size(path));
+        measure(state, {mesh->amount().cells, size}, [&] { return read_mesh(path); });
+        state.counters["file_B"] = size;
+        state.counters["file_B_per_s"] = size / double{state.counters["min_s"]};
+        std::filesystem::remove(path);
+    });
+}
+
+void write_obj(const std::filesystem::path& path, const Mesh& mesh) {
+    write_mesh(path, mesh);
+}
+
+void whole_row(benchmark::State& state, const LazyMesh& mesh, const Settings& settings) {
+    const auto from = settings.folder / "whole.ply", to = settings.folder / "whole.vtu";
+    write_binary_ply(from, mesh.get());
+    Stages first, stages;
+    bool is_first = true;
+    measure(state, {mesh.amount().cells, static_cast<double>(std::filesystem::file_size(from))},
+            [&] { return whole_way(from, to, std::exchange(is_first, false) ? first : stages); });
+    stages.report(state);
+}
+
+} // namespace
+
+void add_file_rows(const Settings& settings) {
+    const int m = settings.side(1000);
+    // files of about 100 MB each
+    add_reading("obj", shared_mesh([=] { return torus(2 * m, m / 2); }), settings, write_obj);
+    const auto large = shared_mesh([=] { return torus(2 * m, m); });
+    add_reading("ply", large, settings, write_binary_ply);
+    add_row("whole/4M", std::min(settings.rounds, 3),
+            [=](benchmark::State& state) { whole_row(state, *large, settings); });
+}
+
+} // namespace polydec::benchmarks

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+//
+// The rows of docs/performance.md. Besides Google Benchmark's options:
+//   --smoke         small meshes, one round: only whether it runs
+//   --rounds=N      of each row, 5
+//   --fresh-memory  leaves the allocator as it is: results come to lie in memory never touched
+#include "backends/registry.h"
+#include "base/errors.h"
+#include "benchmarks/bandwidth.h"
+#include "benchmarks/memory.h"
+#include "benchmarks/rows.h"
+#ifdef POLYDEC_HAS_CHOLMOD
+#include "backends/cholmod.h"
+#endif
+#ifdef POLYDEC_HAS_PETSC
+#include "backends/petsc.h"
+#endif
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <dlfcn.h>
+#include <unistd.h>
+
+namespace polydec::benchmarks {
+
+void add_row(const std::string& name, int rounds, Row row) {
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [row = std::move(row)](benchmark::State& state) {
+                                     try {
+                                         row(state);
+                                     } catch (const Error& error) {
+                                         state.SkipWithError(error.what());
+                                     }
+                                 })
+        ->Iterations(rounds)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+}
+
+namespace {
+
+/// A folder that goes with the program.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string name = std::filesystem::temp_directory_path() / "polydec_benchmarks_XXXXXX";
+        if (!mkdtemp(name.data()))
+            throw IoError("no folder could be made in " +
+                          std::filesystem::temp_directory_path().string() + "; set TMPDIR");
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+void register_engines() {
+#ifdef POLYDEC_HAS_CHOLMOD
+    register_cholmod();
+#endif
+#ifdef POLYDEC_HAS_PETSC
+    register_petsc();
+#endif
+}
+
+/// The rows of the bare engines must not have more threads than the library's.
+void take_one_blas_thread() {
+    using Setter = void (*)(int);
+    if (const auto set = reinterpret_cast<Setter>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+        set(1);
+}
+
+/// Takes our own options out of the arguments; the rest is Google Benchmark's.
+Settings take_settings(int& argc, char** argv) {
+    Settings settings;
+    bool keep = true;
+    int kept = 1;
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        if (argument == "--smoke")
+            settings.smoke = true, settings.rounds = 1;
+        else if (argument == "--fresh-memory")
+            keep = false;
+        else if (argument.starts_with("--rounds="))
+            settings.rounds = std::max(1, std::atoi(argument.c_str() + 9));
+        else
+            argv[kept++] = argv[i];
+    }
+    argc = kept;
+    if (keep)
+        keep_freed_memory();
+    if (settings.smoke)
+        measure_bandwidth_roughly();
+    benchmark::AddCustomContext("memory", keep ? "kept" : "fresh");
+    return settings;
+}
+
+int run(int argc, char** argv) {
+    Settings settings = take_settings(argc, argv);
+    const TemporaryFolder folder;
+    settings.folder = folder.path();
+    register_engines();
+    take_one_blas_thread();
+
+    add_operator_rows(settings);
+    add_product_rows(settings);
+    add_engine_rows(settings);
+    add_file_rows(settings);
+    add_size_rows(settings);
+    benchmark::AddCustomContext("copy_bandwidth", std::to_string(copy_bandwidth()));
+    benchmark::AddCustomContext("compiler", POLYDEC_COMPILER);
+
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv))
+        return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
+
+} // namespace
+
+} // namespace polydec::benchmarks
+
+int main(int argc, char** argv) {
+    try {
+        return polydec::benchmarks::run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "benchmarks: %s\n", error.what());
+        return 4;
+    }
+}

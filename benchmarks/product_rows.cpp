@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/chain.h"
+#include "benchmarks/rows.h"
+#include "dec/cochain.h"
+#include "dec/derivative.h"
+#include "dec/laplacian.h"
+#include "dec/star.h"
+#include "meshes/generate.h"
+
+#include <tuple>
+
+namespace polydec::benchmarks {
+
+namespace {
+
+/// d of a form by the library, which has no matrix, beside Eigen's product with one.
+void derivative_row(benchmark::State& state, const LazyMesh& mesh, int k) {
+    const SimplicialComplex complex(mesh.get().simplices);
+    const SparseMatrix D = derivative(complex, k);
+    const Cochain form{Side::primal, k, Vector::LinSpaced(complex.size(k), -1.0, 1.0)};
+    compare(
+        state, {mesh.amount().cells, bytes(D) + bytes(form)}, [&] { return d(complex, form); },
+        [&] { return Vector(D * form.values); });
+}
+
+/// The Laplacian of 0-forms beside d^T star d as Eigen multiplies it.
+void triple_product_row(benchmark::State& state, const LazyMesh& mesh) {
+    const SimplicialComplex complex(mesh.get().simplices);
+    const CellVolumes volumes = circumcentric_volumes(complex, mesh.get().points);
+    const SparseMatrix D = derivative(complex, 0);
+    const Vector weights = star(volumes, 1);
+    compare(
+        state, {mesh.amount().cells, bytes(complex.coboundary(0)) + 2 * bytes(weights)},
+        [&] { return symmetric_laplacian(complex, volumes, 0); },
+        [&] {
+            const SparseMatrix T = D.transpose();
+            return SparseMatrix(T * (weights.asDiagonal() * D));
+        });
+}
+
+} // namespace
+
+void add_product_rows(const Settings& settings) {
+    const int f = settings.side(224), cells = settings.side(64);
+    const auto sphere = shared_mesh([=] { return icosphere(f); });
+    const auto tets = shared_mesh([=] { return kuhn(3, cells); });
+    const int many = settings.smoke ? 1 : 10 * settings.rounds;
+    for (const auto& [name, mesh, n] : {std::tuple{"sphere", sphere, 2}, {"tets", tets, 3}}) {
+        const std::string head = std::string("product/") + name;
+        for (int k = 0; k < n; ++k)
+            add_row(head + "/d" + std::to_string(k), many,
+                    [=, m = mesh](benchmark::State& state) { derivative_row(state, *m, k); });
+        add_row(head + "/laplacian", settings.rounds,
+                [=, m = mesh](benchmark::State& state) { triple_product_row(state, *m); });
+    }
+}
+
+} // namespace polydec::benchmarks
