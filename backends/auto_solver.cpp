@@ -17,6 +17,18 @@ namespace {
 constexpr Eigen::Index large_for_cholmod = 200000;
 constexpr Eigen::Index large_for_eigen = 50000;
 
+// From here on multigrid solves a solid in less time than a factorization takes.
+constexpr Eigen::Index large_for_multigrid = 30000;
+
+std::vector<std::string> definite_engines(const SparseMatrix& A, const MatrixFacts& facts) {
+    const auto limit = has_linear_solver("cholmod") ? large_for_cholmod : large_for_eigen;
+    if (A.rows() > limit && domain_dimension(A, facts) > 2)
+        return {"eigen.cg", "cholmod", "eigen.ldlt"};
+    if (facts.definiteness == Definiteness::semidefinite && facts.kernel.cols() == 0)
+        return {"eigen.cg", "cholmod", "eigen.ldlt"};
+    return {"cholmod", "eigen.ldlt", "eigen.lu", "eigen.cg"};
+}
+
 std::vector<std::string> wished_engines(const SparseMatrix& A, const MatrixFacts& facts) {
     if (facts.symmetry == Symmetry::general)
         return {"eigen.lu", "eigen.bicgstab"};
@@ -25,12 +37,10 @@ std::vector<std::string> wished_engines(const SparseMatrix& A, const MatrixFacts
     if (facts.definiteness == Definiteness::indefinite)
         return {"cholmod", "eigen.ldlt", "eigen.lu"};
 
-    const auto limit = has_linear_solver("cholmod") ? large_for_cholmod : large_for_eigen;
-    if (A.rows() > limit && domain_dimension(A, facts) > 2)
-        return {"eigen.cg", "cholmod", "eigen.ldlt"};
-    if (facts.definiteness == Definiteness::semidefinite && facts.kernel.cols() == 0)
-        return {"eigen.cg", "cholmod", "eigen.ldlt"};
-    return {"cholmod", "eigen.ldlt", "eigen.lu", "eigen.cg"};
+    std::vector<std::string> names = definite_engines(A, facts);
+    if (A.rows() > large_for_multigrid && domain_dimension(A, facts) > 2)
+        names.insert(names.begin(), {"petsc.cg-hypre", "petsc.cg-gamg"});
+    return names;
 }
 
 // The first line of a message says what was wrong; the others advise on another engine.
@@ -88,6 +98,8 @@ void AutoSolver::advance() {
             engine_->factorize(matrix_, facts_);
             return;
         } catch (const SolverFailure& failure) {
+            failures_.push_back(first_line(failure.what()));
+        } catch (const BackendUnavailable& failure) {
             failures_.push_back(first_line(failure.what()));
         }
     }

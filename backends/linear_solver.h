@@ -59,6 +59,10 @@ struct LinearSolverOptions {
     double tolerance = 1e-12; ///< iterative engines: |b - A x| / |b| to be reached
     Index max_iterations = 0; ///< iterative engines; 0: min(10 n + 1000, 50000)
     int blas_threads = 1;     ///< engines that call the BLAS; 0: leave it as it is
+
+    /// Options in the engine's own words, for engines that have some; the others pass it over.
+    /// For those of PETSc: "-ksp_type fcg -pc_hypre_boomeramg_strong_threshold 0.7".
+    std::string engine_options = {};
 };
 
 /// How the last solve went.

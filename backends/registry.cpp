@@ -38,6 +38,33 @@ void add(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Factory 
     known[name] = {std::move(info), std::move(factory), {}};
 }
 
+// Engines of optional components, so that who asks for one is told how to get it.
+void add_missing(Registry& registry) {
+    add(registry.linear,
+        {"cholmod", EngineKind::linear, false,
+         "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts by "
+         "inertia",
+         "Debian package libsuitesparse-dev, CMake option POLYDEC_CHOLMOD=ON; link "
+         "polydec::cholmod and call polydec::register_cholmod()"},
+        LinearSolverFactory());
+    for (const auto& [name, description] :
+         {std::pair{"petsc.cg-hypre",
+                    "PETSc's conjugate gradients with hypre's BoomerAMG: positive "
+                    "semidefinite, iterative, for large solids"},
+          std::pair{"petsc.cg-gamg", "PETSc's conjugate gradients with its own multigrid (GAMG): "
+                                     "positive semidefinite, iterative"}})
+        add(registry.linear,
+            {name, EngineKind::linear, false, description,
+             "Debian package petsc-dev, CMake option POLYDEC_PETSC=ON; link polydec::petsc and "
+             "call polydec::register_petsc()"},
+            LinearSolverFactory());
+    add(registry.eigen,
+        {"slepc", EngineKind::eigen, false, "SLEPc's Krylov-Schur method",
+         "Debian package slepc-dev, CMake option POLYDEC_SLEPC=ON; link polydec::slepc and call "
+         "polydec::register_slepc()"},
+        EigenSolverFactory());
+}
+
 void add_builtin(Registry& registry) {
     const auto linear = [&](const char* name, const char* description,
                             LinearSolverFactory factory) {
@@ -54,13 +81,6 @@ void add_builtin(Registry& registry) {
            builtin::make_eigen_cg);
     linear("eigen.bicgstab", "Eigen's BiCGSTAB (ILUT): general, iterative",
            builtin::make_eigen_bicgstab);
-    add(registry.linear,
-        {"cholmod", EngineKind::linear, false,
-         "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts by "
-         "inertia",
-         "Debian package libsuitesparse-dev, CMake option POLYDEC_CHOLMOD=ON; link "
-         "polydec::cholmod and call polydec::register_cholmod()"},
-        LinearSolverFactory());
     add(registry.eigen,
         {"spectra", EngineKind::eigen, true, "Spectra's implicitly restarted Lanczos", ""},
         EigenSolverFactory(builtin::make_spectra));
@@ -77,7 +97,10 @@ void add_builtin(Registry& registry) {
 // Made at the first call, so nothing hangs on the order in which programs start.
 Registry& registry() {
     struct Filled : Registry {
-        Filled() { add_builtin(*this); }
+        Filled() {
+            add_builtin(*this);
+            add_missing(*this);
+        }
     };
     static Filled instance;
     return instance;

@@ -15,24 +15,33 @@ install(TARGETS polydec EXPORT polydecTargets
 install(EXPORT polydecTargets NAMESPACE polydec::
     DESTINATION ${polydec_package_dir} COMPONENT polydec)
 
-# An engine is an export set of its own: who installs the core alone needs nothing of SuiteSparse.
-if(TARGET polydec_cholmod)
-    set_target_properties(polydec_cholmod PROPERTIES EXPORT_NAME cholmod INSTALL_RPATH "$ORIGIN")
-    get_target_property(header_sets polydec_cholmod INTERFACE_HEADER_SETS)
+# An engine is an export set of its own: who installs the core alone needs nothing of what is behind
+# it. polydec_install_component(cholmod Cholmod FindCHOLMOD ..), with the modules that find it.
+function(polydec_install_component name Name)
+    if(NOT TARGET polydec_${name})
+        return()
+    endif()
+    set_target_properties(polydec_${name} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH "$ORIGIN")
+    get_target_property(header_sets polydec_${name} INTERFACE_HEADER_SETS)
     set(headers)
     if(header_sets)
-        set(headers FILE_SET HEADERS DESTINATION ${polydec_include_dir} COMPONENT cholmod)
+        set(headers FILE_SET HEADERS DESTINATION ${polydec_include_dir} COMPONENT ${name})
     endif()
-    install(TARGETS polydec_cholmod EXPORT polydecCholmodTargets
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT cholmod
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT cholmod
-        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT cholmod
+    install(TARGETS polydec_${name} EXPORT polydec${Name}Targets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name}
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${name}
         ${headers})
-    install(EXPORT polydecCholmodTargets NAMESPACE polydec::
-        DESTINATION ${polydec_package_dir} COMPONENT cholmod)
-    install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake
-        DESTINATION ${polydec_package_dir} COMPONENT cholmod)
-endif()
+    install(EXPORT polydec${Name}Targets NAMESPACE polydec::
+        DESTINATION ${polydec_package_dir} COMPONENT ${name})
+    foreach(module IN LISTS ARGN)
+        install(FILES ${PROJECT_SOURCE_DIR}/cmake/${module}.cmake
+            DESTINATION ${polydec_package_dir} COMPONENT ${name})
+    endforeach()
+endfunction()
+polydec_install_component(cholmod Cholmod FindCHOLMOD)
+polydec_install_component(petsc Petsc FindPETSc)
+polydec_install_component(slepc Slepc FindSLEPc)
 
 # The command finds a shared polydec beside itself, wherever the whole tree is moved.
 if(TARGET polydec_command)

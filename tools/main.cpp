@@ -5,6 +5,12 @@
 #ifdef POLYDEC_HAS_CHOLMOD
 #include "backends/cholmod.h"
 #endif
+#ifdef POLYDEC_HAS_PETSC
+#include "backends/petsc.h"
+#endif
+#ifdef POLYDEC_HAS_SLEPC
+#include "backends/slepc.h"
+#endif
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -71,6 +77,12 @@ int main(int argc, char** argv) {
     try {
 #ifdef POLYDEC_HAS_CHOLMOD
         polydec::register_cholmod();
+#endif
+#ifdef POLYDEC_HAS_PETSC
+        polydec::register_petsc();
+#endif
+#ifdef POLYDEC_HAS_SLEPC
+        polydec::register_slepc();
 #endif
         return run(argc, argv);
     } catch (const polydec::InvalidInput& error) {

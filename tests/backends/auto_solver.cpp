@@ -11,10 +11,12 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The names without cholmod, which not every program has.
+/// The names without those that not every program has.
 Names suitable(const SparseMatrix& A, const MatrixFacts& facts) {
     Names names = suitable_engines(A, facts);
-    std::erase(names, "cholmod");
+    std::erase_if(names, [](const std::string& name) {
+        return name == "cholmod" || name.starts_with("petsc.");
+    });
     return names;
 }
 
@@ -35,9 +37,27 @@ TEST(auto_solver, large_solids_are_iterated) {
     const SparseMatrix A(1000000, 1000000);
     MatrixFacts facts = positive();
     facts.domain_dimension = 3;
-    EXPECT_EQ(suitable_engines(A, facts).front(), "eigen.cg");
+    EXPECT_EQ(suitable(A, facts).front(), "eigen.cg");
     facts.domain_dimension = 2;
-    EXPECT_NE(suitable_engines(A, facts).front(), "eigen.cg");
+    EXPECT_NE(suitable(A, facts).front(), "eigen.cg");
+}
+
+TEST(auto_solver, multigrid_goes_before_all_else_for_large_solids_where_it_is_there) {
+    Names there;
+    for (const char* name : {"petsc.cg-hypre", "petsc.cg-gamg"})
+        if (has_linear_solver(name))
+            there.push_back(name);
+    const auto first = [&](Index size, int dimension, MatrixFacts facts) {
+        facts.domain_dimension = dimension;
+        Names names = suitable_engines(SparseMatrix(size, size), facts);
+        names.resize(there.size());
+        return names;
+    };
+    EXPECT_EQ(first(40000, 3, positive()), there);
+    EXPECT_EQ(first(40000, 4, semidefinite()), there);
+    for (const auto& others :
+         {first(20000, 3, positive()), first(40000, 2, positive()), first(40000, 3, indefinite())})
+        EXPECT_TRUE(there.empty() || others != there);
 }
 
 TEST(auto_solver, it_reports_who_delivered) {

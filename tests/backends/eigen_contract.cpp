@@ -184,7 +184,8 @@ TEST_P(EigenContract, errors_of_the_operator_pass_through) {
     EXPECT_EQ(message_of<InvalidInput>([&] { solver->largest(refusing, 2); }), "no");
 }
 
-INSTANTIATE_TEST_SUITE_P(engines, EigenContract, testing::Values("spectra"));
+INSTANTIATE_TEST_SUITE_P(engines, EigenContract, testing::ValuesIn(eigen_engine_names()),
+                         [](const auto& test) { return test_name(test.param); });
 
 RC_GTEST_PROP(eigen_solver, diagonal_operators_with_repeated_values_give_true_pairs, ()) {
     const Index size = *rc::gen::inRange(1, 90);
@@ -192,8 +193,8 @@ RC_GTEST_PROP(eigen_solver, diagonal_operators_with_repeated_values_give_true_pa
     for (Index i = 0; i < size; ++i)
         A.insert(i, i) = *rc::gen::element(0.0, 1.0, 1.0, 2.0, -3.0, 1e-8);
     const Index count = *rc::gen::inRange(Index{0}, static_cast<Index>(size + 1));
-    const auto pairs = make_eigen_solver("spectra")->largest(by_matrix(A), count);
-    RC_ASSERT(are_eigenpairs(A, pairs));
+    for (const auto& engine : eigen_engine_names())
+        RC_ASSERT(are_eigenpairs(A, make_eigen_solver(engine)->largest(by_matrix(A), count)));
 }
 
 } // namespace

@@ -315,12 +315,7 @@ TEST_P(LinearContract, uncompressed_matrices_are_taken) {
 }
 
 INSTANTIATE_TEST_SUITE_P(engines, LinearContract, testing::ValuesIn(linear_engine_names()),
-                         [](const auto& test) {
-                             std::string name = test.param;
-                             for (char& letter : name)
-                                 letter = letter == '.' ? '_' : letter;
-                             return name;
-                         });
+                         [](const auto& test) { return test_name(test.param); });
 
 } // namespace
 } // namespace polydec::test

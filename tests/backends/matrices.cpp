@@ -4,20 +4,53 @@
 #ifdef POLYDEC_TEST_CHOLMOD
 #include "backends/cholmod.h"
 #endif
+#ifdef POLYDEC_TEST_PETSC
+#include "backends/petsc.h"
+#endif
+#ifdef POLYDEC_TEST_SLEPC
+#include "backends/slepc.h"
+#endif
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+
 namespace polydec::test {
 
-std::vector<std::string> linear_engine_names() {
+namespace {
+
+std::vector<std::string> engine_names(EngineKind kind) {
 #ifdef POLYDEC_TEST_CHOLMOD
     register_cholmod();
 #endif
+#ifdef POLYDEC_TEST_PETSC
+    register_petsc();
+#endif
+#ifdef POLYDEC_TEST_SLEPC
+    register_slepc();
+#endif
     std::vector<std::string> names;
     for (const auto& engine : engines())
-        if (engine.kind == EngineKind::linear && engine.available)
+        if (engine.kind == kind && engine.available)
             names.push_back(engine.name);
     return names;
+}
+
+} // namespace
+
+std::vector<std::string> linear_engine_names() {
+    return engine_names(EngineKind::linear);
+}
+
+std::vector<std::string> eigen_engine_names() {
+    return engine_names(EngineKind::eigen);
+}
+
+std::string test_name(std::string engine) {
+    std::replace_if(
+        engine.begin(), engine.end(), [](char letter) { return letter == '.' || letter == '-'; },
+        '_');
+    return engine;
 }
 
 SparseMatrix grid_laplacian(Index m, int dimension) {

@@ -15,6 +15,12 @@ namespace polydec::test {
 /// Names of all linear engines that this program has; registers the optional ones first.
 std::vector<std::string> linear_engine_names();
 
+/// The same for eigensolvers.
+std::vector<std::string> eigen_engine_names();
+
+/// An engine's name as a name that a test may have.
+std::string test_name(std::string engine);
+
 /// Laplacian of a grid of m x m (or m x m x m) inner points with spacing 1, value 0 outside.
 SparseMatrix grid_laplacian(Index m, int dimension = 2);
 

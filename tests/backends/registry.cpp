@@ -6,10 +6,12 @@
 #include "tests/backends/matrices.h"
 
 #include <Eigen/SparseLU>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <thread>
+#include <tuple>
 
 namespace polydec::test {
 namespace {
@@ -35,25 +37,36 @@ TEST(registry, the_engines_that_are_always_there_are_there) {
 }
 
 TEST(registry, missing_engines_are_listed_with_how_to_get_them) {
-    const auto cholmod = info_of("cholmod");
-    EXPECT_EQ(cholmod.name, "cholmod");
-    EXPECT_EQ(cholmod.available, has_linear_solver("cholmod"));
-    EXPECT_FALSE(cholmod.description.empty());
-    EXPECT_NE(cholmod.how_to_get.find("libsuitesparse-dev"), std::string::npos);
-    EXPECT_NE(cholmod.how_to_get.find("POLYDEC_CHOLMOD"), std::string::npos);
-    if (cholmod.available)
-        return;
-    const auto message = message_of<BackendUnavailable>([] { make_linear_solver("cholmod"); });
-    EXPECT_EQ(message.find("the linear solver `cholmod` is not part of this program\nTo get it: "),
-              0u);
+    for (const auto& [name, package, option] :
+         {std::tuple{"cholmod", "libsuitesparse-dev", "POLYDEC_CHOLMOD"},
+          std::tuple{"petsc.cg-hypre", "petsc-dev", "POLYDEC_PETSC"},
+          std::tuple{"petsc.cg-gamg", "petsc-dev", "POLYDEC_PETSC"},
+          std::tuple{"slepc", "slepc-dev", "POLYDEC_SLEPC"}}) {
+        const auto info = info_of(name);
+        EXPECT_EQ(info.name, name);
+        EXPECT_FALSE(info.description.empty()) << name;
+        EXPECT_NE(info.how_to_get.find(package), std::string::npos) << name;
+        EXPECT_NE(info.how_to_get.find(option), std::string::npos) << name;
+        if (info.available)
+            continue;
+        const bool is_linear = info.kind == EngineKind::linear;
+        const auto message = message_of<BackendUnavailable>([&, called = std::string(name)] {
+            is_linear ? void(make_linear_solver(called)) : void(make_eigen_solver(called));
+        });
+        EXPECT_EQ(message.find(fmt::format("the {} `{}` is not part of this program\nTo get it: ",
+                                           is_linear ? "linear solver" : "eigensolver", name)),
+                  0u)
+            << message;
+    }
 }
 
 TEST(registry, unknown_names_are_answered_with_the_known_ones) {
     const auto message = message_of<InvalidInput>([] { make_linear_solver("eigen.llt"); });
     EXPECT_EQ(message.find("there is no linear solver called `eigen.llt`\nKnown are: auto, "), 0u)
         << message;
+    const std::string with_slepc = info_of("slepc").available ? "slepc, " : "";
     EXPECT_EQ(message_of<InvalidInput>([] { make_eigen_solver("arpack"); }),
-              "there is no eigensolver called `arpack`\nKnown are: spectra.");
+              "there is no eigensolver called `arpack`\nKnown are: " + with_slepc + "spectra.");
 }
 
 TEST(registry, names_are_taken_once) {
