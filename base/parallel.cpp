@@ -12,7 +12,9 @@ void for_each_part(Index count, Index size, const std::function<void(Index, Inde
     if (parts == 1)
         return work(0, count);
     std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(parts));
+#ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic)
+#endif
     for (Index part = 0; part < parts; ++part) {
         try {
             const Index begin = part * size;

@@ -189,6 +189,11 @@ std::vector<InadmissibleBlock> inadmissible_blocks(const SimplicialComplex& comp
                 bad[blocks.carriers[1][e].dimension][blocks.carriers[1][e].piece] = true;
 
     std::vector<InadmissibleBlock> result;
+    if (std::none_of(bad.begin(), bad.end(), [](const std::vector<bool>& blocks_of_degree) {
+            return std::find(blocks_of_degree.begin(), blocks_of_degree.end(), true) !=
+                   blocks_of_degree.end();
+        }))
+        return result;
     std::vector<std::vector<Index>> number(n + 1);
     for (int k = 0; k <= n; ++k) {
         number[k].assign(complex.size(k), -1);

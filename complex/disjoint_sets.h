@@ -3,7 +3,6 @@
 
 #include "base/types.h"
 
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -13,9 +12,7 @@ namespace polydec {
 /// and b with relative sign s states sign(a) = s * sign(b). Near-linear in the number of calls.
 class DisjointSets {
 public:
-    explicit DisjointSets(Index size) : parent_(size), sign_(size, 1), weight_(size, 1) {
-        std::iota(parent_.begin(), parent_.end(), Index{0});
-    }
+    explicit DisjointSets(Index size) : parent_(size, -1), sign_(size, 1) {}
 
     struct Root {
         Index element;
@@ -25,14 +22,14 @@ public:
     Root find(Index a) {
         Index root = a;
         std::int8_t sign = 1;
-        while (parent_[root] != root) {
+        while (parent_[root] >= 0) {
             sign = static_cast<std::int8_t>(sign * sign_[root]);
             root = parent_[root];
         }
         const Root result{root, sign};
 
         // path compression: everything passed on the way now hangs from the root
-        while (parent_[a] != root) {
+        while (a != root && parent_[a] != root) {
             const auto next = parent_[a];
             const auto rest = static_cast<std::int8_t>(sign * sign_[a]);
             parent_[a] = root;
@@ -49,18 +46,17 @@ public:
         const auto sign = static_cast<std::int8_t>(s.sign * t.sign * relative_sign);
         if (s.element == t.element)
             return sign == 1;
-        if (weight_[s.element] < weight_[t.element])
+        if (parent_[s.element] > parent_[t.element])
             std::swap(s, t);
+        parent_[s.element] += parent_[t.element];
         parent_[t.element] = s.element;
         sign_[t.element] = sign;
-        weight_[s.element] += weight_[t.element];
         return true;
     }
 
 private:
-    std::vector<Index> parent_;
+    std::vector<Index> parent_; // of a root: minus the number of its elements
     std::vector<std::int8_t> sign_;
-    std::vector<Index> weight_;
 };
 
 } // namespace polydec

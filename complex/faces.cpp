@@ -2,6 +2,7 @@
 #include "complex/faces.h"
 
 #include "base/errors.h"
+#include "base/parallel.h"
 
 #include <fmt/format.h>
 
@@ -15,11 +16,10 @@ namespace polydec {
 
 namespace {
 
-Index checked_count(std::size_t count) {
+void check_count(std::size_t count) {
     if (count > std::size_t(std::numeric_limits<Index>::max()))
         throw InvalidInput(fmt::format(
             "{} incidences between cells: more than 2^31 - 1 cannot be numbered", count));
-    return static_cast<Index>(count);
 }
 
 /// A vertex list behind its first number, and what it stands for. Vertices beyond the list are 0.
@@ -41,21 +41,15 @@ constexpr std::int64_t as_one(Index high, Index low) {
     return std::int64_t{high} << 32 | low;
 }
 
-/// Whether a comes before b in lexicographic order, or at the same place but earlier. Two numbers
-/// are compared as one.
+/// Whether a comes before b in lexicographic order; two numbers are compared as one.
 template <int capacity>
 bool comes_before(const Tail<capacity>& a, const Tail<capacity>& b) {
-    if constexpr (capacity == 1)
-        return as_one(a.vertices[0], a.entry) < as_one(b.vertices[0], b.entry);
-    if constexpr (capacity == 2) {
-        const std::int64_t x = as_one(a.vertices[0], a.vertices[1]);
-        const std::int64_t y = as_one(b.vertices[0], b.vertices[1]);
-        return x < y || (x == y && a.entry < b.entry);
-    }
+    if constexpr (capacity == 2)
+        return as_one(a.vertices[0], a.vertices[1]) < as_one(b.vertices[0], b.vertices[1]);
     for (int i = 0; i < capacity; ++i)
         if (a.vertices[i] != b.vertices[i])
             return a.vertices[i] < b.vertices[i];
-    return a.entry < b.entry;
+    return false;
 }
 
 template <int capacity>
@@ -69,149 +63,217 @@ void insertion_sort(Tail<capacity>* begin, Tail<capacity>* end) {
     }
 }
 
-/// Tails in buckets by the first vertex of their lists: a counting sort. Memory is touched once.
+/// Most vertices have a handful of lists, which a simple sort does best; the poles of a sphere
+/// many.
 template <int capacity>
-class Buckets {
-public:
-    /// first[v + 1] is the number of lists that begin with v.
-    explicit Buckets(std::vector<Index> first) : first_(std::move(first)) {
-        std::partial_sum(first_.begin(), first_.end(), first_.begin());
-        next_ = first_;
-        tails_ = std::make_unique_for_overwrite<Tail<capacity>[]>(first_.back());
-    }
+void sort(std::vector<Tail<capacity>>& tails) {
+    constexpr std::size_t few = 32;
+    if (tails.size() <= few)
+        insertion_sort(tails.data(), tails.data() + tails.size());
+    else
+        std::sort(tails.begin(), tails.end(), comes_before<capacity>);
+}
 
-    /// A place for one more list that begins with the vertex.
-    Tail<capacity>& add(Index first_vertex) { return tails_[next_[first_vertex]++]; }
+Index largest_vertex(const Simplices& lists) {
+    return Eigen::Map<const Eigen::VectorX<Index>>(lists.data(), lists.size()).maxCoeff();
+}
 
-    Index size() const { return static_cast<Index>(first_.size()) - 1; }
-    Tail<capacity>* begin(Index bucket) { return tails_.get() + first_[bucket]; }
-    Tail<capacity>* end(Index bucket) { return tails_.get() + first_[bucket + 1]; }
+/// So many vertices are one piece of work.
+constexpr Index part_size = 4096;
 
-    /// Sorts every bucket, equal lists by what they stand for. Most buckets hold a handful, the
-    /// poles of a sphere many.
-    void sort() {
-        constexpr std::ptrdiff_t few = 32;
-        for (Index b = 0; b < size(); ++b)
-            if (end(b) - begin(b) > few)
-                std::sort(begin(b), end(b), comes_before<capacity>);
-            else
-                insertion_sort(begin(b), end(b));
-    }
+/// Lists by one of their vertices: those with v are order[first[v]] .. order[first[v + 1] - 1],
+/// ascending.
+struct ByVertex {
+    std::vector<Index> first, order;
 
-private:
-    std::vector<Index> first_, next_;
-    std::unique_ptr<Tail<capacity>[]> tails_;
+    Index vertices() const { return static_cast<Index>(first.size()) - 1; }
 };
 
-std::vector<Index> no_counts(const Simplices& simplices) {
-    return std::vector<Index>(std::size_t(simplices.maxCoeff()) + 2, 0);
+/// A counting sort by the vertex at a place of the lists; vertices < bound.
+ByVertex by_vertex(const Simplices& lists, Index place, Index bound) {
+    ByVertex result{std::vector<Index>(std::size_t(bound) + 1, 0),
+                    std::vector<Index>(static_cast<std::size_t>(lists.rows()))};
+    for (Index s = 0; s < lists.rows(); ++s)
+        ++result.first[lists(s, place) + 1];
+    std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+    std::vector<Index> next = result.first;
+    for (Index s = 0; s < lists.rows(); ++s)
+        result.order[next[lists(s, place)]++] = s;
+    return result;
+}
+
+/// Finds the facets vertex by vertex: those whose first vertex is v lie in the simplices that have
+/// v as first or second vertex. Few lists are sorted at a time, and vertices do not meet, so many
+/// are looked at at once.
+template <int capacity>
+class FacetSearch {
+public:
+    FacetSearch(const Simplices& simplices, Faces& result)
+        : simplices_(simplices),
+          begin_(first_rows(simplices)),
+          second_(by_vertex(simplices, 1, static_cast<Index>(begin_.size()) - 1)),
+          faces_(result) {
+        faces_.coboundary.resize(simplices.rows(), 0);
+        faces_.coboundary.resizeNonZeros(simplices.rows() * m());
+    }
+
+    void run();
+
+private:
+    /// The facets of some first vertices, in order; there is room for more.
+    struct Part {
+        std::unique_ptr<Index[]> vertices, counts;
+        Index size = 0;
+    };
+
+    /// Vertices of a simplex, known to the compiler where they are few.
+    Index m() const { return capacity <= 3 ? capacity + 2 : static_cast<Index>(simplices_.cols()); }
+
+    /// Row v: the first simplex whose first vertex is v or more.
+    static std::vector<Index> first_rows(const Simplices& simplices) {
+        std::vector<Index> begin(std::size_t(largest_vertex(simplices)) + 2);
+        Index s = 0;
+        for (std::size_t v = 0; v < begin.size(); ++v) {
+            while (s < simplices.rows() && simplices(s, 0) < static_cast<Index>(v))
+                ++s;
+            begin[v] = s;
+        }
+        return begin;
+    }
+
+    /// In how many simplices the facets lie that begin with one of these vertices.
+    Index incidences(Index begin, Index end) const {
+        return (begin_[end] - begin_[begin]) * (m() - 1) + second_.first[end] -
+               second_.first[begin];
+    }
+
+    void collect(Index first_vertex, std::vector<Tail<capacity>>& tails) const;
+    Part search(Index begin, Index end);
+    void put_together(const std::vector<Part>& parts);
+    void finish_rows(Index begin, Index end, const std::vector<Index>& offset);
+
+    const Simplices& simplices_;
+    std::vector<Index> begin_;
+    ByVertex second_;
+    Faces& faces_;
+};
+
+/// Entry s * m + j stands for simplex s without its vertex number m - 1 - j.
+template <int capacity>
+void FacetSearch<capacity>::collect(Index first_vertex, std::vector<Tail<capacity>>& tails) const {
+    tails.resize(incidences(first_vertex, first_vertex + 1));
+    Tail<capacity>* tail = tails.data();
+    for (Index s = begin_[first_vertex]; s < begin_[first_vertex + 1]; ++s) {
+        const Index* list = &simplices_(s, 0);
+        for (Index j = 0; j < m() - 1; ++j, ++tail) {
+            tail->entry = s * m() + j;
+            for (Index i = 1, place = 0; i < m(); ++i)
+                if (i != m() - 1 - j)
+                    tail->vertices[place++] = list[i];
+        }
+    }
+    for (Index o = second_.first[first_vertex]; o < second_.first[first_vertex + 1]; ++o, ++tail) {
+        const Index s = second_.order[o];
+        tail->entry = s * m() + m() - 1;
+        for (Index i = 2; i < m(); ++i)
+            tail->vertices[i - 2] = simplices_(s, i);
+    }
+}
+
+/// The coboundary gets the numbers of the facets within the part.
+template <int capacity>
+auto FacetSearch<capacity>::search(Index begin, Index end) -> Part {
+    const auto room = static_cast<std::size_t>(incidences(begin, end));
+    Part part{std::make_unique_for_overwrite<Index[]>(room * (m() - 1)),
+              std::make_unique_for_overwrite<Index[]>(room)};
+    Index* const columns = faces_.coboundary.innerIndexPtr();
+    Index* list = part.vertices.get();
+    std::vector<Tail<capacity>> tails;
+    for (Index v = begin; v < end; ++v) {
+        collect(v, tails);
+        sort(tails);
+        for (std::size_t i = 0; i < tails.size(); ++i) {
+            if (i == 0 || !same(tails[i], tails[i - 1])) {
+                *list++ = v;
+                for (Index place = 0; place < m() - 2; ++place)
+                    *list++ = tails[i].vertices[place];
+                part.counts[part.size++] = 0;
+            }
+            ++part.counts[part.size - 1];
+            columns[tails[i].entry] = part.size - 1;
+        }
+    }
+    return part;
+}
+
+/// Makes numbers within parts, whose facets begin at the offsets, those of all.
+template <int capacity>
+void FacetSearch<capacity>::finish_rows(Index begin, Index end, const std::vector<Index>& offset) {
+    Index* const rows = faces_.coboundary.outerIndexPtr();
+    Index* column = faces_.coboundary.innerIndexPtr() + begin * m();
+    std::int8_t* sign = faces_.coboundary.valuePtr() + begin * m();
+    for (Index s = begin; s < end; ++s) {
+        rows[s + 1] = (s + 1) * m();
+        for (Index j = 0; j < m(); ++j) {
+            *column++ += offset[simplices_(s, j < m() - 1 ? 0 : 1) / part_size];
+            *sign++ = (m() - 1 - j) % 2 == 0 ? 1 : -1;
+        }
+    }
 }
 
 template <int capacity>
-Buckets<capacity> bucketed_faces(const Simplices& simplices, Index m) {
-    std::vector<Index> first = no_counts(simplices);
-    for (Index s = 0; s < simplices.rows(); ++s) {
-        const Index* list = &simplices(s, 0);
-        first[list[0] + 1] += m - 1;
-        ++first[list[1] + 1];
-    }
-
-    // entry s * m + j stands for simplex s without its vertex number m - 1 - j
-    Buckets<capacity> buckets(std::move(first));
-    for (Index s = 0; s < simplices.rows(); ++s) {
-        const Index* list = &simplices(s, 0);
-        for (Index j = 0; j < m; ++j) {
-            const Index omitted = m - 1 - j;
-            auto& tail = buckets.add(list[omitted == 0 ? 1 : 0]);
-            tail.entry = s * m + j;
-            tail.vertices = {};
-            Index place = 0;
-            for (Index i = omitted == 0 ? 2 : 1; i < m; ++i)
-                if (i != omitted)
-                    tail.vertices[place++] = list[i];
-        }
-    }
-    buckets.sort();
-    return buckets;
-}
-
-/// Calls begin(bucket, tail) with the first of equal lists, then member(tail) with each of them.
-template <int capacity, class Begin, class Member>
-void for_each_face(Buckets<capacity>& buckets, Begin begin, Member member) {
-    for (Index b = 0; b < buckets.size(); ++b)
-        for (const auto* i = buckets.begin(b); i < buckets.end(b); ++i) {
-            if (i == buckets.begin(b) || !same(*i, i[-1]))
-                begin(b, *i);
-            member(*i);
-        }
+void FacetSearch<capacity>::put_together(const std::vector<Part>& parts) {
+    std::vector<Index> offset{0};
+    for (const Part& part : parts)
+        offset.push_back(offset.back() + part.size);
+    faces_.simplices.resize(offset.back(), m() - 1);
+    faces_.counts.resize(offset.back());
+    for_each_part(static_cast<Index>(parts.size()), 1, [&](Index p, Index) {
+        std::copy_n(parts[p].counts.get(), parts[p].size, faces_.counts.begin() + offset[p]);
+        std::copy_n(parts[p].vertices.get(), std::ptrdiff_t{parts[p].size} * (m() - 1),
+                    faces_.simplices.data() + std::ptrdiff_t{offset[p]} * (m() - 1));
+    });
+    faces_.coboundary.conservativeResize(simplices_.rows(), offset.back());
+    for_each_part(static_cast<Index>(simplices_.rows()), part_size,
+                  [&](Index begin, Index end) { finish_rows(begin, end, offset); });
 }
 
 template <int capacity>
-Faces faces_with(const Simplices& simplices) {
-    const auto m = static_cast<Index>(simplices.cols());
-    const Index entries = checked_count(std::size_t(simplices.rows()) * m);
-    auto buckets = bucketed_faces<capacity>(simplices, m);
-
-    Index count = 0;
-    for_each_face(
-        buckets, [&](Index, const auto&) { ++count; }, [](const auto&) {});
-    Faces faces;
-    faces.simplices.resize(count, m - 1);
-    faces.counts.assign(count, 0);
-    faces.coboundary.resize(simplices.rows(), count);
-    faces.coboundary.resizeNonZeros(entries);
-    Index* const columns = faces.coboundary.innerIndexPtr();
-    Index face = -1;
-    for_each_face(
-        buckets,
-        [&](Index first, const auto& tail) {
-            Index* list = &faces.simplices(++face, 0);
-            list[0] = first;
-            for (Index i = 0; i < m - 2; ++i)
-                list[i + 1] = tail.vertices[i];
-        },
-        [&](const auto& tail) {
-            columns[tail.entry] = face;
-            ++faces.counts[face];
-        });
-
-    Index* const rows = faces.coboundary.outerIndexPtr();
-    std::int8_t* const signs = faces.coboundary.valuePtr();
-    for (Index s = 0; s < simplices.rows(); ++s) {
-        rows[s + 1] = (s + 1) * m;
-        for (Index j = 0; j < m; ++j)
-            signs[s * m + j] = (m - 1 - j) % 2 == 0 ? 1 : -1;
-    }
-    return faces;
+void FacetSearch<capacity>::run() {
+    const Index vertices = second_.vertices();
+    std::vector<Part> parts((std::size_t(vertices) + part_size - 1) / part_size);
+    for_each_part(vertices, part_size,
+                  [&](Index begin, Index end) { parts[begin / part_size] = search(begin, end); });
+    put_together(parts);
 }
 
 template <int capacity>
 SortedRows sorted_with(const Simplices& rows) {
     const auto m = static_cast<Index>(rows.cols());
-    std::vector<Index> first = no_counts(rows);
-    for (Index s = 0; s < rows.rows(); ++s)
-        ++first[rows(s, 0) + 1];
-    Buckets<capacity> buckets(std::move(first));
-    for (Index s = 0; s < rows.rows(); ++s) {
-        auto& tail = buckets.add(rows(s, 0));
-        tail.entry = s;
-        tail.vertices = {};
-        for (Index c = 0; c < m - 1; ++c)
-            tail.vertices[c] = rows(s, c + 1);
-    }
-    buckets.sort();
-
-    SortedRows sorted{Simplices(rows.rows(), m), {}};
-    sorted.order.reserve(rows.rows());
-    for (Index b = 0; b < buckets.size(); ++b)
-        for (const auto* i = buckets.begin(b); i < buckets.end(b); ++i) {
-            Index* list = &sorted.rows(static_cast<Index>(sorted.order.size()), 0);
-            list[0] = b;
-            for (Index c = 0; c < m - 1; ++c)
-                list[c + 1] = i->vertices[c];
-            sorted.order.push_back(i->entry);
+    ByVertex leading = by_vertex(rows, 0, largest_vertex(rows) + 1);
+    Simplices sorted(rows.rows(), m);
+    for_each_part(leading.vertices(), part_size, [&](Index begin, Index end) {
+        std::vector<Tail<capacity>> tails;
+        for (Index v = begin; v < end; ++v) {
+            tails.clear();
+            for (Index o = leading.first[v]; o < leading.first[v + 1]; ++o) {
+                Tail<capacity>& tail = tails.emplace_back();
+                tail.entry = leading.order[o];
+                for (Index i = 1; i < m; ++i)
+                    tail.vertices[i - 1] = rows(tail.entry, i);
+            }
+            sort(tails);
+            Index o = leading.first[v];
+            for (const auto& tail : tails) {
+                leading.order[o] = tail.entry;
+                sorted(o, 0) = v;
+                for (Index i = 1; i < m; ++i)
+                    sorted(o, i) = tail.vertices[i - 1];
+                ++o;
+            }
         }
-    return sorted;
+    });
+    return {std::move(sorted), std::move(leading.order)};
 }
 
 /// Calls f with the least capacity of tails that holds the width; of 31 vertices no complex has
@@ -240,7 +302,10 @@ auto with_capacity(Index width, F f) {
 
 Faces faces_of(const Simplices& simplices) {
     return with_capacity(static_cast<Index>(simplices.cols()) - 2, [&](auto capacity) {
-        return faces_with<decltype(capacity)::value>(simplices);
+        check_count(std::size_t(simplices.rows()) * simplices.cols());
+        Faces faces;
+        FacetSearch<decltype(capacity)::value>(simplices, faces).run();
+        return faces;
     });
 }
 

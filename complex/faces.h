@@ -15,8 +15,9 @@ struct Faces {
     std::vector<Index> counts; ///< number of simplices around each face
 };
 
-/// All facets of the given simplices (rows of m ascending vertex numbers, m >= 2). For each simplex
-/// they are listed in ascending order, since leaving out a later vertex gives the smaller list.
+/// All facets of the given simplices: rows of m ascending vertex numbers, m >= 2, in lexicographic
+/// order. For each simplex they are listed in ascending order, since leaving out a later vertex
+/// gives the smaller list.
 Faces faces_of(const Simplices& simplices);
 
 /// Rows of ascending vertex numbers >= 0 in lexicographic order, and where each stood before.

@@ -2,6 +2,7 @@
 #include "complex/simplicial_complex.h"
 
 #include "base/errors.h"
+#include "base/parallel.h"
 #include "complex/disjoint_sets.h"
 #include "complex/faces.h"
 
@@ -9,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -16,8 +18,19 @@ namespace polydec {
 
 namespace {
 
+/// So many simplices are one piece of work.
+constexpr Index part_size = 1 << 14;
+
 std::span<const Index> row(const Simplices& table, Index i) {
     return {table.data() + i * table.cols(), static_cast<std::size_t>(table.cols())};
+}
+
+/// As std::ranges::equal, which is slow for a handful of numbers.
+bool same(std::span<const Index> a, std::span<const Index> b) {
+    std::size_t i = 0;
+    while (i < a.size() && a[i] == b[i])
+        ++i;
+    return i == a.size();
 }
 
 /// Sorts the list; 1 or -1 is the sign of the permutation that did it.
@@ -38,13 +51,13 @@ struct SortedTops {
     std::vector<std::int8_t> signs; // of the input's order against the ascending one
 };
 
-void check_tops(const SortedTops& tops) {
-    for (Index s = 0; s < tops.simplices.rows(); ++s) {
+void check_tops(const SortedTops& tops, Index begin, Index end) {
+    for (Index s = begin; s < end; ++s) {
         const auto list = row(tops.simplices, s);
         if (std::adjacent_find(list.begin(), list.end()) != list.end())
             throw InvalidInput(fmt::format("cell {} has a repeated corner: its vertices are {}",
                                            tops.input_rows[s], fmt::join(list, ", ")));
-        if (s > 0 && std::ranges::equal(row(tops.simplices, s - 1), list))
+        if (s > 0 && same(row(tops.simplices, s - 1), list))
             throw InvalidInput(
                 fmt::format("cells {} and {} have the same vertices {}: remove one of them",
                             tops.input_rows[s - 1], tops.input_rows[s], fmt::join(list, ", ")));
@@ -57,16 +70,23 @@ SortedTops sort_tops(Simplices tops) {
             "a simplicial complex needs at least one simplex of dimension 1 or more");
     if (tops.minCoeff() < 0)
         throw InvalidInput(fmt::format("vertex number {}: expected 0 or more", tops.minCoeff()));
+    if (tops.maxCoeff() == std::numeric_limits<Index>::max())
+        throw InvalidInput(
+            fmt::format("vertex number {}: expected less than that", tops.maxCoeff()));
 
     std::vector<std::int8_t> signs(tops.rows());
-    for (Index s = 0; s < tops.rows(); ++s)
-        signs[s] = sort_with_sign({&tops(s, 0), static_cast<std::size_t>(tops.cols())});
+    for_each_part(static_cast<Index>(tops.rows()), part_size, [&](Index begin, Index end) {
+        for (Index s = begin; s < end; ++s)
+            signs[s] = sort_with_sign({&tops(s, 0), static_cast<std::size_t>(tops.cols())});
+    });
 
     auto [rows, order] = sorted_rows(tops);
     SortedTops sorted{std::move(rows), std::move(order), std::vector<std::int8_t>(signs.size())};
-    for (std::size_t s = 0; s < signs.size(); ++s)
-        sorted.signs[s] = signs[sorted.input_rows[s]];
-    check_tops(sorted);
+    for_each_part(static_cast<Index>(signs.size()), part_size, [&](Index begin, Index end) {
+        for (Index s = begin; s < end; ++s)
+            sorted.signs[s] = signs[sorted.input_rows[s]];
+        check_tops(sorted, begin, end);
+    });
     return sorted;
 }
 
@@ -82,9 +102,11 @@ bool is_coherent(const IncidenceMatrix& D, const std::vector<Index>& coface_coun
     std::vector<std::int8_t> sum(coface_counts.size(), 0);
     for (Index t = 0; t < D.rows(); ++t)
         for (IncidenceMatrix::InnerIterator f(D, t); f; ++f)
-            if (coface_counts[f.col()] == 2)
-                sum[f.col()] = static_cast<std::int8_t>(sum[f.col()] + f.value() * signs[t]);
-    return std::all_of(sum.begin(), sum.end(), [](std::int8_t s) { return s == 0; });
+            sum[f.col()] = static_cast<std::int8_t>(sum[f.col()] + f.value() * signs[t]);
+    for (std::size_t f = 0; f < sum.size(); ++f)
+        if (coface_counts[f] == 2 && sum[f] != 0)
+            return false;
+    return true;
 }
 
 /// Signs of the tops, coherent across facets with exactly two cofaces wherever that is possible:
@@ -155,9 +177,10 @@ SimplicialComplex::SimplicialComplex(const Simplices& tops) {
     orientations_ = std::move(orientation.signs);
     orientable_ = orientation.coherent;
     turned_ = orientation.turned;
-    for (Index t = 0; t < coboundaries[n - 1].rows(); ++t)
-        for (IncidenceMatrix::InnerIterator f(coboundaries[n - 1], t); f; ++f)
-            f.valueRef() = static_cast<std::int8_t>(f.value() * orientations_[t]);
+    std::int8_t* sign = coboundaries[n - 1].valuePtr();
+    for (const std::int8_t turn : orientations_)
+        for (int i = 0; i <= n; ++i, ++sign)
+            *sign = static_cast<std::int8_t>(*sign * turn);
     assign(std::move(coboundaries), std::move(counts));
 }
 

@@ -2,6 +2,7 @@
 #include "dec/apply.h"
 
 #include "base/errors.h"
+#include "base/parallel.h"
 #include "dec/star.h"
 
 #include <fmt/format.h>
@@ -45,13 +46,16 @@ Vector apply_derivative(const CellComplex& complex, int k, const Vector& x) {
     check_size(x, static_cast<Index>(D.cols()), k);
     const Index *begin = D.outerIndexPtr(), *face = D.innerIndexPtr();
     const std::int8_t* sign = D.valuePtr();
+    constexpr Index part_size = 1 << 15;
     Vector result(D.rows());
-    for (Index t = 0; t < result.size(); ++t) {
-        double sum = 0;
-        for (Index e = begin[t]; e < begin[t + 1]; ++e)
-            sum += sign[e] * x[face[e]];
-        result[t] = sum;
-    }
+    for_each_part(static_cast<Index>(D.rows()), part_size, [&](Index first, Index last) {
+        for (Index t = first; t < last; ++t) {
+            double sum = 0;
+            for (Index e = begin[t]; e < begin[t + 1]; ++e)
+                sum += sign[e] * x[face[e]];
+            result[t] = sum;
+        }
+    });
     return result;
 }
 

@@ -2,11 +2,15 @@
 #include "dec/cell_volumes.h"
 
 #include "base/errors.h"
+#include "base/parallel.h"
 #include "dec/circumsphere.h"
 #include "dec/simplex_geometry.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace polydec {
 
@@ -51,26 +55,17 @@ bool is_moderate(double volume) {
         k, fmt::join(list, ", "), sphere.volume()));
 }
 
-} // namespace
-
-CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points& points) {
-    check_points(complex, points);
+/// From the top down: what a k-simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
+/// barycentric coordinate * k |t| / |s|; the division by |s| comes last. Spheres are looked at
+/// many at once, and their heights added one after the other.
+void hand_down(const SimplicialComplex& complex, const Points& points, int k,
+               CellVolumes& volumes) {
     const int n = complex.dimension();
-    CellVolumes volumes;
-    for (int k = 0; k <= n; ++k) {
-        volumes.primal.emplace_back(Vector::Ones(complex.size(k)));
-        volumes.dual.emplace_back(Vector::Zero(complex.size(k)));
-    }
-    volumes.dual[n].setOnes();
-
-    // From the top down: what a simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
-    // barycentric coordinate * k |t| / |s|; the division by |s| comes last.
-    Circumsphere sphere(points);
-    for (int k = n; k >= 1; --k) {
-        const Simplices& simplices = complex.simplices(k);
-        const Index* face = complex.coboundary(k - 1).innerIndexPtr();
-        Vector &primal = volumes.primal[k], &dual = volumes.dual[k], &lower = volumes.dual[k - 1];
-        for (Index t = 0; t < simplices.rows(); ++t) {
+    const Simplices& simplices = complex.simplices(k);
+    Vector &primal = volumes.primal[k], &dual = volumes.dual[k], &lower = volumes.dual[k - 1];
+    const auto measure = [&](Index first, Index last, double* height) {
+        Circumsphere sphere(points);
+        for (Index t = first; t < last; ++t) {
             sphere.look_at(vertices(simplices, t));
             if (!is_moderate(sphere.volume()))
                 refuse(complex, points, k, t);
@@ -79,9 +74,39 @@ CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points
                 dual[t] /= (n - k) * primal[t];
             const double weight = k * primal[t] * dual[t];
             for (int i = k; i >= 0; --i)
-                lower[*face++] += sphere.barycentric(i) * weight;
+                *height++ = sphere.barycentric(i) * weight;
         }
+    };
+
+    constexpr Index at_once = 1 << 15, part_size = 1 << 12;
+    const Index* face = complex.coboundary(k - 1).innerIndexPtr();
+    std::vector<double> heights;
+    for (Index first = 0; first < simplices.rows(); first += at_once) {
+        const Index count = std::min(at_once, static_cast<Index>(simplices.rows()) - first);
+        heights.resize(std::size_t(count) * (k + 1));
+        for_each_part(count, part_size, [&](Index begin, Index end) {
+            measure(first + begin, first + end, &heights[std::size_t(begin) * (k + 1)]);
+        });
+        for (const double height : heights)
+            lower[*face++] += height;
     }
+}
+
+} // namespace
+
+CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points& points) {
+    check_points(complex, points);
+    const int n = complex.dimension();
+    CellVolumes volumes;
+    for (int k = 0; k <= n; ++k) {
+        volumes.primal.emplace_back(complex.size(k));
+        volumes.dual.emplace_back(Vector::Zero(complex.size(k)));
+    }
+    volumes.primal[0].setOnes();
+    volumes.dual[n].setOnes();
+
+    for (int k = n; k >= 1; --k)
+        hand_down(complex, points, k, volumes);
     volumes.dual[0] /= n;
     return volumes;
 }

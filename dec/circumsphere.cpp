@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/circumsphere.h"
 
+#include "base/parallel.h"
 #include "dec/simplex_geometry.h"
 
 #include <cmath>
@@ -20,21 +21,23 @@ template <int k_fixed, int N_fixed>
 bool Circumsphere::look(std::span<const Index> vertices) {
     const int k = k_fixed >= 0 ? k_fixed : static_cast<int>(vertices.size()) - 1;
     const int N = N_fixed >= 0 ? N_fixed : static_cast<int>(points_.cols());
-    double fixed[k_fixed >= 0 ? k_fixed * (N_fixed + k_fixed + 1) + 1 : 1];
+    double fixed[k_fixed >= 0 ? k_fixed * (N_fixed + k_fixed + 2) + 1 : 1];
     double* scratch = fixed;
     if (k_fixed < 0) {
-        scratch_.resize(static_cast<std::size_t>(k * (N + k + 1)));
+        scratch_.resize(static_cast<std::size_t>(k * (N + k + 2)));
         scratch = scratch_.data();
     }
-    double* const basis = scratch;           // k orthonormal rows of N numbers
-    double* const triangle = basis + k * N;  // edge i = sum over j <= i of (i, j) basis row j
+    double* const basis = scratch;           // k orthogonal rows of N numbers
+    double* const triangle = basis + k * N;  // edge i = row i + sum over j < i of (i, j) row j
     double* const center = triangle + k * k; // circumcenter minus first vertex, in the basis
     const double* const origin = points_.data() + std::ptrdiff_t{vertices[0]} * N;
     dimension_ = k;
     volume_ = 1;
+    squared_radius_ = 0;
 
-    // edges = triangle * basis, by modified Gram-Schmidt; the center is where |x|^2 = edge . x for
-    // every edge, that is triangle * center = squared edge lengths / 2
+    // modified Gram-Schmidt; the center is where edge . x = |edge|^2 / 2 for every edge, and
+    // along(i) = row i . x. The diagonal of the triangle holds 1 / |row i|^2.
+    double* const along = center + k;
     for (int i = 0; i < k; ++i) {
         double* const row = basis + i * N;
         const double* const corner = points_.data() + std::ptrdiff_t{vertices[i + 1]} * N;
@@ -43,45 +46,41 @@ bool Circumsphere::look(std::span<const Index> vertices) {
             row[c] = corner[c] - origin[c];
             squared_length += row[c] * row[c];
         }
-        double right_side = squared_length / 2;
+        along[i] = squared_length / 2;
         for (int j = 0; j < i; ++j) {
             const double* const other = basis + j * N;
             double product = 0;
             for (int c = 0; c < N; ++c)
                 product += row[c] * other[c];
+            product *= triangle[j * k + j];
             for (int c = 0; c < N; ++c)
                 row[c] -= product * other[c];
             triangle[i * k + j] = product;
-            right_side -= product * center[j];
+            along[i] -= product * along[j];
         }
         double squared = 0;
         for (int c = 0; c < N; ++c)
             squared += row[c] * row[c];
-        const double length = std::sqrt(squared);
-        volume_ *= length / (i + 1);
+        volume_ *= std::sqrt(squared) / (i + 1);
         if (!(squared > few_last_digits * few_last_digits * squared_length)) {
             volume_ = 0;
             return false;
         }
-        const double inverse = 1 / length;
-        for (int c = 0; c < N; ++c)
-            row[c] *= inverse;
-        triangle[i * k + i] = inverse; // the diagonal is only divided by
-        center[i] = right_side * inverse;
+        triangle[i * k + i] = 1 / squared;
+        center[i] = along[i] * triangle[i * k + i];
+        squared_radius_ += along[i] * center[i];
     }
 
     // center = sum of barycentric * edges: solve with the transposed triangle
-    double squared_radius = 0, rest = 1;
+    double rest = 1;
     for (int i = k; i-- > 0;) {
-        squared_radius += center[i] * center[i];
         double value = center[i];
         for (int j = i + 1; j < k; ++j)
             value -= triangle[j * k + i] * barycentric_[j + 1];
-        barycentric_[i + 1] = value * triangle[i * k + i];
-        rest -= barycentric_[i + 1];
+        barycentric_[i + 1] = value;
+        rest -= value;
     }
     barycentric_[0] = rest;
-    radius_ = std::sqrt(squared_radius);
     return true;
 }
 
@@ -103,12 +102,15 @@ bool Circumsphere::look_at(std::span<const Index> vertices) {
 }
 
 Vector circumradii(const Points& points, const Simplices& simplices) {
-    Circumsphere sphere(points);
+    constexpr Index part_size = 1 << 13;
     Vector radii(simplices.rows());
-    for (Index s = 0; s < simplices.rows(); ++s) {
-        sphere.look_at(vertices(simplices, s));
-        radii[s] = sphere.radius();
-    }
+    for_each_part(static_cast<Index>(radii.size()), part_size, [&](Index begin, Index end) {
+        Circumsphere sphere(points);
+        for (Index s = begin; s < end; ++s) {
+            sphere.look_at(vertices(simplices, s));
+            radii[s] = sphere.radius();
+        }
+    });
     return radii;
 }
 

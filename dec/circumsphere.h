@@ -4,6 +4,7 @@
 #include "base/types.h"
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,7 @@ public:
     double volume() const { return volume_; }
 
     /// Circumradius; 0 for a vertex.
-    double radius() const { return radius_; }
+    double radius() const { return std::sqrt(squared_radius_); }
 
     /// Barycentric coordinate of the circumcenter at the i-th vertex; negative where the center
     /// lies beyond the opposite facet.
@@ -44,7 +45,7 @@ private:
     std::vector<double> scratch_;
     int dimension_ = 0;
     double volume_ = 0;
-    double radius_ = 0;
+    double squared_radius_ = 0;
 };
 
 /// Circumradii of all k-simplices in the given table (rows of vertex numbers).

@@ -51,12 +51,7 @@ public:
         for (Index f = 0; f < complex.size(n - 1); ++f)
             if (counts[f] == 2 && defects.degenerate[f])
                 candidates_.push_back(f);
-        // most are exact: only the others need sorting
-        const auto inexact = std::stable_partition(candidates_.begin(), candidates_.end(),
-                                                   [&](Index f) { return defects.defect[f] == 0; });
-        exact_ = static_cast<std::size_t>(inexact - candidates_.begin());
-        std::stable_sort(inexact, candidates_.end(),
-                         [&](Index f, Index g) { return defects.ratio(f) < defects.ratio(g); });
+        arrange_candidates();
     }
 
     std::vector<bool> removed(const std::vector<bool>& kept) const {
@@ -64,14 +59,13 @@ public:
         for (std::size_t i = 0; i < exact_; ++i)
             if (const Index f = candidates_[i]; !kept[f])
                 classes.sets.join(sides_[f][0], sides_[f][1]);
-        for (std::size_t first = exact_, last = exact_; first < candidates_.size(); first = last) {
-            // measured from the first, so that values close together do not chain
+        std::vector<Index> place(static_cast<std::size_t>(complex_.size(complex_.dimension())), -1);
+        for (std::size_t group = 1; group < group_begins_.size(); ++group) {
             std::vector<Index> tied;
-            const double reach = defects_.ratio(candidates_[first]) + tie;
-            for (; last < candidates_.size() && defects_.ratio(candidates_[last]) <= reach; ++last)
-                if (!kept[candidates_[last]])
-                    tied.push_back(candidates_[last]);
-            join_tied(tied, classes);
+            for (std::size_t i = group_begins_[group - 1]; i < group_begins_[group]; ++i)
+                if (!kept[candidates_[i]])
+                    tied.push_back(candidates_[i]);
+            join_tied(tied, classes, place);
         }
 
         std::vector<bool> result(sides_.size(), false);
@@ -83,44 +77,72 @@ public:
     }
 
 private:
-    void join_tied(const std::vector<Index>& tied, Classes& classes) const;
+    void arrange_candidates();
+    void join_tied(const std::vector<Index>& tied, Classes& classes,
+                   std::vector<Index>& place) const;
 
     const SimplicialComplex& complex_;
     const FacetDefects& defects_;
     double limit_;
     std::vector<std::array<Index, 2>> sides_; // cofaces of facets with two, -1 otherwise
-    std::vector<Index> candidates_;           // in ascending relative defect
+    std::vector<Index> candidates_;           // in groups of ascending relative defect
     std::size_t exact_ = 0;                   // of these have none, and add nothing to a class
+    std::vector<std::size_t> group_begins_;   // of candidates whose defects tie, and the end
 };
 
+/// Most candidates are exact, and most of the others tie with the best: only the rest is sorted.
+void FacetChoice::arrange_candidates() {
+    const auto ratio = [&](Index f) { return defects_.ratio(f); };
+    const auto inexact = std::stable_partition(candidates_.begin(), candidates_.end(),
+                                               [&](Index f) { return defects_.defect[f] == 0; });
+    exact_ = static_cast<std::size_t>(inexact - candidates_.begin());
+    group_begins_ = {exact_};
+    double reach = std::numeric_limits<double>::infinity();
+    for (auto f = inexact; f != candidates_.end(); ++f)
+        reach = std::min(reach, ratio(*f) + tie);
+    const auto rest = std::stable_partition(inexact, candidates_.end(),
+                                            [&](Index f) { return ratio(f) <= reach; });
+    std::stable_sort(rest, candidates_.end(),
+                     [&](Index f, Index g) { return ratio(f) < ratio(g); });
+
+    // measured from the first of a group, so that values close together do not chain
+    for (auto f = rest; f != candidates_.end(); ++f)
+        if (ratio(*f) > reach) {
+            reach = ratio(*f) + tie;
+            group_begins_.push_back(static_cast<std::size_t>(f - candidates_.begin()));
+        }
+    group_begins_.push_back(candidates_.size());
+}
+
 /// Of the facets with equal defect, those that hang together are all joined or none: which of them
-/// comes first must not matter.
-void FacetChoice::join_tied(const std::vector<Index>& tied, Classes& classes) const {
+/// comes first must not matter. place is -1 for all n-simplices, before and after.
+void FacetChoice::join_tied(const std::vector<Index>& tied, Classes& classes,
+                            std::vector<Index>& place) const {
     struct Link {
         Index facet, a, b; // classes on both sides, by place in `roots`
     };
     std::vector<Link> links;
     std::vector<Index> roots;
+    const auto place_of = [&](Index root) {
+        if (place[root] < 0) {
+            place[root] = static_cast<Index>(roots.size());
+            roots.push_back(root);
+        }
+        return place[root];
+    };
     for (const Index f : tied) {
         const Index a = classes.sets.find(sides_[f][0]).element;
         const Index b = classes.sets.find(sides_[f][1]).element;
-        if (a == b)
-            continue;
-        links.push_back({f, a, b});
-        roots.insert(roots.end(), {a, b});
+        if (a != b) {
+            const Index place_of_a = place_of(a);
+            links.push_back({f, place_of_a, place_of(b)});
+        }
     }
-    std::sort(roots.begin(), roots.end());
-    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-    const auto place = [&](Index root) {
-        return static_cast<Index>(std::lower_bound(roots.begin(), roots.end(), root) -
-                                  roots.begin());
-    };
+    for (const Index root : roots)
+        place[root] = -1;
     DisjointSets groups(static_cast<Index>(roots.size()));
-    for (Link& link : links) {
-        link.a = place(link.a);
-        link.b = place(link.b);
+    for (const Link& link : links)
         groups.join(link.a, link.b);
-    }
 
     std::vector<double> gathered(roots.size(), 0.0);
     std::vector<double> allowed(roots.size(), std::numeric_limits<double>::infinity());
