@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace polydec {
 
@@ -21,30 +23,107 @@ Mesh perturbed(Mesh mesh, double amplitude, std::uint64_t seed) {
     return mesh;
 }
 
-Shuffled shuffled(const Mesh& mesh, std::uint64_t seed) {
+namespace {
+
+void check_tags(const Mesh& mesh, const char* what) {
     const auto cells = static_cast<std::size_t>(mesh.simplices.rows());
     if (!mesh.tags.empty() && mesh.tags.size() != cells)
-        throw InvalidInput(fmt::format("shuffled: {} tags for {} cells", mesh.tags.size(), cells));
-    Random random(seed);
-    Shuffled result{mesh, random.order(mesh.points.rows()), random.order(mesh.simplices.rows())};
-    std::vector<Index> new_number(result.vertices.size());
-    for (std::size_t i = 0; i < new_number.size(); ++i) {
-        new_number[result.vertices[i]] = static_cast<Index>(i);
-        result.mesh.points.row(static_cast<Eigen::Index>(i)) = mesh.points.row(result.vertices[i]);
-    }
+        throw InvalidInput(fmt::format("{}: {} tags for {} cells", what, mesh.tags.size(), cells));
+}
 
-    for (std::size_t i = 0; i < result.cells.size(); ++i)
-        for (Eigen::Index c = 0; c < mesh.simplices.cols(); ++c) {
-            const Index vertex = mesh.simplices(result.cells[i], c);
+/// Cells with new vertex numbers, in the old order.
+Simplices with_new_numbers(const Mesh& mesh, const std::vector<Index>& vertices, const char* what) {
+    std::vector<Index> new_number(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        new_number[vertices[i]] = static_cast<Index>(i);
+    Simplices cells = mesh.simplices;
+    for (Eigen::Index s = 0; s < cells.rows(); ++s)
+        for (Eigen::Index c = 0; c < cells.cols(); ++c) {
+            const Index vertex = cells(s, c);
             if (vertex < 0 || vertex >= mesh.points.rows())
-                throw InvalidInput(fmt::format("shuffled: cell {} names vertex {}, but there are "
-                                               "{} vertices, numbered from 0",
-                                               result.cells[i], vertex, mesh.points.rows()));
-            result.mesh.simplices(static_cast<Eigen::Index>(i), c) = new_number[vertex];
+                throw InvalidInput(fmt::format("{}: cell {} names vertex {}, but there are {} "
+                                               "vertices, numbered from 0",
+                                               what, s, vertex, mesh.points.rows()));
+            cells(s, c) = new_number[vertex];
         }
+    return cells;
+}
+
+/// The mesh in the order of the lists; `cells_renumbered` are the cells in the old one.
+Renumbered arranged(const Mesh& mesh, const Simplices& cells_renumbered,
+                    std::vector<Index> vertices, std::vector<Index> cells) {
+    Renumbered result{mesh, std::move(vertices), std::move(cells)};
+    for (std::size_t i = 0; i < result.vertices.size(); ++i)
+        result.mesh.points.row(static_cast<Eigen::Index>(i)) = mesh.points.row(result.vertices[i]);
+    for (std::size_t i = 0; i < result.cells.size(); ++i)
+        result.mesh.simplices.row(static_cast<Eigen::Index>(i)) =
+            cells_renumbered.row(result.cells[i]);
     for (std::size_t i = 0; i < mesh.tags.size(); ++i)
         result.mesh.tags[i] = mesh.tags[result.cells[i]];
     return result;
+}
+
+/// Numbers of the keys in ascending order, equal keys in the order they have.
+std::vector<Index> order_of(const std::vector<std::uint64_t>& keys) {
+    std::vector<std::pair<std::uint64_t, Index>> sorted;
+    sorted.reserve(keys.size());
+    for (const std::uint64_t key : keys)
+        sorted.emplace_back(key, static_cast<Index>(sorted.size()));
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<Index> order;
+    order.reserve(keys.size());
+    for (const auto& [key, number] : sorted)
+        order.push_back(number);
+    return order;
+}
+
+/// Place on the curve: the leading binary digits of all coordinates, taken in turn.
+std::vector<std::uint64_t> morton_keys(const Points& points) {
+    std::vector<std::uint64_t> keys(static_cast<std::size_t>(points.rows()), 0);
+    if (points.size() == 0)
+        return keys;
+    // halves, whose differences do not overflow
+    const Eigen::RowVectorXd least = points.colwise().minCoeff() / 2;
+    const double extent = (points.colwise().maxCoeff() / 2 - least).maxCoeff();
+    const auto axes = std::min<Eigen::Index>(points.cols(), 63);
+    const int digits = static_cast<int>(std::min<Eigen::Index>(63 / axes, 31));
+    const double largest = std::ldexp(1.0, digits) - 1;
+    for (Eigen::Index v = 0; v < points.rows(); ++v) {
+        auto& key = keys[static_cast<std::size_t>(v)];
+        for (Eigen::Index axis = 0; axis < axes; ++axis) {
+            const double share = extent > 0 ? (points(v, axis) / 2 - least[axis]) / extent : 0;
+            const auto place = static_cast<std::uint64_t>(share * largest);
+            for (int digit = 0; digit < digits; ++digit)
+                key |= (place >> digit & 1U) << (digit * axes + axis);
+        }
+    }
+    return keys;
+}
+
+} // namespace
+
+Renumbered shuffled(const Mesh& mesh, std::uint64_t seed) {
+    check_tags(mesh, "shuffled");
+    Random random(seed);
+    auto vertices = random.order(mesh.points.rows());
+    auto cells = random.order(mesh.simplices.rows());
+    const Simplices renumbered = with_new_numbers(mesh, vertices, "shuffled");
+    return arranged(mesh, renumbered, std::move(vertices), std::move(cells));
+}
+
+Renumbered along_morton_curve(const Mesh& mesh) {
+    check_tags(mesh, "along_morton_curve");
+    for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
+        if (!mesh.points.row(v).allFinite())
+            throw InvalidInput(fmt::format(
+                "along_morton_curve: vertex {} has a coordinate that is not finite", v));
+    auto vertices = order_of(morton_keys(mesh.points));
+    const Simplices renumbered = with_new_numbers(mesh, vertices, "along_morton_curve");
+    std::vector<std::uint64_t> first_vertices;
+    first_vertices.reserve(static_cast<std::size_t>(renumbered.rows()));
+    for (Eigen::Index s = 0; s < renumbered.rows(); ++s)
+        first_vertices.push_back(static_cast<std::uint64_t>(renumbered.row(s).minCoeff()));
+    return arranged(mesh, renumbered, std::move(vertices), order_of(first_vertices));
 }
 
 } // namespace polydec

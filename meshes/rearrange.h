@@ -14,7 +14,7 @@ namespace polydec {
 Mesh perturbed(Mesh mesh, double amplitude, std::uint64_t seed);
 
 /// A mesh whose vertices and cells have been renumbered.
-struct Shuffled {
+struct Renumbered {
     Mesh mesh;
     std::vector<Index> vertices; ///< vertices[i]: old number of vertex i
     std::vector<Index> cells;    ///< cells[i]: old number of cell i
@@ -24,6 +24,13 @@ struct Shuffled {
 /// their orientation, and their tags. The same seed gives the same numbers on every machine.
 /// Throws InvalidInput, naming the cell, if a vertex number is out of range, or if there are tags,
 /// but not one for each cell.
-Shuffled shuffled(const Mesh& mesh, std::uint64_t seed);
+Renumbered shuffled(const Mesh& mesh, std::uint64_t seed);
+
+/// The same mesh with vertices numbered along Morton's curve through their bounding cube (Morton
+/// 1966), cells by their first vertex: neighbors in space are near in memory. Operators of a mesh
+/// whose numbers are in disorder are built and applied several times faster. Values y at the new
+/// vertices are x[vertices[i]] of those at the old.
+/// Throws InvalidInput like shuffled, and if a coordinate is not finite, naming the vertex.
+Renumbered along_morton_curve(const Mesh& mesh);
 
 } // namespace polydec

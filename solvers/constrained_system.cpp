@@ -45,7 +45,11 @@ SparseMatrix part(const SparseMatrix& A, const std::vector<Index>& list) {
 } // namespace
 
 ConstrainedSolver::ConstrainedSolver(ConstrainedSystem system, const std::string& engine)
-    : system_(std::move(system)), solver_(make_linear_solver(engine)) {
+    : solver_(make_linear_solver(engine)) {
+    SparseMatrix A; // what moves would be copied
+    A.swap(system.A);
+    system_ = std::move(system);
+    system_.A.swap(A);
     check_sizes(system_);
     find_components();
 

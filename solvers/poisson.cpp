@@ -3,8 +3,8 @@
 
 #include "base/errors.h"
 #include "dec/cell_centers.h"
-#include "dec/derivative.h"
 #include "dec/dual_parts.h"
+#include "dec/gram.h"
 #include "dec/star.h"
 #include "solvers/dual_fluxes.h"
 
@@ -24,12 +24,12 @@ Definiteness by_sign(const Vector& weights) {
     return (weights.array() >= 0).all() ? Definiteness::semidefinite : Definiteness::indefinite;
 }
 
-/// d^T weights d or, given d^T, d weights d^T; entries that cancel are no connections.
-SparseMatrix weighted_product(const SparseMatrix& d, const Vector& weights) {
-    const SparseMatrix left = SparseMatrix(d.transpose()) * weights.asDiagonal();
-    SparseMatrix A = left * d;
-    A.prune(0.0);
-    return A;
+/// A diag(weights) A^T; entries that cancel are no connections.
+SparseMatrix connections(const IncidenceMatrix& A, const IncidenceMatrix& transposed,
+                         const Vector& weights) {
+    SparseMatrix result = gram(A, transposed, weights);
+    result.prune(0.0);
+    return result;
 }
 
 void check_values(const Vector& values, const Points& sites, const char* what) {
@@ -81,6 +81,19 @@ Vector edge_weights(const Discretization& discretization, const Vector& conducti
     return (edges * products).cwiseQuotient(lengths).cwiseQuotient(lengths);
 }
 
+/// What each vertex gets of the (n-1)-cells that count: each piece is shared among its vertices as
+/// their duals divide it.
+SparseMatrix shares_of_vertices(const Discretization& discretization, const Vector& counts) {
+    const int n = discretization.dimension();
+    if (counts.isZero(0))
+        return SparseMatrix(discretization.complex().size(0), counts.size());
+    const SparseMatrix parts = dual_parts(discretization.input(), discretization.points,
+                                          discretization.input_volumes, 0, n - 1);
+    const SparseMatrix pieces = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
+    const SparseMatrix shares = counts.asDiagonal() * pieces * parts;
+    return shares.transpose();
+}
+
 } // namespace
 
 PoissonSolver::PoissonSolver(const Discretization& discretization, const PoissonOptions& options)
@@ -108,18 +121,13 @@ void PoissonSolver::set_up_primal(const Discretization& discretization, const Ce
     Vector weights = edge_weights(discretization, options.conductivity);
     for (const Index edge : zero_star_cells(discretization.volumes, 1))
         weights[edge] = 0; // no more than rounding: the edge connects nothing
-    ConstrainedSystem system{weighted_product(derivative(complex, 0), weights),
+    ConstrainedSystem system{connections(complex.boundary(1), complex.coboundary(0), weights),
                              essential[0],
                              std::vector<bool>(size, false),
                              mass_.cwiseAbs(),
                              by_sign(weights),
                              n};
-    // each piece of a facet is shared among its vertices as their duals divide it
-    const SparseMatrix parts = dual_parts(discretization.input(), discretization.points,
-                                          discretization.input_volumes, 0, n - 1);
-    const SparseMatrix pieces = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
-    const SparseMatrix shares = natural_facets(complex, essential).asDiagonal() * pieces * parts;
-    flux_load_ = shares.transpose();
+    flux_load_ = shares_of_vertices(discretization, natural_facets(complex, essential));
     boundary_load_.resize(size, size);
     boundary_fix_.resize(size, size);
     boundary_fix_.setIdentity();
@@ -141,13 +149,13 @@ void PoissonSolver::set_up_dual(const Discretization& discretization, const Cell
     const Vector areas =
         natural_facets(complex, essential).cwiseProduct(discretization.volumes.primal[n - 1]);
     flux_load_ = complex.boundary(n).transpose().cast<double>().cwiseAbs() * areas.asDiagonal();
-    const SparseMatrix gradient = derivative(complex, n - 1).transpose();
-    ConstrainedSystem system{weighted_product(gradient, fluxes.weights),
-                             std::move(fluxes.fixed),
-                             std::move(fluxes.tied),
-                             mass_,
-                             by_sign(fluxes.weights),
-                             n};
+    ConstrainedSystem system{
+        connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),
+        std::move(fluxes.fixed),
+        std::move(fluxes.tied),
+        mass_,
+        by_sign(fluxes.weights),
+        n};
     solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
 }
 

@@ -43,7 +43,7 @@ TEST(Perturbed, leaves_the_mesh_for_the_amplitude_zero_and_refuses_a_wrong_one) 
 
 TEST(Shuffled, is_the_same_mesh_under_the_numbers_it_returns) {
     for (const Mesh& mesh : {kuhn(1, 9), grid(5, 4), torus(5, 4), bcc(2), kuhn(4, 1)}) {
-        const Shuffled result = shuffled(mesh, 3);
+        const Renumbered result = shuffled(mesh, 3);
         EXPECT_NE(result.mesh.points, mesh.points);
         EXPECT_NE(result.mesh.simplices, mesh.simplices);
         for (Index v = 0; v < mesh.points.rows(); ++v)
@@ -57,11 +57,62 @@ TEST(Shuffled, is_the_same_mesh_under_the_numbers_it_returns) {
     }
 }
 
+/// Mean distance in memory of the vertices of a cell.
+double spread(const Mesh& mesh) {
+    return (mesh.simplices.rowwise().maxCoeff() - mesh.simplices.rowwise().minCoeff())
+        .cast<double>()
+        .mean();
+}
+
+TEST(MortonCurve, gives_the_same_mesh_under_the_numbers_it_returns) {
+    for (const Mesh& mesh : {kuhn(1, 9), grid(5, 4), torus(5, 4), bcc(2), kuhn(4, 1)}) {
+        const Renumbered result = along_morton_curve(shuffled(mesh, 3).mesh);
+        EXPECT_TRUE(same_geometry(result.mesh, mesh));
+        const Renumbered again = along_morton_curve(mesh);
+        for (Index v = 0; v < mesh.points.rows(); ++v)
+            EXPECT_EQ(again.mesh.points.row(v), mesh.points.row(again.vertices[v]));
+        for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
+            for (Index i = 0; i < mesh.simplices.cols(); ++i)
+                EXPECT_EQ(again.vertices[again.mesh.simplices(cell, i)],
+                          mesh.simplices(again.cells[cell], i));
+    }
+}
+
+TEST(MortonCurve, brings_neighbors_near_in_memory) {
+    for (const Mesh& mesh : {grid(64, 64), kuhn(3, 16), icosphere(20)}) {
+        const Mesh disordered = shuffled(mesh, 5).mesh;
+        const double vertices = static_cast<double>(mesh.points.rows());
+        EXPECT_GT(spread(disordered), 0.3 * vertices);
+        EXPECT_LT(spread(along_morton_curve(disordered).mesh), 0.15 * vertices);
+    }
+}
+
+TEST(MortonCurve, does_not_depend_on_the_numbers_before) {
+    const Mesh mesh = bcc(3);
+    EXPECT_EQ(along_morton_curve(shuffled(mesh, 1).mesh).mesh.points,
+              along_morton_curve(mesh).mesh.points);
+    EXPECT_NE(shuffled(mesh, 1).mesh.points, mesh.points);
+}
+
+TEST(MortonCurve, passes_through_the_quarters_of_a_square_one_after_the_other) {
+    Points corners(4, 2);
+    corners << 1, 1, 0, 1, 1, 0, 0, 0;
+    EXPECT_EQ(along_morton_curve({corners, Simplices(0, 3), {}}).vertices,
+              (std::vector<Index>{3, 2, 1, 0}));
+}
+
+TEST(MortonCurve, refuses_what_has_no_place_on_it) {
+    Mesh mesh = grid(1, 1);
+    mesh.points(2, 1) = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(refusal([&] { along_morton_curve(mesh); }),
+              "along_morton_curve: vertex 2 has a coordinate that is not finite");
+}
+
 TEST(Shuffled, tags_follow_their_cells) {
     Mesh mesh = grid(5, 4);
     for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
         mesh.tags.push_back(100 + cell);
-    const Shuffled result = shuffled(mesh, 3);
+    const Renumbered result = shuffled(mesh, 3);
     EXPECT_NE(result.mesh.tags, mesh.tags);
     for (std::size_t cell = 0; cell < mesh.tags.size(); ++cell)
         EXPECT_EQ(result.mesh.tags[cell], 100 + result.cells[cell]);
