@@ -101,6 +101,35 @@ Vector apply_laplacian(const CellComplex& complex, const CellVolumes& volumes, i
     return upper + lower_half(complex, volumes, k, star(volumes, k).cwiseProduct(x));
 }
 
+Vector apply_symmetric_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k,
+                                 const Vector& x) {
+    check_size(x, complex.size(k), k);
+    const Vector upper = upper_half(complex, volumes, k, x);
+    if (k == 0)
+        return upper;
+    const Vector mass = star(volumes, k);
+    return upper + mass.cwiseProduct(lower_half(complex, volumes, k, mass.cwiseProduct(x)));
+}
+
+Vector symmetric_laplacian_diagonal(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    Vector diagonal = Vector::Zero(complex.size(k));
+    if (k < complex.dimension()) {
+        const Vector weights = star(volumes, k + 1);
+        const IncidenceMatrix& D = complex.coboundary(k);
+        for (Index t = 0; t < D.rows(); ++t)
+            for (IncidenceMatrix::InnerIterator s(D, t); s; ++s)
+                diagonal[s.col()] += s.value() * s.value() * weights[t];
+    }
+    if (k > 0) {
+        const Vector mass = star(volumes, k), inverse = inverse_star(volumes, k - 1);
+        const IncidenceMatrix& D = complex.coboundary(k - 1);
+        for (Index s = 0; s < D.rows(); ++s)
+            for (IncidenceMatrix::InnerIterator f(D, s); f; ++f)
+                diagonal[s] += mass[s] * mass[s] * f.value() * f.value() * inverse[f.col()];
+    }
+    return diagonal;
+}
+
 Vector apply_dual_laplacian(const CellComplex& complex, const CellVolumes& volumes, int j,
                             const Vector& y) {
     const int k = complex.dimension() - j;

@@ -27,6 +27,11 @@ Vector apply_dual_codifferential(const CellComplex& complex, const CellVolumes& 
 Vector apply_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k,
                        const Vector& x);
 
+/// symmetric_laplacian(complex, volumes, k) * x, and its diagonal: what solve_matrix_free() takes.
+Vector apply_symmetric_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k,
+                                 const Vector& x);
+Vector symmetric_laplacian_diagonal(const CellComplex& complex, const CellVolumes& volumes, int k);
+
 /// dual_laplacian(complex, volumes, j) * y.
 Vector apply_dual_laplacian(const CellComplex& complex, const CellVolumes& volumes, int j,
                             const Vector& y);

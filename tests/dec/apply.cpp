@@ -68,8 +68,29 @@ TEST_P(Applied, codifferentials_and_laplacians_are_products_with_their_matrices)
             P.size(k), [&] { return laplacian(P, V, k); },
             [&](const Vector& x) { return apply_laplacian(P, V, k, x); });
         expect_same(
+            P.size(k), [&] { return symmetric_laplacian(P, V, k); },
+            [&](const Vector& x) { return apply_symmetric_laplacian(P, V, k, x); });
+        expect_same(
             P.size(n - k), [&] { return dual_laplacian(P, V, k); },
             [&](const Vector& x) { return apply_dual_laplacian(P, V, k, x); });
+    }
+}
+
+TEST_P(Applied, diagonals_of_symmetric_laplacians_are_theirs) {
+    for (int k = 0; k <= mesh().n(); ++k) {
+        SparseMatrix A;
+        Vector diagonal;
+        const auto assemble = [&] { A = symmetric_laplacian(mesh().P(), mesh().volumes, k); };
+        const std::string refused = refusal(assemble);
+        EXPECT_EQ(refusal([&] {
+                      diagonal = symmetric_laplacian_diagonal(mesh().P(), mesh().volumes, k);
+                  }),
+                  refused);
+        if (refused.empty()) {
+            EXPECT_LE((A.diagonal() - diagonal).cwiseAbs().maxCoeff(),
+                      1e-13 * diagonal.cwiseAbs().maxCoeff())
+                << k;
+        }
     }
 }
 
