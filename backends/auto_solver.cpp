@@ -38,7 +38,8 @@ std::vector<std::string> wished_engines(const SparseMatrix& A, const MatrixFacts
         return {"cholmod", "eigen.ldlt", "eigen.lu"};
 
     std::vector<std::string> names = definite_engines(A, facts);
-    if (A.rows() > large_for_multigrid && domain_dimension(A, facts) > 2)
+    const auto large = facts.many_solves ? large_for_cholmod : large_for_multigrid;
+    if (A.rows() > large && domain_dimension(A, facts) > 2)
         names.insert(names.begin(), {"petsc.cg-hypre", "petsc.cg-gamg"});
     return names;
 }

@@ -13,6 +13,7 @@ std::unique_ptr<LinearSolver> make_eigen_ldlt(const LinearSolverOptions& options
 std::unique_ptr<LinearSolver> make_eigen_lu(const LinearSolverOptions& options);
 std::unique_ptr<LinearSolver> make_eigen_cg(const LinearSolverOptions& options);
 std::unique_ptr<LinearSolver> make_eigen_bicgstab(const LinearSolverOptions& options);
+std::unique_ptr<EigenSolver> make_block_lanczos();
 std::unique_ptr<EigenSolver> make_spectra();
 
 } // namespace polydec::builtin

@@ -51,6 +51,14 @@ double ratio(double numerator, double denominator) {
     return numerator == 0.0 ? 0.0 : numerator / denominator;
 }
 
+// The 2-norm of a vector whose largest entry is known: squares that neither overflow nor vanish are
+// summed in a third of the time.
+template <typename Column>
+double length(const Column& x, double largest) {
+    constexpr double safe = 1e100;
+    return largest < safe && largest > 1.0 / safe ? x.norm() : x.stableNorm();
+}
+
 // What no matrix hits is what a forgotten kernel leaves behind.
 std::string describe_failure(double residual, double backward_error) {
     return fmt::format("the solution is not to be trusted: |b - A x| / |b| = {:.2g}, backward "
@@ -151,6 +159,8 @@ void CheckedSolver::check_right_hand_side(const Eigen::Ref<const DenseMatrix>& B
     if (B.rows() != matrix_->rows())
         throw InvalidInput(fmt::format("{}: a right-hand side of {} rows for a {} x {} matrix",
                                        name_, B.rows(), matrix_->rows(), matrix_->cols()));
+    if (B.allFinite())
+        return;
     for (Eigen::Index j = 0; j < B.cols(); ++j)
         for (Eigen::Index i = 0; i < B.rows(); ++i)
             if (!std::isfinite(B(i, j)))
@@ -182,7 +192,7 @@ CheckedSolver::Quality CheckedSolver::measure(const DenseMatrix& X, const DenseM
         const double r = R.col(j).lpNorm<Eigen::Infinity>();
         const double b = B.col(j).lpNorm<Eigen::Infinity>();
         const double x = X.col(j).lpNorm<Eigen::Infinity>();
-        const double residual = ratio(R.col(j).stableNorm(), B.col(j).stableNorm());
+        const double residual = ratio(length(R.col(j), r), length(B.col(j), b));
         worst.residual = std::max(worst.residual, residual);
         worst.backward_error = std::max(worst.backward_error, ratio(r, matrix_norm_ * x + b));
     }
@@ -197,7 +207,8 @@ bool CheckedSolver::is_good(const Quality& quality) const {
 
 CheckedSolver::Solution CheckedSolver::solve_checked(const DenseMatrix& B) {
     Solution solution = invert(B);
-    DenseMatrix R = B - *matrix_ * solution.columns;
+    DenseMatrix R = B;
+    R.noalias() -= *matrix_ * solution.columns;
     Quality quality = measure(solution.columns, B, R);
 
     // Where inertia is wanted, refinement would hide the sign of a count not to be trusted.
@@ -205,7 +216,8 @@ CheckedSolver::Solution CheckedSolver::solve_checked(const DenseMatrix& B) {
         const Solution correction = invert(kernel_ ? kernel_->project_out(R) : R);
         solution.columns += correction.columns;
         solution.iterations += correction.iterations;
-        R = B - *matrix_ * solution.columns;
+        R = B;
+        R.noalias() -= *matrix_ * solution.columns;
         quality = measure(solution.columns, B, R);
     }
     if (!R.allFinite() || (inertia_ == Inertia::unneeded && !is_good(quality)))

@@ -44,9 +44,8 @@ void check(const std::string& name, const SymmetricOperator& A, Index count,
                                        name, options.start.size(), A.size));
 }
 
-EigenOptions filled_in(const EigenOptions& options, Index size, Index count) {
+EigenOptions filled_in(const EigenOptions& options, Index size, Index count, std::int64_t usual) {
     EigenOptions result = options;
-    const std::int64_t usual = std::max<std::int64_t>(2 * std::int64_t{count} + 1, 20);
     const std::int64_t wished = options.krylov_dimension > 0 ? options.krylov_dimension : usual;
     const std::int64_t least = std::int64_t{count} + 1;
     result.krylov_dimension =
@@ -57,27 +56,70 @@ EigenOptions filled_in(const EigenOptions& options, Index size, Index count) {
 }
 
 // A NaN in a Krylov basis spreads to everything, so it is caught where it comes in.
+class Watch {
+public:
+    Watch(const SymmetricOperator& A, std::string name) : A_(&A), name_(std::move(name)) {}
+
+    template <typename Columns>
+    void check_input(const Columns& X) const {
+        if (!X.allFinite())
+            throw SolverFailure(name_ + ": the iteration broke down (an invariant subspace)\n"
+                                        "Try another start vector.");
+    }
+
+    template <typename Columns>
+    void check_output(const Columns& Y, Eigen::Index columns) const {
+        if (Y.rows() != A_->size || Y.cols() != columns || !Y.allFinite())
+            throw SolverFailure(name_ + ": the operator gave NaN, infinity or a vector of another "
+                                        "size");
+    }
+
+    void apply(const Vector& x, Vector& y) const {
+        check_input(x);
+        y.resize(A_->size);
+        A_->apply(x, y);
+        check_output(y, 1);
+    }
+
+    void apply_to_columns(const DenseMatrix& X, DenseMatrix& Y) const {
+        Y.resize(A_->size, X.cols());
+        if (A_->apply_to_columns) {
+            check_input(X);
+            A_->apply_to_columns(X, Y);
+            check_output(Y, X.cols());
+            return;
+        }
+        Vector y;
+        for (Eigen::Index j = 0; j < X.cols(); ++j) {
+            apply(X.col(j), y);
+            Y.col(j) = y;
+        }
+    }
+
+private:
+    const SymmetricOperator* A_;
+    std::string name_;
+};
+
 SymmetricOperator watched(const SymmetricOperator& A, const std::string& name) {
-    return {A.size, [&A, name](const Vector& x, Vector& y) {
-                if (!x.allFinite())
-                    throw SolverFailure(name + ": the iteration broke down (an invariant "
-                                               "subspace)\nTry another start vector.");
-                y.resize(A.size);
-                A.apply(x, y);
-                if (y.size() != A.size || !y.allFinite())
-                    throw SolverFailure(name + ": the operator gave NaN, infinity or a vector of "
-                                               "another size");
-            }};
+    const Watch watch(A, name);
+    return {A.size, [watch](const Vector& x, Vector& y) { watch.apply(x, y); },
+            [watch](const DenseMatrix& X, DenseMatrix& Y) { watch.apply_to_columns(X, Y); }};
 }
 
 } // namespace
+
+std::int64_t EigenSolver::usual_dimension(Index count) const {
+    return std::max<std::int64_t>(2 * std::int64_t{count} + 1, 20);
+}
 
 EigenPairs EigenSolver::largest(const SymmetricOperator& A, Index count,
                                 const EigenOptions& options) const {
     check(name(), A, count, options);
     if (count == 0)
         return {Vector(0), DenseMatrix(A.size, 0), 0, 0};
-    return compute(watched(A, name()), count, filled_in(options, A.size, count));
+    return compute(watched(A, name()), count,
+                   filled_in(options, A.size, count, usual_dimension(count)));
 }
 
 } // namespace polydec

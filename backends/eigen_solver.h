@@ -3,6 +3,7 @@
 
 #include "base/types.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -12,10 +13,14 @@ namespace polydec {
 struct SymmetricOperator {
     Index size = 0;
     std::function<void(const Vector& x, Vector& y)> apply = {};
+
+    /// Writes A X to Y, for as many columns as X has, where several at once cost less than one by
+    /// one, as solves with a factorization do. Empty: apply() is called for each column.
+    std::function<void(const DenseMatrix& X, DenseMatrix& Y)> apply_to_columns = {};
 };
 
 struct EigenOptions {
-    Index krylov_dimension = 0; ///< 0: max(2 count + 1, 20); at least count + 1, at most the size
+    Index krylov_dimension = 0; ///< 0: the engine's choice; at least count + 1, at most the size
     double tolerance = 1e-10;   ///< |A v - lambda v| <= tolerance |lambda| for unit v
     Index max_restarts = 1000;
     Vector start = {}; ///< empty: pseudo-random, the same in every run
@@ -49,8 +54,12 @@ public:
                        const EigenOptions& options = {}) const;
 
 protected:
+    /// The dimension of the subspace that suits this engine.
+    virtual std::int64_t usual_dimension(Index count) const;
+
     /// The same for 1 <= count <= size and options that are filled in: krylov_dimension lies
-    /// between count and size, start is not zero; apply() refuses to give NaN.
+    /// between count and size, start is not zero; apply() and apply_to_columns(), which are both
+    /// there, refuse to give NaN.
     virtual EigenPairs compute(const SymmetricOperator& A, Index count,
                                const EigenOptions& options) const = 0;
 };

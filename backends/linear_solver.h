@@ -31,6 +31,10 @@ struct MatrixFacts {
     /// Dimension of the domain behind the matrix (2 for surfaces, 3 for solids ...): it decides on
     /// the ordering and on when iterating pays. 0: guessed from the number of entries in a row.
     int domain_dimension = 0;
+
+    /// Whether dozens of solves will follow one factorization, as in time steps or an iteration for
+    /// eigenvalues: then a factorization pays for longer.
+    bool many_solves = false;
 };
 
 /// The dimension of the domain behind a matrix: from the facts, else guessed from the pattern, 2

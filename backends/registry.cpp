@@ -82,6 +82,10 @@ void add_builtin(Registry& registry) {
     linear("eigen.bicgstab", "Eigen's BiCGSTAB (ILUT): general, iterative",
            builtin::make_eigen_bicgstab);
     add(registry.eigen,
+        {"block-lanczos", EngineKind::eigen, true,
+         "block Lanczos with thick restarts: several copies of an eigenvalue at once", ""},
+        EigenSolverFactory(builtin::make_block_lanczos));
+    add(registry.eigen,
         {"spectra", EngineKind::eigen, true, "Spectra's implicitly restarted Lanczos", ""},
         EigenSolverFactory(builtin::make_spectra));
     add(registry.mesher,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/builtin_engines.h"
+#include "backends/dense_pairs.h"
 #include "base/errors.h"
 
-#include <Eigen/Eigenvalues>
 #include <Spectra/SymEigsSolver.h>
 
 #include <cmath>
@@ -11,9 +11,6 @@
 namespace polydec::builtin {
 
 namespace {
-
-// Below this size all eigenpairs of a dense matrix cost less than the iteration.
-constexpr Index dense_size = 40;
 
 // Spectra compares with absolute thresholds, so it is shown an operator of size about one.
 class ScaledOperator {
@@ -46,21 +43,6 @@ protected:
     EigenPairs compute(const SymmetricOperator& A, Index count,
                        const EigenOptions& options) const override;
 };
-
-EigenPairs solve_densely(const SymmetricOperator& A, Index count) {
-    DenseMatrix entries(A.size, A.size);
-    Vector column;
-    for (Index j = 0; j < A.size; ++j) {
-        A.apply(Vector::Unit(A.size, j), column);
-        entries.col(j) = column;
-    }
-    const DenseMatrix symmetric = 0.5 * (entries + entries.transpose());
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(symmetric);
-    if (solver.info() != Eigen::Success)
-        throw SolverFailure("spectra: the dense eigensolver did not converge");
-    return {solver.eigenvalues().reverse().head(count),
-            solver.eigenvectors().rowwise().reverse().leftCols(count), count, A.size};
-}
 
 // An estimate of |A| from below, and a start vector that A does not map to zero. Scale 0: A
 // vanishes on the start vector and on another one that has nothing to do with it.
@@ -108,7 +90,7 @@ EigenPairs SpectraSolver::compute(const SymmetricOperator& A, Index count,
                                   const EigenOptions& options) const {
     // Lanczos needs a subspace larger than the count and not larger than the operator.
     if (A.size <= dense_size || options.krylov_dimension >= A.size)
-        return solve_densely(A, count);
+        return dense_pairs(A, count, name());
 
     const Start start = find_start(A, options.start);
     if (start.scale == 0.0)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/chain.h"
 
-#include "dec/derivative.h"
 #include "dec/laplacian.h"
 #include "dec/star.h"
 
@@ -15,8 +14,6 @@ const LazyMesh* in_memory = nullptr;
 
 Operators all_operators(const CellComplex& complex, const CellVolumes& volumes) {
     Operators result;
-    for (int k = 0; k < complex.dimension(); ++k)
-        result.derivatives.push_back(derivative(complex, k));
     for (int k = 0; k <= complex.dimension(); ++k)
         result.stars.push_back(star(volumes, k));
     result.laplacian = symmetric_laplacian(complex, volumes, 0);
@@ -24,7 +21,7 @@ Operators all_operators(const CellComplex& complex, const CellVolumes& volumes) 
 }
 
 double bytes(const Operators& operators) {
-    return bytes(operators.derivatives) + bytes(operators.stars) + bytes(operators.laplacian);
+    return bytes(operators.stars) + bytes(operators.laplacian);
 }
 
 Chain chain(const Mesh& mesh) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace polydec::benchmarks {
 
@@ -33,14 +34,19 @@ struct Dirichlet {
     Amount amount() const { return {static_cast<double>(A.rows()), polydec::benchmarks::bytes(A)}; }
 };
 
-Vector solve_by_engine(const std::string& name, const Dirichlet& problem, int dimension) {
-    const auto solver = make_linear_solver(name);
+std::unique_ptr<LinearSolver> factorized(const std::string& name, const Dirichlet& problem,
+                                         int dimension) {
+    auto solver = make_linear_solver(name);
     // The matrix is shared with the engine, as the solvers of the library do.
     const std::shared_ptr<const SparseMatrix> A(&problem.A, [](const SparseMatrix*) {});
     solver->factorize(A, {.symmetry = Symmetry::symmetric,
                           .definiteness = Definiteness::positive,
                           .domain_dimension = dimension});
-    return solver->solve(problem.b);
+    return solver;
+}
+
+Vector solve_by_engine(const std::string& name, const Dirichlet& problem, int dimension) {
+    return factorized(name, problem, dimension)->solve(problem.b);
 }
 
 Vector solve_by_library(const std::string& name, const Discretization& cells) {
@@ -52,24 +58,44 @@ Vector solve_by_library(const std::string& name, const Discretization& cells) {
 using BareSolve = Vector (*)(const SparseMatrix&, const Vector&);
 
 /// What the library's engine costs over the bare one, on the same matrix.
-void engine_row(benchmark::State& state, const std::string& name, BareSolve bare, int rows) {
-    const Dirichlet problem(discretize(well_centered(rows)));
+void engine_row(benchmark::State& state, const std::string& name, BareSolve bare, Mesh mesh) {
+    const auto dimension = static_cast<int>(mesh.simplices.cols()) - 1;
+    const Dirichlet problem(discretize(std::move(mesh)));
     compare(
-        state, problem.amount(), [&] { return solve_by_engine(name, problem, 2); },
+        state, problem.amount(), [&] { return solve_by_engine(name, problem, dimension); },
         [&] { return bare(problem.A, problem.b); });
 }
 
+/// Several right-hand sides at once beside one after the other, with the factorization there.
+/// Times are those of one of them.
+void several_row(benchmark::State& state, const std::string& name, int rows) {
+    constexpr int count = 8;
+    const Dirichlet problem(discretize(well_centered(rows)));
+    const DenseMatrix B = DenseMatrix::Random(problem.A.rows(), count);
+    const auto solver = factorized(name, problem, 2);
+    compare(
+        state, problem.amount(), [&] { return solver->solve(B); },
+        [&] {
+            DenseMatrix X(B.rows(), B.cols());
+            for (int j = 0; j < count; ++j)
+                X.col(j) = solver->solve(B.col(j));
+            return X;
+        });
+    for (const char* counter : {"min_s", "median_s", "rival_min_s", "rival_median_s", "bound_s"})
+        state.counters[counter].value /= count;
+}
+
 /// The whole problem, assembly included, beside the bare engine on the matrix.
-void poisson_2d_row(benchmark::State& state, int rows) {
-    const auto cells = discretize(well_centered(rows));
+void poisson_row(benchmark::State& state, const std::string& name, BareSolve bare, Mesh mesh) {
+    const auto cells = discretize(std::move(mesh));
     const Dirichlet problem(cells);
     compare(
         state, problem.amount(),
-        [&] { return problem.inside.restrict(0, solve_by_library("cholmod", cells)); },
-        [&] { return solve_by_bare_cholmod(problem.A, problem.b); });
+        [&] { return problem.inside.restrict(0, solve_by_library(name, cells)); },
+        [&] { return bare(problem.A, problem.b); });
 }
 
-void poisson_3d_row(benchmark::State& state, const std::string& engine, const Settings& settings) {
+void solid_row(benchmark::State& state, const std::string& engine, const Settings& settings) {
     const int side = settings.side(101);
     const auto cells = discretize(kuhn(3, side));
     const Amount amount{std::pow(side - 1.0, 3), bytes(cells.volumes)};
@@ -111,6 +137,31 @@ void spectrum_row(benchmark::State& state, const Settings& settings) {
     state.counters["rival_missing"] = missing(ours, theirs);
 }
 
+void add_solid_rows(const Settings& settings) {
+    const int rounds = std::min(settings.rounds, 3);
+    const bool has_hypre = has_bare_hypre() && has_linear_solver("petsc.cg-hypre");
+    // 238 k and 1 M unknowns
+    const int small = settings.side(63), large = settings.side(101);
+    if (has_hypre) {
+        add_row("engine/petsc.cg-hypre", settings.rounds, [=](benchmark::State& state) {
+            engine_row(state, "petsc.cg-hypre", solve_by_bare_hypre, kuhn(3, small));
+        });
+        add_row("poisson3d/petsc.cg-hypre", rounds, [=](benchmark::State& state) {
+            poisson_row(state, "petsc.cg-hypre", solve_by_bare_hypre, kuhn(3, large));
+        });
+    }
+
+    // `auto`, which takes eigen.cg where nothing better is there, and what is made for solids.
+    for (const auto& engine : engines()) {
+        const bool is_petsc =
+            engine.name.starts_with("petsc") && !(has_hypre && engine.name == "petsc.cg-hypre");
+        if (engine.kind == EngineKind::linear && engine.available &&
+            (is_petsc || engine.name == "auto"))
+            add_row("poisson3d/" + engine.name, rounds,
+                    [=](benchmark::State& state) { solid_row(state, engine.name, settings); });
+    }
+}
+
 } // namespace
 
 void add_engine_rows(const Settings& settings) {
@@ -119,25 +170,20 @@ void add_engine_rows(const Settings& settings) {
     const int large = settings.side(380), small = settings.side(120);
     if (has_bare_cholmod() && has_linear_solver("cholmod")) {
         add_row("engine/cholmod", settings.rounds, [=](benchmark::State& state) {
-            engine_row(state, "cholmod", solve_by_bare_cholmod, large);
+            engine_row(state, "cholmod", solve_by_bare_cholmod, well_centered(large));
         });
-        add_row("poisson2d/cholmod", settings.rounds,
-                [=](benchmark::State& state) { poisson_2d_row(state, large); });
+        add_row("engine/cholmod_8", settings.rounds,
+                [=](benchmark::State& state) { several_row(state, "cholmod", large); });
+        add_row("poisson2d/cholmod", settings.rounds, [=](benchmark::State& state) {
+            poisson_row(state, "cholmod", solve_by_bare_cholmod, well_centered(large));
+        });
         add_row("spectrum/50", rounds,
                 [=](benchmark::State& state) { spectrum_row(state, settings); });
     }
     add_row("engine/eigen.ldlt", settings.rounds, [=](benchmark::State& state) {
-        engine_row(state, "eigen.ldlt", solve_by_bare_ldlt, small);
+        engine_row(state, "eigen.ldlt", solve_by_bare_ldlt, well_centered(small));
     });
-
-    // `auto`, which takes eigen.cg where nothing better is there, and what is made for solids.
-    for (const auto& engine : engines()) {
-        const bool is_petsc = engine.name.starts_with("petsc");
-        if (engine.kind == EngineKind::linear && engine.available &&
-            (is_petsc || engine.name == "auto"))
-            add_row("poisson3d/" + engine.name, rounds,
-                    [=](benchmark::State& state) { poisson_3d_row(state, engine.name, settings); });
-    }
+    add_solid_rows(settings);
 }
 
 } // namespace polydec::benchmarks

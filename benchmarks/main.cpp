@@ -9,6 +9,7 @@
 #include "benchmarks/bandwidth.h"
 #include "benchmarks/memory.h"
 #include "benchmarks/rows.h"
+#include "benchmarks/threads.h"
 #ifdef POLYDEC_HAS_CHOLMOD
 #include "backends/cholmod.h"
 #endif
@@ -110,10 +111,12 @@ int run(int argc, char** argv) {
     settings.folder = folder.path();
     register_engines();
     take_one_blas_thread();
+    set_threads(1);
 
     add_operator_rows(settings);
     add_product_rows(settings);
     add_engine_rows(settings);
+    add_thread_rows(settings);
     add_file_rows(settings);
     add_size_rows(settings);
     benchmark::AddCustomContext("copy_bandwidth", std::to_string(copy_bandwidth()));

@@ -55,6 +55,9 @@ void report_rival(benchmark::State& state, const Samples& ours, const Samples& t
 inline double difference(const Vector& ours, const Vector& theirs) {
     return (ours - theirs).norm() / theirs.norm();
 }
+inline double difference(const DenseMatrix& ours, const DenseMatrix& theirs) {
+    return (ours - theirs).norm() / theirs.norm();
+}
 inline double difference(const Cochain& ours, const Vector& theirs) {
     return difference(ours.values, theirs);
 }

@@ -6,6 +6,7 @@
 #include "dec/laplacian.h"
 #include "dec/star.h"
 #include "meshes/generate.h"
+#include "meshes/rearrange.h"
 
 #include <tuple>
 
@@ -38,6 +39,37 @@ void triple_product_row(benchmark::State& state, const LazyMesh& mesh) {
         });
 }
 
+/// A vector under the numbers that a renumbered mesh has.
+struct RenumberedVector {
+    Vector values;
+    const std::vector<Index>& old_numbers;
+
+    friend double difference(const RenumberedVector& ours, const Vector& theirs) {
+        return (ours.values - theirs(ours.old_numbers)).norm() / theirs.norm();
+    }
+    friend double bytes(const RenumberedVector& vector) { return benchmarks::bytes(vector.values); }
+};
+
+SparseMatrix laplacian_of_functions(const Mesh& mesh) {
+    const SimplicialComplex complex(mesh.simplices);
+    return symmetric_laplacian(complex, circumcentric_volumes(complex, mesh.points), 0);
+}
+
+/// Laplacian times vector on a renumbered mesh beside the same on the mesh in disorder.
+void renumbered_product_row(benchmark::State& state, const LazyMesh& mesh) {
+    const Renumbered renumbered = along_morton_curve(mesh.get());
+    const SparseMatrix L = laplacian_of_functions(renumbered.mesh);
+    const SparseMatrix L_in_disorder = laplacian_of_functions(mesh.get());
+    const Vector x_in_disorder = Vector::LinSpaced(L.rows(), -1.0, 1.0);
+    const Vector x = x_in_disorder(renumbered.vertices);
+    compare(
+        state, {mesh.amount().cells, bytes(L) + bytes(x)},
+        [&] {
+            return RenumberedVector{L * x, renumbered.vertices};
+        },
+        [&] { return Vector(L_in_disorder * x_in_disorder); });
+}
+
 } // namespace
 
 void add_product_rows(const Settings& settings) {
@@ -53,6 +85,10 @@ void add_product_rows(const Settings& settings) {
         add_row(head + "/laplacian", settings.rounds,
                 [=, m = mesh](benchmark::State& state) { triple_product_row(state, *m); });
     }
+
+    const auto in_disorder = shared_mesh([=] { return shuffled(icosphere(f), 1).mesh; });
+    add_row("product/sphere_shuffled/renumbered", many,
+            [=](benchmark::State& state) { renumbered_product_row(state, *in_disorder); });
 }
 
 } // namespace polydec::benchmarks

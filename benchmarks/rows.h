@@ -25,6 +25,7 @@ void add_row(const std::string& name, int rounds, Row row);
 void add_operator_rows(const Settings& settings); ///< complex, volumes, operators, merging
 void add_product_rows(const Settings& settings);  ///< beside Eigen's products
 void add_engine_rows(const Settings& settings);   ///< Poisson and spectra beside bare engines
+void add_thread_rows(const Settings& settings);   ///< two threads beside one
 void add_file_rows(const Settings& settings);     ///< reading, and the whole way from file to file
 void add_size_rows(const Settings& settings);     ///< cost against size
 

@@ -26,7 +26,7 @@ import tables
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "performance.md"
 BEGIN, END = "<!-- numbers: written by benchmarks/run.py -->", "<!-- end of numbers -->"
-FRESH_ROWS = "^(sphere|sphere_shuffled|sphere_4M|torus|tets)/(chain|merging)/"
+FRESH_ROWS = "^(sphere|sphere_shuffled|sphere_4M|torus|tets)/(chain|merging|renumbered)/"
 NO_COUNTERS = {"name", "run_name", "run_type", "family_index", "per_family_instance_index",
                "repetitions", "repetition_index", "threads", "iterations", "time_unit"}
 
@@ -99,8 +99,8 @@ def machine(context):
     bandwidth = float(context["copy_bandwidth"]) / 1e9
     return (f"{processor}, {context['num_cpus']} cores at {context['mhz_per_cpu'] / 1000:.1f} GHz"
             f"{memory}; {platform.system()} {platform.machine()}; {context['compiler']}; one "
-            f"thread; copy bandwidth {bandwidth:.1f} GB/s (read and written); load at the "
-            f"beginning {loads[0]:.2f}; {date.today().isoformat()}.")
+            f"thread where nothing else is said; copy bandwidth {bandwidth:.1f} GB/s (read and "
+            f"written); load at the beginning {loads[0]:.2f}; {date.today().isoformat()}.")
 
 
 def report(results, fresh, is_smoke):
@@ -111,6 +111,7 @@ def report(results, fresh, is_smoke):
         ("", remark + machine(results["context"]) + "\n"),
         ("## From a mesh to its operators", tables.chains(rows, fresh_rows)),
         ("## Stage by stage", tables.stages(rows)),
+        ("## Two threads beside one", tables.threads(rows)),
         ("## Beside other codes", tables.pairs(rows)),
         ("## Poisson's problem in three dimensions", tables.solids(rows)),
         ("## Reading files", tables.files(rows)),

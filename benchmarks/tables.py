@@ -6,6 +6,7 @@ import math
 CHAINS = [
     ("sphere/chain", "sphere, 1.0 M triangles: all operators", 0.09),
     ("sphere_shuffled/chain", "the same, vertices and triangles shuffled", 0.24),
+    ("sphere_shuffled/renumbered", "the same, renumbered along Morton's curve first", 0.24),
     ("sphere_4M/chain", "sphere, 4.0 M triangles", 0.42),
     ("torus/chain", "torus of split quads, 1.0 M triangles", 0.09),
     ("tets/chain", "box of Kuhn's tetrahedra, 1.57 M", 0.35),
@@ -13,7 +14,10 @@ CHAINS = [
     ("torus/merging", "merging on top: torus", "torus/complex"),
     ("tets/merging", "merging on top: box", "tets/complex"),
 ]
-STAGES = ["complex", "volumes", "derivatives", "stars", "laplacian", "merging", "betti"]
+STAGES = [("complex", "complex, d_k included"), ("volumes", "volumes"), ("stars", "stars"),
+          ("laplacian", "Laplacian of 0-forms"), ("merging", "merging"),
+          ("betti", "Betti numbers"),
+          ("derivatives", "d_k as matrices of doubles, when asked for")]
 STAGED = [("sphere", "sphere"), ("torus", "torus"), ("tets", "box of tetrahedra")]
 PAIRS = [
     ("product/sphere/d0", "d of a 0-form, sphere, beside Eigen's product", 0.5),
@@ -23,17 +27,29 @@ PAIRS = [
     ("product/tets/d2", "d of a 2-form, tetrahedra", 0.5),
     ("product/sphere/laplacian", "Laplacian, sphere, beside Eigen's triple product", 0.1),
     ("product/tets/laplacian", "Laplacian, tetrahedra", 0.1),
+    ("product/sphere_shuffled/renumbered", "Laplacian times vector, shuffled sphere renumbered "
+                                           "along Morton's curve, beside the sphere as it was",
+     None),
     ("engine/cholmod", "engine cholmod, 500 k unknowns, beside CHOLMOD on the same matrix", 1.05),
     ("engine/eigen.ldlt", "engine eigen.ldlt, 50 k unknowns, beside Eigen", 1.05),
+    ("engine/petsc.cg-hypre", "engine petsc.cg-hypre, 238 k unknowns of a box, beside hypre on the "
+                              "same matrix", 1.05),
+    ("engine/cholmod_8", "engine cholmod, 8 right-hand sides at once, beside one after the other: "
+                         "time of each", None),
     ("poisson2d/cholmod", "2D Poisson problem, 500 k unknowns, assembled too, beside CHOLMOD", 1.1),
+    ("poisson3d/petsc.cg-hypre", "3D Poisson problem, 1 M unknowns, assembled too, beside hypre",
+     1.1),
     ("spectrum/50", "50 smallest eigenpairs, 164 k vertices, certified, beside Spectra and "
                     "CHOLMOD, uncertified", 0.8),
 ]
+THREADS = [("sphere", "sphere", 1.5), ("tets", "box of tetrahedra", 1.5)]
+THREADED = [("", "all operators"), ("/complex", "complex"), ("/volumes", "volumes"),
+            ("/laplacian", "Laplacian of 0-forms")]
 MEMORY_TARGETS = {"sphere/chain": (130, 250), "sphere_shuffled/chain": (130, 250),
+                  "sphere_shuffled/renumbered": (130, 250),
                   "sphere_4M/chain": (130, 250), "torus/chain": (130, 250),
                   "tets/chain": (160, 350)}
-BOUND_TARGETS = {"sphere/chain": 5, "sphere_shuffled/chain": None, "torus/chain": 5,
-                 "sphere_4M/chain": 5, "tets/chain": 9}
+BOUND_TARGETS = {"sphere/chain": 5, "torus/chain": 5, "sphere_4M/chain": 5, "tets/chain": 9}
 
 
 def seconds(value):
@@ -90,8 +106,8 @@ def chains(rows, fresh):
 
 def stages(rows):
     lines = []
-    for stage in STAGES:
-        line = [stage]
+    for stage, title in STAGES:
+        line = [title]
         for mesh, _ in STAGED:
             row = rows.get(f"{mesh}/{stage}")
             line += [seconds(row["min_s"]), number(row["over_bound"], 1),
@@ -103,6 +119,14 @@ def stages(rows):
     return table(header, lines)
 
 
+def judged(row, target):
+    """What a pair is worth; a row without a target is there to be read."""
+    words = [] if target is None else [verdict(row["ratio"] <= target)]
+    if row.get("rival_missing"):
+        words.append(f"they lack {row['rival_missing']:.0f} eigenvalues")
+    return "; ".join(words) or "-"
+
+
 def pairs(rows):
     lines = []
     for name, what, target in PAIRS:
@@ -110,11 +134,28 @@ def pairs(rows):
         if row:
             lines.append([what, seconds(row["min_s"]), seconds(row["median_s"]),
                           seconds(row["rival_min_s"]), seconds(row["rival_median_s"]),
-                          number(row["ratio"], 2), f"<= {target}", verdict(row["ratio"] <= target)
-                          + (f"; they lack {row['rival_missing']:.0f} eigenvalues"
-                             if row.get("rival_missing") else "")])
+                          number(row["ratio"], 2), f"<= {target}" if target else "-",
+                          judged(row, target)])
     return table(["row", "ours, minimum", "median", "theirs, minimum", "median",
                   "ratio (median)", "target", ""], lines)
+
+
+def threads(rows):
+    """Two threads beside one, both on the same mesh in turns."""
+    lines = []
+    for mesh, mesh_title, target in THREADS:
+        for work, title in THREADED:
+            row = rows.get(f"threads/{mesh}{work}")
+            if row:
+                speed_up = 1 / row["ratio"]
+                goal = None if work else target
+                lines.append([f"{mesh_title}: {title}", seconds(row["rival_min_s"]),
+                              seconds(row["rival_median_s"]), seconds(row["min_s"]),
+                              seconds(row["median_s"]), number(speed_up, 2),
+                              f">= {goal}" if goal else "-",
+                              verdict(speed_up >= goal) if goal else "-"])
+    return table(["row", "one thread, minimum", "median", "two threads, minimum", "median",
+                  "speed-up (median)", "target", ""], lines)
 
 
 def solids(rows):

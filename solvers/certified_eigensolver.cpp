@@ -30,6 +30,9 @@ constexpr int patience = 60;
 /// Halvings of an interval on the axis; each costs a factorization.
 constexpr int most_bisections = 40;
 
+/// From so many on blocks pay: their steps cost less, and Spectra's orthogonalization outgrows all.
+constexpr Index many = 20;
+
 /// More eigenvalues than asked for that are looked at in search of a gap.
 constexpr Index largest_cluster = 5000;
 
@@ -72,9 +75,10 @@ struct CertifiedEigensolver::State {
           B(std::make_shared<SparseMatrix>(scale_by_mass(A_, M_))),
           counter(B, options.linear_solver, options.domain_dimension),
           solver(make_linear_solver(options.linear_solver)),
-          eigensolver(make_eigen_solver(options.eigen_solver)),
           norm(row_sum_norm(*B)),
-          small(-small_negative_shift(*B)) {}
+          small(-small_negative_shift(*B)) {
+        choose_engine(1);
+    }
 
     Index size() const { return static_cast<Index>(B->rows()); }
     Index found() const { return static_cast<Index>(values.size()); }
@@ -83,6 +87,7 @@ struct CertifiedEigensolver::State {
             options.progress(what);
     }
 
+    void choose_engine(Index count);
     double lowest_shift(Index wanted);
     double shift_close_to(Index done, Index wanted, double low, double high);
     void set_shift(double sigma, Definiteness definiteness);
@@ -110,6 +115,15 @@ struct CertifiedEigensolver::State {
     DenseMatrix vectors = DenseMatrix(B->rows(), 0); // orthonormal eigenvectors of B
     Certificate certificate;
 };
+
+/// The eigensolver asked for, or the one that suits the largest number asked for so far.
+void CertifiedEigensolver::State::choose_engine(Index count) {
+    const bool is_free = options.eigen_solver == "auto";
+    if (!eigensolver)
+        eigensolver = make_eigen_solver(is_free ? "spectra" : options.eigen_solver);
+    if (is_free && count >= many && eigensolver->name() != "block-lanczos")
+        eigensolver = make_eigen_solver("block-lanczos");
+}
 
 /// A shift below the whole spectrum: for indefinite A, close to the first `wanted` eigenvalues.
 double CertifiedEigensolver::State::lowest_shift(Index wanted) {
@@ -145,6 +159,7 @@ void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiten
     facts.symmetry = Symmetry::symmetric;
     facts.definiteness = definiteness;
     facts.domain_dimension = options.domain_dimension;
+    facts.many_solves = true;
     solver->factorize(std::make_shared<const SparseMatrix>(shifted(*B, sigma)), facts);
     shift = sigma;
     factorized = true;
@@ -154,20 +169,22 @@ void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiten
 Index CertifiedEigensolver::State::ask(Index count) {
     tell("iterating");
     count = std::min(count, size() - found());
-    const auto project = [&](Vector& x) {
+    choose_engine(count);
+    const auto project = [&](auto& X) {
         if (found() > 0)
-            x -= vectors * (vectors.transpose() * x);
+            X -= vectors * (vectors.transpose() * X);
     };
-    SymmetricOperator inverse;
-    inverse.size = size();
-    inverse.apply = [&](const Vector& x, Vector& y) {
-        Vector right = x;
+    const auto apply = [&](const auto& X, auto& Y) {
+        if (found() == 0) {
+            Y = solver->solve(X);
+            return;
+        }
+        auto right = X;
         project(right);
-        y = solver->solve(right);
-        project(y);
+        Y = solver->solve(right);
+        project(Y);
     };
     EigenOptions eigen_options;
-    eigen_options.krylov_dimension = std::min(size(), std::max<Index>(2 * count + 1, 20));
     eigen_options.max_restarts = 300;
     eigen_options.start.resize(size());
     for (double& entry : eigen_options.start)
@@ -176,13 +193,17 @@ Index CertifiedEigensolver::State::ask(Index count) {
     if (eigen_options.start.norm() == 0)
         return 0;
 
-    const auto pairs = eigensolver->largest(inverse, count, eigen_options);
+    const auto pairs = eigensolver->largest({size(), apply, apply}, count, eigen_options);
     const double floor = 1e-3 / (norm + std::abs(shift)); // true ones are above 1 / (norm - shift)
     Index good = 0;
     while (good < pairs.converged && pairs.values[good] > floor)
         ++good;
-    if (good > 0)
+    if (good > 0 && found() == 0) {
+        values = pairs.values.head(good).cwiseInverse().array() + shift;
+        vectors = pairs.vectors.leftCols(good);
+    } else if (good > 0) {
         rayleigh_ritz(pairs.vectors.leftCols(good));
+    }
     return good;
 }
 
@@ -244,6 +265,11 @@ Index CertifiedEigensolver::State::gap_behind(Index count) const {
 /// Proves that the first `count` (a gap behind them) are all there are below it; false if the
 /// inertia counts more. Several places in the gap are tried before the count is called untrusted.
 bool CertifiedEigensolver::State::certify(Index count) {
+    if (count == size()) {
+        // no eigenvalue is larger than the norm, so there is nothing to count
+        certificate = {2 * norm + small, count, count, true};
+        return true;
+    }
     tell("counting");
     const double low = values[count - 1];
     const double high = count < found() ? values[count] : low + std::max(std::abs(low), small);

@@ -16,7 +16,8 @@ enum class Certification { required, waived };
 
 struct EigensolverOptions {
     std::string linear_solver = "auto";
-    std::string eigen_solver = "spectra";
+    /// auto: block-lanczos for many, spectra for few
+    std::string eigen_solver = "auto";
     Certification certification = Certification::required;
     int domain_dimension = 0; ///< hint for orderings; 0: unknown
     /// Whether A is known to be positive semidefinite; if not, its inertia is looked at first.

@@ -32,7 +32,8 @@ HeatSolver::HeatSolver(const CellComplex& complex, const CellVolumes& volumes, S
     solver_ = make_linear_solver(options.linear_solver);
     solver_->factorize(A, {.symmetry = Symmetry::symmetric,
                            .definiteness = Definiteness::positive,
-                           .domain_dimension = complex.dimension()});
+                           .domain_dimension = complex.dimension(),
+                           .many_solves = true});
 }
 
 Cochain HeatSolver::step(const Cochain& form) {

@@ -12,7 +12,7 @@ struct SpectrumOptions {
     int degree = 0;
     Index count = 10;
     std::string linear_solver = "auto";
-    std::string eigen_solver = "spectra";
+    std::string eigen_solver = "auto"; ///< or the name of an engine
     Certification certification = Certification::required;
     std::function<void(std::string_view)> progress = {}; ///< told what is being done; may be empty
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/backends/bare_engines.h"
 
+#include "backends/linear_solver.h"
 #include "base/errors.h"
 
 #include <Eigen/SparseCholesky>
@@ -8,6 +9,11 @@
 #ifdef POLYDEC_HAS_CHOLMOD
 #include <Eigen/CholmodSupport>
 #endif
+#ifdef POLYDEC_HAS_PETSC
+#include <petscksp.h>
+#endif
+
+#include <cstdlib>
 
 namespace polydec::benchmarks {
 
@@ -105,6 +111,105 @@ Vector solve_by_bare_cholmod(const SparseMatrix&, const Vector&) {
 
 Vector eigenvalues_by_bare_spectra(const SparseMatrix&, const Vector&, Index) {
     throw BackendUnavailable("bare CHOLMOD: not in this program; build with POLYDEC_CHOLMOD=ON");
+}
+
+#endif
+
+#if defined(POLYDEC_HAS_PETSC) && defined(PETSC_HAVE_HYPRE)
+
+namespace {
+
+void require(PetscErrorCode error) {
+    if (error)
+        throw SolverFailure("bare PETSc: its error " + std::to_string(static_cast<int>(error)));
+}
+
+void start_petsc() {
+    PetscBool is_started = PETSC_FALSE;
+    require(PetscInitialized(&is_started));
+    if (is_started)
+        return;
+    require(PetscInitializeNoArguments());
+    static_cast<void>(std::atexit([] { static_cast<void>(PetscFinalize()); }));
+}
+
+void set_options() {
+    const char* const options[][2] = {
+        {"-bare_ksp_type", "cg"},
+        {"-bare_ksp_norm_type", "unpreconditioned"},
+        {"-bare_pc_type", "hypre"},
+        {"-bare_pc_hypre_type", "boomeramg"},
+        {"-bare_pc_hypre_boomeramg_coarsen_type", "HMIS"},
+        {"-bare_pc_hypre_boomeramg_interp_type", "ext+i"},
+        {"-bare_pc_hypre_boomeramg_agg_nl", "1"},
+        {"-bare_pc_hypre_boomeramg_P_max", "4"},
+        {"-bare_pc_hypre_boomeramg_strong_threshold", "0.5"},
+    };
+    for (const auto& [name, value] : options)
+        require(PetscOptionsSetValue(nullptr, name, value));
+}
+
+/// The objects of one solution, which go with it.
+struct PetscObjects {
+    Mat A = nullptr;
+    Vec b = nullptr, x = nullptr;
+    KSP solver = nullptr;
+
+    PetscObjects() = default;
+    ~PetscObjects() {
+        KSPDestroy(&solver);
+        VecDestroy(&x);
+        VecDestroy(&b);
+        MatDestroy(&A);
+    }
+    PetscObjects(const PetscObjects&) = delete;
+    PetscObjects& operator=(const PetscObjects&) = delete;
+};
+
+} // namespace
+
+bool has_bare_hypre() {
+    return true;
+}
+
+Vector solve_by_bare_hypre(const SparseMatrix& A, const Vector& b) {
+    start_petsc();
+    set_options();
+    Vector x = Vector::Zero(b.size());
+    const auto size = static_cast<Index>(b.size());
+    PetscObjects with;
+    // PETSc does not write to what it is given here, though its types do not say so.
+    require(MatCreateSeqAIJWithArrays(
+        PETSC_COMM_SELF, size, size, const_cast<Index*>(A.outerIndexPtr()),
+        const_cast<Index*>(A.innerIndexPtr()), const_cast<double*>(A.valuePtr()), &with.A));
+    require(MatSetOption(with.A, MAT_SPD, PETSC_TRUE));
+    require(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, b.data(), &with.b));
+    require(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, x.data(), &with.x));
+
+    require(KSPCreate(PETSC_COMM_SELF, &with.solver));
+    require(KSPSetOptionsPrefix(with.solver, "bare_"));
+    require(KSPSetOperators(with.solver, with.A, with.A));
+    require(KSPSetTolerances(with.solver, LinearSolverOptions{}.tolerance, 0.0, PETSC_DEFAULT,
+                             PETSC_DEFAULT));
+    require(KSPSetFromOptions(with.solver));
+    require(KSPSolve(with.solver, with.b, with.x));
+
+    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+    require(KSPGetConvergedReason(with.solver, &reason));
+    if (reason <= 0)
+        throw SolverFailure("bare hypre: no convergence");
+    return x;
+}
+
+#else
+
+bool has_bare_hypre() {
+    return false;
+}
+
+Vector solve_by_bare_hypre(const SparseMatrix&, const Vector&) {
+    throw BackendUnavailable("bare hypre: not in this program; build with POLYDEC_PETSC=ON and a "
+                             "PETSc that has hypre");
 }
 
 #endif

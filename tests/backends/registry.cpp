@@ -34,6 +34,7 @@ TEST(registry, the_engines_that_are_always_there_are_there) {
     }
     EXPECT_EQ(make_eigen_solver("spectra")->name(), "spectra");
     EXPECT_EQ(info_of("spectra").kind, EngineKind::eigen);
+    EXPECT_EQ(make_eigen_solver("block-lanczos")->name(), "block-lanczos");
 }
 
 TEST(registry, missing_engines_are_listed_with_how_to_get_them) {
@@ -66,7 +67,8 @@ TEST(registry, unknown_names_are_answered_with_the_known_ones) {
         << message;
     const std::string with_slepc = info_of("slepc").available ? "slepc, " : "";
     EXPECT_EQ(message_of<InvalidInput>([] { make_eigen_solver("arpack"); }),
-              "there is no eigensolver called `arpack`\nKnown are: " + with_slepc + "spectra.");
+              "there is no eigensolver called `arpack`\nKnown are: block-lanczos, " + with_slepc +
+                  "spectra.");
 }
 
 TEST(registry, names_are_taken_once) {

@@ -112,6 +112,38 @@ TEST(ShareOfASpectrum, grows_without_being_computed_anew) {
     }
 }
 
+TEST(ShareOfASpectrum, is_taken_by_blocks_where_it_is_large) {
+    const auto mesh = discretize(icosphere(8));
+    EXPECT_EQ(spectrum(mesh, {.count = 6}).eigen_solver, "spectra");
+    EXPECT_EQ(spectrum(mesh, {.count = 40}).eigen_solver, "block-lanczos");
+    const Vector exact = dense_spectrum(mesh, 0);
+    for (const std::string engine : {"spectra", "block-lanczos"})
+        for (const Index count : {1, 6, 40}) {
+            SCOPED_TRACE(testing::Message() << engine << ' ' << count);
+            const auto found = spectrum(mesh, {.count = count, .eigen_solver = engine});
+            EXPECT_EQ(found.eigen_solver, engine);
+            EXPECT_TRUE(found.certificate.complete);
+            EXPECT_LE((found.eigenvalues - exact.head(count)).cwiseAbs().maxCoeff(),
+                      1e-10 * exact[count]);
+        }
+}
+
+TEST(WholeSpectrum, is_complete_without_a_count) {
+    const auto mesh = discretize(icosphere(2));
+    const Index size = mesh.complex().size(0);
+    Index counts = 0;
+    const auto found = spectrum(mesh, {.count = size, .progress = [&](std::string_view what) {
+                                           counts += what == "counting" ? 1 : 0;
+                                       }});
+    EXPECT_EQ(counts, 0);
+    EXPECT_EQ(found.certificate.below_shift, size);
+    EXPECT_GT(found.certificate.shift, dense_spectrum(mesh, 0)[size - 1]);
+    spectrum(mesh, {.count = size - 20, .progress = [&](std::string_view what) {
+                        counts += what == "counting" ? 1 : 0;
+                    }});
+    EXPECT_EQ(counts, 1);
+}
+
 /// Diagonal of known eigenvalues, with masses 1, 2, 1, 2, ..
 void expect_diagonal_solved(const Vector& exact, Index count) {
     const auto size = static_cast<Index>(exact.size());

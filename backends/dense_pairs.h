@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backends/eigen_solver.h"
+
+#include <string>
+
+namespace polydec::builtin {
+
+/// Below this size all eigenpairs of a dense matrix cost less than any iteration.
+constexpr Index dense_size = 40;
+
+/// The `count` largest eigenpairs of an operator as EigenSolver hands it to its engines, by all
+/// entries of its matrix. Throws SolverFailure in the name of the engine if there are none.
+EigenPairs dense_pairs(const SymmetricOperator& A, Index count, const std::string& engine);
+
+} // namespace polydec::builtin
