@@ -15,17 +15,11 @@ namespace {
 /// So many rows are one piece of work.
 constexpr Index part_size = 1 << 13;
 
-/// Consecutive rows of a matrix; there is room for more entries.
-struct Rows {
-    std::vector<Index> lengths, columns;
-    std::vector<double> values;
-};
-
 /// A row that takes terms: columns ascending, terms of equal column added up. Most terms lie on the
 /// diagonal or come in ascending runs, so the search begins where the last one went.
 class RowSum {
 public:
-    /// There is room for all terms behind the pointers.
+    /// There is room for all entries behind the pointers.
     RowSum(Index row, Index* columns, double* values)
         : row_(row), columns_(columns), values_(values) {}
 
@@ -78,45 +72,47 @@ private:
     bool has_diagonal_ = false;
 };
 
-Rows product_rows(const IncidenceMatrix& A, const IncidenceMatrix& transposed,
-                  const Vector& weights, Index begin, Index end) {
-    const Index *start = A.outerIndexPtr(), *across = A.innerIndexPtr();
+/// Writes a row of the product behind the pointers; the number of its entries.
+Index sum_row(const IncidenceMatrix& A, const IncidenceMatrix& transposed, const Vector& weights,
+              Index row, Index* columns, double* values) {
+    const Index *begin = A.outerIndexPtr(), *across = A.innerIndexPtr();
     const Index *first = transposed.outerIndexPtr(), *column = transposed.innerIndexPtr();
-    Rows rows;
-    rows.lengths.reserve(end - begin);
-    std::size_t used = 0;
-    for (Index row = begin; row < end; ++row) {
-        std::size_t terms = 0;
-        for (Index e = start[row]; e < start[row + 1]; ++e)
-            terms += first[across[e] + 1] - first[across[e]];
-        if (used + terms > rows.columns.size()) {
-            rows.columns.resize(2 * rows.columns.size() + terms + part_size);
-            rows.values.resize(rows.columns.size());
-        }
-        RowSum sum(row, &rows.columns[used], &rows.values[used]);
-        for (Index e = start[row]; e < start[row + 1]; ++e) {
-            const Index c = across[e];
-            const double weight = A.valuePtr()[e] * weights[c];
-            for (Index f = first[c]; f < first[c + 1]; ++f)
-                sum.add(column[f], transposed.valuePtr()[f] * weight);
-        }
-        rows.lengths.push_back(sum.finish());
-        used += rows.lengths.back();
+    RowSum sum(row, columns, values);
+    for (Index e = begin[row]; e < begin[row + 1]; ++e) {
+        const Index c = across[e];
+        const double weight = A.valuePtr()[e] * weights[c];
+        for (Index f = first[c]; f < first[c + 1]; ++f)
+            sum.add(column[f], transposed.valuePtr()[f] * weight);
     }
-    return rows;
+    return sum.finish();
 }
 
-/// Where the rows of the product begin.
-void add_up_lengths(const std::vector<Rows>& parts, SparseMatrix& product) {
-    std::int64_t count = 0;
-    Index* end = product.outerIndexPtr();
-    for (const Rows& rows : parts)
-        for (const Index length : rows.lengths) {
-            count += length;
-            if (count > std::numeric_limits<Index>::max())
-                throw InvalidInput("a Laplacian has more than 2^31 - 1 entries");
-            *++end = static_cast<Index>(count);
+/// Where the rows of the product begin: each is summed once for its length alone.
+void find_rows(const IncidenceMatrix& A, const IncidenceMatrix& transposed, const Vector& weights,
+               SparseMatrix& product) {
+    const Index *begin = A.outerIndexPtr(), *first = transposed.outerIndexPtr();
+    Index* const rows = product.outerIndexPtr();
+    for_each_part(static_cast<Index>(A.rows()), part_size, [&](Index from, Index to) {
+        std::vector<Index> columns;
+        std::vector<double> values;
+        for (Index row = from; row < to; ++row) {
+            std::size_t terms = 0;
+            for (Index e = begin[row]; e < begin[row + 1]; ++e)
+                terms += first[A.innerIndexPtr()[e] + 1] - first[A.innerIndexPtr()[e]];
+            if (terms > columns.size()) {
+                columns.resize(2 * terms);
+                values.resize(2 * terms);
+            }
+            rows[row + 1] = sum_row(A, transposed, weights, row, columns.data(), values.data());
         }
+    });
+    std::int64_t count = 0;
+    for (Index row = 1; row <= product.rows(); ++row) {
+        count += rows[row];
+        if (count > std::numeric_limits<Index>::max())
+            throw InvalidInput("a Laplacian has more than 2^31 - 1 entries");
+        rows[row] = static_cast<Index>(count);
+    }
     product.resizeNonZeros(count);
 }
 
@@ -125,18 +121,13 @@ void add_up_lengths(const std::vector<Rows>& parts, SparseMatrix& product) {
 SparseMatrix gram(const IncidenceMatrix& A, const IncidenceMatrix& transposed,
                   const Vector& weights) {
     SparseMatrix product(A.rows(), A.rows());
-    const auto count = static_cast<Index>(A.rows());
-    std::vector<Rows> parts((std::size_t(count) + part_size - 1) / part_size);
-    for_each_part(count, part_size, [&](Index begin, Index end) {
-        parts[begin / part_size] = product_rows(A, transposed, weights, begin, end);
-    });
-    add_up_lengths(parts, product);
-    for_each_part(count, part_size, [&](Index begin, Index end) {
-        const Rows& rows = parts[begin / part_size];
-        const Index place = product.outerIndexPtr()[begin];
-        const Index entries = product.outerIndexPtr()[end] - place;
-        std::copy_n(rows.columns.begin(), entries, product.innerIndexPtr() + place);
-        std::copy_n(rows.values.begin(), entries, product.valuePtr() + place);
+    find_rows(A, transposed, weights, product);
+    for_each_part(static_cast<Index>(A.rows()), part_size, [&](Index begin, Index end) {
+        for (Index row = begin; row < end; ++row) {
+            const Index place = product.outerIndexPtr()[row];
+            sum_row(A, transposed, weights, row, product.innerIndexPtr() + place,
+                    product.valuePtr() + place);
+        }
     });
     return product;
 }
