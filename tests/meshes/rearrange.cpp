@@ -12,6 +12,17 @@ namespace polydec {
 
 namespace {
 
+/// The result is the mesh under the numbers that come with it.
+void expect_renumbered(const Renumbered& result, const Mesh& mesh) {
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        EXPECT_EQ(result.mesh.points.row(v), mesh.points.row(result.vertices[v]));
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
+        for (Index i = 0; i < mesh.simplices.cols(); ++i)
+            EXPECT_EQ(result.vertices[result.mesh.simplices(cell, i)],
+                      mesh.simplices(result.cells[cell], i));
+    EXPECT_TRUE(same_geometry(result.mesh, mesh));
+}
+
 TEST(Perturbed, moves_every_coordinate_by_at_most_the_amplitude) {
     const Mesh mesh = kuhn(3, 6);
     const Mesh moved = perturbed(mesh, 0.01, 7);
@@ -46,13 +57,7 @@ TEST(Shuffled, is_the_same_mesh_under_the_numbers_it_returns) {
         const Renumbered result = shuffled(mesh, 3);
         EXPECT_NE(result.mesh.points, mesh.points);
         EXPECT_NE(result.mesh.simplices, mesh.simplices);
-        for (Index v = 0; v < mesh.points.rows(); ++v)
-            EXPECT_EQ(result.mesh.points.row(v), mesh.points.row(result.vertices[v]));
-        for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
-            for (Index i = 0; i < mesh.simplices.cols(); ++i)
-                EXPECT_EQ(result.vertices[result.mesh.simplices(cell, i)],
-                          mesh.simplices(result.cells[cell], i));
-        EXPECT_TRUE(same_geometry(result.mesh, mesh));
+        expect_renumbered(result, mesh);
         EXPECT_EQ(shuffled(mesh, 3).mesh.simplices, result.mesh.simplices);
     }
 }
@@ -66,15 +71,8 @@ double spread(const Mesh& mesh) {
 
 TEST(MortonCurve, gives_the_same_mesh_under_the_numbers_it_returns) {
     for (const Mesh& mesh : {kuhn(1, 9), grid(5, 4), torus(5, 4), bcc(2), kuhn(4, 1)}) {
-        const Renumbered result = along_morton_curve(shuffled(mesh, 3).mesh);
-        EXPECT_TRUE(same_geometry(result.mesh, mesh));
-        const Renumbered again = along_morton_curve(mesh);
-        for (Index v = 0; v < mesh.points.rows(); ++v)
-            EXPECT_EQ(again.mesh.points.row(v), mesh.points.row(again.vertices[v]));
-        for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
-            for (Index i = 0; i < mesh.simplices.cols(); ++i)
-                EXPECT_EQ(again.vertices[again.mesh.simplices(cell, i)],
-                          mesh.simplices(again.cells[cell], i));
+        expect_renumbered(along_morton_curve(mesh), mesh);
+        EXPECT_TRUE(same_geometry(along_morton_curve(shuffled(mesh, 3).mesh).mesh, mesh));
     }
 }
 

@@ -37,7 +37,7 @@ class Solids(TestCase):
     def kinds(self, cells):
         return dict(collections.Counter(len(vertices_of(faces)) for faces in cells))
 
-    def library_volumes(self, mesh, *more):
+    def volumes_of_cells(self, mesh, *more):
         self.succeed("operators", mesh, "--out", "operators", *more)
         cells = self.read("operators/cells_3.txt").splitlines()
         values = [line for line in self.read("operators/volume_3.mtx").splitlines()
@@ -48,7 +48,7 @@ class Solids(TestCase):
     def check(self, mesh, *more):
         """Every law, by every reader."""
         info = self.ask("info", mesh, *more)
-        wanted = self.library_volumes(mesh, *more)
+        wanted = self.volumes_of_cells(mesh, *more)
         self.succeed("merge", mesh, "-o", "a.vtu", *more)
         for reader in READERS:
             with self.subTest(os.path.basename(mesh), reader=reader.__name__):
