@@ -28,6 +28,7 @@ public:
     /// dia_k, size of P times size of K: the orientation 1 or -1 of each piece s in its cell F, 0
     /// for removed simplices. Primal k-forms on K are mapped to P by it; it is a cochain map.
     const IncidenceMatrix& diamond(int k) const { return diamonds_.at(k); }
+    const std::vector<IncidenceMatrix>& diamonds() const { return diamonds_; }
 
     /// The vertices of k-cell F of P: ascending vertex numbers of the input.
     std::vector<Index> vertices(int k, Index cell) const;

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/simplicial_complex.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace polydec {
+
+/// A surface of triangles glued along their edges, two at most at each: a Delta-complex. Unlike
+/// those of a simplicial complex its edges may be loops, several may join the same vertices, a
+/// triangle may be glued to itself, and the surface may be one-sided. It knows no lengths.
+///
+/// Half-edge 3 t + i runs along triangle t from its corner i to the next one. Every edge has a
+/// direction; the sign of a half-edge tells whether it runs along its edge (1) or against it (-1).
+class GluedSurface {
+public:
+    /// One side of a triangle: which edge it is glued to, and the sign of the half-edge.
+    struct Side {
+        Index edge;
+        std::int8_t sign;
+    };
+
+    /// The triangles of a simplicial surface. Vertices, edges and triangles keep their numbers and
+    /// orientations. Linear time.
+    /// Throws InvalidInput, naming the edge, if three triangles meet there, or if the dimension is
+    /// not 2.
+    explicit GluedSurface(const SimplicialComplex& surface);
+
+    /// Triangles whose sides are glued wherever they name the same edge: three sides for each
+    /// triangle, edges numbered from 0 without a gap. Corners that the gluing identifies are one
+    /// vertex; vertices are numbered in the order of their first corners.
+    /// Throws InvalidInput, naming the edge, if it has no side or more than two, and for signs
+    /// other than 1 and -1.
+    explicit GluedSurface(const std::vector<std::array<Side, 3>>& triangles);
+
+    Index vertices() const { return vertices_; }
+    Index edges() const { return static_cast<Index>(halfedges_.size()); }
+    Index triangles() const { return static_cast<Index>(sides_.size() / 3); }
+
+    static Index triangle(Index halfedge) { return halfedge / 3; }
+    static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+    static Index previous(Index halfedge) {
+        return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1;
+    }
+
+    Index tail(Index halfedge) const { return tails_[halfedge]; }
+    Index head(Index halfedge) const { return tails_[next(halfedge)]; }
+    Index edge(Index halfedge) const { return sides_[halfedge].edge; }
+    int sign(Index halfedge) const { return sides_[halfedge].sign; }
+
+    /// The half-edges of an edge; the second is -1 on the boundary.
+    const std::array<Index, 2>& halfedges(Index edge) const { return halfedges_[edge]; }
+    bool is_boundary(Index edge) const { return halfedges_[edge][1] < 0; }
+
+    /// The other half-edge of the same edge; -1 on the boundary.
+    Index partner(Index halfedge) const {
+        const auto& both = halfedges_[edge(halfedge)];
+        return both[0] == halfedge ? both[1] : both[0];
+    }
+
+    /// The vertices that an edge runs from and to.
+    Index first_vertex(Index edge) const {
+        const Index h = halfedges_[edge][0];
+        return sign(h) > 0 ? tail(h) : head(h);
+    }
+    Index last_vertex(Index edge) const {
+        const Index h = halfedges_[edge][0];
+        return sign(h) > 0 ? head(h) : tail(h);
+    }
+
+    /// Whether two different triangles meet at an edge, so that it can be flipped.
+    bool can_flip(Index edge) const {
+        const auto& [h, g] = halfedges_[edge];
+        return g >= 0 && triangle(h) != triangle(g);
+    }
+
+    /// Turns the orientation of a triangle.
+    void reverse(Index triangle);
+
+    /// Replaces an edge by the other diagonal of the two triangles around it, which must be
+    /// oriented alike there. With half-edges i -> j in triangle t = ijk (the first one) and j -> i
+    /// in u = jil, t becomes klj, u becomes lki, each beginning with the flipped edge, whose
+    /// direction becomes that of k -> l if it was that of i -> j.
+    void flip(Index edge);
+
+    /// Divides a boundary edge at a new vertex m, and its triangle t = ijk with it (i -> j the
+    /// boundary half-edge). t becomes imk with its edges' numbers kept; the new triangle is mjk;
+    /// the new edges are m -> j, in the direction of the old one, and then m -> k.
+    void split_boundary(Index edge);
+
+    /// Whether the triangles on both sides of an edge are oriented alike; true on the boundary.
+    bool is_coherent(Index edge) const {
+        const auto& [h, g] = halfedges_[edge];
+        return g < 0 || sign(h) != sign(g);
+    }
+
+private:
+    void set(Index halfedge, Side side, Index tail);
+
+    std::vector<Side> sides_;                     // of half-edges
+    std::vector<Index> tails_;                    // of half-edges
+    std::vector<std::array<Index, 2>> halfedges_; // of edges
+    Index vertices_ = 0;
+};
+
+/// The corners of the triangles, as top simplices of a simplicial complex.
+/// Throws InvalidInput, naming triangles or edges, if the surface is none: if it has loops or
+/// several edges between the same vertices.
+Simplices simplices(const GluedSurface& surface);
+
+} // namespace polydec
