@@ -3,6 +3,7 @@
 
 #include "complex/merging.h"
 #include "dec/cell_volumes.h"
+#include "dec/discretization.h"
 
 namespace polydec {
 
@@ -18,5 +19,10 @@ Points cell_centers(const Merging& merging, const Points& points, const CellVolu
 /// linear function over a cell is its value there. Arguments as above.
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
                       int k);
+
+/// The same on the cells of a bundle. After intrinsic flips centers are those of the triangles with
+/// the same corners, seen through their barycentric coordinates: off a curved surface, by the
+/// square of their size, and on a flat one.
+Points cell_centers(const Discretization& discretization, int k);
 
 } // namespace polydec

@@ -111,15 +111,19 @@ CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points
     return volumes;
 }
 
-CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {
+CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input) {
     CellVolumes volumes;
-    for (int k = 0; k <= merging.merged().dimension(); ++k) {
-        const SparseMatrix pieces = merging.diamond(k).cast<double>().cwiseAbs();
+    for (std::size_t k = 0; k < diamonds.size(); ++k) {
+        const SparseMatrix pieces = diamonds[k].cast<double>().cwiseAbs();
         volumes.primal.emplace_back(pieces * input.primal[k]);
         const Vector products = pieces * input.primal[k].cwiseProduct(input.dual[k]);
         volumes.dual.emplace_back(products.cwiseQuotient(volumes.primal[k]));
     }
     return volumes;
+}
+
+CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {
+    return merged_volumes(merging.diamonds(), input);
 }
 
 } // namespace polydec

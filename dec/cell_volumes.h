@@ -3,6 +3,7 @@
 
 #include "complex/merging.h"
 
+#include <span>
 #include <vector>
 
 namespace polydec {
@@ -22,7 +23,9 @@ struct CellVolumes {
 /// point.
 CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points& points);
 
-/// Volumes of merged cells: |F| = sum |s| over the pieces, |*F| = (sum |s||*s|) / |F|.
+/// Volumes of merged cells: |F| = sum |s| over the pieces, |*F| = (sum |s||*s|) / |F|. The pieces
+/// stand in the diamonds of degrees 0..n.
+CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input);
 CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input);
 
 } // namespace polydec

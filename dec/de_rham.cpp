@@ -154,6 +154,8 @@ Vector de_rham(const SimplicialComplex& complex, const Points& points, int k,
 
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
     const Vector values = de_rham(mesh.input(), mesh.points, k, form, quadrature_degree);
+    if (mesh.intrinsic)
+        return {Side::primal, k, carry(*mesh.intrinsic, k, values)};
     return {Side::primal, k, mesh.merging.diamond(k).cast<double>() * values};
 }
 
@@ -167,6 +169,7 @@ Vector dual_de_rham(const SimplicialComplex& complex, const Points& points, int 
 
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree) {
+    check_cells_in_space(mesh, "the integrals of a form over dual cells");
     const int k = cell_degree(mesh.input(), Side::dual, j);
     const Vector values = dual_de_rham(mesh.input(), mesh.points, j, form, quadrature_degree);
     const Vector weighted = mesh.input_volumes.primal[k].cwiseProduct(values);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "dec/discretization.h"
 
+#include "base/errors.h"
+#include "dec/glued_volumes.h"
 #include "meshes/tidy.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace polydec {
@@ -56,6 +59,62 @@ std::vector<Index> merged_tags(const Merging& merging, const Mesh& mesh,
     return result;
 }
 
+/// Degenerate edges of the flipped triangles.
+DegenerateFacets count_degenerate(const IntrinsicTessellation& tessellation, double tolerance) {
+    const auto& surface = tessellation.surface();
+    const auto& volumes = tessellation.triangle_volumes;
+    DegenerateFacets result;
+    result.interior = static_cast<Index>(concyclic_edges(surface, volumes, tolerance).size());
+    for (Index e = 0; e < surface.edges(); ++e)
+        if (surface.is_boundary(e) &&
+            std::abs(volumes.dual[1][e]) <= tolerance * volumes.primal[1][e])
+            ++result.boundary;
+    return result;
+}
+
+void warn_of_flips(const IntrinsicStatistics& flips, std::vector<std::string>& warnings) {
+    if (flips.added_length > 0)
+        warnings.push_back(fmt::format("a triangle has nearly no area: {:.3g} was added to the "
+                                       "length of every edge before flips",
+                                       flips.added_length));
+    if (flips.negative_interior > 0)
+        warnings.push_back(fmt::format("{} interior edges kept a negative dual: rounding is larger "
+                                       "than the triangles there",
+                                       flips.negative_interior));
+}
+
+Vector edge_lengths(const SimplicialComplex& complex, const Points& points) {
+    const auto& ends = complex.simplices(1);
+    Vector lengths(ends.rows());
+    for (Index e = 0; e < ends.rows(); ++e)
+        lengths[e] = (points.row(ends(e, 1)) - points.row(ends(e, 0))).stableNorm();
+    return lengths;
+}
+
+/// The way by intrinsic flips: K is kept for looking, and nothing of it is merged.
+Discretization flip_and_merge(Mesh mesh, SimplicialComplex complex, const MergeOptions& options) {
+    const GluedSurface surface(complex);
+    Vector lengths = edge_lengths(complex, mesh.points);
+    auto tessellation =
+        std::make_shared<IntrinsicTessellation>(intrinsic_tessellation(surface, lengths, options));
+    lengths.array() += tessellation->delaunay.statistics.added_length;
+    auto input_volumes = circumcentric_volumes(surface, lengths);
+    if (!mesh.tags.empty())
+        mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
+    warn_of_flips(tessellation->delaunay.statistics, mesh.warnings);
+    auto volumes = merged_volumes(tessellation->merging, tessellation->triangle_volumes);
+    const auto degenerate = count_degenerate(*tessellation, options.tolerance);
+    return {std::move(mesh.points),
+            unmerged(std::move(complex)),
+            std::move(input_volumes),
+            std::move(volumes),
+            options,
+            degenerate,
+            std::move(mesh.warnings),
+            {},
+            std::move(tessellation)};
+}
+
 } // namespace
 
 Discretization discretize(Mesh mesh, const MergeOptions& options,
@@ -65,10 +124,15 @@ Discretization discretize(Mesh mesh, const MergeOptions& options,
             stage(what);
     };
     begin("complex");
-    mesh = tidy(std::move(mesh));
+    const bool flips = options.delaunay != Delaunay::off;
+    mesh = tidy(std::move(mesh), flips ? CellsWithoutVolume::keep : CellsWithoutVolume::leave_out);
     SimplicialComplex complex(mesh.simplices);
     warn_of_orientation(complex, mesh.warnings);
     warn_of_branching(complex, mesh.warnings);
+    if (flips) {
+        begin("merge");
+        return flip_and_merge(std::move(mesh), std::move(complex), options);
+    }
     begin("volumes");
     auto input_volumes = circumcentric_volumes(complex, mesh.points);
     begin("merge");
@@ -83,6 +147,37 @@ Discretization discretize(Mesh mesh, const MergeOptions& options,
             merged.degenerate,
             std::move(mesh.warnings),
             std::move(tags)};
+}
+
+Points vertex_points(const Discretization& discretization) {
+    const auto numbers = discretization.input().simplices(0).col(0);
+    const Points points = discretization.points(numbers, Eigen::all);
+    if (!discretization.intrinsic)
+        return points;
+    Points result(discretization.complex().size(0), points.cols());
+    for (Eigen::Index axis = 0; axis < points.cols(); ++axis)
+        result.col(axis) = discretization.intrinsic->delaunay.history.carry(0, points.col(axis));
+    return result;
+}
+
+std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell) {
+    if (!discretization.intrinsic)
+        return discretization.merging.vertices(k, cell);
+    const auto& intrinsic = *discretization.intrinsic;
+    auto list = vertices(intrinsic.surface(), intrinsic.merging, k, cell);
+    const auto& numbers = discretization.input().simplices(0);
+    const auto known = static_cast<Index>(numbers.rows());
+    for (Index& v : list)
+        v = v < known ? numbers(v, 0)
+                      : static_cast<Index>(discretization.points.rows()) + v - known;
+    return list;
+}
+
+void check_cells_in_space(const Discretization& discretization, std::string_view what) {
+    if (discretization.intrinsic)
+        throw InvalidInput(fmt::format("{} cannot be had after intrinsic flips: the cells are no "
+                                       "longer made of the input's triangles; do without the flips",
+                                       what));
 }
 
 } // namespace polydec

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/intrinsic_tessellation.h"
 #include "dec/merge.h"
 #include "meshes/mesh.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -12,19 +14,25 @@ namespace polydec {
 
 /// A mesh made ready for calculus: its complex, merged where cells are cospherical, and the metric.
 /// Each member can be made by itself; this bundle only holds them together.
+///
+/// Where intrinsic Delaunay flips were asked for, complex() and volumes are those of the polygons
+/// that they lead to, whose edges are geodesics on the input; `merging` merges nothing then.
 struct Discretization {
     Points points; ///< a row per vertex number of the input
     Merging merging;
     CellVolumes input_volumes; ///< of the simplices
-    CellVolumes volumes;       ///< of the merged cells
+    CellVolumes volumes;       ///< of the cells of complex()
     MergeOptions options;
     DegenerateFacets degenerate;
     std::vector<std::string> warnings; ///< what was untidy in the input, and what was done about it
     std::vector<Index> tags = {};      ///< of each merged n-cell the tag of its simplices, 0 where
                                        ///< they have different ones; or empty
+    std::shared_ptr<const IntrinsicTessellation> intrinsic = {}; ///< after flips; else none
 
     const SimplicialComplex& input() const { return merging.input(); }
-    const CellComplex& complex() const { return merging.merged(); }
+    const CellComplex& complex() const {
+        return intrinsic ? intrinsic->merging.merged : merging.merged();
+    }
     int dimension() const { return complex().dimension(); }
 };
 
@@ -33,5 +41,17 @@ struct Discretization {
 /// listens. Throws InvalidInput, naming the cell or vertex, for what cannot be used.
 Discretization discretize(Mesh mesh, const MergeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
+
+/// Coordinates of the vertices of complex(), a row each: those of the input and, behind them, of
+/// vertices that splits have put on boundary edges.
+Points vertex_points(const Discretization& discretization);
+
+/// The vertices of k-cell of complex(), ascending, by the input's numbers; vertices that splits
+/// have made are numbered behind the input's.
+std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell);
+
+/// Throws InvalidInput, naming what was asked for, if the cells do not lie in space as simplices of
+/// the input, because edges were flipped.
+void check_cells_in_space(const Discretization& discretization, std::string_view what);
 
 } // namespace polydec

@@ -220,6 +220,7 @@ Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift
 }
 
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
+    check_cells_in_space(mesh, "a wedge of dual forms");
     check_product(mesh.complex(), a, b);
     const auto lift = commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
     return dual_wedge(mesh.merging, lift, mesh.points, mesh.input_volumes, mesh.volumes, a, b);

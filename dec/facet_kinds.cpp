@@ -53,6 +53,17 @@ FacetKinds facet_kinds(const SimplicialComplex& complex, const Points& points,
     return kinds;
 }
 
+MergedPairs merged_pairs(const MergedSurface& merging) {
+    const IncidenceMatrix& pieces = merging.diamonds[2];
+    MergedPairs pairs;
+    pairs.facets = static_cast<Index>(merging.diamonds[1].cols() - merging.diamonds[1].rows());
+    for (Index cell = 0; cell < pieces.rows(); ++cell) {
+        const Index triangles = pieces.outerIndexPtr()[cell + 1] - pieces.outerIndexPtr()[cell];
+        pairs.simplices += triangles > 1 ? triangles : 0;
+    }
+    return pairs;
+}
+
 MergedPairs merged_pairs(const Merging& merging) {
     const auto& K = merging.input();
     const int n = K.dimension();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "complex/merged_surface.h"
 #include "dec/merge.h"
 
 namespace polydec {
@@ -29,5 +30,8 @@ struct MergedPairs {
 /// Counts the pairs that were merged, after all guards; compare FacetKinds::cospherical.
 /// Source: Schier, Table 2, counts concyclic triangles in this way.
 MergedPairs merged_pairs(const Merging& merging);
+
+/// The same for the polygons of flipped triangles.
+MergedPairs merged_pairs(const MergedSurface& merging);
 
 } // namespace polydec

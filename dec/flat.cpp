@@ -141,6 +141,7 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
 } // namespace
 
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
+    check_cells_in_space(mesh, "a flat");
     check_field(mesh, is_at_vertices(kind), field);
     if (is_primal(kind)) {
         const Vector values =

@@ -13,11 +13,20 @@ enum class MergeCriterion {
     none,        ///< nothing is merged
 };
 
+/// Whether the edges of a surface are flipped before it is merged, so that no dual edge is
+/// negative. The surface and its vertices stay as they are. Source: see intrinsic_delaunay.
+enum class Delaunay {
+    off,
+    flips,           ///< of interior edges; boundary edges keep negative duals
+    flips_and_splits ///< boundary edges are divided too, until every dual is positive
+};
+
 struct MergeOptions {
     MergeCriterion criterion = MergeCriterion::dual_length;
     /// Mesh files carry six or seven digits whatever they print, and merging all below 1e-3 moves
     /// a Poisson error by less than 0.1 %: 1e-4 catches what was meant to be cospherical.
     double tolerance = 1e-4;
+    Delaunay delaunay = Delaunay::off; ///< for discretize; merge_cospherical merges K as it is
 };
 
 /// Facets within the tolerance, before any guard, by number of cofaces. Only those with two can

@@ -21,6 +21,7 @@ namespace polydec {
 namespace {
 
 void check_form(const Discretization& mesh, const Cochain& form, int degree) {
+    check_cells_in_space(mesh, "a sharp");
     if (form.side != Side::primal || form.degree != degree)
         throw InvalidInput(fmt::format("a primal {}-form is expected: a {} {}-form is given",
                                        degree, name(form.side), form.degree));

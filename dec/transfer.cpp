@@ -2,6 +2,7 @@
 #include "dec/transfer.h"
 
 #include "base/errors.h"
+#include "dec/overlay.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,6 +29,37 @@ SparseMatrix input_from(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
                ? primal_to_input(mesh.merging, mesh.input_volumes, kind.degree)
                : dual_to_input(mesh.merging, kind.degree);
+}
+
+std::vector<Index> a_cell_at_each_vertex(const IntrinsicTessellation& tessellation) {
+    const auto& surface = tessellation.surface();
+    const IncidenceMatrix& pieces = tessellation.merging.diamonds[2];
+    std::vector<Index> cells(static_cast<std::size_t>(surface.vertices()), 0);
+    for (Index cell = 0; cell < pieces.rows(); ++cell)
+        for (Row t(pieces, cell); t; ++t)
+            for (Index i = 0; i < 3; ++i)
+                cells[surface.tail(3 * static_cast<Index>(t.col()) + i)] = cell;
+    return cells;
+}
+
+Index first_corner(const SimplicialComplex& complex, Index triangle) {
+    return complex.coboundary(0).innerIndexPtr()[2 * complex.face(2, triangle, 2)];
+}
+
+/// Primal forms by the inverse flips; functions of the cells as means over what triangles cover.
+Cochain flipped_to_input(const Discretization& mesh, const Cochain& form) {
+    if (form.side == Side::primal)
+        return {form.side, form.degree, carry_back(*mesh.intrinsic, form.degree, form.values)};
+    if (form.degree > 0)
+        check_cells_in_space(mesh, "a dual form of this degree on the input's triangles");
+    const SparseMatrix areas = overlap(mesh);
+    const Vector totals = areas * Vector::Ones(areas.cols());
+    Vector means = areas * form.values;
+    const auto beside = a_cell_at_each_vertex(*mesh.intrinsic);
+    for (Index t = 0; t < means.size(); ++t) // one without area covers none
+        means[t] = totals[t] > 0 ? means[t] / totals[t]
+                                 : form.values[beside[first_corner(mesh.input(), t)]];
+    return {form.side, form.degree, means};
 }
 
 std::string simplex(const SimplicialComplex& K, int k, Index s) {
@@ -58,6 +90,7 @@ SparseMatrix dual_to_input(const Merging& merging, int j) {
 
 SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& O, FormKind from,
                       FormKind to) {
+    check_cells_in_space(discretization, "an operator on the input's simplices");
     const auto& P = discretization.complex();
     const Index columns = P.size(cell_degree(P, from.side, from.degree));
     const Index rows = P.size(cell_degree(P, to.side, to.degree));
@@ -72,17 +105,25 @@ SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& 
 
 Cochain to_merged(const Discretization& discretization, const Cochain& form) {
     check(discretization.input(), form);
+    if (discretization.intrinsic) {
+        if (form.side == Side::dual)
+            check_cells_in_space(discretization, "a dual form of the input on the polygons");
+        return {form.side, form.degree, carry(*discretization.intrinsic, form.degree, form.values)};
+    }
     return {form.side, form.degree,
             merged_from(discretization, {form.side, form.degree}) * form.values};
 }
 
 Cochain to_input(const Discretization& discretization, const Cochain& form) {
     check(discretization.complex(), form);
+    if (discretization.intrinsic)
+        return flipped_to_input(discretization, form);
     return {form.side, form.degree,
             input_from(discretization, {form.side, form.degree}) * form.values};
 }
 
 Consistency consistency(const Discretization& discretization, const Cochain& form) {
+    check_cells_in_space(discretization, "the consistency of a dual form");
     const auto& K = discretization.input();
     check(K, form);
     if (form.side != Side::dual)

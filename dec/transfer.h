@@ -39,12 +39,15 @@ struct FormKind {
 SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& O, FormKind from,
                       FormKind to);
 
-/// The form on merged cells of a form on the input's simplices, primal or dual.
+/// The form on merged cells of a form on the input's simplices, primal or dual; after intrinsic
+/// flips primal ones alone, by the product of the flips, a cochain map.
 /// Throws InvalidInput if the form does not live on the simplices.
 Cochain to_merged(const Discretization& discretization, const Cochain& form);
 
 /// The form on the input's simplices of a form on merged cells, by primal_to_input or
-/// dual_to_input. Throws InvalidInput if the form does not live on the merged cells.
+/// dual_to_input. After intrinsic flips primal forms come back by the inverse flips, a cochain map,
+/// and dual 0-forms as their means over the parts of each triangle (see overlap). Throws
+/// InvalidInput if the form does not live on the merged cells.
 Cochain to_input(const Discretization& discretization, const Cochain& form);
 
 /// How far a dual form on the simplices is from being one on merged cells.

@@ -157,6 +157,7 @@ Cochain circumcentric_wedge(const Merging& merging, const std::vector<SparseMatr
 
 Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
               WedgeWeights weights) {
+    check_cells_in_space(mesh, "a wedge of forms");
     check_product(mesh.complex(), a, b);
     const auto lift = commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
     return weights == WedgeWeights::uniform

@@ -5,6 +5,7 @@
 #include "dec/star.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace polydec {
@@ -75,7 +76,31 @@ Index copies(const Discretization& mesh, Stage stage, int k, const std::vector<b
     return count(marks);
 }
 
+/// The same after intrinsic flips, by the metric of the glued triangles and polygons alone.
+Faults intrinsic_faults(const Discretization& mesh, Stage stage) {
+    const auto& volumes = stage == Stage::input ? mesh.input_volumes : mesh.volumes;
+    const auto& complex = stage == Stage::input ? mesh.input() : mesh.complex();
+    const int n = mesh.dimension();
+    const Vector &facet = volumes.primal[n - 1], &dual = volumes.dual[n - 1];
+    std::vector<bool> degenerate(facet.size()), concentric(complex.size(n), false);
+    for (Index f = 0; f < facet.size(); ++f)
+        degenerate[f] = std::abs(dual[f]) <= mesh.options.tolerance * facet[f];
+    for (Index t = 0; t < complex.size(n); ++t)
+        for (Row f(complex.coboundary(n - 1), t); f; ++f)
+            if (degenerate[f.col()] && complex.coface_counts(n - 1)[f.col()] == 2)
+                concentric[t] = true;
+    Faults faults;
+    for (int k = 0; k <= n; ++k) {
+        const auto zero = static_cast<Index>(zero_star_cells(volumes, k).size());
+        faults.without_dual.push_back(k == n - 1 ? count(degenerate) : zero);
+        faults.copies.push_back(k == n ? count(concentric) : 0);
+    }
+    return faults;
+}
+
 Faults find_faults(const Discretization& mesh, Stage stage) {
+    if (mesh.intrinsic)
+        return intrinsic_faults(mesh, stage);
     const auto degenerate =
         facet_defects(mesh.input(), mesh.points, mesh.input_volumes, mesh.options).degenerate;
     Faults faults;

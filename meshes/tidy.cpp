@@ -235,7 +235,7 @@ void warn_of_isolated_vertices(Mesh& mesh) {
 
 } // namespace
 
-Mesh tidy(Mesh mesh) {
+Mesh tidy(Mesh mesh, CellsWithoutVolume flat) {
     if (mesh.simplices.size() == 0)
         throw InvalidInput("no cells of positive volume are left");
     const auto warnings_before = static_cast<std::ptrdiff_t>(mesh.warnings.size());
@@ -246,7 +246,8 @@ Mesh tidy(Mesh mesh) {
     std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
     leave_out(sieve, with_repeated_corner(sieve.mesh.simplices), "with a repeated corner");
     leave_out(sieve, duplicates(sieve.mesh.simplices), "on the vertices of an earlier one");
-    leave_out_flat_cells(sieve);
+    if (flat == CellsWithoutVolume::leave_out)
+        leave_out_flat_cells(sieve);
 
     if (sieve.mesh.simplices.rows() == 0) {
         const auto& warnings = sieve.mesh.warnings;

@@ -5,6 +5,12 @@
 
 namespace polydec {
 
+/// What becomes of cells without volume.
+enum class CellsWithoutVolume {
+    leave_out, ///< where no slit opens; else they are refused
+    keep,      ///< for those who can do with them
+};
+
 /// The mesh without what makes no sense to a complex: cells with a repeated corner, cells on the
 /// vertices of an earlier one, cells without volume (n! times the volume at most 1e-12 times the
 /// longest edge to the n). What is left out is named in the mesh's warnings, as are vertices that
@@ -16,6 +22,6 @@ namespace polydec {
 /// Throws InvalidInput, naming cell and vertices, for one that cannot be left out; for coordinates
 /// that are not finite, vertex numbers out of range, n > N, tags of another number than the cells;
 /// and if nothing is left.
-Mesh tidy(Mesh mesh);
+Mesh tidy(Mesh mesh, CellsWithoutVolume flat = CellsWithoutVolume::leave_out);
 
 } // namespace polydec

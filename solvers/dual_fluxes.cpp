@@ -33,14 +33,16 @@ void check_two_sided(const Discretization& discretization) {
             "{} cells meet at facet {} (vertices {}), so the flux through it is not a difference "
             "of two values: solve for primal 0-forms",
             *branching, branching - counts.begin(),
-            fmt::join(discretization.merging.vertices(
-                          n - 1, static_cast<Index>(branching - counts.begin())),
+            fmt::join(cell_vertices(discretization, n - 1,
+                                    static_cast<Index>(branching - counts.begin())),
                       ", ")));
 }
 
 /// Twice the circumradius of each merged facet: the length its dual is compared with.
 Vector facet_scales(const Discretization& discretization) {
     const int n = discretization.dimension();
+    if (discretization.intrinsic)
+        return discretization.volumes.primal[n - 1]; // edges
     const Vector radii =
         circumradii(discretization.points, discretization.input().simplices(n - 1));
     Vector scales = Vector::Zero(discretization.complex().size(n - 1));
@@ -56,6 +58,7 @@ Vector resistances(const Discretization& discretization, const Vector& conductiv
     const int n = discretization.dimension();
     if (conductivity.size() == 0)
         return discretization.volumes.dual[n - 1];
+    check_cells_in_space(discretization, "a conductivity for each cell");
     const auto& volumes = discretization.input_volumes;
     const SparseMatrix parts =
         dual_parts(discretization.input(), discretization.points, volumes, n - 1, n);
@@ -74,7 +77,7 @@ void check_flux_is_defined(const Discretization& discretization, Index facet, do
     throw InvalidInput(fmt::format(
         "the dual of facet {} (vertices {}) has no length, so the flux through it is not defined: "
         "let cospherical cells be merged",
-        facet, fmt::join(discretization.merging.vertices(n - 1, facet), ", ")));
+        facet, fmt::join(cell_vertices(discretization, n - 1, facet), ", ")));
 }
 
 /// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.

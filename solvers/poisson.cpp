@@ -68,6 +68,7 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
 Vector edge_weights(const Discretization& discretization, const Vector& conductivity) {
     if (conductivity.size() == 0)
         return star(discretization.volumes, 1);
+    check_cells_in_space(discretization, "a conductivity for each cell");
     const auto& merging = discretization.merging;
     const int n = discretization.dimension();
     const SparseMatrix parts = dual_parts(discretization.input(), discretization.points,
@@ -81,12 +82,22 @@ Vector edge_weights(const Discretization& discretization, const Vector& conducti
     return (edges * products).cwiseQuotient(lengths).cwiseQuotient(lengths);
 }
 
+/// Half of the length of every edge that counts, for each of its ends.
+SparseMatrix halves_of_edges(const CellComplex& complex, const CellVolumes& volumes,
+                             const Vector& counts) {
+    const Vector halves = counts.cwiseProduct(volumes.primal[1]) / 2;
+    const SparseMatrix ends = complex.coboundary(0).cast<double>().cwiseAbs();
+    return ends.transpose() * halves.asDiagonal();
+}
+
 /// What each vertex gets of the (n-1)-cells that count: each piece is shared among its vertices as
 /// their duals divide it.
 SparseMatrix shares_of_vertices(const Discretization& discretization, const Vector& counts) {
     const int n = discretization.dimension();
     if (counts.isZero(0))
         return SparseMatrix(discretization.complex().size(0), counts.size());
+    if (discretization.intrinsic)
+        return halves_of_edges(discretization.complex(), discretization.volumes, counts);
     const SparseMatrix parts = dual_parts(discretization.input(), discretization.points,
                                           discretization.input_volumes, 0, n - 1);
     const SparseMatrix pieces = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
@@ -100,8 +111,7 @@ PoissonSolver::PoissonSolver(const Discretization& discretization, const Poisson
     : side_(options.side) {
     const auto essential = essential_cells(discretization.complex(), options.boundary);
     check_conductivity(discretization.complex(), options.conductivity);
-    flux_sites_ = cell_centers(discretization.merging, discretization.points,
-                               discretization.input_volumes, discretization.dimension() - 1);
+    flux_sites_ = cell_centers(discretization, discretization.dimension() - 1);
     if (side_ == Side::primal)
         set_up_primal(discretization, essential, options);
     else
@@ -113,8 +123,7 @@ void PoissonSolver::set_up_primal(const Discretization& discretization, const Ce
     const auto& complex = discretization.complex();
     const int n = complex.dimension();
     const Index size = complex.size(0);
-    sites_ = cell_centers(discretization.merging, discretization.points,
-                          discretization.input_volumes, 0);
+    sites_ = cell_centers(discretization, 0);
     boundary_sites_ = sites_;
     mass_ = star(discretization.volumes, 0);
 
@@ -138,8 +147,7 @@ void PoissonSolver::set_up_dual(const Discretization& discretization, const Cell
                                 const PoissonOptions& options) {
     const auto& complex = discretization.complex();
     const int n = complex.dimension();
-    sites_ = cell_centers(discretization.merging, discretization.points,
-                          discretization.input_volumes, n);
+    sites_ = cell_centers(discretization, n);
     boundary_sites_ = flux_sites_;
     mass_ = discretization.volumes.primal[n];
 

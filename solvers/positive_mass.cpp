@@ -25,13 +25,18 @@ void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int 
     const auto zero = zero_star_cells(volumes, k), negative = negative_star_cells(volumes, k);
     if (zero.empty() && negative.empty())
         return;
+    // what flips and splits of edges can do, they do for surfaces
+    const char* const surface_advice =
+        volumes.primal.size() == 3
+            ? ": intrinsic flips make it so (--delaunay=split-boundary, MergeOptions::delaunay)"
+            : "";
     const auto& bad = negative.empty() ? zero : negative;
     throw InvalidInput(fmt::format(
         "the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have {} volume "
         "(cells {})\nspectra and decompositions need a positive mass: take dual 0-forms, whose "
-        "mass are the volumes of the cells, or a mesh that is nearer to Delaunay there",
+        "mass are the volumes of the cells, or a mesh that is nearer to Delaunay there{}",
         name(side), degree, bad.size(), volumes.primal[k].size(), k,
-        negative.empty() ? "zero" : "negative", first_few(bad)));
+        negative.empty() ? "zero" : "negative", first_few(bad), surface_advice));
 }
 
 } // namespace polydec

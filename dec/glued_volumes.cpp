@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "dec/glued_volumes.h"
+
+#include "base/errors.h"
+#include "dec/triangle.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polydec {
+
+void check_lengths(const GluedSurface& surface, const Vector& lengths) {
+    if (lengths.size() != surface.edges())
+        throw InvalidInput(fmt::format("{} lengths are given for {} edges: expected one for each",
+                                       lengths.size(), surface.edges()));
+    for (Index e = 0; e < surface.edges(); ++e)
+        if (!(lengths[e] > 0 && std::isfinite(lengths[e])))
+            throw InvalidInput(fmt::format("edge {} from vertex {} to {} has length {}: expected a "
+                                           "positive number",
+                                           e, surface.first_vertex(e), surface.last_vertex(e),
+                                           lengths[e]));
+    for (Index t = 0; t < surface.triangles(); ++t) {
+        const auto [a, b, c] = side_lengths(surface, lengths, t);
+        if (!(triangle_area(a, b, c) > 0))
+            throw InvalidInput(fmt::format(
+                "triangle {} with vertices {}, {}, {} has sides of lengths {}, {} and {}: no "
+                "triangle with an area has them",
+                t, surface.tail(3 * t), surface.tail(3 * t + 1), surface.tail(3 * t + 2), a, b, c));
+    }
+}
+
+std::array<double, 3> side_lengths(const GluedSurface& surface, const Vector& lengths,
+                                   Index triangle) {
+    return {lengths[surface.edge(3 * triangle)], lengths[surface.edge(3 * triangle + 1)],
+            lengths[surface.edge(3 * triangle + 2)]};
+}
+
+CellVolumes circumcentric_volumes(const GluedSurface& surface, const Vector& lengths) {
+    check_lengths(surface, lengths);
+    CellVolumes volumes{{Vector::Ones(surface.vertices()), lengths, Vector(surface.triangles())},
+                        {Vector::Zero(surface.vertices()), Vector::Zero(surface.edges()),
+                         Vector::Ones(surface.triangles())}};
+    for (Index t = 0; t < surface.triangles(); ++t) {
+        const auto side = side_lengths(surface, lengths, t);
+        const double area = triangle_area(side[0], side[1], side[2]);
+        volumes.primal[2][t] = area;
+        for (Index i = 0; i < 3; ++i) {
+            const double a = side[i], b = side[(i + 1) % 3], c = side[(i + 2) % 3];
+            volumes.dual[1][surface.edge(3 * t + i)] += a * corner_cotangent(a, b, c, area) / 2;
+        }
+    }
+    for (Index e = 0; e < surface.edges(); ++e) {
+        const double share = lengths[e] * volumes.dual[1][e] / 4;
+        volumes.dual[0][surface.first_vertex(e)] += share;
+        volumes.dual[0][surface.last_vertex(e)] += share;
+    }
+    return volumes;
+}
+
+CellVolumes merged_volumes(const MergedSurface& merging, const CellVolumes& triangles) {
+    return merged_volumes(merging.diamonds, triangles);
+}
+
+} // namespace polydec

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "dec/overlay.h"
+
+#include "base/errors.h"
+#include "dec/strand_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace polydec {
+
+namespace {
+
+using Polygon = std::vector<Index>; // numbers of points
+
+/// Cuts the flipped triangles along the edges of the input.
+class Cutter {
+public:
+    explicit Cutter(const Discretization& mesh)
+        : mesh_(mesh),
+          K_(mesh.input()),
+          surface_(mesh.intrinsic->surface()),
+          coordinates_(mesh.intrinsic->delaunay.crossings),
+          new_vertices_(mesh.intrinsic->delaunay.history.edges_of_new_vertices()) {
+        first_crossing_.push_back(static_cast<Index>(mesh.points.rows()) +
+                                  static_cast<Index>(new_vertices_.size()));
+        for (Index e = 0; e < surface_.edges(); ++e)
+            first_crossing_.push_back(first_crossing_.back() + coordinates_.crossings(e));
+    }
+
+    Overlay cut() {
+        place_points();
+        for (Index t = 0; t < surface_.triangles(); ++t)
+            cut_triangle(t);
+        result_.areas =
+            Eigen::Map<const Vector>(areas_.data(), static_cast<Eigen::Index>(areas_.size()));
+        return std::move(result_);
+    }
+
+private:
+    void place_points();
+    void cut_triangle(Index t);
+    void cut_corner(Index corner, Index cuts);
+    void cut_middle(Index t, const NormalCoordinates::Corners& corners);
+    void add(const Polygon& polygon, Index t);
+    std::optional<Index> input_triangle(const Polygon& polygon) const;
+
+    Index point_of_vertex(Index v) const {
+        return v < K_.size(0) ? K_.simplices(0)(v, 0)
+                              : static_cast<Index>(mesh_.points.rows()) + v - K_.size(0);
+    }
+
+    /// The crossing of this number on a half-edge, counted from its tail.
+    Index point_on(Index halfedge, Index position) const {
+        const Index e = surface_.edge(halfedge);
+        const Index last = coordinates_.crossings(e) - 1;
+        return first_crossing_[e] + (surface_.sign(halfedge) > 0 ? position : last - position);
+    }
+    /// The same on the half-edge that ends at a corner, counted from there.
+    Index point_before(Index corner, Index position) const {
+        const Index h = GluedSurface::previous(corner);
+        return point_on(h, coordinates_.crossings(surface_.edge(h)) - 1 - position);
+    }
+
+    const Discretization& mesh_;
+    const SimplicialComplex& K_;
+    const GluedSurface& surface_;
+    const NormalCoordinates& coordinates_;
+    std::vector<std::array<Index, 2>> new_vertices_;
+    std::vector<Index> first_crossing_;               // points on each edge
+    std::vector<std::array<Index, 2>> ends_by_point_; // ends of the input's edge on which it lies
+    std::vector<double> areas_;
+    Overlay result_;
+};
+
+void Cutter::place_points() {
+    const auto& points = mesh_.points;
+    const auto known = static_cast<Index>(points.rows());
+    const Points vertices = vertex_points(mesh_);
+    result_.offsets.push_back(0);
+    result_.points.resize(first_crossing_.back(), points.cols());
+    result_.points.topRows(known) = points;
+    ends_by_point_.assign(static_cast<std::size_t>(first_crossing_.back()), {-1, -1});
+    for (Index v = 0; v < surface_.vertices(); ++v) {
+        const Index point = point_of_vertex(v);
+        result_.points.row(point) = vertices.row(v);
+        ends_by_point_[point] = {v, v};
+        if (v >= K_.size(0))
+            ends_by_point_[point] = new_vertices_[v - K_.size(0)];
+    }
+
+    const Strands strands = trace(surface_, coordinates_);
+    const auto places = strand_places(surface_, mesh_.intrinsic->delaunay.lengths, strands);
+    for (std::size_t s = 0; s < strands.ends.size(); ++s) {
+        const Index a = surface_.tail(strands.ends[s][0]), b = surface_.tail(strands.ends[s][1]);
+        for (std::size_t c = strands.offsets[s]; c < strands.offsets[s + 1]; ++c) {
+            const Index point =
+                point_on(strands.crossings[c].halfedge, strands.crossings[c].position);
+            result_.points.row(point) =
+                (1 - places[c]) * vertices.row(a) + places[c] * vertices.row(b);
+            ends_by_point_[point] = {a, b};
+        }
+    }
+}
+
+void Cutter::cut_triangle(Index t) {
+    const auto corners = coordinates_.corners(surface_, t);
+    for (Index i = 0; i < 3; ++i)
+        cut_corner(3 * t + i, corners.cut[i]);
+    cut_middle(t, corners);
+}
+
+/// What strands around a corner cut off: a triangle, and quadrilaterals behind it.
+void Cutter::cut_corner(Index corner, Index cuts) {
+    for (Index r = 0; r < cuts; ++r) {
+        Polygon piece{point_of_vertex(surface_.tail(corner))};
+        if (r > 0)
+            piece = {point_before(corner, r - 1), point_on(corner, r - 1)};
+        piece.push_back(point_on(corner, r));
+        piece.push_back(point_before(corner, r));
+        add(piece, GluedSurface::triangle(corner));
+    }
+}
+
+/// What is left in the middle, with a fan of strands that begin at one of the corners.
+void Cutter::cut_middle(Index t, const NormalCoordinates::Corners& corners) {
+    const auto rest_of_corner = [&](Index i) {
+        const Index corner = 3 * t + i, cuts = corners.cut[i];
+        return cuts == 0 ? Polygon{point_of_vertex(surface_.tail(corner))}
+                         : Polygon{point_before(corner, cuts - 1), point_on(corner, cuts - 1)};
+    };
+    const auto append = [](Polygon& polygon, const Polygon& more) {
+        polygon.insert(polygon.end(), more.begin(), more.end());
+    };
+    Index i = 0;
+    while (i < 2 && corners.leaving[i] == 0)
+        ++i;
+    const Index j = (i + 1) % 3, k = (i + 2) % 3;
+    const Polygon from = rest_of_corner(i);
+    Polygon piece = from;
+    append(piece, rest_of_corner(j));
+    for (Index strand = 0; strand < corners.leaving[i]; ++strand) {
+        const Index point = point_on(3 * t + j, corners.cut[j] + strand);
+        piece.push_back(point);
+        add(piece, t);
+        piece = from;
+        piece.push_back(point);
+    }
+    append(piece, rest_of_corner(k));
+    add(piece, t);
+}
+
+/// The triangle of the input on whose vertices and edges the corners of a piece lie.
+std::optional<Index> Cutter::input_triangle(const Polygon& polygon) const {
+    std::vector<Index> vertices;
+    for (const Index point : polygon)
+        for (const Index v : ends_by_point_[point])
+            vertices.push_back(K_.simplices(0)(v, 0));
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    if (vertices.size() != 3)
+        return std::nullopt; // all on one edge
+
+    const auto& triangles = K_.simplices(2);
+    Index begin = 0, count = K_.size(2);
+    while (count > 0) {
+        const Index half = count / 2, middle = begin + half;
+        const Index* const row = &triangles(middle, 0);
+        if (std::lexicographical_compare(row, row + 3, vertices.begin(), vertices.end()))
+            begin = middle + 1, count -= half + 1;
+        else
+            count = half;
+    }
+    const bool found =
+        begin < K_.size(2) && std::equal(vertices.begin(), vertices.end(), &triangles(begin, 0));
+    return found ? std::optional(begin) : std::nullopt;
+}
+
+void Cutter::add(const Polygon& polygon, Index t) {
+    const auto triangle = input_triangle(polygon);
+    double area = 0;
+    const auto origin = result_.points.row(polygon[0]);
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        const auto u = (result_.points.row(polygon[i - 1]) - origin).eval();
+        const auto v = (result_.points.row(polygon[i]) - origin).eval();
+        const double squared = u.squaredNorm() * v.squaredNorm() - std::pow(u.dot(v), 2);
+        area += std::sqrt(std::max(0.0, squared)) / 2;
+    }
+    if (!triangle || !(area > 0))
+        return;
+    result_.corners.insert(result_.corners.end(), polygon.begin(), polygon.end());
+    result_.offsets.push_back(static_cast<Index>(result_.corners.size()));
+    result_.input.push_back(*triangle);
+    result_.triangle.push_back(t);
+    areas_.push_back(area);
+}
+
+} // namespace
+
+Overlay overlay(const Discretization& discretization) {
+    if (!discretization.intrinsic)
+        throw InvalidInput("an overlay is of the input's triangles and those after flips, but no "
+                           "edges were flipped: ask for it by MergeOptions::delaunay");
+    return Cutter(discretization).cut();
+}
+
+SparseMatrix overlap(const Discretization& discretization) {
+    const Overlay pieces = overlay(discretization);
+    const SparseMatrix cells =
+        discretization.intrinsic->merging.diamonds[2].cast<double>().cwiseAbs();
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (Index p = 0; p < pieces.size(); ++p)
+        entries.emplace_back(pieces.input[p], pieces.triangle[p], pieces.areas[p]);
+    SparseMatrix areas(discretization.input().size(2), cells.cols());
+    areas.setFromTriplets(entries.begin(), entries.end());
+    return areas * SparseMatrix(cells.transpose());
+}
+
+} // namespace polydec

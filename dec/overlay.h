@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+
+namespace polydec {
+
+/// The input's triangles cut along the edges of the flipped triangles: convex flat pieces, each in
+/// one triangle of both. They show on the input what is known on the tessellation.
+struct Overlay {
+    Points points; ///< those of the input, then of splits, then where edges of both cross
+    std::vector<Index> corners;  ///< of all pieces, one after the other, in cyclic order
+    std::vector<Index> offsets;  ///< piece p has the corners from offsets[p] on
+    std::vector<Index> input;    ///< of each piece: the triangle of the input
+    std::vector<Index> triangle; ///< of each piece: the triangle after flips
+    Vector areas;                ///< of the pieces, length^2
+
+    Index size() const { return static_cast<Index>(input.size()); }
+};
+
+/// Follows every edge of the input over the flipped triangles, by the normal coordinates, and lays
+/// the strips of triangles flat to find where it crosses their edges. Pieces without area that
+/// rounding leaves are dropped. Time of the order of all crossings, and log(triangles) for each.
+/// Throws InvalidInput if no edges were flipped, that is, without MergeOptions::delaunay.
+Overlay overlay(const Discretization& discretization);
+
+/// Areas that the input's triangles (rows) and the cells of complex() (columns) have in common.
+SparseMatrix overlap(const Discretization& discretization);
+
+} // namespace polydec

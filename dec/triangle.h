@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+/// Area of the triangle with these side lengths, length^2; 0 if no triangle has them. Right to the
+/// last digits for needles too. Source: Kahan, Miscalculating area and angles of a needle-like
+/// triangle.
+inline double triangle_area(double a, double b, double c) {
+    if (a < b)
+        std::swap(a, b);
+    if (b < c)
+        std::swap(b, c);
+    if (a < b)
+        std::swap(a, b);
+    const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+    return product > 0 ? std::sqrt(product) / 4 : 0;
+}
+
+/// Cotangent of the angle between sides b and c of a triangle, opposite to a, of known area.
+inline double corner_cotangent(double a, double b, double c, double area) {
+    return (c * c + (b - a) * (b + a)) / (4 * area);
+}
+
+/// The angle itself, from 0 to pi.
+inline double corner_angle(double a, double b, double c, double area) {
+    return std::atan2(4 * area, c * c + (b - a) * (b + a));
+}
+
+/// Circumradius of a triangle of known area.
+inline double triangle_circumradius(double a, double b, double c, double area) {
+    return a * b * c / (4 * area);
+}
+
+} // namespace polydec
