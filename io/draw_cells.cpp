@@ -3,6 +3,8 @@
 
 #include "base/errors.h"
 #include "complex/corners.h"
+#include "dec/star.h"
+#include "dec/transfer.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -82,6 +84,24 @@ void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
     for (Index v = 0; v < vertices.rows(); ++v)
         at_points[vertices(v, 0)] = values[v];
     grid.point_data.push_back(vtu_array(std::move(name), at_points));
+}
+
+VtuGrid draw_cells(const Discretization& discretization, int k) {
+    return draw_cells(discretization.merging, discretization.points, k);
+}
+
+void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
+              const Cochain& form) {
+    const int k = cell_degree(discretization.complex(), form.side, form.degree);
+    check(discretization.complex(), form);
+    if (!discretization.intrinsic)
+        return add_cochain(grid, discretization.merging, k, std::move(name), form.values);
+    Cochain shown = form;
+    if (form.side == Side::dual && k < discretization.dimension())
+        shown = {Side::primal, k,
+                 star(discretization.volumes, k).cwiseInverse().cwiseProduct(form.values)};
+    add_cochain(grid, discretization.merging, k, std::move(name),
+                to_input(discretization, shown).values);
 }
 
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {

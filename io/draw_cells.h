@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/merging.h"
+#include "dec/cochain.h"
+#include "dec/discretization.h"
 #include "io/vtu.h"
 #include "meshes/polygons.h"
 
@@ -24,6 +25,13 @@ VtuGrid draw_cells(const Merging& merging, const Points& points, int k);
 /// cell data.
 void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
                  const Vector& values);
+
+/// The same for the cells of a bundle and a form on them. After intrinsic flips, whose cells cross
+/// the input's, it is the input that is shown, with the form as to_input brings it there; dual
+/// 1-forms are shown by the primal ones that they are stars of.
+VtuGrid draw_cells(const Discretization& discretization, int k);
+void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
+              const Cochain& form);
 
 /// The merged 2-cells of a surface as polygons; vertices keep the input's numbers.
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points);

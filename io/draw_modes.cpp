@@ -11,10 +11,10 @@ void write_vtu(const std::filesystem::path& path, const Discretization& discreti
                const Spectrum& spectrum) {
     const int k = spectrum.side == Side::primal ? spectrum.degree
                                                 : discretization.dimension() - spectrum.degree;
-    auto grid = draw_cells(discretization.merging, discretization.points, k);
+    auto grid = draw_cells(discretization, k);
     for (Index i = 0; i < spectrum.modes.cols(); ++i)
-        add_cochain(grid, discretization.merging, k, fmt::format("mode_{}", i),
-                    spectrum.modes.col(i));
+        add_form(grid, discretization, fmt::format("mode_{}", i),
+                 {spectrum.side, spectrum.degree, spectrum.modes.col(i)});
     write_vtu(path, grid);
 }
 

@@ -58,6 +58,12 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption 
     angle->check(check_not_negative)->excludes(tolerance);
     auto* none = command.add_flag("!--no-merge", arguments.merge, "merge nothing");
     none->excludes(tolerance)->excludes(angle);
+    command
+        .add_flag("--delaunay{flips}", arguments.delaunay,
+                  "flip edges first, intrinsically, so that no dual is negative (surfaces); "
+                  "=split-boundary divides boundary edges too")
+        ->check(CLI::IsMember({"flips", "split-boundary"}))
+        ->excludes(angle);
     if (json == JsonOption::offered)
         command.add_flag("--json", arguments.json, "print one JSON object");
     command.add_flag("--timing", arguments.timing, "tell the seconds each stage took");
@@ -84,6 +90,9 @@ Discretization load(const MeshArguments& arguments, Timing& timing) {
     };
     MergeOptions options;
     options.tolerance = arguments.tolerance;
+    if (!arguments.delaunay.empty())
+        options.delaunay =
+            arguments.delaunay == "flips" ? Delaunay::flips : Delaunay::flips_and_splits;
     if (arguments.angle_tolerance) {
         options.criterion = MergeCriterion::angle;
         options.tolerance = *arguments.angle_tolerance;
@@ -96,6 +105,10 @@ Discretization load(const MeshArguments& arguments, Timing& timing) {
     if (arguments.angle_tolerance && mesh.dimension() != 2)
         throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but {} has cells of "
                                        "dimension {}: use --tolerance",
+                                       arguments.mesh.string(), mesh.dimension()));
+    if (options.delaunay != Delaunay::off && mesh.dimension() != 2)
+        throw InvalidInput(fmt::format("--delaunay is for surfaces, but {} has cells of dimension "
+                                       "{}: leave it out",
                                        arguments.mesh.string(), mesh.dimension()));
     auto result = discretize(std::move(mesh), options, stage);
     timing.end();

@@ -39,6 +39,7 @@ struct MeshArguments {
     double tolerance = MergeOptions{}.tolerance;
     std::optional<double> angle_tolerance;
     bool merge = true;
+    std::string delaunay; ///< empty, flips or split-boundary
     bool json = false;
     bool timing = false;
 };

@@ -73,22 +73,60 @@ Json operators(const Discretization& mesh) {
     return rows;
 }
 
-Json vertices_per_cell(const Merging& merging) {
-    const int n = merging.merged().dimension();
+Json vertices_per_cell(const Discretization& mesh) {
+    const int n = mesh.dimension();
     std::map<std::size_t, Index> histogram;
-    for (Index cell = 0; cell < merging.merged().size(n); ++cell)
-        ++histogram[merging.vertices(n, cell).size()];
+    for (Index cell = 0; cell < mesh.complex().size(n); ++cell)
+        ++histogram[cell_vertices(mesh, n, cell).size()];
     Json result = Json::object();
     for (const auto& [vertices, cells] : histogram)
         result[std::to_string(vertices)] = cells;
     return result;
 }
 
-Json concyclic(const Merging& merging) {
-    const auto pairs = merged_pairs(merging);
+Json concyclic(const Discretization& mesh) {
+    const auto pairs =
+        mesh.intrinsic ? merged_pairs(mesh.intrinsic->merging) : merged_pairs(mesh.merging);
     return {{"edges", pairs.facets},
             {"faces", pairs.simplices},
-            {"percent", 100.0 * pairs.simplices / merging.input().size(2)}};
+            {"percent", 100.0 * pairs.simplices / mesh.input().size(2)}};
+}
+
+/// What flips have done.
+Json flips(const IntrinsicTessellation& tessellation) {
+    const auto& done = tessellation.delaunay.statistics;
+    return {{"negative_before", done.negative_before},
+            {"negative_boundary_before", done.negative_boundary_before},
+            {"flips", done.flips},
+            {"splits", done.splits},
+            {"negative", done.negative_interior},
+            {"negative_boundary", done.negative_boundary},
+            {"added_length", done.added_length},
+            {"cells",
+             {tessellation.surface().vertices(), tessellation.surface().edges(),
+              tessellation.surface().triangles()}}};
+}
+
+/// What would make negative duals positive, if there are any and something would.
+Json advice(const Discretization& mesh) {
+    Json list = Json::array();
+    const auto& counts = mesh.input().coface_counts(mesh.dimension() - 1);
+    const bool surface =
+        mesh.dimension() == 2 && *std::max_element(counts.begin(), counts.end()) < 3;
+    if (!surface || mesh.options.delaunay == Delaunay::flips_and_splits)
+        return list;
+    Index inside = 0, boundary = 0;
+    for (const Index e : negative_star_cells(mesh.volumes, 1))
+        ++(mesh.complex().coface_counts(1)[e] == 1 ? boundary : inside);
+    const auto edges = [](Index count) {
+        return fmt::format("{} negative dual edge{}", count, count == 1 ? "" : "s");
+    };
+    if (inside > 0)
+        list.push_back(fmt::format("{}: add --delaunay", edges(inside)));
+    if (boundary > 0)
+        list.push_back(
+            fmt::format("{} on the boundary: add --delaunay=split-boundary", edges(boundary)));
+    return list;
 }
 
 Json describe(const Discretization& mesh, Timing& timing) {
@@ -109,13 +147,17 @@ Json describe(const Discretization& mesh, Timing& timing) {
     answer["facets"] = {{"degenerate", mesh.degenerate.interior},
                         {"boundary_degenerate", mesh.degenerate.boundary},
                         {"branching_degenerate", mesh.degenerate.branching}};
-    answer["pairs"] = kinds(mesh);
+    if (mesh.intrinsic)
+        answer["intrinsic"] = flips(*mesh.intrinsic);
+    else
+        answer["pairs"] = kinds(mesh);
     answer["stars"] = stars(mesh.volumes);
     answer["input_stars"] = stars(mesh.input_volumes);
     answer["operators"] = operators(mesh);
-    answer["vertices_per_cell"] = vertices_per_cell(mesh.merging);
+    answer["vertices_per_cell"] = vertices_per_cell(mesh);
     if (mesh.dimension() == 2)
-        answer["concyclic"] = concyclic(mesh.merging);
+        answer["concyclic"] = concyclic(mesh);
+    answer["advice"] = advice(mesh);
     answer["warnings"] = mesh.warnings;
     return answer;
 }
@@ -150,6 +192,15 @@ void print_topology(const Json& answer) {
                answer["orientable"].get<bool>() ? "orientable" : "not orientable");
 }
 
+void print_flips(const Json& done) {
+    fmt::print(
+        "intrinsic flips\n  {} negative dual edges before, and {} on the boundary; {} flips, "
+        "{} splits\n  {} and {} negative ones are left\n",
+        done["negative_before"].get<Index>(), done["negative_boundary_before"].get<Index>(),
+        done["flips"].get<Index>(), done["splits"].get<Index>(), done["negative"].get<Index>(),
+        done["negative_boundary"].get<Index>());
+}
+
 void print_duals(const Json& answer) {
     const auto& facets = answer["facets"];
     fmt::print("degenerate dual edges\n  {} between two cells, {} on the boundary, {} at branching "
@@ -161,6 +212,8 @@ void print_duals(const Json& answer) {
                    answer["concyclic"]["edges"].get<Index>(),
                    answer["concyclic"]["faces"].get<Index>(),
                    answer["concyclic"]["percent"].get<double>());
+    if (answer.contains("intrinsic"))
+        return print_flips(answer["intrinsic"]);
     const auto& pairs = answer["pairs"];
     fmt::print("pairs of neighbors\n  {} well-centered, {} Delaunay, {} non-Delaunay, {} "
                "{}\n",
@@ -241,6 +294,8 @@ void print_advice(const Json& answer) {
     fmt::print("spectra\n");
     for (int k = 0; k <= n; ++k)
         fmt::print("  primal {}-forms, dual {}-forms: {}\n", k, n - k, verdict(answer["stars"], k));
+    for (const auto& text : answer["advice"])
+        fmt::print("{}\n", text.get<std::string>());
 }
 
 void run(const MeshArguments& arguments) {
@@ -268,7 +323,7 @@ void add_info(CLI::App& app) {
     auto* command = app.add_subcommand("info", "what the mesh is and what DEC can do on it");
     const auto arguments = std::make_shared<MeshArguments>();
     add_mesh_arguments(*command, *arguments, JsonOption::offered);
-    command->footer("Example:\n  polydec info fandisk.off");
+    command->footer("Examples:\n  polydec info fandisk.off\n  polydec info bunny.ply --delaunay");
     command->callback([arguments] { run(*arguments); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "io/draw_cells.h"
+#include "io/draw_overlay.h"
 #include "io/vtu.h"
 #include "io/write_mesh.h"
 #include "tools/commands.h"
@@ -25,12 +26,12 @@ void write(const std::filesystem::path& out, const Discretization& mesh) {
                                        "subcommand operators writes them as matrices",
                                        out.string(), mesh.dimension()));
     if (out.extension() == ".vtu") {
-        auto grid = draw_cells(mesh.merging, mesh.points, mesh.dimension());
+        auto grid = mesh.intrinsic ? draw_overlay(mesh) : draw_cells(mesh, mesh.dimension());
         if (!mesh.tags.empty())
             grid.cell_data.push_back({"tag", mesh.tags});
         write_vtu(out, grid);
     } else if (mesh.dimension() == 2)
-        write_mesh(out, polygon_mesh(mesh.merging, mesh.points));
+        write_mesh(out, polygon_mesh(mesh));
     else
         throw InvalidInput(fmt::format("{}: merged cells of dimension {} cannot be written in this "
                                        "format: use .vtu",
@@ -56,7 +57,9 @@ void add_merge(CLI::App& app) {
     add_mesh_arguments(*command, arguments->mesh, JsonOption::none);
     command->add_option("-o,--out", arguments->out, ".off .obj .ply (surfaces) or .vtu")
         ->required();
-    command->footer("Examples:\n  polydec merge fandisk.off -o fandisk-polygons.obj\n"
+    command->footer("With --delaunay polygons have edges that cross the input's triangles: the "
+                    "triangles are\nwritten as they are cut by them.\n\nExamples:\n  polydec merge "
+                    "fandisk.off -o fandisk-polygons.obj\n"
                     "  polydec merge cubes.nsc -o cubes.vtu");
     command->callback([arguments] { run(*arguments); });
 }

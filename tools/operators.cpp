@@ -32,20 +32,43 @@ void write_vertex_lists(const std::filesystem::path& path, Index cells, Vertices
     file.commit();
 }
 
+/// From K to P, and back; after flips these are the products of all flips and the merging.
+struct Maps {
+    std::vector<SparseMatrix> diamonds, lifts;
+};
+
+Maps maps(const Discretization& mesh) {
+    Maps result;
+    if (!mesh.intrinsic) {
+        for (const auto& diamond : mesh.merging.diamonds())
+            result.diamonds.emplace_back(diamond.cast<double>());
+        result.lifts = commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
+        return result;
+    }
+    const auto& history = mesh.intrinsic->delaunay.history;
+    const auto lift = commuting_lift(*mesh.intrinsic);
+    for (int k = 0; k <= mesh.dimension(); ++k) {
+        const SparseMatrix pieces = mesh.intrinsic->merging.diamonds[k].cast<double>();
+        result.diamonds.emplace_back(pieces * history.matrix(k));
+        result.lifts.emplace_back(history.matrix_back(k) * lift[k]);
+    }
+    return result;
+}
+
 class Writer {
 public:
     Writer(const Discretization& mesh, std::filesystem::path folder)
         : mesh_(mesh), P_(mesh.complex()), K_(mesh.input()), folder_(std::move(folder)) {}
 
     void write_all() {
-        const auto lifts = commuting_lift(mesh_.merging, mesh_.points, mesh_.input_volumes);
+        const auto [diamonds, lifts] = maps(mesh_);
         for (int k = 0; k <= mesh_.dimension(); ++k) {
             if (k < mesh_.dimension())
                 write_matrix_market(file("d", k), P_.coboundary(k));
             write_matrix_market(file("star", k), star(mesh_.volumes, k));
             write_matrix_market(file("volume", k), mesh_.volumes.primal[k]);
             write_matrix_market(file("dual_volume", k), mesh_.volumes.dual[k]);
-            write_matrix_market(file("diamond", k), mesh_.merging.diamond(k));
+            write_matrix_market(file("diamond", k), diamonds[k]);
             write_matrix_market(file("lift", k), lifts[k]);
             write_laplacians(k);
             write_cells(k);
@@ -78,7 +101,7 @@ private:
             return std::vector<Index>(simplices.row(s).begin(), simplices.row(s).end());
         });
         write_vertex_lists(file("cells", k, "txt"), P_.size(k),
-                           [&](Index cell) { return mesh_.merging.vertices(k, cell); });
+                           [&](Index cell) { return cell_vertices(mesh_, k, cell); });
     }
 
     const Discretization& mesh_;

@@ -56,8 +56,9 @@ Json errors(const Discretization& mesh, const Arguments& arguments, const Poisso
 
 void draw(const Discretization& mesh, const Arguments& arguments, const Vector& u) {
     const int k = arguments.poisson.side == Side::primal ? 0 : mesh.dimension();
-    auto grid = draw_cells(mesh.merging, mesh.points, k);
-    add_cochain(grid, mesh.merging, k, "u", u);
+    auto grid = draw_cells(mesh, k);
+    const auto side = arguments.poisson.side;
+    add_form(grid, mesh, "u", {side, 0, u});
     write_vtu(arguments.out, grid);
 }
 
@@ -92,8 +93,9 @@ std::optional<std::string> negative_duals(const Discretization& mesh, Side side)
     if (cells == 0)
         return std::nullopt;
     return fmt::format("{} of the {}-cells have a negative dual (the mesh is not Delaunay there): "
-                       "the solution may be far off beside them{}",
-                       cells, k, side == Side::dual ? "; compare with --side primal" : "");
+                       "the solution may be far off beside them{}{}",
+                       cells, k, side == Side::dual ? "; compare with --side primal" : "",
+                       mesh.dimension() == 2 && !mesh.intrinsic ? "; or add --delaunay" : "");
 }
 
 BoundaryConditions conditions(const Discretization& mesh, const Arguments& arguments) {
@@ -101,8 +103,7 @@ BoundaryConditions conditions(const Discretization& mesh, const Arguments& argum
         return {BoundaryCondition::natural};
     if (arguments.essential_where.empty())
         return {};
-    const Points sites =
-        cell_centers(mesh.merging, mesh.points, mesh.input_volumes, mesh.dimension() - 1);
+    const Points sites = cell_centers(mesh, mesh.dimension() - 1);
     const Vector holds = values_at("--essential-where", arguments.essential_where, sites);
     BoundaryConditions result;
     for (const double value : holds)

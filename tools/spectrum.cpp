@@ -79,8 +79,9 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
     if (negative == 0 || duals == 0)
         return std::nullopt;
     return fmt::format("{} of the eigenvalues are negative and spurious: {} cells next to these "
-                       "forms have a negative dual (the mesh is not Delaunay there)",
-                       negative, duals);
+                       "forms have a negative dual (the mesh is not Delaunay there){}",
+                       negative, duals,
+                       mesh.dimension() == 2 && !mesh.intrinsic ? "; add --delaunay" : "");
 }
 
 void run(Arguments arguments) {
