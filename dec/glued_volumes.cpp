@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace polydec {
@@ -22,7 +23,8 @@ void check_lengths(const GluedSurface& surface, const Vector& lengths) {
                                            lengths[e]));
     for (Index t = 0; t < surface.triangles(); ++t) {
         const auto [a, b, c] = side_lengths(surface, lengths, t);
-        if (!(triangle_area(a, b, c) > 0))
+        const double longest = std::max({a, b, c});
+        if (!(triangle_area(a / longest, b / longest, c / longest) > 0))
             throw InvalidInput(fmt::format(
                 "triangle {} with vertices {}, {}, {} has sides of lengths {}, {} and {}: no "
                 "triangle with an area has them",

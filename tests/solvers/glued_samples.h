@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/glued_surface.h"
+#include "meshes/mesh.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace polydec::test {
+
+/// A surface with lengths, and where its vertices lie, which nothing that is tested is told.
+struct GluedSample {
+    GluedSurface surface;
+    Vector lengths;
+    Points points;
+};
+
+/// The triangles of a mesh.
+inline GluedSample glued(const Mesh& mesh) {
+    const SimplicialComplex complex(mesh.simplices);
+    GluedSample sample{GluedSurface(complex), Vector(complex.size(1)), mesh.points};
+    for (Index e = 0; e < sample.surface.edges(); ++e)
+        sample.lengths[e] = (mesh.points.row(sample.surface.first_vertex(e)) -
+                             mesh.points.row(sample.surface.last_vertex(e)))
+                                .norm();
+    return sample;
+}
+
+enum class Closing { torus, klein_bottle };
+
+/// The unit square in n x n squares cut in two, with opposite sides glued; for the bottle the left
+/// one to the right one upside down. n = 1 gives two triangles on one vertex.
+inline GluedSample flat(Index n, Closing closing = Closing::torus) {
+    // at every place of the grid one edge to the right, one up, and a diagonal
+    const auto place = [n](Index i, Index j) { return i * n + (j + n) % n; };
+    const auto right = [&](Index i, Index j) { return 3 * place(i, j); };
+    const auto diagonal = [&](Index i, Index j) { return 3 * place(i, j) + 2; };
+    const auto up = [&](Index i, Index j) -> GluedSurface::Side {
+        if (i < n)
+            return {3 * place(i, j) + 1, 1};
+        if (closing == Closing::torus)
+            return {3 * place(0, j) + 1, 1};
+        return {3 * place(0, n - 1 - j) + 1, -1};
+    };
+    const auto back = [](GluedSurface::Side side) {
+        return GluedSurface::Side{side.edge, static_cast<std::int8_t>(-side.sign)};
+    };
+    std::vector<std::array<GluedSurface::Side, 3>> triangles;
+    for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j) {
+            triangles.push_back({{{right(i, j), 1}, up(i + 1, j), {diagonal(i, j), -1}}});
+            triangles.push_back({{{diagonal(i, j), 1}, {right(i, j + 1), -1}, back(up(i, j))}});
+        }
+    GluedSample sample{GluedSurface(triangles), Vector(3 * n * n), Points(n * n, 2)};
+    for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j) {
+            sample.lengths.segment<3>(right(i, j)) << 1, 1, std::sqrt(2.0);
+            sample.points.row(sample.surface.tail(6 * place(i, j))) << i, j;
+        }
+    sample.lengths /= n;
+    sample.points /= n;
+    return sample;
+}
+
+} // namespace polydec::test
