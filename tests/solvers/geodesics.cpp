@@ -318,7 +318,7 @@ TEST(GeodesicDistance, refuses_lengths_of_no_triangles) {
         "triangle 3 with vertices 3, 1, 0 has sides of lengths 0.7071067811865476, 0.5 and 1.5: "
         "no triangle with an area has them");
     EXPECT_EQ(refusal([&] { geodesic_distance(torus.surface, Vector::Ones(3), from_0); }),
-              "3 lengths are given for a surface of 12 edges: expected one for each");
+              "3 lengths are given for 12 edges: expected one for each");
     EXPECT_EQ(with(4, 0.5), "accepted");
 }
 
