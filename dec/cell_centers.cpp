@@ -47,11 +47,14 @@ Points triangle_centers(const IntrinsicTessellation& intrinsic, const Points& po
 
 Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
                     int k) {
+    require_points(points.cols(), "a cell's center");
     const Points centers = circumcenters(points, merging.input().simplices(k));
     return mean_over_cells(merging, centers, volumes, k);
 }
 
 Points cell_centers(const Discretization& discretization, int k) {
+    if (discretization.points.cols() == 0)
+        return Points(discretization.complex().size(k), 0);
     if (k == 0)
         return vertex_points(discretization);
     if (!discretization.intrinsic)
@@ -69,6 +72,7 @@ Points cell_centers(const Discretization& discretization, int k) {
 
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
                       int k) {
+    require_points(points.cols(), "a cell's centroid");
     const auto& simplices = merging.input().simplices(k);
     Points centroids = Points::Zero(simplices.rows(), points.cols());
     for (Index s = 0; s < simplices.rows(); ++s)

@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "dec/circumsphere.h"
-#include "dec/simplex_geometry.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,6 +28,15 @@ void check_points(const SimplicialComplex& complex, const Points& points) {
             throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite", v));
 }
 
+void check_metric(const SimplicialComplex& complex, const SimplexMetric& metric) {
+    if (metric.points() != nullptr)
+        check_points(complex, *metric.points());
+    else if (metric.lengths()->size() != complex.size(1))
+        throw InvalidInput(fmt::format("a metric of {} lengths is given: expected one for each of "
+                                       "the {} edges of the complex",
+                                       metric.lengths()->size(), complex.size(1)));
+}
+
 /// Products of a few volumes must neither overflow nor vanish.
 bool is_moderate(double volume) {
     constexpr double largest = 1e100;
@@ -36,16 +44,20 @@ bool is_moderate(double volume) {
 }
 
 /// Names the simplex of least dimension, of those with t, whose volume is of no use.
-[[noreturn]] void refuse(const SimplicialComplex& complex, const Points& points, int k, Index t) {
-    Circumsphere sphere(points);
+[[noreturn]] void refuse(const SimplicialComplex& complex, const SimplexMetric& metric, int k,
+                         Index t) {
+    SimplexLayout layout(complex, metric);
+    Circumsphere sphere;
     for (int m = 1; m < k; ++m)
         for (Index s = 0; s < complex.size(m); ++s) {
-            sphere.look_at(vertices(complex.simplices(m), s));
+            sphere.look_at(layout.at(m, s));
             if (!is_moderate(sphere.volume()))
-                refuse(complex, points, m, s);
+                refuse(complex, metric, m, s);
         }
     const auto list = vertices(complex.simplices(k), t);
-    sphere.look_at(list);
+    sphere.look_at(layout.at(k, t));
+    if (sphere.volume() == 0 && metric.lengths() != nullptr)
+        throw InvalidInput(flaw_of_lengths(complex, metric, k, t));
     if (sphere.volume() == 0)
         throw InvalidInput(
             fmt::format("the {}-simplex with vertices {} has no volume: remove it or move a vertex",
@@ -58,17 +70,19 @@ bool is_moderate(double volume) {
 /// From the top down: what a k-simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
 /// barycentric coordinate * k |t| / |s|; the division by |s| comes last. Spheres are looked at
 /// many at once, and their heights added one after the other.
-void hand_down(const SimplicialComplex& complex, const Points& points, int k,
+void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, int k,
                CellVolumes& volumes) {
     const int n = complex.dimension();
     const Simplices& simplices = complex.simplices(k);
+    const Points* const points = metric.points(); // asked once, not for every simplex
     Vector &primal = volumes.primal[k], &dual = volumes.dual[k], &lower = volumes.dual[k - 1];
     const auto measure = [&](Index first, Index last, double* height) {
-        Circumsphere sphere(points);
+        SimplexLayout layout(complex, metric);
+        Circumsphere sphere;
         for (Index t = first; t < last; ++t) {
-            sphere.look_at(vertices(simplices, t));
+            sphere.look_at(points ? Corners{*points, vertices(simplices, t)} : layout.at(k, t));
             if (!is_moderate(sphere.volume()))
-                refuse(complex, points, k, t);
+                refuse(complex, metric, k, t);
             primal[t] = sphere.volume();
             if (k < n)
                 dual[t] /= (n - k) * primal[t];
@@ -81,8 +95,8 @@ void hand_down(const SimplicialComplex& complex, const Points& points, int k,
     constexpr Index at_once = 1 << 15, part_size = 1 << 12;
     const Index* face = complex.coboundary(k - 1).innerIndexPtr();
     std::vector<double> heights;
-    for (Index first = 0; first < simplices.rows(); first += at_once) {
-        const Index count = std::min(at_once, static_cast<Index>(simplices.rows()) - first);
+    for (Index first = 0; first < complex.size(k); first += at_once) {
+        const Index count = std::min(at_once, complex.size(k) - first);
         heights.resize(std::size_t(count) * (k + 1));
         for_each_part(count, part_size, [&](Index begin, Index end) {
             measure(first + begin, first + end, &heights[std::size_t(begin) * (k + 1)]);
@@ -94,8 +108,8 @@ void hand_down(const SimplicialComplex& complex, const Points& points, int k,
 
 } // namespace
 
-CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points& points) {
-    check_points(complex, points);
+CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const SimplexMetric& metric) {
+    check_metric(complex, metric);
     const int n = complex.dimension();
     CellVolumes volumes;
     for (int k = 0; k <= n; ++k) {
@@ -106,7 +120,7 @@ CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points
     volumes.dual[n].setOnes();
 
     for (int k = n; k >= 1; --k)
-        hand_down(complex, points, k, volumes);
+        hand_down(complex, metric, k, volumes);
     volumes.dual[0] /= n;
     return volumes;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "complex/merging.h"
+#include "dec/simplex_metric.h"
 
 #include <span>
 #include <vector>
@@ -17,11 +18,12 @@ struct CellVolumes {
 /// Volumes of the simplices and signed volumes of their circumcentric duals, by the recursion
 /// |*s| = 1/(n-k) sum over cofaces t of h(s,t) |*t| with h the signed distance between the
 /// circumcenters. Needs no manifold and no Delaunay property; sum |s||*s| = C(n,k) |K| always.
-/// points has a row per vertex number. Source: Hirani, Kalyanaraman, VanderZee 2013, with the sign
+/// Needs lengths of edges only. Source: Hirani, Kalyanaraman, VanderZee 2013, with the sign
 /// taken from the coface, which makes it right for obtuse simplices too.
-/// Throws InvalidInput, naming the vertices, for a simplex without volume or vertices without
-/// point.
-CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Points& points);
+/// Throws InvalidInput, naming the vertices, for a simplex without volume, vertices without point,
+/// or a simplex of least dimension that cannot have the lengths given (a triangle that violates the
+/// triangle inequality, in higher dimension edges whose products are not positive definite).
+CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const SimplexMetric& metric);
 
 /// Volumes of merged cells: |F| = sum |s| over the pieces, |*F| = (sum |s||*s|) / |F|. The pieces
 /// stand in the diamonds of degrees 0..n.

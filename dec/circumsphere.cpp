@@ -14,13 +14,29 @@ namespace {
 /// What orthogonalizing leaves of a vector that is linearly dependent, relative to its length.
 constexpr double few_last_digits = 16 * std::numeric_limits<double>::epsilon();
 
+/// make() gives a function, for one thread, that places the corners of simplex s.
+template <class Make>
+Vector radii_of(Index count, Make make) {
+    constexpr Index part_size = 1 << 13;
+    Vector radii(count);
+    for_each_part(count, part_size, [&](Index begin, Index end) {
+        auto corners = make();
+        Circumsphere sphere;
+        for (Index s = begin; s < end; ++s) {
+            sphere.look_at(corners(s));
+            radii[s] = sphere.radius();
+        }
+    });
+    return radii;
+}
+
 } // namespace
 
 /// Dimensions that are fixed let the compiler unroll all loops; -1 stands for any.
 template <int k_fixed, int N_fixed>
 bool Circumsphere::look(std::span<const Index> vertices) {
     const int k = k_fixed >= 0 ? k_fixed : static_cast<int>(vertices.size()) - 1;
-    const int N = N_fixed >= 0 ? N_fixed : static_cast<int>(points_.cols());
+    const int N = N_fixed >= 0 ? N_fixed : static_cast<int>(points_->cols());
     double fixed[k_fixed >= 0 ? k_fixed * (N_fixed + k_fixed + 2) + 1 : 1];
     double* scratch = fixed;
     if (k_fixed < 0) {
@@ -30,7 +46,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
     double* const basis = scratch;           // k orthogonal rows of N numbers
     double* const triangle = basis + k * N;  // edge i = row i + sum over j < i of (i, j) row j
     double* const center = triangle + k * k; // circumcenter minus first vertex, in the basis
-    const double* const origin = points_.data() + std::ptrdiff_t{vertices[0]} * N;
+    const double* const origin = points_->data() + std::ptrdiff_t{vertices[0]} * N;
     dimension_ = k;
     volume_ = 1;
     squared_radius_ = 0;
@@ -40,7 +56,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
     double* const along = center + k;
     for (int i = 0; i < k; ++i) {
         double* const row = basis + i * N;
-        const double* const corner = points_.data() + std::ptrdiff_t{vertices[i + 1]} * N;
+        const double* const corner = points_->data() + std::ptrdiff_t{vertices[i + 1]} * N;
         double squared_length = 0;
         for (int c = 0; c < N; ++c) {
             row[c] = corner[c] - origin[c];
@@ -85,7 +101,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
 }
 
 bool Circumsphere::look_at(std::span<const Index> vertices) {
-    switch (10 * static_cast<int>(points_.cols()) + static_cast<int>(vertices.size()) - 1) {
+    switch (10 * static_cast<int>(points_->cols()) + static_cast<int>(vertices.size()) - 1) {
     case 21:
         return look<1, 2>(vertices);
     case 22:
@@ -102,19 +118,21 @@ bool Circumsphere::look_at(std::span<const Index> vertices) {
 }
 
 Vector circumradii(const Points& points, const Simplices& simplices) {
-    constexpr Index part_size = 1 << 13;
-    Vector radii(simplices.rows());
-    for_each_part(static_cast<Index>(radii.size()), part_size, [&](Index begin, Index end) {
-        Circumsphere sphere(points);
-        for (Index s = begin; s < end; ++s) {
-            sphere.look_at(vertices(simplices, s));
-            radii[s] = sphere.radius();
-        }
+    return radii_of(static_cast<Index>(simplices.rows()), [&] {
+        return [&](Index s) { return Corners{points, vertices(simplices, s)}; };
     });
-    return radii;
+}
+
+Vector circumradii(const SimplicialComplex& complex, const SimplexMetric& metric, int k) {
+    return radii_of(complex.size(k), [&] {
+        return [k, layout = SimplexLayout(complex, metric)](Index s) mutable {
+            return layout.at(k, s);
+        };
+    });
 }
 
 Points circumcenters(const Points& points, const Simplices& simplices) {
+    require_points(points.cols(), "a circumcenter");
     Circumsphere sphere(points);
     Points centers = Points::Zero(simplices.rows(), points.cols());
     for (Index s = 0; s < simplices.rows(); ++s) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/types.h"
+#include "dec/simplex_metric.h"
 
 #include <array>
 #include <cmath>
@@ -14,11 +14,19 @@ namespace polydec {
 /// by orthogonalizing the edge vectors, so flat simplices lose as few digits as can be.
 class Circumsphere {
 public:
-    explicit Circumsphere(const Points& points) : points_(points) {}
+    /// For simplices whose corners a SimplexLayout places.
+    Circumsphere() = default;
+
+    /// For simplices between these points, which must outlive it.
+    explicit Circumsphere(const Points& points) : points_(&points) {}
 
     /// Looks at the simplex with these k+1 vertex numbers. False iff its edge vectors are linearly
     /// dependent to the last digit; volume() is 0 then and nothing else may be asked.
     bool look_at(std::span<const Index> vertices);
+    bool look_at(const Corners& corners) {
+        points_ = &corners.points;
+        return look_at(corners.vertices);
+    }
 
     /// k-dimensional volume, length^k; 1 for a vertex.
     double volume() const { return volume_; }
@@ -40,7 +48,7 @@ private:
     template <int k_fixed, int N_fixed>
     bool look(std::span<const Index> vertices);
 
-    const Points& points_;
+    const Points* points_ = nullptr;
     std::array<double, 32> barycentric_{}; // more vertices no simplex of a complex has
     std::vector<double> scratch_;
     int dimension_ = 0;
@@ -50,6 +58,9 @@ private:
 
 /// Circumradii of all k-simplices in the given table (rows of vertex numbers).
 Vector circumradii(const Points& points, const Simplices& simplices);
+
+/// Circumradii of all k-simplices of the complex.
+Vector circumradii(const SimplicialComplex& complex, const SimplexMetric& metric, int k);
 
 /// Circumcenters of all k-simplices in the given table: one row of N coordinates each.
 Points circumcenters(const Points& points, const Simplices& simplices);

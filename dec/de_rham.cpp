@@ -61,6 +61,7 @@ private:
 };
 
 void check_points(const SimplicialComplex& complex, const Points& points) {
+    require_points(points.cols(), "the de Rham map");
     const Index largest = complex.simplices(0).maxCoeff();
     if (largest >= points.rows())
         throw InvalidInput(fmt::format("a cell uses vertex {} but there are only {} points",
@@ -169,7 +170,7 @@ Vector dual_de_rham(const SimplicialComplex& complex, const Points& points, int 
 
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree) {
-    check_cells_in_space(mesh, "the integrals of a form over dual cells");
+    check_cells_in_space(mesh, "the de Rham map");
     const int k = cell_degree(mesh.input(), Side::dual, j);
     const Vector values = dual_de_rham(mesh.input(), mesh.points, j, form, quadrature_degree);
     const Vector weighted = mesh.input_volumes.primal[k].cwiseProduct(values);

@@ -36,16 +36,16 @@ void warn_of_branching(const SimplicialComplex& complex, std::vector<std::string
 }
 
 /// Tags of the merged n-cells; one that joins simplices with different tags has none.
-std::vector<Index> merged_tags(const Merging& merging, const Mesh& mesh,
+std::vector<Index> merged_tags(const Merging& merging, const std::vector<Index>& tags,
                                std::vector<std::string>& warnings) {
-    if (mesh.tags.empty())
+    if (tags.empty())
         return {};
     const int n = merging.merged().dimension();
     std::vector<Index> result(static_cast<std::size_t>(merging.merged().size(n)), 0);
     std::vector<char> state(result.size(), 'n'); // new, tagged, or of different tags
     for (Index t = 0; t < merging.input().size(n); ++t) {
         const Index cell = merging.carriers(n)[t].cell;
-        const Index tag = mesh.tags[merging.input().input_row(t)];
+        const Index tag = tags[merging.input().input_row(t)];
         if (state[cell] == 'n')
             state[cell] = 't', result[cell] = tag;
         else if (result[cell] != tag)
@@ -83,22 +83,16 @@ void warn_of_flips(const IntrinsicStatistics& flips, std::vector<std::string>& w
                                        flips.negative_interior));
 }
 
-Vector edge_lengths(const SimplicialComplex& complex, const Points& points) {
-    const auto& ends = complex.simplices(1);
-    Vector lengths(ends.rows());
-    for (Index e = 0; e < ends.rows(); ++e)
-        lengths[e] = (points.row(ends(e, 1)) - points.row(ends(e, 0))).stableNorm();
-    return lengths;
-}
-
 /// The way by intrinsic flips: K is kept for looking, and nothing of it is merged.
-Discretization flip_and_merge(Mesh mesh, SimplicialComplex complex, const MergeOptions& options) {
+Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengths,
+                              const MergeOptions& options) {
     const GluedSurface surface(complex);
-    Vector lengths = edge_lengths(complex, mesh.points);
+    const bool has_points = mesh.points.cols() > 0;
+    const Vector given = has_points ? edge_lengths(complex, mesh.points) : lengths;
     auto tessellation =
-        std::make_shared<IntrinsicTessellation>(intrinsic_tessellation(surface, lengths, options));
-    lengths.array() += tessellation->delaunay.statistics.added_length;
-    auto input_volumes = circumcentric_volumes(surface, lengths);
+        std::make_shared<IntrinsicTessellation>(intrinsic_tessellation(surface, given, options));
+    auto input_volumes = circumcentric_volumes(
+        surface, given.array() + tessellation->delaunay.statistics.added_length);
     if (!mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
     warn_of_flips(tessellation->delaunay.statistics, mesh.warnings);
@@ -112,33 +106,35 @@ Discretization flip_and_merge(Mesh mesh, SimplicialComplex complex, const MergeO
             degenerate,
             std::move(mesh.warnings),
             {},
+            std::move(lengths),
             std::move(tessellation)};
 }
 
-} // namespace
+using Stage = std::function<void(std::string_view)>;
 
-Discretization discretize(Mesh mesh, const MergeOptions& options,
-                          const std::function<void(std::string_view)>& stage) {
-    const auto begin = [&](std::string_view what) {
-        if (stage)
-            stage(what);
-    };
-    begin("complex");
-    const bool flips = options.delaunay != Delaunay::off;
-    mesh = tidy(std::move(mesh), flips ? CellsWithoutVolume::keep : CellsWithoutVolume::leave_out);
-    SimplicialComplex complex(mesh.simplices);
+void begin(const Stage& stage, std::string_view what) {
+    if (stage)
+        stage(what);
+}
+
+/// Measures and merges; mesh holds whatever goes with the simplices, lengths are empty if it has
+/// points.
+Discretization measured(SimplicialComplex complex, Mesh mesh, Vector lengths,
+                        const MergeOptions& options, const Stage& stage) {
     warn_of_orientation(complex, mesh.warnings);
     warn_of_branching(complex, mesh.warnings);
-    if (flips) {
-        begin("merge");
-        return flip_and_merge(std::move(mesh), std::move(complex), options);
+    if (options.delaunay != Delaunay::off) {
+        begin(stage, "merge");
+        return flip_and_merge(std::move(complex), std::move(mesh), std::move(lengths), options);
     }
-    begin("volumes");
-    auto input_volumes = circumcentric_volumes(complex, mesh.points);
-    begin("merge");
-    auto merged = merge_cospherical(std::move(complex), mesh.points, input_volumes, options);
+    begin(stage, "volumes");
+    const SimplexMetric metric =
+        mesh.points.cols() > 0 ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths);
+    auto input_volumes = circumcentric_volumes(complex, metric);
+    begin(stage, "merge");
+    auto merged = merge_cospherical(std::move(complex), metric, input_volumes, options);
     auto volumes = merged_volumes(merged.merging, input_volumes);
-    auto tags = merged_tags(merged.merging, mesh, mesh.warnings);
+    auto tags = merged_tags(merged.merging, mesh.tags, mesh.warnings);
     return {std::move(mesh.points),
             std::move(merged.merging),
             std::move(input_volumes),
@@ -146,7 +142,29 @@ Discretization discretize(Mesh mesh, const MergeOptions& options,
             options,
             merged.degenerate,
             std::move(mesh.warnings),
-            std::move(tags)};
+            std::move(tags),
+            std::move(lengths)};
+}
+
+} // namespace
+
+Discretization discretize(Mesh mesh, const MergeOptions& options, const Stage& stage) {
+    begin(stage, "complex");
+    const bool flips = options.delaunay != Delaunay::off;
+    mesh = tidy(std::move(mesh), flips ? CellsWithoutVolume::keep : CellsWithoutVolume::leave_out);
+    SimplicialComplex complex(mesh.simplices);
+    return measured(std::move(complex), std::move(mesh), {}, options, stage);
+}
+
+Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, const Stage& stage) {
+    begin(stage, "complex");
+    check(mesh);
+    SimplicialComplex complex(mesh.simplices);
+    Mesh without_points{Points(mesh.vertices, 0), mesh.simplices, {}};
+    warn_of_isolated_vertices(without_points);
+    // the complex numbers its edges in lexicographic order
+    return measured(std::move(complex), std::move(without_points),
+                    mesh.lengths(edges_in_order(mesh)), options, stage);
 }
 
 Points vertex_points(const Discretization& discretization) {
@@ -174,6 +192,11 @@ std::vector<Index> cell_vertices(const Discretization& discretization, int k, In
 }
 
 void check_cells_in_space(const Discretization& discretization, std::string_view what) {
+    require_points(discretization.points.cols(), what);
+    check_not_flipped(discretization, what);
+}
+
+void check_not_flipped(const Discretization& discretization, std::string_view what) {
     if (discretization.intrinsic)
         throw InvalidInput(fmt::format("{} cannot be had after intrinsic flips: the cells are no "
                                        "longer made of the input's triangles; do without the flips",

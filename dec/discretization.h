@@ -3,6 +3,7 @@
 
 #include "dec/intrinsic_tessellation.h"
 #include "dec/merge.h"
+#include "meshes/length_mesh.h"
 #include "meshes/mesh.h"
 
 #include <functional>
@@ -18,7 +19,8 @@ namespace polydec {
 /// Where intrinsic Delaunay flips were asked for, complex() and volumes are those of the polygons
 /// that they lead to, whose edges are geodesics on the input; `merging` merges nothing then.
 struct Discretization {
-    Points points; ///< a row per vertex number of the input
+    Points points; ///< a row per vertex number of the input; without columns if only lengths are
+                   ///< known
     Merging merging;
     CellVolumes input_volumes; ///< of the simplices
     CellVolumes volumes;       ///< of the cells of complex()
@@ -27,6 +29,7 @@ struct Discretization {
     std::vector<std::string> warnings; ///< what was untidy in the input, and what was done about it
     std::vector<Index> tags = {};      ///< of each merged n-cell the tag of its simplices, 0 where
                                        ///< they have different ones; or empty
+    Vector lengths = {};               ///< of the input's edges if only these are known; or empty
     std::shared_ptr<const IntrinsicTessellation> intrinsic = {}; ///< after flips; else none
 
     const SimplicialComplex& input() const { return merging.input(); }
@@ -34,12 +37,24 @@ struct Discretization {
         return intrinsic ? intrinsic->merging.merged : merging.merged();
     }
     int dimension() const { return complex().dimension(); }
+
+    /// The points, or the lengths if only these are known. Refers to this bundle.
+    SimplexMetric metric() const {
+        return points.cols() > 0 ? SimplexMetric(points) : SimplexMetric(input(), lengths);
+    }
 };
 
 /// The whole way from a mesh to its merged complex and volumes. Untidy input is tidied with a
 /// warning (see tidy). Each stage (complex, volumes, merge) is told as it begins, if anyone
 /// listens. Throws InvalidInput, naming the cell or vertex, for what cannot be used.
 Discretization discretize(Mesh mesh, const MergeOptions& options = {},
+                          const std::function<void(std::string_view)>& stage = {});
+
+/// The same from lengths alone; nothing is left out as untidy. What needs points (de Rham maps,
+/// flats, sharps, vector fields, centers of cells, drawings) throws InvalidInput for the result;
+/// all else is that of any mesh.
+/// Throws like check of a LengthMesh, SimplicialComplex, SimplexMetric and circumcentric_volumes.
+Discretization discretize(const LengthMesh& mesh, const MergeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 
 /// Coordinates of the vertices of complex(), a row each: those of the input and, behind them, of
@@ -50,8 +65,12 @@ Points vertex_points(const Discretization& discretization);
 /// have made are numbered behind the input's.
 std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell);
 
+/// Throws InvalidInput, naming what was asked for, if edges were flipped, so that the cells are not
+/// made of simplices of the input.
+void check_not_flipped(const Discretization& discretization, std::string_view what);
+
 /// Throws InvalidInput, naming what was asked for, if the cells do not lie in space as simplices of
-/// the input, because edges were flipped.
+/// the input: because only lengths are known, or edges were flipped.
 void check_cells_in_space(const Discretization& discretization, std::string_view what);
 
 } // namespace polydec

@@ -2,19 +2,19 @@
 #include "dec/dual_parts.h"
 
 #include "dec/circumsphere.h"
-#include "dec/simplex_geometry.h"
 
 namespace polydec {
 
 namespace {
 
 /// Entry (t, s): the signed distance between the circumcenters of k-simplex s and its coface t.
-SparseMatrix heights(const SimplicialComplex& complex, const Points& points,
+SparseMatrix heights(const SimplicialComplex& complex, const SimplexMetric& metric,
                      const CellVolumes& volumes, int k) {
     SparseMatrix H = complex.coboundary(k).cast<double>();
-    Circumsphere sphere(points);
+    SimplexLayout layout(complex, metric);
+    Circumsphere sphere;
     for (Index t = 0; t < complex.size(k + 1); ++t) {
-        sphere.look_at(vertices(complex.simplices(k + 1), t));
+        sphere.look_at(layout.at(k + 1, t));
         // faces stand in the row in the order of their numbers, which omits the last vertex first
         for (int i = 0; i <= k + 1; ++i) {
             const Index entry = t * (k + 2) + (k + 1 - i);
@@ -26,12 +26,12 @@ SparseMatrix heights(const SimplicialComplex& complex, const Points& points,
 
 } // namespace
 
-SparseMatrix dual_parts(const SimplicialComplex& complex, const Points& points,
+SparseMatrix dual_parts(const SimplicialComplex& complex, const SimplexMetric& metric,
                         const CellVolumes& volumes, int k, int m) {
     SparseMatrix parts(complex.size(m), complex.size(m));
     parts.setIdentity();
     for (int j = m - 1; j >= k; --j) {
-        const SparseMatrix next = parts * heights(complex, points, volumes, j);
+        const SparseMatrix next = parts * heights(complex, metric, volumes, j);
         parts = next / (m - j);
     }
     return parts;

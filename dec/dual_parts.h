@@ -10,7 +10,7 @@ namespace polydec {
 /// k <= m <= n. size(m) x size(k). The sum over s of |s| times its part is C(m,k) |t|; for m = n
 /// the columns sum to the dual volumes. A part is negative where the circumcenter of t lies beyond
 /// a face. volumes are those of `complex`.
-SparseMatrix dual_parts(const SimplicialComplex& complex, const Points& points,
+SparseMatrix dual_parts(const SimplicialComplex& complex, const SimplexMetric& metric,
                         const CellVolumes& volumes, int k, int m);
 
 } // namespace polydec

@@ -85,9 +85,9 @@ struct Chart {
     DenseMatrix gradients; // of the barycentric coordinates, (n+1) x n
     double orientation;    // of the axes against the simplex
 
-    Chart(const SimplicialComplex& complex, const Points& points, Index t) {
+    Chart(const SimplicialComplex& complex, SimplexLayout& layout, Index t) {
         const int n = complex.dimension();
-        const auto row = vertices(complex.simplices(n), t);
+        const auto [points, row] = layout.at(n, t);
         DenseMatrix edges(points.cols(), n);
         for (int i = 0; i < n; ++i)
             edges.col(i) = points.row(row[i + 1]) - points.row(row[0]);
@@ -139,18 +139,19 @@ private:
 /// The product of the duals of two primal forms: the covector star^-1 (star a ^ star b) at the unit
 /// m-vector of s times the volume of the part of *s, which is the integral of star a ^ star b since
 /// s and *s are orthogonal.
-Vector product_of_stars(const SimplicialComplex& complex, const Points& points,
+Vector product_of_stars(const SimplicialComplex& complex, const SimplexMetric& metric,
                         const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
     const int n = complex.dimension(), m = a.degree + b.degree - n;
-    const SparseMatrix parts = dual_parts(complex, points, volumes, m, n);
+    const SparseMatrix parts = dual_parts(complex, metric, volumes, m, n);
     const Meet meet(n, a.degree, b.degree);
     const ExteriorProduct edges_of(n, m);
     Means first(complex, a), second(complex, b);
     SimplexFaces faces(complex, n, m);
+    SimplexLayout layout(complex, metric);
 
     Vector values = Vector::Zero(complex.size(m));
     for (Index t = 0; t < complex.size(n); ++t) {
-        const Chart chart(complex, points, t);
+        const Chart chart(complex, layout, t);
         const Vector covector = chart.orientation * meet(first(chart, t), second(chart, t));
         // row t holds the parts of its faces in ascending order, as they stand in the list
         SparseMatrix::InnerIterator part(parts, t);
@@ -193,16 +194,16 @@ Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, con
 
 } // namespace
 
-Cochain dual_wedge(const SimplicialComplex& complex, const Points& points,
+Cochain dual_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
                    const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
     check_product(complex, a, b);
     return {Side::dual, a.degree + b.degree,
-            product_of_stars(complex, points, volumes, without_star(complex, volumes, a),
+            product_of_stars(complex, metric, volumes, without_star(complex, volumes, a),
                              without_star(complex, volumes, b))};
 }
 
 Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                   const Points& points, const CellVolumes& input_volumes,
+                   const SimplexMetric& metric, const CellVolumes& input_volumes,
                    const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
     const auto& P = merging.merged();
     check_product(P, a, b);
@@ -213,17 +214,17 @@ Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift
     };
     const int m = P.dimension() - a.degree - b.degree;
     const Vector fine =
-        product_of_stars(merging.input(), points, input_volumes, lifted(a), lifted(b));
+        product_of_stars(merging.input(), metric, input_volumes, lifted(a), lifted(b));
     const Vector sums =
         merging.diamond(m).cast<double>() * fine.cwiseProduct(input_volumes.primal[m]);
     return {Side::dual, a.degree + b.degree, sums.cwiseQuotient(volumes.primal[m])};
 }
 
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
-    check_cells_in_space(mesh, "a wedge of dual forms");
+    check_not_flipped(mesh, "a wedge of dual forms");
     check_product(mesh.complex(), a, b);
-    const auto lift = commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
-    return dual_wedge(mesh.merging, lift, mesh.points, mesh.input_volumes, mesh.volumes, a, b);
+    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.input_volumes);
+    return dual_wedge(mesh.merging, lift, mesh.metric(), mesh.input_volumes, mesh.volumes, a, b);
 }
 
 } // namespace polydec

@@ -20,7 +20,7 @@ namespace polydec {
 ///
 /// Throws like check; like inverse_star, naming the cells, where star_(n-k) or star_(n-l) has a
 /// zero; and InvalidInput for primal forms and for k + l > n.
-Cochain dual_wedge(const SimplicialComplex& complex, const Points& points,
+Cochain dual_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
                    const CellVolumes& volumes, const Cochain& a, const Cochain& b);
 
 /// The product on the duals of merged cells: star^-1 of both forms is lifted to the simplices,
@@ -29,7 +29,7 @@ Cochain dual_wedge(const SimplicialComplex& complex, const Points& points,
 /// input_volumes are those of the simplices, volumes those of the merged cells.
 /// Throws like the above, and InvalidInput if the lift does not fit the merging.
 Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                   const Points& points, const CellVolumes& input_volumes,
+                   const SimplexMetric& metric, const CellVolumes& input_volumes,
                    const CellVolumes& volumes, const Cochain& a, const Cochain& b);
 
 /// The same for a single use: the lift is made anew at each call, which costs far more than the

@@ -16,7 +16,7 @@ struct FacetDefects {
 
 /// Measures every facet, whatever its number of cofaces: one with m cofaces is compared with m
 /// right angles. A facet without extent (a vertex, n = 1) is never degenerate.
-FacetDefects facet_defects(const SimplicialComplex& complex, const Points& points,
+FacetDefects facet_defects(const SimplicialComplex& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options);
 
 /// Rounding error that a dual length can have by the shape of the simplices around it: 64 eps

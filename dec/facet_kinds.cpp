@@ -3,21 +3,21 @@
 
 #include "dec/circumsphere.h"
 #include "dec/facet_defects.h"
-#include "dec/simplex_geometry.h"
 
 namespace polydec {
 
 namespace {
 
 /// How many of the n-simplices at each facet have their circumcenter on their own side of it.
-std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const Points& points,
+std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const SimplexMetric& metric,
                                     const CellVolumes& volumes) {
     const int n = complex.dimension();
-    const Vector radii = circumradii(points, complex.simplices(n - 1));
+    const Vector radii = circumradii(complex, metric, n - 1);
     std::vector<Index> counts(complex.size(n - 1), 0);
-    Circumsphere sphere(points);
+    SimplexLayout layout(complex, metric);
+    Circumsphere sphere;
     for (Index t = 0; t < complex.size(n); ++t) {
-        sphere.look_at(vertices(complex.simplices(n), t));
+        sphere.look_at(layout.at(n, t));
         for (int i = 0; i <= n; ++i) {
             const Index f = complex.face(n, t, i);
             const double l = 2 * radii[f];
@@ -32,11 +32,11 @@ std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const Poin
 
 } // namespace
 
-FacetKinds facet_kinds(const SimplicialComplex& complex, const Points& points,
+FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& metric,
                        const CellVolumes& volumes, const MergeOptions& options) {
     const int n = complex.dimension();
-    const auto degenerate = facet_defects(complex, points, volumes, options).degenerate;
-    const auto centered = centered_cofaces(complex, points, volumes);
+    const auto degenerate = facet_defects(complex, metric, volumes, options).degenerate;
+    const auto centered = centered_cofaces(complex, metric, volumes);
     FacetKinds kinds;
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         if (complex.coface_counts(n - 1)[f] != 2)

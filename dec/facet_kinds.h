@@ -18,7 +18,7 @@ struct FacetKinds {
 
 /// Counts the pairs of each kind. volumes are those of `complex`; of the options the criterion and
 /// the tolerance matter (the relative dual length where nothing is to be merged).
-FacetKinds facet_kinds(const SimplicialComplex& complex, const Points& points,
+FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& metric,
                        const CellVolumes& volumes, const MergeOptions& options = {});
 
 /// What a merging has joined.

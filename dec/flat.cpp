@@ -24,6 +24,7 @@ bool is_primal(Flat kind) {
 
 void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix& field) {
     const auto N = mesh.points.cols();
+    require_points(N, "a flat");
     const auto rows =
         at_vertices ? mesh.points.rows() : Eigen::Index(mesh.complex().size(mesh.dimension()));
     const char* place = at_vertices ? "vertex" : "merged cell";

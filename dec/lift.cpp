@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "dec/simplex_faces.h"
-#include "dec/simplex_geometry.h"
 #include "dec/whitney.h"
 
 #include <Eigen/QR>
@@ -78,11 +77,11 @@ Index position(std::span<const Index> ascending, Index item) {
 
 class Lift {
 public:
-    Lift(const Merging& merging, const Points& points, const CellVolumes& volumes)
+    Lift(const Merging& merging, const SimplexMetric& metric, const CellVolumes& volumes)
         : merging_(merging),
           K_(merging.input()),
           P_(merging.merged()),
-          points_(points),
+          metric_(metric),
           volumes_(volumes),
           inside_(K_.dimension() + 1) {
         const int n = K_.dimension();
@@ -122,7 +121,7 @@ private:
     const Merging& merging_;
     const SimplicialComplex& K_;
     const CellComplex& P_;
-    const Points& points_;
+    SimplexMetric metric_;
     const CellVolumes& volumes_;
     std::vector<std::vector<Groups>> inside_; // inside_[m][j]
     std::vector<RowStore> rows_;              // of S_k
@@ -216,8 +215,10 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
     DenseMatrix W = DenseMatrix::Zero(unknown.size(), unknown.size());
     DenseMatrix force = DenseMatrix::Zero(unknown.size(), cells.size());
     SimplexFaces faces_of_pieces(K_, m, j);
+    SimplexLayout layout(K_, metric_);
     for (const Index piece : inside_[m][m][F]) {
-        const DenseMatrix mass = whitney_mass(points_, vertices(K_.simplices(m), piece), j);
+        const Corners corners = layout.at(m, piece);
+        const DenseMatrix mass = whitney_mass(corners.points, corners.vertices, j);
         const auto& faces = faces_of_pieces.of(piece);
         for (std::size_t a = 0; a < faces.size(); ++a) {
             if (!is_inside(m, F, j, faces[a]))
@@ -243,9 +244,9 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
 
 } // namespace
 
-std::vector<SparseMatrix> commuting_lift(const Merging& merging, const Points& points,
+std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
                                          const CellVolumes& volumes) {
-    const Lift lift(merging, points, volumes);
+    const Lift lift(merging, metric, volumes);
     std::vector<SparseMatrix> result;
     for (int k = 0; k <= merging.input().dimension(); ++k)
         result.push_back(lift.matrix(k));

@@ -15,7 +15,7 @@ namespace polydec {
 /// S(s, E) is not 0 only for E in the closure of the carrier of s. Within a polygon of p corners
 /// that is of the order of p^2 entries.
 /// volumes are those of the input complex. Throws InvalidInput beyond 2^31 - 1 entries.
-std::vector<SparseMatrix> commuting_lift(const Merging& merging, const Points& points,
+std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
                                          const CellVolumes& volumes);
 
 } // namespace polydec

@@ -191,14 +191,14 @@ DegenerateFacets count_degenerate(const SimplicialComplex& complex, const FacetD
 
 } // namespace
 
-CosphericalMerging merge_cospherical(SimplicialComplex complex, const Points& points,
+CosphericalMerging merge_cospherical(SimplicialComplex complex, const SimplexMetric& metric,
                                      const CellVolumes& volumes, const MergeOptions& options) {
     if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
         throw InvalidInput(fmt::format("the merge tolerance is {}: expected a number >= 0, such as "
                                        "1e-4",
                                        options.tolerance));
     const int n = complex.dimension();
-    const auto defects = facet_defects(complex, points, volumes, options);
+    const auto defects = facet_defects(complex, metric, volumes, options);
     const auto degenerate = count_degenerate(complex, defects);
     if (options.criterion == MergeCriterion::none)
         return {unmerged(std::move(complex)), degenerate, 0};
@@ -207,7 +207,7 @@ CosphericalMerging merge_cospherical(SimplicialComplex complex, const Points& po
     for (int k = 0; k < n; ++k)
         kept.emplace_back(complex.size(k), false);
     const FacetChoice choice(complex, defects, options.tolerance);
-    StraightnessTest test(complex, points, volumes, options.tolerance);
+    StraightnessTest test(complex, metric, volumes, options.tolerance);
     const auto straight = [&](int k, Index s, Index f, Index g) {
         return !kept[k - 1][s] && test(k, s, f, g);
     };

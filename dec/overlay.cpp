@@ -2,6 +2,7 @@
 #include "dec/overlay.h"
 
 #include "base/errors.h"
+#include "dec/simplex_metric.h"
 #include "dec/strand_places.h"
 
 #include <algorithm>
@@ -202,6 +203,7 @@ Overlay overlay(const Discretization& discretization) {
     if (!discretization.intrinsic)
         throw InvalidInput("an overlay is of the input's triangles and those after flips, but no "
                            "edges were flipped: ask for it by MergeOptions::delaunay");
+    require_points(discretization.points.cols(), "an overlay");
     return Cutter(discretization).cut();
 }
 

@@ -3,21 +3,20 @@
 
 #include "complex/components.h"
 #include "dec/facet_defects.h"
-#include "dec/simplex_geometry.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace polydec {
 
-StraightnessTest::StraightnessTest(const SimplicialComplex& complex, const Points& points,
+StraightnessTest::StraightnessTest(const SimplicialComplex& complex, const SimplexMetric& metric,
                                    const CellVolumes& volumes, double tolerance)
     : complex_(complex),
-      points_(points),
+      metric_(metric),
       volumes_(volumes),
       tolerance_(tolerance),
-      sphere_(points) {
-    if (points.cols() == complex.dimension())
+      layout_(complex, metric) {
+    if (metric.ambient_dimension() == complex.dimension())
         must_be_coplanar_ = boundary_cells(complex);
 }
 
@@ -25,16 +24,17 @@ StraightnessTest::Side StraightnessTest::look(int k, Index s, Index f) {
     int apex = 0;
     while (complex_.face(k, f, apex) != s)
         ++apex;
-    sphere_.look_at(vertices(complex_.simplices(k), f));
+    sphere_.look_at(layout_.at(k, f));
     return {apex, sphere_.height(apex, volumes_.primal[k - 1][s]), sphere_.radius()};
 }
 
 StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, int apex) const {
     const auto& base = complex_.simplices(k - 1).row(s);
-    DenseMatrix edges(points_.cols(), k - 1);
+    const Points& points = *metric_.points(); // what is flat in R^N has points
+    DenseMatrix edges(points.cols(), k - 1);
     for (int i = 1; i < k; ++i)
-        edges.col(i - 1) = (points_.row(base[i]) - points_.row(base[0])).transpose();
-    Vector away = (points_.row(complex_.simplices(k)(f, apex)) - points_.row(base[0])).transpose();
+        edges.col(i - 1) = (points.row(base[i]) - points.row(base[0])).transpose();
+    Vector away = (points.row(complex_.simplices(k)(f, apex)) - points.row(base[0])).transpose();
     for (int pass = 0; pass < 2; ++pass) // the second pass removes the rounding of the first
         for (int i = 0; i < k - 1; ++i) {
             for (int j = 0; j < i; ++j)
@@ -48,7 +48,7 @@ StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, i
 
 bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
     const Side a = look(k, s, f), b = look(k, s, g);
-    sphere_.look_at(vertices(complex_.simplices(k - 1), s));
+    sphere_.look_at(layout_.at(k - 1, s));
     const double l = 2 * sphere_.radius();
     const double rounding = dual_length_rounding(std::max(a.radius, b.radius), l);
 

@@ -9,11 +9,11 @@ namespace polydec {
 /// Decides whether two k-simplices f and g are one flat piece across their common (k-1)-face s:
 /// their circumcenters coincide, their duals agree, and, where s lies on the boundary of a flat
 /// complex (N = n), they lie in one k-plane. Inside, the first two imply the third; on a curved
-/// complex there is no such plane and none is asked for.
+/// complex, and where only lengths are known, there is no such plane and none is asked for.
 class StraightnessTest {
 public:
-    /// Keeps references: they must outlive the test.
-    StraightnessTest(const SimplicialComplex& complex, const Points& points,
+    /// Keeps references, those of the metric too: they must outlive the test.
+    StraightnessTest(const SimplicialComplex& complex, const SimplexMetric& metric,
                      const CellVolumes& volumes, double tolerance);
 
     bool operator()(int k, Index s, Index f, Index g);
@@ -35,9 +35,10 @@ private:
     Altitude altitude(int k, Index s, Index f, int apex) const;
 
     const SimplicialComplex& complex_;
-    const Points& points_;
+    SimplexMetric metric_;
     const CellVolumes& volumes_;
     double tolerance_;
+    SimplexLayout layout_;
     Circumsphere sphere_;                             // looks at one simplex after the other
     std::vector<std::vector<bool>> must_be_coplanar_; // by degree of s
 };

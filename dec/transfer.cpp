@@ -51,7 +51,7 @@ Cochain flipped_to_input(const Discretization& mesh, const Cochain& form) {
     if (form.side == Side::primal)
         return {form.side, form.degree, carry_back(*mesh.intrinsic, form.degree, form.values)};
     if (form.degree > 0)
-        check_cells_in_space(mesh, "a dual form of this degree on the input's triangles");
+        check_not_flipped(mesh, "a dual form of this degree on the input's triangles");
     const SparseMatrix areas = overlap(mesh);
     const Vector totals = areas * Vector::Ones(areas.cols());
     Vector means = areas * form.values;
@@ -90,7 +90,7 @@ SparseMatrix dual_to_input(const Merging& merging, int j) {
 
 SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& O, FormKind from,
                       FormKind to) {
-    check_cells_in_space(discretization, "an operator on the input's simplices");
+    check_not_flipped(discretization, "an operator on the input's simplices");
     const auto& P = discretization.complex();
     const Index columns = P.size(cell_degree(P, from.side, from.degree));
     const Index rows = P.size(cell_degree(P, to.side, to.degree));
@@ -107,7 +107,7 @@ Cochain to_merged(const Discretization& discretization, const Cochain& form) {
     check(discretization.input(), form);
     if (discretization.intrinsic) {
         if (form.side == Side::dual)
-            check_cells_in_space(discretization, "a dual form of the input on the polygons");
+            check_not_flipped(discretization, "a dual form of the input on the polygons");
         return {form.side, form.degree, carry(*discretization.intrinsic, form.degree, form.values)};
     }
     return {form.side, form.degree,
@@ -123,7 +123,7 @@ Cochain to_input(const Discretization& discretization, const Cochain& form) {
 }
 
 Consistency consistency(const Discretization& discretization, const Cochain& form) {
-    check_cells_in_space(discretization, "the consistency of a dual form");
+    check_not_flipped(discretization, "the consistency of a dual form");
     const auto& K = discretization.input();
     check(K, form);
     if (form.side != Side::dual)

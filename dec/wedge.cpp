@@ -129,11 +129,11 @@ Cochain wedge(const SimplicialComplex& complex, const Cochain& a, const Cochain&
     return product(complex, a, b, [share](Index, int) { return share; });
 }
 
-Cochain circumcentric_wedge(const SimplicialComplex& complex, const Points& points,
+Cochain circumcentric_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
                             const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
     check_product(complex, a, b);
     const int m = a.degree + b.degree;
-    const SparseMatrix parts = dual_parts(complex, points, volumes, 0, m);
+    const SparseMatrix parts = dual_parts(complex, metric, volumes, 0, m);
     // row s holds the parts of its m+1 vertices in ascending order
     return product(complex, a, b, [&](Index s, int v) {
         return parts.valuePtr()[s * (m + 1) + v] / volumes.primal[m][s];
@@ -148,21 +148,21 @@ Cochain wedge(const Merging& merging, const std::vector<SparseMatrix>& lift, con
 }
 
 Cochain circumcentric_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                            const Points& points, const CellVolumes& volumes, const Cochain& a,
-                            const Cochain& b) {
+                            const SimplexMetric& metric, const CellVolumes& volumes,
+                            const Cochain& a, const Cochain& b) {
     return on_merged_cells(merging, lift, a, b, [&](const Cochain& x, const Cochain& y) {
-        return circumcentric_wedge(merging.input(), points, volumes, x, y);
+        return circumcentric_wedge(merging.input(), metric, volumes, x, y);
     });
 }
 
 Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
               WedgeWeights weights) {
-    check_cells_in_space(mesh, "a wedge of forms");
+    check_not_flipped(mesh, "a wedge of forms");
     check_product(mesh.complex(), a, b);
-    const auto lift = commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
+    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.input_volumes);
     return weights == WedgeWeights::uniform
                ? wedge(mesh.merging, lift, a, b)
-               : circumcentric_wedge(mesh.merging, lift, mesh.points, mesh.input_volumes, a, b);
+               : circumcentric_wedge(mesh.merging, lift, mesh.metric(), mesh.input_volumes, a, b);
 }
 
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b) {

@@ -27,7 +27,7 @@ Cochain wedge(const SimplicialComplex& complex, const Cochain& a, const Cochain&
 /// are alike. volumes are those of `complex`.
 /// Source: Hirani 2003, Def. 7.1.1.
 /// Throws like wedge.
-Cochain circumcentric_wedge(const SimplicialComplex& complex, const Points& points,
+Cochain circumcentric_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
                             const CellVolumes& volumes, const Cochain& a, const Cochain& b);
 
 /// The products on merged cells: both forms are lifted to the simplices, multiplied there, and
@@ -40,8 +40,8 @@ Cochain circumcentric_wedge(const SimplicialComplex& complex, const Points& poin
 Cochain wedge(const Merging& merging, const std::vector<SparseMatrix>& lift, const Cochain& a,
               const Cochain& b);
 Cochain circumcentric_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                            const Points& points, const CellVolumes& volumes, const Cochain& a,
-                            const Cochain& b);
+                            const SimplexMetric& metric, const CellVolumes& volumes,
+                            const Cochain& a, const Cochain& b);
 
 /// The products on merged cells for a single use: the lift is made anew at each call, which costs
 /// far more than the product (for p pieces in a polygon of the order of p^2). For more than one

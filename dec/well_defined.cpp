@@ -102,7 +102,7 @@ Faults find_faults(const Discretization& mesh, Stage stage) {
     if (mesh.intrinsic)
         return intrinsic_faults(mesh, stage);
     const auto degenerate =
-        facet_defects(mesh.input(), mesh.points, mesh.input_volumes, mesh.options).degenerate;
+        facet_defects(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options).degenerate;
     Faults faults;
     for (int k = 0; k <= mesh.dimension(); ++k) {
         faults.without_dual.push_back(without_dual(mesh, stage, k, degenerate));

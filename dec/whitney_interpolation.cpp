@@ -45,7 +45,9 @@ public:
           points_(points),
           k_(k),
           faces_(subsets(complex.dimension() + 1, k + 1)),
-          product_(static_cast<int>(points.cols()), k) {}
+          product_(static_cast<int>(points.cols()), k) {
+        require_points(points.cols(), "a Whitney form");
+    }
 
     /// At a point of a simplex; value(s) is that of the form on k-simplex s.
     template <class Value>

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "complex/corners.h"
+#include "dec/simplex_metric.h"
 #include "dec/star.h"
 #include "dec/transfer.h"
 
@@ -57,6 +58,7 @@ void draw_cell(VtuGrid& grid, const Merging& merging, int k, Index cell) {
 } // namespace
 
 void check_drawable(int dimension, int ambient_dimension) {
+    require_points(ambient_dimension, "a drawing");
     if (dimension > 3 || ambient_dimension > 3)
         throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates cannot be drawn: a "
                                        ".vtu file shows at most 3; leave out -o",
@@ -105,6 +107,7 @@ void add_form(VtuGrid& grid, const Discretization& discretization, std::string n
 }
 
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {
+    require_points(points.cols(), "a drawing");
     PolygonMesh mesh;
     mesh.points = points;
     for (Index cell = 0; cell < merging.merged().size(2); ++cell) {

@@ -11,7 +11,7 @@
 namespace polydec {
 
 /// Throws InvalidInput unless cells of that dimension in that many coordinates can be drawn: both
-/// at most 3.
+/// at most 3, and points known.
 void check_drawable(int dimension, int ambient_dimension);
 
 /// The cells of P that carry primal k-forms, as a picture: lines, polygons (VTK type 7) or

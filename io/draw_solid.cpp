@@ -226,6 +226,7 @@ public:
          const Vector& values)
         : mesh_(mesh), values_(values) {
         const Index n_cells = mesh.complex().size(3);
+        require_points(mesh.points.cols(), "a drawing");
         if (mesh.dimension() != 3 || mesh.points.cols() != 3)
             throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates are no solid: "
                                            "expected 3 and 3",

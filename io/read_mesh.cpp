@@ -2,6 +2,7 @@
 #include "io/read_mesh.h"
 
 #include "base/errors.h"
+#include "io/length_file.h"
 #include "io/readers.h"
 #include "io/source_file.h"
 
@@ -37,6 +38,10 @@ const Format& format_of(const std::filesystem::path& path) {
         }
         known += std::string(known.empty() ? "" : " ") + format.extension;
     }
+    if (is_length_file(path))
+        throw InvalidInput(fmt::format("{}: .nsl holds lengths of edges and no points; expected a "
+                                       "mesh with points; read it with read_lengths",
+                                       path.string()));
     throw InvalidInput(fmt::format("{}: the extension '{}' stands for no mesh format; expected one "
                                    "of {}; rename or convert the file",
                                    path.string(), extension, known));

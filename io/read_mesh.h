@@ -13,8 +13,8 @@ namespace polydec {
 /// .vtu (VTK's XML UnstructuredGrid in every encoding, uncompressed or by zlib) and .node or .ele
 /// (TetGen, Triangle; the other file beside it, or .face) give the cells of the largest dimension:
 /// tetrahedra, or else triangles and polygons, or else edges; .nsc gives simplices of any
-/// dimension. Other solids and curved cells are refused. Physical groups, references and regions
-/// become the mesh's tags.
+/// dimension (.nsl, lengths without points, is for read_lengths). Other solids and curved cells are
+/// refused. Physical groups, references and regions become the mesh's tags.
 ///
 /// Vertices keep their numbers, counted from 0 in the order of the file; an STL file has none, so
 /// that equal points become one vertex, numbered by first appearance. Polygons are split as

@@ -30,6 +30,8 @@ Points read_points(Scanner& scanner, Index count, Index ambient) {
     return points;
 }
 
+} // namespace
+
 Simplices read_simplices(Scanner& scanner, Index count, Index dimension, Index vertices) {
     const auto record = fmt::format("a simplex of {} vertex numbers", dimension + 1);
     Simplices simplices(count, dimension + 1);
@@ -43,8 +45,6 @@ Simplices read_simplices(Scanner& scanner, Index count, Index dimension, Index v
     }
     return simplices;
 }
-
-} // namespace
 
 Mesh read_nsc(const SourceFile& file) {
     Scanner scanner(file.name, file.text, {.comment = '#'});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/source_file.h"
+#include "meshes/length_mesh.h"
 #include "meshes/mesh.h"
 #include "meshes/polygons.h"
 
@@ -10,10 +11,15 @@
 
 namespace polydec {
 
+class Scanner;
+
 /// `read_mesh` and the readers of Matrix Market files, after the file was read.
 Mesh parse_mesh(const SourceFile& file);
 SparseMatrix parse_matrix_market(const SourceFile& file);
 DenseMatrix parse_matrix_market_array(const SourceFile& file);
+
+/// `read_lengths`, after the file was read.
+LengthMesh parse_lengths(const SourceFile& file);
 
 /// One reader per format. They throw InvalidInput, with the line, where the file does not fit; that
 /// there are vertices and cells at all is left to `parse_mesh`.
@@ -26,6 +32,9 @@ Mesh read_medit(const SourceFile& file);
 Mesh read_gmsh(const SourceFile& file);
 Mesh read_vtk(const SourceFile& file);
 Mesh read_vtu(const SourceFile& file);
+
+/// The lines of .nsc and .nsl that hold simplices of this dimension, numbered from 0.
+Simplices read_simplices(Scanner& scanner, Index count, Index dimension, Index vertices);
 
 /// TetGen's meshes are two files: reads the other one too, which must be beside this one.
 Mesh read_tetgen(const SourceFile& file);

@@ -217,6 +217,8 @@ void leave_out_flat_cells(Sieve& sieve) {
         remedy(sieve.mesh, first), others));
 }
 
+} // namespace
+
 void warn_of_isolated_vertices(Mesh& mesh) {
     std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
     for (const Index vertex : mesh.simplices.reshaped())
@@ -232,8 +234,6 @@ void warn_of_isolated_vertices(Mesh& mesh) {
             isolated.size() == 1 ? "s" : "",
             listed(isolated, [](Index v) { return fmt::format("{}", v); })));
 }
-
-} // namespace
 
 Mesh tidy(Mesh mesh, CellsWithoutVolume flat) {
     if (mesh.simplices.size() == 0)

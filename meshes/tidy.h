@@ -24,4 +24,8 @@ enum class CellsWithoutVolume {
 /// and if nothing is left.
 Mesh tidy(Mesh mesh, CellsWithoutVolume flat = CellsWithoutVolume::leave_out);
 
+/// Names in the mesh's warnings the vertices that belong to no cell. Of the points only their
+/// number matters.
+void warn_of_isolated_vertices(Mesh& mesh);
+
 } // namespace polydec

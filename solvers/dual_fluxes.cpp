@@ -43,8 +43,7 @@ Vector facet_scales(const Discretization& discretization) {
     const int n = discretization.dimension();
     if (discretization.intrinsic)
         return discretization.volumes.primal[n - 1]; // edges
-    const Vector radii =
-        circumradii(discretization.points, discretization.input().simplices(n - 1));
+    const Vector radii = circumradii(discretization.input(), discretization.metric(), n - 1);
     Vector scales = Vector::Zero(discretization.complex().size(n - 1));
     for (Index f = 0; f < scales.size(); ++f)
         for (Row piece(discretization.merging.diamond(n - 1), f); piece; ++piece)
@@ -58,10 +57,10 @@ Vector resistances(const Discretization& discretization, const Vector& conductiv
     const int n = discretization.dimension();
     if (conductivity.size() == 0)
         return discretization.volumes.dual[n - 1];
-    check_cells_in_space(discretization, "a conductivity for each cell");
+    check_not_flipped(discretization, "a conductivity for each cell");
     const auto& volumes = discretization.input_volumes;
     const SparseMatrix parts =
-        dual_parts(discretization.input(), discretization.points, volumes, n - 1, n);
+        dual_parts(discretization.input(), discretization.metric(), volumes, n - 1, n);
     const SparseMatrix pieces = discretization.merging.diamond(n).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
     const Vector products = volumes.primal[n - 1].cwiseProduct(parts.transpose() * of_pieces);

@@ -68,10 +68,10 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
 Vector edge_weights(const Discretization& discretization, const Vector& conductivity) {
     if (conductivity.size() == 0)
         return star(discretization.volumes, 1);
-    check_cells_in_space(discretization, "a conductivity for each cell");
+    check_not_flipped(discretization, "a conductivity for each cell");
     const auto& merging = discretization.merging;
     const int n = discretization.dimension();
-    const SparseMatrix parts = dual_parts(discretization.input(), discretization.points,
+    const SparseMatrix parts = dual_parts(discretization.input(), discretization.metric(),
                                           discretization.input_volumes, 1, n);
     const SparseMatrix pieces = merging.diamond(n).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity;
@@ -98,7 +98,7 @@ SparseMatrix shares_of_vertices(const Discretization& discretization, const Vect
         return SparseMatrix(discretization.complex().size(0), counts.size());
     if (discretization.intrinsic)
         return halves_of_edges(discretization.complex(), discretization.volumes, counts);
-    const SparseMatrix parts = dual_parts(discretization.input(), discretization.points,
+    const SparseMatrix parts = dual_parts(discretization.input(), discretization.metric(),
                                           discretization.input_volumes, 0, n - 1);
     const SparseMatrix pieces = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
     const SparseMatrix shares = counts.asDiagonal() * pieces * parts;

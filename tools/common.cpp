@@ -2,6 +2,7 @@
 #include "tools/common.h"
 
 #include "base/errors.h"
+#include "io/length_file.h"
 #include "io/read_mesh.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,22 @@ namespace {
 std::string check_not_negative(const std::string& text) {
     const bool good = CLI::NonNegativeNumber(text).empty();
     return good ? "" : fmt::format("expected a number of at least 0, not '{}'", text);
+}
+
+/// What was read may have points or lengths alone.
+template <class Read>
+Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
+                                  const MergeOptions& options,
+                                  const std::function<void(std::string_view)>& stage) {
+    if (arguments.angle_tolerance && mesh.dimension() != 2)
+        throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but {} has cells of "
+                                       "dimension {}: use --tolerance",
+                                       arguments.mesh.string(), mesh.dimension()));
+    if (options.delaunay != Delaunay::off && mesh.dimension() != 2)
+        throw InvalidInput(fmt::format("--delaunay is for surfaces, but {} has cells of dimension "
+                                       "{}: leave it out",
+                                       arguments.mesh.string(), mesh.dimension()));
+    return discretize(std::move(mesh), options, stage);
 }
 
 } // namespace
@@ -48,7 +65,8 @@ Json Timing::json() const {
 void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption json) {
     command
         .add_option("MESH", arguments.mesh,
-                    "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc")
+                    "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc\n"
+                    "or .nsl, which has lengths of edges alone")
         ->required();
     auto* tolerance = command.add_option("--tolerance", arguments.tolerance,
                                          "merge facets with relative dual length up to this");
@@ -60,7 +78,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption 
     none->excludes(tolerance)->excludes(angle);
     command
         .add_flag("--delaunay{flips}", arguments.delaunay,
-                  "flip edges first, intrinsically, so that no dual is negative (surfaces); "
+                  "flip edges of a surface first, so that no dual is negative;\n"
                   "=split-boundary divides boundary edges too")
         ->check(CLI::IsMember({"flips", "split-boundary"}))
         ->excludes(angle);
@@ -101,16 +119,9 @@ Discretization load(const MeshArguments& arguments, Timing& timing) {
         options.criterion = MergeCriterion::none;
 
     stage("read");
-    Mesh mesh = read_mesh(arguments.mesh);
-    if (arguments.angle_tolerance && mesh.dimension() != 2)
-        throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but {} has cells of "
-                                       "dimension {}: use --tolerance",
-                                       arguments.mesh.string(), mesh.dimension()));
-    if (options.delaunay != Delaunay::off && mesh.dimension() != 2)
-        throw InvalidInput(fmt::format("--delaunay is for surfaces, but {} has cells of dimension "
-                                       "{}: leave it out",
-                                       arguments.mesh.string(), mesh.dimension()));
-    auto result = discretize(std::move(mesh), options, stage);
+    auto result = is_length_file(arguments.mesh)
+                      ? discretize_checked(arguments, read_lengths(arguments.mesh), options, stage)
+                      : discretize_checked(arguments, read_mesh(arguments.mesh), options, stage);
     timing.end();
     for (const auto& warning : result.warnings)
         warn(warning);

@@ -2,6 +2,7 @@
 #include "tools/expression.h"
 
 #include "base/errors.h"
+#include "dec/simplex_metric.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -89,6 +90,8 @@ Expression::Expression(const std::string& option, const std::string& text)
 Expression::~Expression() = default;
 
 Vector Expression::operator()(const Points& sites) const {
+    if (sites.cols() == 0 && !state_->parser.GetUsedVar().empty())
+        require_points(0, fmt::format("{} {}", state_->option, state_->text));
     Vector values(sites.rows());
     for (Index i = 0; i < sites.rows(); ++i) {
         for (Index c = 0; c < std::min<Index>(static_cast<Index>(sites.cols()), most_coordinates);

@@ -48,7 +48,7 @@ Json stars(const CellVolumes& volumes) {
 }
 
 Json kinds(const Discretization& mesh) {
-    const auto count = facet_kinds(mesh.input(), mesh.points, mesh.input_volumes, mesh.options);
+    const auto count = facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options);
     return {{"well_centered", count.well_centered},
             {"delaunay", count.delaunay},
             {"non_delaunay", count.non_delaunay},
@@ -134,7 +134,9 @@ Json describe(const Discretization& mesh, Timing& timing) {
     const auto& P = mesh.complex();
     Json answer;
     answer["dimension"] = mesh.dimension();
-    answer["ambient_dimension"] = mesh.points.cols();
+    answer["ambient_dimension"] = nullptr; // only lengths are known
+    if (mesh.points.cols() > 0)
+        answer["ambient_dimension"] = mesh.points.cols();
     answer["cells"] = {{"input", cell_counts(K)}, {"merged", cell_counts(P)}};
     answer["euler"] = {{"input", euler_characteristic(K)}, {"merged", euler_characteristic(P)}};
     timing.begin("topology");
@@ -172,8 +174,11 @@ std::string join(const Json& list) {
 void print_cells(const Json& answer) {
     const auto count = [&](const char* which) { return join(answer["cells"][which]); };
     const int n = answer["dimension"];
-    fmt::print("dimension {} in {} coordinates, volume {:.10g}\n", n,
-               answer["ambient_dimension"].get<int>(), answer["volume"].get<double>());
+    const Json& coordinates = answer["ambient_dimension"];
+    fmt::print("dimension {} {}, volume {:.10g}\n", n,
+               coordinates.is_null() ? "by lengths of edges alone"
+                                     : fmt::format("in {} coordinates", coordinates.get<int>()),
+               answer["volume"].get<double>());
     fmt::print("cells of degree 0 .. {}\n", n);
     fmt::print("  input    {}\n  merged   {}\n", count("input"), count("merged"));
     std::vector<std::string> sizes;

@@ -42,7 +42,7 @@ Maps maps(const Discretization& mesh) {
     if (!mesh.intrinsic) {
         for (const auto& diamond : mesh.merging.diamonds())
             result.diamonds.emplace_back(diamond.cast<double>());
-        result.lifts = commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
+        result.lifts = commuting_lift(mesh.merging, mesh.metric(), mesh.input_volumes);
         return result;
     }
     const auto& history = mesh.intrinsic->delaunay.history;

@@ -31,6 +31,15 @@ void signs_of_dual_edges() {
     }
 }
 
+void flat_torus() {
+    polydec::LengthMesh flat = polydec::length_mesh(polydec::torus(12, 8));
+    flat.lengths.setOnes(); // six equilateral triangles around every vertex
+    const auto mesh = polydec::discretize(flat);
+    const polydec::Vector star = polydec::star(mesh.volumes, 0);
+    std::cout << "area " << mesh.volumes.primal[2].sum() << ", star_0 from " << star.minCoeff()
+              << " to " << star.maxCoeff() << '\n';
+}
+
 void adjoint() {
     const auto mesh = polydec::discretize(polydec::goldberg(4));
     const auto& P = mesh.complex();
@@ -64,6 +73,7 @@ int main() {
     std::srand(1);
     law_of_volumes();
     signs_of_dual_edges();
+    flat_torus();
     adjoint();
     laplacian_of_a_parabola();
 }

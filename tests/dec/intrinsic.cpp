@@ -194,7 +194,8 @@ TEST_P(Flipped, have_volumes_of_their_simplices_before_any_flip) {
     const auto expected = circumcentric_volumes(K, input.points);
     const GluedSurface surface(K);
     const auto found = circumcentric_volumes(surface, expected.primal[1]);
-    // an error of the lengths in the last digit is multiplied by the square of the sum of cotangents
+    // an error of the lengths in the last digit is multiplied by the square of the sum of
+    // cotangents
     double shape = 0;
     for (Index t = 0; t < K.size(2); ++t) {
         const auto [a, b, c] = side_lengths(surface, expected.primal[1], t);

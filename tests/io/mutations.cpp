@@ -199,6 +199,7 @@ std::vector<Seed> seeds() {
         {"a.vtu", compressed_vtu()},
         {"a.vtu", appended_vtu(false)},
         {"a.vtu", appended_vtu(true)},
+        {"a.nsl", "# c\n2 4 2 5\n0 1 2\n0 2 3\n0 1 1\n2 0 1.5\n1 2 1\n3 2 1e0\n0 3 1\n"},
         {"a.mtx", "%%MatrixMarket matrix coordinate real symmetric\n% c\n4 4 3\n1 1 5\n2 1 -1e3\n"
                   "4 3 .5\n"},
         {"a.vec", "%%MatrixMarket matrix array real general\n3 1\n1\n2\n3\n"},
@@ -242,6 +243,11 @@ void read_and_check(const SourceFile& file) {
         ASSERT_TRUE(DenseMatrix(parse_matrix_market(file).topRows(1)).allFinite());
     } else if (file.name == "a.vec") {
         ASSERT_TRUE(parse_matrix_market_array(file).allFinite());
+    } else if (file.name == "a.nsl") {
+        const auto mesh = parse_lengths(file);
+        ASSERT_EQ(error_of([&] { polydec::check(mesh); }), "");
+        ASSERT_TRUE(mesh.lengths.allFinite());
+        ASSERT_GT(mesh.lengths.minCoeff(), 0);
     } else if (file.name == "a.node") {
         const auto place = std::min(file.text.find(cut), file.text.size());
         const auto rest = file.text.substr(std::min(place + cut.size(), file.text.size()));
@@ -348,6 +354,10 @@ TEST(Mutations, PromisedCountsAllocateNothing) {
         {"a.ply", "ply\nformat ascii 1.0\nelement face 2000000000\nend_header\n"},
         {"a.nsc", "3 3 2000000000 1\n0 0 0\n"},
         {"a.nsc", "3 3 1 2000000000\n0 0 0\n0 0 0 0\n"},
+        {"a.nsl", "2 2000000000 1 3\n0 1 2\n"},
+        {"a.nsl", "2 3 2000000000 3\n0 1 2\n"},
+        {"a.nsl", "2 3 1 2000000000\n0 1 2\n0 1 1\n"},
+        {"a.nsl", "2000000000 3 1 3\n0 1 2\n"},
         {"a.mesh", "Dimension 3 Vertices 2000000000 0 0 0 0\n"},
         {"a.mesh", "Dimension 3 Vertices 1 0 0 0 0 Tetrahedra 2000000000\n1 1 1 1 0\n"},
         {"a.stl", std::string(80, ' ') + "\xFF\xFF\xFF\xFF"},

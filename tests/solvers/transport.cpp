@@ -149,7 +149,7 @@ TEST(ParallelTransport, keeps_the_magnitude_from_one_source) {
 
 TEST(ParallelTransport, takes_the_magnitude_of_the_nearest_source) {
     const auto square = glued(grid(40, 40));
-    ParallelTransport transport(square.surface, square.lengths);
+    ParallelTransport transport(square.surface, square.lengths, {.time_scale = 1});
     // in the same direction, once in the corner of each end of a side
     const Index a = 0;
     Index b = 0;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/length_mesh.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+using Edge = std::pair<Index, Index>;
+
+Edge edge(const Simplices& edges, Index row) {
+    return std::minmax(Index{edges(row, 0)}, Index{edges(row, 1)});
+}
+
+/// The edges of all simplices, ascending, each once.
+std::vector<Edge> edges_of(const Simplices& simplices) {
+    std::vector<Edge> result;
+    for (Index s = 0; s < simplices.rows(); ++s)
+        for (Index i = 0; i < simplices.cols(); ++i)
+            for (Index j = i + 1; j < simplices.cols(); ++j)
+                if (simplices(s, i) != simplices(s, j)) // a repeated corner is the complex's matter
+                    result.emplace_back(
+                        std::minmax(Index{simplices(s, i)}, Index{simplices(s, j)}));
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+void check_range(const Simplices& rows, Index vertices, const char* what) {
+    for (Index row = 0; row < rows.rows(); ++row)
+        for (const Index v : rows.row(row))
+            if (v < 0 || v >= vertices)
+                throw InvalidInput(fmt::format("{} {} has the vertex {}: expected 0 to {}", what,
+                                               row, v, vertices - 1));
+}
+
+} // namespace
+
+LengthMesh length_mesh(const Mesh& mesh) {
+    const auto edges = edges_of(mesh.simplices);
+    LengthMesh result{mesh.simplices, static_cast<Index>(mesh.points.rows()),
+                      Simplices(edges.size(), 2), Vector(edges.size())};
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto [a, b] = edges[e];
+        result.edges.row(static_cast<Index>(e)) << a, b;
+        result.lengths[static_cast<Index>(e)] = (mesh.points.row(b) - mesh.points.row(a)).norm();
+    }
+    return result;
+}
+
+std::vector<Index> edges_in_order(const LengthMesh& mesh) {
+    std::vector<Index> order(static_cast<std::size_t>(mesh.edges.rows()));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index e, Index f) { return edge(mesh.edges, e) < edge(mesh.edges, f); });
+    return order;
+}
+
+std::optional<EdgeFault> edge_fault(const LengthMesh& mesh) {
+    using Kind = EdgeFault::Kind;
+    const auto needed = edges_of(mesh.simplices);
+    const auto order = edges_in_order(mesh);
+    auto next = needed.begin();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Edge here = edge(mesh.edges, order[i]);
+        const auto [a, b] = here;
+        if (i > 0 && here == edge(mesh.edges, order[i - 1]))
+            return EdgeFault{Kind::repeated, a, b, order[i], order[i - 1]};
+        if (next == needed.end() || here < *next)
+            return EdgeFault{Kind::surplus, a, b, order[i], -1};
+        if (*next < here)
+            break;
+        ++next;
+    }
+    if (next != needed.end())
+        return EdgeFault{Kind::missing, next->first, next->second, -1, -1};
+    return std::nullopt;
+}
+
+void check(const LengthMesh& mesh) {
+    constexpr Eigen::Index ends = 2;
+    if (mesh.edges.cols() != ends || mesh.edges.rows() != mesh.lengths.size())
+        throw InvalidInput(fmt::format("{} lengths and a table of {} x {} vertices of edges are "
+                                       "given: expected two vertices for each length",
+                                       mesh.lengths.size(), mesh.edges.rows(), mesh.edges.cols()));
+    if (mesh.simplices.rows() == 0 || mesh.dimension() < 1)
+        throw InvalidInput(fmt::format("{} simplices of {} vertices are given: expected at least "
+                                       "one, of two or more vertices",
+                                       mesh.simplices.rows(), mesh.simplices.cols()));
+    check_range(mesh.simplices, mesh.vertices, "simplex");
+    check_range(mesh.edges, mesh.vertices, "edge");
+    const auto fault = edge_fault(mesh);
+    if (!fault)
+        return;
+    const auto name = fmt::format("with vertices {} and {}", fault->a, fault->b);
+    switch (fault->kind) {
+    case EdgeFault::Kind::repeated:
+        throw InvalidInput(fmt::format("edges {} and {} are the same, {}: give its length once",
+                                       fault->previous, fault->row, name));
+    case EdgeFault::Kind::surplus:
+        throw InvalidInput(
+            fmt::format("edge {} {} belongs to no simplex: remove it", fault->row, name));
+    case EdgeFault::Kind::missing:
+        throw InvalidInput(fmt::format("the edge {} has no length: add it", name));
+    }
+}
+
+} // namespace polydec

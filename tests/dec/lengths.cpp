@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#include "dec/circumsphere.h"
+#include "dec/dual_parts.h"
+#include "dec/dual_wedge.h"
+#include "dec/facet_kinds.h"
+#include "dec/laplacian.h"
+#include "dec/lift.h"
+#include "dec/simplex_metric.h"
+#include "dec/star.h"
+#include "dec/wedge.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace polydec::test {
+namespace {
+
+class Lengths : public OverMeshes {
+protected:
+    const SimplicialComplex& K() const { return mesh().K(); }
+    SimplexMetric metric() const { return {K(), lengths_}; }
+
+private:
+    Vector lengths_ = edge_lengths(K(), mesh().points);
+};
+
+/// The worst ratio of circumradius and shortest edge: lengths with a relative error eps give a
+/// direction of the shortest edge with an error eps times this, and duals no better.
+double worst_shape(const SimplicialComplex& K, const SimplexMetric& metric) {
+    const Vector radii = circumradii(K, metric, K.dimension());
+    const Vector lengths = 2 * circumradii(K, metric, 1);
+    double worst = 1;
+    for (Index t = 0; t < K.size(K.dimension()); ++t)
+        for (int i = 0; i <= K.dimension(); ++i)
+            for (int j = i + 1; j <= K.dimension(); ++j)
+                worst = std::max(
+                    worst, radii[t] / lengths[face_at(K, K.dimension(), t, std::array{i, j})]);
+    return worst;
+}
+
+/// Largest difference in any degree of primal or dual volumes, relative to the largest volume.
+double difference(const CellVolumes& a, const CellVolumes& b) {
+    double worst = 0;
+    for (std::size_t k = 0; k < b.primal.size(); ++k)
+        worst = std::max({worst, relative_difference(a.primal[k], b.primal[k]),
+                          relative_difference(a.dual[k], b.dual[k])});
+    return worst;
+}
+
+TEST_P(Lengths, give_the_volumes_that_points_give) {
+    const double shape = worst_shape(K(), metric());
+    EXPECT_LE(difference(circumcentric_volumes(K(), metric()), mesh().input_volumes),
+              1e-14 * shape * shape)
+        << shape;
+}
+
+/// The same points in a space of one more dimension, where a complex may be curved: whether faces
+/// on its boundary lie in one plane is then not asked.
+Points in_more_dimensions(const Points& points) {
+    Points result = Points::Zero(points.rows(), points.cols() + 1);
+    result.leftCols(points.cols()) = points;
+    return result;
+}
+
+TEST_P(Lengths, give_the_merging_that_points_of_a_complex_that_may_be_curved_give) {
+    const auto volumes = circumcentric_volumes(K(), metric());
+    const auto ours = merge_cospherical(K(), metric(), volumes, {.tolerance = tolerance});
+    const auto theirs = merge_cospherical(K(), in_more_dimensions(mesh().points),
+                                          mesh().input_volumes, {.tolerance = tolerance});
+    for (int k = 0; k <= mesh().n(); ++k) {
+        EXPECT_TRUE(equal(integers(ours.merging.diamond(k)), integers(theirs.merging.diamond(k))))
+            << k;
+    }
+    EXPECT_EQ(ours.degenerate.interior, theirs.degenerate.interior);
+    EXPECT_EQ(ours.degenerate.boundary, theirs.degenerate.boundary);
+}
+
+TEST(LengthsBroken, in_flat_boxes_know_nothing_of_the_planes_of_the_boundary) {
+    // halves of octahedra meet at the edges of the box, where their triangles' centers coincide
+    const auto& box = merged("fcc1");
+    const Vector lengths = edge_lengths(box.K(), box.points);
+    const auto result = merge_cospherical(box.K(), SimplexMetric(box.K(), lengths),
+                                          box.input_volumes, {.tolerance = tolerance});
+    EXPECT_LT(result.merging.merged().size(2), box.P().size(2));
+    EXPECT_EQ(result.merging.merged().size(3), box.P().size(3));
+}
+
+TEST_P(Lengths, give_the_kinds_of_pairs_that_points_give) {
+    const auto ours = facet_kinds(K(), metric(), circumcentric_volumes(K(), metric()));
+    const auto theirs = facet_kinds(K(), mesh().points, mesh().input_volumes);
+    EXPECT_EQ(ours.well_centered, theirs.well_centered);
+    EXPECT_EQ(ours.delaunay, theirs.delaunay);
+    EXPECT_EQ(ours.non_delaunay, theirs.non_delaunay);
+    EXPECT_EQ(ours.cospherical, theirs.cospherical);
+}
+
+TEST_P(Lengths, give_the_lift_that_points_give) {
+    const auto ours = commuting_lift(mesh().merging(), metric(), mesh().input_volumes);
+    const auto theirs = commuting_lift(mesh().merging(), mesh().points, mesh().input_volumes);
+    for (int k = 0; k <= mesh().n(); ++k)
+        EXPECT_LE(relative_difference(ours[k], theirs[k]), 1e-12) << k;
+}
+
+/// By how much inverting amplifies rounding.
+double condition(const Vector& values) {
+    return values.cwiseAbs().maxCoeff() / values.cwiseAbs().minCoeff();
+}
+
+TEST_P(Lengths, give_the_parts_of_duals_and_the_products_that_points_give) {
+    const double shape = worst_shape(K(), metric());
+    const int n = mesh().n();
+    const auto& volumes = mesh().input_volumes;
+    for (int k = 0; k <= n; ++k)
+        EXPECT_LE(relative_difference(dual_parts(K(), metric(), volumes, k, n),
+                                      dual_parts(K(), mesh().points, volumes, k, n)),
+                  2e-14 * n * shape * shape)
+            << k;
+    for (const int k : {0, n - 1}) {
+        const Cochain a{Side::primal, k, random_vector(K().size(k), 1)};
+        const Cochain b{Side::primal, n - k, random_vector(K().size(n - k), 2)};
+        EXPECT_LE(
+            relative_difference(circumcentric_wedge(K(), metric(), volumes, a, b).values,
+                                circumcentric_wedge(K(), mesh().points, volumes, a, b).values),
+            1e-13 * shape * shape);
+    }
+    if (!zero_star_cells(volumes, 1).empty() || !zero_star_cells(volumes, n - 1).empty())
+        return; // no inverse star to make the dual product of
+    const Cochain a{Side::dual, 1, random_vector(K().size(n - 1), 3)};
+    const Cochain b{Side::dual, n - 1, random_vector(K().size(1), 4)};
+    EXPECT_LE(relative_difference(dual_wedge(K(), metric(), volumes, a, b).values,
+                                  dual_wedge(K(), mesh().points, volumes, a, b).values),
+              1e-13 * shape * shape * condition(volumes.dual[1]) * condition(volumes.dual[n - 1]));
+}
+
+double binomial(int n, int k) {
+    return std::tgamma(n + 1.0) / (std::tgamma(k + 1.0) * std::tgamma(n - k + 1.0));
+}
+
+/// Relative defect of sum |s||*s| = C(n,k) |K|, against what is added.
+double identity_defect(const Vector& primal, const CellVolumes& volumes, int k) {
+    const int n = static_cast<int>(volumes.primal.size()) - 1;
+    const double expected = binomial(n, k) * volumes.primal[n].sum();
+    const double added = primal.cwiseProduct(volumes.dual[k]).cwiseAbs().sum();
+    return std::abs(primal.dot(volumes.dual[k]) - expected) / (added + expected);
+}
+
+/// The lengths changed at random, by one percent unless some simplex cannot bear it.
+Vector disturbed(const SimplicialComplex& K, const Vector& lengths) {
+    for (double size = 0.01;; size /= 2) {
+        const Vector result =
+            lengths.cwiseProduct(Vector::Ones(lengths.size()) +
+                                 size * random_vector(static_cast<Index>(lengths.size()), 5));
+        const auto verdict = refusal([&] { circumcentric_volumes(K, {K, result}); });
+        if (verdict == "accepted" || size < 1e-4)
+            return result;
+    }
+}
+
+TEST_P(Lengths, that_come_from_no_points_give_duals_that_fill_the_complex_binomially_often) {
+    const Vector lengths = disturbed(K(), *metric().lengths());
+    const auto volumes = circumcentric_volumes(K(), {K(), lengths});
+    for (int k = 0; k <= mesh().n(); ++k)
+        EXPECT_LE(identity_defect(volumes.primal[k], volumes, k), 1e-13) << k;
+}
+
+TEST_P(Lengths, disturbed_give_other_duals_that_do_not_go_with_the_volumes_before) {
+    const Vector lengths = disturbed(K(), *metric().lengths());
+    const auto volumes = circumcentric_volumes(K(), {K(), lengths});
+    EXPECT_GT(difference(volumes, mesh().input_volumes), 1e-5);
+    EXPECT_GT(identity_defect(mesh().input_volumes.primal[1], volumes, 1), 1e-7);
+}
+
+POLYDEC_OVER_MESHES(Lengths);
+
+/// Edges of the n-torus of N^n cubes of side h, each split like Kuhn's: it has no flat place in
+/// R^m, m < 2n, but lengths.
+struct FlatTorus {
+    SimplicialComplex K;
+    Vector lengths;
+};
+
+Simplices torus_simplices(int n, int N) {
+    std::vector<int> order(n);
+    std::vector<Index> numbers;
+    const auto cells = static_cast<Index>(std::lround(std::pow(N, n)));
+    for (Index cell = 0; cell < cells; ++cell) {
+        std::iota(order.begin(), order.end(), 0);
+        do {
+            Index corner = cell;
+            numbers.push_back(corner);
+            for (const int axis : order) {
+                const auto step = static_cast<Index>(std::lround(std::pow(N, axis)));
+                corner += corner / step % N == N - 1 ? step * (1 - N) : step;
+                numbers.push_back(corner);
+            }
+        } while (std::next_permutation(order.begin(), order.end()));
+    }
+    return Eigen::Map<const Simplices>(numbers.data(), static_cast<Index>(numbers.size()) / (n + 1),
+                                       n + 1);
+}
+
+FlatTorus flat_torus(int n, int N, double h) {
+    SimplicialComplex K(torus_simplices(n, N));
+    Vector lengths(K.size(1));
+    for (Index e = 0; e < K.size(1); ++e) {
+        int axes = 0;
+        Index a = K.simplices(1)(e, 0), b = K.simplices(1)(e, 1);
+        for (int axis = 0; axis < n; ++axis, a /= N, b /= N)
+            axes += a % N == b % N ? 0 : 1;
+        lengths[e] = h * std::sqrt(axes);
+    }
+    return {std::move(K), std::move(lengths)};
+}
+
+/// Eigenvalues of the periodic grid: sums over the axes of (2 - 2 cos(2 pi j / N)) / h^2, each
+/// C(n, k) times for k-forms.
+Vector eigenvalues_of_grid(int n, int N, double h, int k) {
+    std::vector<double> values;
+    for (int cell = 0; cell < std::lround(std::pow(N, n)); ++cell) {
+        double sum = 0;
+        for (int axis = 0, rest = cell; axis < n; ++axis, rest /= N)
+            sum += (2 - 2 * std::cos(2 * std::acos(-1.0) * (rest % N) / N)) / (h * h);
+        values.insert(values.end(), static_cast<std::size_t>(std::lround(binomial(n, k))), sum);
+    }
+    std::sort(values.begin(), values.end());
+    return Eigen::Map<const Vector>(values.data(), static_cast<Index>(values.size()));
+}
+
+TEST(FlatTori, known_by_lengths_alone_merge_to_cubes_with_the_spectrum_of_the_grid) {
+    for (const auto& [n, N, h] : {std::tuple{2, 5, 0.5}, {3, 3, 2.0}, {4, 3, 1.0}}) {
+        const auto torus = flat_torus(n, N, h);
+        const SimplexMetric metric(torus.K, torus.lengths);
+        const auto input = circumcentric_volumes(torus.K, metric);
+        const auto result = merge_cospherical(torus.K, metric, input);
+        const auto& P = result.merging.merged();
+        const auto volumes = merged_volumes(result.merging, input);
+        for (int k = 0; k <= n; ++k) {
+            ASSERT_EQ(P.size(k), std::lround(binomial(n, k) * std::pow(N, n)));
+            const double entry = std::pow(h, n - 2 * k);
+            EXPECT_LE((star(volumes, k).array() / entry - 1).abs().maxCoeff(), 1e-13);
+            if (P.size(k) > 100)
+                continue; // dense matrices
+            const DenseMatrix A = symmetric_laplacian(P, volumes, k) / entry;
+            const Vector found = Eigen::SelfAdjointEigenSolver<DenseMatrix>(A).eigenvalues();
+            const Vector expected = eigenvalues_of_grid(n, N, h, k);
+            EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.maxCoeff());
+        }
+    }
+}
+
+TEST(FlatToriBroken, with_one_edge_too_long_keep_simplices_and_lose_the_spectrum) {
+    auto torus = flat_torus(2, 5, 1);
+    torus.lengths[0] *= 1.01;
+    const SimplexMetric metric(torus.K, torus.lengths);
+    const auto input = circumcentric_volumes(torus.K, metric);
+    const auto result = merge_cospherical(torus.K, metric, input);
+    const auto& P = result.merging.merged();
+    EXPECT_EQ(P.size(2), 27); // the two squares beside the edge stay split
+    const auto volumes = merged_volumes(result.merging, input);
+    const DenseMatrix A = symmetric_laplacian(P, volumes, 0);
+    const Vector found = Eigen::SelfAdjointEigenSolver<DenseMatrix>(A).eigenvalues();
+    EXPECT_GT((found - eigenvalues_of_grid(2, 5, 1, 0)).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+/// One simplex with these lengths of edges, in lexicographic order.
+std::string refused(int n, const std::vector<double>& lengths) {
+    Simplices simplex(1, n + 1);
+    std::iota(simplex.data(), simplex.data() + simplex.size(), 3);
+    const SimplicialComplex K(simplex);
+    const Vector values = Eigen::Map<const Vector>(lengths.data(), Index(lengths.size()));
+    return refusal([&] { circumcentric_volumes(K, {K, values}); });
+}
+
+TEST(LengthsOf, an_equilateral_simplex_are_accepted) {
+    for (int n = 1; n <= 5; ++n)
+        EXPECT_EQ(refused(n, std::vector<double>(n * (n + 1) / 2, 1.0)), "accepted");
+    EXPECT_EQ(refused(2, {3, 4, 5}), "accepted");
+    EXPECT_EQ(refused(2, {1e-5, 1, 1}), "accepted");
+}
+
+TEST(LengthsOf, edges_that_none_has_are_refused) {
+    EXPECT_EQ(refused(2, {1, 1}),
+              "2 lengths are given: expected one for each of the 3 edges of the complex");
+    EXPECT_EQ(refused(2, {1, 0, 1}),
+              "edge 1 with vertices 3 and 5 has length 0: expected a finite number above 0");
+    EXPECT_EQ(refused(2, {1, 1, -2.5}),
+              "edge 2 with vertices 4 and 5 has length -2.5: expected a finite number above 0");
+    EXPECT_EQ(refused(2, {1, 1, std::numeric_limits<double>::infinity()}),
+              "edge 2 with vertices 4 and 5 has length inf: expected a finite number above 0");
+    EXPECT_EQ(refused(2, {std::numeric_limits<double>::quiet_NaN(), 1, 1}),
+              "edge 0 with vertices 3 and 4 has length nan: expected a finite number above 0");
+    EXPECT_EQ(refused(2, {1e-120, 1, 1}),
+              "edge 0 with vertices 3 and 4 has length 1e-120: scale the mesh to a size nearer to "
+              "1");
+}
+
+TEST(LengthsOf, simplices_that_none_has_are_refused_in_the_least_dimension) {
+    EXPECT_EQ(refused(2, {1, 2.5, 1}),
+              "the lengths of 2-simplex 0 with vertices 3, 4, 5 violate the triangle inequality: "
+              "2.5 is more than 1 + 1; correct the lengths");
+    EXPECT_EQ(refused(3, {1, 1, 1, 1, 1, 2.5}),
+              "the lengths of 2-simplex 2 with vertices 3, 5, 6 violate the triangle inequality: "
+              "2.5 is more than 1 + 1; correct the lengths");
+    EXPECT_EQ(refused(2, {1, 2, 1}),
+              "the lengths of 2-simplex 0 with vertices 3, 4, 5 leave it no volume: the products "
+              "of its edges are not positive definite; correct the lengths");
+    // all triangles exist; two of them unfolded end less than 1.9 apart
+    EXPECT_EQ(refused(3, {1, 1, 1, 1, 1, 1.9}),
+              "the lengths of 3-simplex 0 with vertices 3, 4, 5, 6 leave it no volume: the "
+              "products of its edges are not positive definite; correct the lengths");
+    EXPECT_EQ(refused(3, {1, 1, 1, 1, 1, std::sqrt(3.0)}),
+              "the lengths of 3-simplex 0 with vertices 3, 4, 5, 6 leave it no volume: the "
+              "products of its edges are not positive definite; correct the lengths");
+    EXPECT_EQ(refused(3, {1, 1, 1, 1, 1, 1.7}), "accepted");
+    // all tetrahedra exist: heights sqrt(2/3) on both sides of one are the most
+    EXPECT_EQ(refused(4, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1.65}),
+              "the lengths of 4-simplex 0 with vertices 3, 4, 5, 6, 7 leave it no volume: the "
+              "products of its edges are not positive definite; correct the lengths");
+    EXPECT_EQ(refused(4, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1.6}), "accepted");
+}
+
+TEST(LengthsOf, another_complex_are_refused) {
+    const auto& small = merged("grid4");
+    const auto& other = merged("hex4");
+    const Vector lengths = edge_lengths(small.K(), small.points);
+    EXPECT_EQ(refusal([&] {
+                  circumcentric_volumes(other.K(), {small.K(), lengths});
+              }),
+              "a metric of 56 lengths is given: expected one for each of the " +
+                  std::to_string(other.K().size(1)) + " edges of the complex");
+}
+
+} // namespace
+} // namespace polydec::test

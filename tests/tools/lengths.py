@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""The command on meshes of which only the lengths of edges are known."""
+import math
+import os
+
+import command
+from command import TestCase
+
+
+def flat_torus(n):
+    """The text of n x n squares, each of two triangles, glued to a torus that no space holds."""
+    def at(x, y):
+        return x % n * n + y % n
+
+    triangles, edges = [], []
+    for x in range(n):
+        for y in range(n):
+            a, b, c, d = at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)
+            triangles += [f"{a} {b} {c}", f"{a} {c} {d}"]
+            edges += [f"{a} {b} 1", f"{a} {d} 1", f"{a} {c} {math.sqrt(2)!r}"]
+    first = f"2 {n * n} {len(triangles)} {len(edges)} # n V S E"
+    return "\n".join([first, *triangles, *edges, ""])
+
+
+class Lengths(TestCase):
+    def setUp(self):
+        super().setUp()
+        self.torus = self.write("torus.nsl", flat_torus(4))
+
+    def refuse(self, *arguments):
+        return self.fail_with(2, *arguments)
+
+    def test_info_knows_all_but_coordinates(self):
+        answer = self.ask("info", self.torus)
+        self.assertIsNone(answer["ambient_dimension"])
+        self.assertEqual(answer["cells"], {"input": [16, 48, 32], "merged": [16, 32, 16]})
+        self.assertEqual(answer["betti"]["merged"], [1, 2, 1])
+        self.assertAlmostEqual(answer["volume"], 16, delta=1e-12)
+        for star in answer["stars"]:
+            self.assertAlmostEqual(star["min"], 1, delta=1e-12)
+            self.assertAlmostEqual(star["max"], 1, delta=1e-12)
+        self.assertIn("dimension 2 by lengths of edges alone, volume 16\n",
+                      self.succeed("info", self.torus).out)
+
+    def test_spectrum_is_that_of_the_flat_grid(self):
+        for side, degree, copies in (("primal", 0, 1), ("dual", 0, 1), ("primal", 1, 2)):
+            answer = self.ask("spectrum", self.torus, "--side", side, "--degree", degree,
+                              "--count", 5 * copies)
+            for value, wanted in zip(answer["eigenvalues"], [0] * copies + [2] * 4 * copies):
+                self.assertAlmostEqual(value, wanted, delta=1e-10)
+
+    def test_poisson_takes_constants_and_files(self):
+        values = [math.cos(math.pi / 2 * (vertex // 4)) for vertex in range(16)]
+        file = self.write("f.txt", "\n".join(map(repr, values)))
+        answer = self.ask("poisson", self.torus, "--side", "primal", "--rhs", file, "--natural")
+        self.assertAlmostEqual(answer["max"], 1 / 2, delta=1e-12)
+        answer = self.ask("poisson", self.torus, "--side", "dual", "--rhs", 0, "--natural")
+        self.assertAlmostEqual(answer["max"], 0, delta=1e-12)
+
+    def test_operators_are_written(self):
+        self.succeed("operators", self.torus, "--out", "operators")
+        self.assertTrue(os.path.exists(self.path("operators/lift_1.mtx")))
+
+    def test_what_needs_points_says_so(self):
+        def needs(what):
+            return ("polydec: only lengths are known, there are no points, which "
+                    f"{what} needs: give a mesh with points")
+
+        poisson = ("poisson", self.torus, "--side", "primal", "--natural", "--rhs")
+        spectrum = ("spectrum", self.torus, "--side", "primal", "--degree", 0, "--count", 1)
+        self.assertEqual(self.refuse(*poisson, "x"), needs("--rhs x"))
+        self.assertEqual(self.refuse(*poisson, 0, "-o", "u.vtu"), needs("a drawing"))
+        self.assertEqual(self.refuse(*spectrum, "-o", "u.vtu"), needs("a drawing"))
+        self.assertEqual(self.refuse("merge", self.torus, "-o", "u.off"), needs("a drawing"))
+        self.assertEqual(os.listdir(self.folder), ["torus.nsl"])
+
+    def test_lengths_that_no_triangle_has_are_refused(self):
+        bad = self.write("bad.nsl", "2 3 1 3\n0 1 2\n0 1 1\n0 2 1\n1 2 2.5\n")
+        self.assertEqual(
+            self.refuse("info", bad),
+            "polydec: the lengths of 2-simplex 0 with vertices 0, 1, 2 violate the triangle "
+            "inequality: 2.5 is more than 1 + 1; correct the lengths")
+
+
+if __name__ == "__main__":
+    command.main()
