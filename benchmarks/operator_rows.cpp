@@ -3,8 +3,10 @@
 #include "benchmarks/rows.h"
 #include "complex/homology.h"
 #include "dec/derivative.h"
+#include "dec/intrinsic_tessellation.h"
 #include "dec/laplacian.h"
 #include "dec/merge.h"
+#include "dec/simplex_metric.h"
 #include "dec/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
@@ -83,6 +85,16 @@ void merging_row(benchmark::State& state, const LazyMesh& mesh) {
         });
 }
 
+/// Intrinsic flips, volumes and merging, on top of complex and lengths, which are there.
+void flips_row(benchmark::State& state, const LazyMesh& mesh) {
+    const Mesh& input = mesh.get();
+    const SimplicialComplex complex(input.simplices);
+    const Vector lengths = edge_lengths(complex, input.points);
+    measure(state, {mesh.amount().cells, bytes(complex) + bytes(lengths)}, [&] {
+        return intrinsic_tessellation(GluedSurface(complex), lengths, {}).merging.merged;
+    });
+}
+
 void betti_row(benchmark::State& state, const LazyMesh& mesh) {
     const SimplicialComplex complex(mesh.get().simplices);
     measure(state, {mesh.amount().cells, bytes(static_cast<const CellComplex&>(complex))},
@@ -115,6 +127,11 @@ void add_operator_rows(const Settings& settings) {
     add("sphere_shuffled/chain", in_disorder, settings, chain_row);
     add("sphere_shuffled/renumbered", in_disorder, settings, renumbered_row);
     add("sphere_4M/chain", shared_mesh([=] { return icosphere(2 * f); }), settings, chain_row);
+
+    // so that 10 % of the edges have a negative dual
+    const auto rough = shared_mesh([=] { return perturbed(icosphere(f), 0.62 / f, 1); });
+    add("sphere_rough/complex", rough, settings, complex_row);
+    add("sphere_rough/flips", rough, settings, flips_row);
 
     const int around = settings.side(1000), across = settings.side(500);
     add_stages("torus", shared_mesh([=] { return torus(around, across); }), settings);

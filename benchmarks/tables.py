@@ -13,6 +13,8 @@ CHAINS = [
     ("sphere/merging", "merging on top: sphere, nothing to merge", "sphere/complex"),
     ("torus/merging", "merging on top: torus", "torus/complex"),
     ("tets/merging", "merging on top: box", "tets/complex"),
+    ("sphere_rough/flips", "intrinsic flips and merging on top: rough sphere, 10 % of the duals "
+                           "negative", ("sphere_rough/complex", 2)),
 ]
 STAGES = [("complex", "complex, d_k included"), ("volumes", "volumes"), ("stars", "stars"),
           ("laplacian", "Laplacian of 0-forms"), ("merging", "merging"),
@@ -79,7 +81,10 @@ def verdict(is_met):
 
 
 def target_of(target, rows):
-    """A time: the target itself, or the time of another row."""
+    """A time: the target itself, or the time of another row, or that several times."""
+    if isinstance(target, tuple):
+        time = target_of(target[0], rows)
+        return time and time * target[1]
     return rows.get(target, {}).get("min_s") if isinstance(target, str) else target
 
 

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "complex/homology.h"
+#include "dec/derivative.h"
+#include "dec/star.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "solvers/geodesic_distance.h"
+#include "solvers/hodge.h"
+#include "solvers/poisson.h"
+#include "solvers/spectrum.h"
+#include "tests/support/families.h"
+#include "tests/support/glued.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+Discretization flipped(const Mesh& mesh) {
+    return discretize(mesh, {.delaunay = Delaunay::flips_and_splits});
+}
+
+class OnFlippedSurfaces : public testing::TestWithParam<std::string> {
+protected:
+    Mesh mesh() const { return shaken(mesh_named(GetParam()), 0.25, 7); }
+};
+
+TEST_P(OnFlippedSurfaces, harmonic_forms_are_as_many_as_betti_numbers_say) {
+    const auto mesh = flipped(this->mesh());
+    const auto betti = betti_numbers(mesh.complex());
+    for (int k = 0; k <= 2; ++k)
+        EXPECT_EQ(harmonic_forms(mesh.complex(), mesh.volumes, Side::primal, k).cols(), betti[k])
+            << "degree " << k;
+}
+
+TEST_P(OnFlippedSurfaces, forms_are_sums_of_orthogonal_parts) {
+    const auto mesh = flipped(this->mesh());
+    const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 5)};
+    const auto parts = hodge_decomposition(mesh.complex(), mesh.volumes, form);
+    const Vector mass = star(mesh.volumes, 1);
+    const Vector sum = parts.exact.values + parts.coexact.values + parts.harmonic.values;
+    EXPECT_LT(relative_difference(sum, form.values), 1e-9);
+    const double size = form.values.dot(mass.cwiseProduct(form.values));
+    EXPECT_LT(std::abs(parts.exact.values.dot(mass.cwiseProduct(parts.coexact.values))),
+              1e-9 * size);
+    EXPECT_LT(std::abs(parts.exact.values.dot(mass.cwiseProduct(parts.harmonic.values))),
+              1e-9 * size);
+}
+
+TEST_P(OnFlippedSurfaces, spectra_of_all_degrees_and_sides_are_certified_and_not_negative) {
+    const auto mesh = flipped(this->mesh());
+    for (const Side side : {Side::primal, Side::dual})
+        for (int degree = 0; degree <= 2; ++degree) {
+            const auto found = spectrum(mesh, {.side = side, .degree = degree, .count = 6});
+            EXPECT_TRUE(found.certificate.complete);
+            EXPECT_GT(found.eigenvalues[0], -1e-9 * found.eigenvalues[5]) << "degree " << degree;
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Family, OnFlippedSurfaces,
+                         testing::Values("uv_sphere7x5", "torus9x5", "annulus9", "genus_two",
+                                         "klein_bottle", "moebius12x2", "projective_plane",
+                                         "flange8", "grid4", "two_components"));
+
+TEST(OnSurfacesAsTheyAre, forms_have_no_mass_where_duals_are_negative) {
+    const auto mesh = discretize(shaken(icosphere(5), 0.25, 7));
+    EXPECT_NE(refusal([&] { spectrum(mesh, {.degree = 1, .count = 4}); }), "accepted");
+}
+
+/// Greatest error of a function of the plane that is given on the boundary, and whose Laplacian is
+/// given, on a square of bad triangles after flips.
+double error_in_the_plane(Side side, const std::function<double(double, double)>& u, double f) {
+    const auto mesh = flipped(perturbed(grid(9, 9), 0.04, 3));
+    EXPECT_GT(mesh.intrinsic->delaunay.statistics.flips, 0);
+    PoissonSolver solver(mesh, {.side = side});
+    const auto at = [&](const Points& sites) {
+        Vector values(sites.rows());
+        for (Index i = 0; i < sites.rows(); ++i)
+            values[i] = u(sites(i, 0), sites(i, 1));
+        return values;
+    };
+    const Vector found =
+        solver.solve(Vector::Constant(solver.sites().rows(), f), at(solver.boundary_sites()));
+    return (found - at(solver.sites())).cwiseAbs().maxCoeff();
+}
+
+TEST(PoissonOnFlippedSquare, gives_linear_functions_back_on_both_sides) {
+    const auto linear = [](double x, double y) { return 1 + 2 * x - 3 * y; };
+    EXPECT_LT(error_in_the_plane(Side::primal, linear, 0), 1e-11);
+    EXPECT_LT(error_in_the_plane(Side::dual, linear, 0), 1e-11);
+}
+
+TEST(PoissonOnFlippedSquare, gives_others_back_but_for_the_size_of_triangles) {
+    const auto saddle = [](double x, double y) { return x * y; };
+    for (const Side side : {Side::primal, Side::dual}) {
+        EXPECT_LT(error_in_the_plane(side, saddle, 0), 0.01);
+        EXPECT_GT(error_in_the_plane(side, saddle, 0), 1e-5);
+    }
+}
+
+TEST(GeodesicDistance, of_a_bundle_is_that_of_its_triangles_before_or_after_flips) {
+    const Mesh mesh = perturbed(grid(24, 24), 0.02, 3);
+    const Index from[] = {0};
+    const auto error = [&](const Discretization& surface) {
+        const Vector d = geodesic_distance(surface, from);
+        const Points points = vertex_points(surface);
+        const Vector exact = (points.rowwise() - points.row(0)).rowwise().norm();
+        return (d - exact).cwiseAbs().mean();
+    };
+    EXPECT_LT(error(discretize(mesh)), 0.02);
+    EXPECT_LT(error(flipped(mesh)), 0.02);
+}
+
+} // namespace
+} // namespace polydec::test
