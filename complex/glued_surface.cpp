@@ -27,6 +27,16 @@ std::vector<std::array<Index, 2>> pair_halfedges(const std::vector<GluedSurface:
     return pairs;
 }
 
+void check_edges(const SimplicialComplex& surface) {
+    const auto& counts = surface.coface_counts(1);
+    for (std::size_t e = 0; e < counts.size(); ++e)
+        if (counts[e] > 2)
+            throw InvalidInput(fmt::format("{} triangles meet at the edge from vertex {} to {}: "
+                                           "only surfaces with two at most can be glued",
+                                           counts[e], surface.simplices(1)(e, 0),
+                                           surface.simplices(1)(e, 1)));
+}
+
 /// The largest edge number and one, if all sides make sense.
 Index count_edges(const std::vector<std::array<GluedSurface::Side, 3>>& triangles) {
     Index edges = 0;
@@ -49,6 +59,7 @@ GluedSurface::GluedSurface(const SimplicialComplex& surface) : vertices_(surface
         throw InvalidInput(fmt::format("a complex of dimension {} is given: only surfaces can be "
                                        "glued from triangles",
                                        surface.dimension()));
+    check_edges(surface);
     const Index triangles = surface.size(2);
     const Index* const ends = surface.coboundary(0).innerIndexPtr();
     sides_.resize(std::size_t(triangles) * 3);

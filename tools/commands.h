@@ -11,6 +11,7 @@ void add_operators(CLI::App& app);
 void add_merge(CLI::App& app);
 void add_spectrum(CLI::App& app);
 void add_poisson(CLI::App& app);
+void add_distance(CLI::App& app);
 void add_generate(CLI::App& app);
 void add_reproduce(CLI::App& app);
 void add_backends(CLI::App& app);

@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
     polydec::tools::add_merge(app);
     polydec::tools::add_spectrum(app);
     polydec::tools::add_poisson(app);
+    polydec::tools::add_distance(app);
     polydec::tools::add_generate(app);
     polydec::tools::add_reproduce(app);
     polydec::tools::add_backends(app);

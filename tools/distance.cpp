@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "io/draw_cells.h"
+#include "io/vtu.h"
+#include "solvers/geodesic_distance.h"
+#include "tools/commands.h"
+#include "tools/common.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct Arguments {
+    MeshArguments mesh;
+    GeodesicOptions geodesic;
+    std::vector<Index> from;
+    std::filesystem::path out;
+};
+
+/// The 0-cells of these vertices of the input.
+std::vector<Index> cells_of(const Discretization& mesh, const std::vector<Index>& vertices) {
+    const auto numbers = mesh.input().simplices(0).col(0);
+    std::vector<Index> cells;
+    for (const Index v : vertices) {
+        const auto place = std::lower_bound(numbers.begin(), numbers.end(), v);
+        const auto cell = static_cast<Index>(place - numbers.begin());
+        if (cell >= numbers.size() || numbers[cell] != v)
+            throw InvalidInput(fmt::format("--from {}: no triangle has such a vertex; vertices are "
+                                           "numbered from 0, the last one is {}",
+                                           v, numbers[numbers.size() - 1]));
+        cells.push_back(cell);
+    }
+    return cells;
+}
+
+void draw(const Discretization& mesh, const std::filesystem::path& out, const Vector& distance) {
+    auto grid = draw_cells(mesh, 0);
+    add_form(grid, mesh, "distance", {Side::primal, 0, distance});
+    write_vtu(out, grid);
+}
+
+void run(const Arguments& arguments) {
+    Timing timing;
+    const Discretization mesh = load(arguments.mesh, timing);
+    if (mesh.dimension() != 2)
+        throw InvalidInput(fmt::format("{} has cells of dimension {}: distances are found on "
+                                       "surfaces",
+                                       arguments.mesh.mesh.string(), mesh.dimension()));
+    if (!arguments.out.empty())
+        check_drawable(2, static_cast<int>(mesh.points.cols()));
+    timing.begin("solve");
+    const auto sources = cells_of(mesh, arguments.from);
+    const Vector distance = [&] {
+        const Progress progress;
+        progress("solve");
+        return geodesic_distance(mesh, sources, arguments.geodesic);
+    }();
+    if (!arguments.out.empty()) {
+        timing.begin("write");
+        draw(mesh, arguments.out, distance);
+    }
+
+    Eigen::Index farthest = 0;
+    distance.maxCoeff(&farthest);
+    const Index vertex = cell_vertices(mesh, 0, static_cast<Index>(farthest)).front();
+    Json answer{{"from", arguments.from},
+                {"farthest", vertex},
+                {"max", distance[farthest]},
+                {"mean", distance.mean()},
+                {"warnings", mesh.warnings}};
+    add_timing(answer, arguments.mesh, timing);
+    if (arguments.mesh.json) {
+        fmt::print("{}\n", answer.dump());
+        return;
+    }
+    fmt::print("distance along the surface, {} source{}\n  farthest: vertex {} at {:.10g}\n  mean "
+               "over the vertices: {:.10g}\n",
+               sources.size(), sources.size() == 1 ? "" : "s", vertex, distance[farthest],
+               distance.mean());
+    print_timing(arguments.mesh, timing);
+}
+
+} // namespace
+
+void add_distance(CLI::App& app) {
+    auto* command =
+        app.add_subcommand("distance", "geodesic distance from vertices, by the heat method");
+    const auto arguments = std::make_shared<Arguments>();
+    add_mesh_arguments(*command, arguments->mesh, JsonOption::offered);
+    command->add_option("--from", arguments->from, "the vertices it is 0 at")->required();
+    command
+        ->add_option("--time-scale", arguments->geodesic.time_scale,
+                     "heat flows for this times the squared mean length of edges")
+        ->capture_default_str();
+    command->add_option("-o,--out", arguments->out, "write the distances to this .vtu file");
+    command->add_option("--engine", arguments->geodesic.linear_solver, "linear solver")
+        ->capture_default_str();
+    command->footer("Every component of the surface needs a vertex. Triangles far from Delaunay "
+                    "spoil the\nresult: --delaunay helps.\n\nExamples:\n"
+                    "  polydec distance bunny.ply --from 0 -o distance.vtu\n"
+                    "  polydec distance part.stl --delaunay --from 12 871 --json");
+    command->callback([arguments] { run(*arguments); });
+}
+
+} // namespace polydec::tools
