@@ -75,8 +75,8 @@ DegenerateFacets count_degenerate(const IntrinsicTessellation& tessellation, dou
 void warn_of_flips(const IntrinsicStatistics& flips, std::vector<std::string>& warnings) {
     if (flips.added_length > 0)
         warnings.push_back(fmt::format("a triangle has nearly no area: {:.3g} was added to the "
-                                       "length of every edge before flips",
-                                       flips.added_length));
+                                       "length of every edge before flips (area: +{:.2g} %)",
+                                       flips.added_length, 100 * flips.added_area));
     if (flips.negative_interior > 0)
         warnings.push_back(fmt::format("{} interior edges kept a negative dual: rounding is larger "
                                        "than the triangles there",

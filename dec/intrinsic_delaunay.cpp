@@ -13,16 +13,22 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace polydec {
 
 namespace {
 
-/// A triangle whose longest side is shorter than the others by less than this part of itself has
-/// nearly no area: its height is below 1e-5 of its length.
-constexpr double least_slack = 1e-10;
-constexpr double added_part = 1e-5;
+/// The least part of its longest side by which the two others of a triangle must be longer
+/// together: below that, rounding of lengths leaves an area hardly a digit. The height is 3e-7 of
+/// the length then.
+constexpr double least_slack = 1e-13;
+
+/// Where points coincide (an edge is below the first part of the mean length), edges get the
+/// second: with less, stars there would be so large that those of all others are rounding beside
+/// them.
+constexpr double coinciding = 1e-10, apart = 1e-5;
 
 /// Lengths as points have them that may coincide or lie on a line: not negative, and no side longer
 /// than both others beyond rounding.
@@ -51,8 +57,8 @@ public:
         for (const double l : lengths_)
             mean_length_ += l / static_cast<double>(lengths_.size());
         areas_.resize(static_cast<std::size_t>(surface_.triangles()));
-        if (!measure_all())
-            give_needles_some_area();
+        if (const double missing = measure_all(); missing > 0)
+            give_needles_some_area(missing);
     }
 
     void run() {
@@ -102,8 +108,8 @@ private:
     }
     double length(Index halfedge) const { return lengths_[surface_.edge(halfedge)]; }
 
-    bool measure_all();
-    void give_needles_some_area();
+    double measure_all();
+    void give_needles_some_area(double missing);
     bool is_negative(Index edge) const;
     void count_what_is_left();
 
@@ -130,27 +136,34 @@ private:
     Index boundary_edges_ = 0;
 };
 
-/// The areas of all triangles; false if one of them has nearly none.
-bool Flipping::measure_all() {
-    bool good = true;
+/// Measures the areas of all triangles; by how much sides must be longer so that all have some.
+double Flipping::measure_all() {
+    double missing = 0;
+    for (const double l : lengths_)
+        if (l <= coinciding * mean_length_)
+            missing = std::max(missing, apart * mean_length_ - l);
     for (Index t = 0; t < surface_.triangles(); ++t) {
         const double a = length(3 * t), b = length(3 * t + 1), c = length(3 * t + 2);
         const double longest = std::max({a, b, c});
-        good = good && a + b + c - 2 * longest > least_slack * longest;
+        missing = std::max(missing, least_slack * longest - (a + b + c - 2 * longest));
         areas_[t] = triangle_area(a, b, c);
     }
-    return good;
+    return missing;
 }
 
-/// Flips of triangles without area would have lengths that are nothing but rounding.
-void Flipping::give_needles_some_area() {
+/// Flips of triangles without area would have lengths that are nothing but rounding. Lengthening
+/// all edges alike keeps whatever fits together fitting.
+void Flipping::give_needles_some_area(double missing) {
     check_roughly(surface_, as_vector());
-    statistics_.added_length = added_part * mean_length_;
+    const auto area = [&] { return std::accumulate(areas_.begin(), areas_.end(), 0.0); };
+    const double before = area();
+    statistics_.added_length = missing;
     for (double& l : lengths_)
-        l += statistics_.added_length;
-    mean_length_ += statistics_.added_length;
+        l += missing;
+    mean_length_ += missing;
     measure_all();
     check_lengths(surface_, as_vector());
+    statistics_.added_area = before > 0 ? area() / before - 1 : 0;
 }
 
 /// The mean of the cotangents on both sides, beyond rounding.
@@ -240,12 +253,16 @@ double Flipping::place_of_split(Index edge) const {
     return tail ? part : 1 - part;
 }
 
+/// Splits make boundary stars positive, but not as large as one likes: halves of a triangle can be
+/// like the whole.
+constexpr double most_a_split_can_promise = 1e-2;
+
 /// Splits all boundary edges that need it, together, so that their order does not matter.
 bool Flipping::split_boundary() {
+    const double goal = std::min(options_.tolerance, most_a_split_can_promise);
     std::vector<std::pair<Index, double>> places;
     for (Index e = 0; e < surface_.edges(); ++e)
-        if (surface_.is_boundary(e) &&
-            beside(surface_.halfedges(e)[0]).cotangent() / 2 <= options_.tolerance)
+        if (surface_.is_boundary(e) && beside(surface_.halfedges(e)[0]).cotangent() / 2 <= goal)
             places.emplace_back(e, place_of_split(e));
     for (const auto& [edge, fraction] : places)
         split(edge, fraction);

@@ -27,6 +27,7 @@ struct IntrinsicStatistics {
     Index negative_boundary = 0; ///< that are left
     Index negative_boundary_before = 0;
     double added_length = 0; ///< to every edge, where a triangle had nearly no area
+    double added_area = 0;   ///< by that, relative
 };
 
 /// A Delaunay triangulation of the same surface: same points, same lengths of all curves, but edges
@@ -42,14 +43,16 @@ struct IntrinsicDelaunay {
 /// Flips interior edges whose star_1 is negative beyond rounding, 64 eps times the larger of
 /// (R/l)^2 and (a^2 + b^2 + c^2) / 4A of the triangles beside it, until there is none; up to ties
 /// the result depends on the surface alone. Neither scale nor placement matter. If a triangle has
-/// nearly no area, the same small length, 1e-5 of their mean, is added to all edges. With split
-/// boundary, edges there are halved, or divided at a power of two of the mean length from an end
-/// whose corner has at most a right angle, and edges flipped again, until no boundary star is below
-/// the tolerance. Time near-linear in the number of edges, flips and splits. Source: Bobenko,
-/// Springborn 2007, A discrete Laplace-Beltrami operator for simplicial surfaces; Fisher,
-/// Springborn, Bobenko, Schroeder 2006, An algorithm for the construction of intrinsic Delaunay
-/// triangulations. Throws InvalidInput, naming edge or triangle, for lengths that are no lengths of
-/// triangles; SolverFailure if flips or splits do not come to an end.
+/// nearly no area, the same small length is added to all edges: the least with which two sides of
+/// every triangle are longer than the third by 1e-13 of it, or 1e-5 of the mean
+/// length where points coincide. With split boundary, edges there are
+/// halved, or divided at a power of two of the mean length from an end whose corner has at most a
+/// right angle, and edges flipped again, until no boundary star is below the tolerance. Time
+/// near-linear in the number of edges, flips and splits. Source: Bobenko, Springborn 2007, A
+/// discrete Laplace-Beltrami operator for simplicial surfaces; Fisher, Springborn, Bobenko,
+/// Schroeder 2006, An algorithm for the construction of intrinsic Delaunay triangulations. Throws
+/// InvalidInput, naming edge or triangle, for lengths that are no lengths of triangles;
+/// SolverFailure if flips or splits do not come to an end.
 IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
                                      const IntrinsicDelaunayOptions& options = {});
 

@@ -180,16 +180,27 @@ std::optional<Index> Cutter::input_triangle(const Polygon& polygon) const {
 
 void Cutter::add(const Polygon& polygon, Index t) {
     const auto triangle = input_triangle(polygon);
-    double area = 0;
+    if (!triangle)
+        return;
+    // the plane of the triangle that it lies in, oriented as it is
+    const auto corner = [&](int i) {
+        return result_.points.row(K_.simplices(2)(*triangle, i)).eval();
+    };
+    const auto e = (corner(1) - corner(0)).eval(), f = (corner(2) - corner(0)).eval();
+    double area = 0, turn = 0, longest = 0;
     const auto origin = result_.points.row(polygon[0]);
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         const auto u = (result_.points.row(polygon[i - 1]) - origin).eval();
         const auto v = (result_.points.row(polygon[i]) - origin).eval();
         const double squared = u.squaredNorm() * v.squaredNorm() - std::pow(u.dot(v), 2);
         area += std::sqrt(std::max(0.0, squared)) / 2;
+        longest = std::max({longest, u.squaredNorm(), v.squaredNorm()});
+        turn += u.dot(e) * v.dot(f) - u.dot(f) * v.dot(e);
     }
-    if (!triangle || !(area > 0))
+    constexpr double rounding = 1e-12;
+    if (!(area > rounding * longest))
         return;
+    result_.signs.push_back(turn * K_.orientation(*triangle) < 0 ? -1 : 1);
     result_.corners.insert(result_.corners.end(), polygon.begin(), polygon.end());
     result_.offsets.push_back(static_cast<Index>(result_.corners.size()));
     result_.input.push_back(*triangle);
@@ -205,18 +216,6 @@ Overlay overlay(const Discretization& discretization) {
                            "edges were flipped: ask for it by MergeOptions::delaunay");
     require_points(discretization.points.cols(), "an overlay");
     return Cutter(discretization).cut();
-}
-
-SparseMatrix overlap(const Discretization& discretization) {
-    const Overlay pieces = overlay(discretization);
-    const SparseMatrix cells =
-        discretization.intrinsic->merging.diamonds[2].cast<double>().cwiseAbs();
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    for (Index p = 0; p < pieces.size(); ++p)
-        entries.emplace_back(pieces.input[p], pieces.triangle[p], pieces.areas[p]);
-    SparseMatrix areas(discretization.input().size(2), cells.cols());
-    areas.setFromTriplets(entries.begin(), entries.end());
-    return areas * SparseMatrix(cells.transpose());
 }
 
 } // namespace polydec

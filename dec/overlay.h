@@ -9,11 +9,12 @@ namespace polydec {
 /// one triangle of both. They show on the input what is known on the tessellation.
 struct Overlay {
     Points points; ///< those of the input, then of splits, then where edges of both cross
-    std::vector<Index> corners;  ///< of all pieces, one after the other, in cyclic order
-    std::vector<Index> offsets;  ///< piece p has the corners from offsets[p] on
-    std::vector<Index> input;    ///< of each piece: the triangle of the input
-    std::vector<Index> triangle; ///< of each piece: the triangle after flips
-    Vector areas;                ///< of the pieces, length^2
+    std::vector<Index> corners;     ///< of all pieces, one after the other, in cyclic order
+    std::vector<Index> offsets;     ///< piece p has the corners from offsets[p] on
+    std::vector<Index> input;       ///< of each piece: the triangle of the input
+    std::vector<Index> triangle;    ///< of each piece: the triangle after flips
+    std::vector<std::int8_t> signs; ///< 1 where both are oriented alike, else -1
+    Vector areas;                   ///< of the pieces, length^2
 
     Index size() const { return static_cast<Index>(input.size()); }
 };
@@ -23,8 +24,5 @@ struct Overlay {
 /// rounding leaves are dropped. Time of the order of all crossings, and log(triangles) for each.
 /// Throws InvalidInput if no edges were flipped, that is, without MergeOptions::delaunay.
 Overlay overlay(const Discretization& discretization);
-
-/// Areas that the input's triangles (rows) and the cells of complex() (columns) have in common.
-SparseMatrix overlap(const Discretization& discretization);
 
 } // namespace polydec

@@ -31,35 +31,53 @@ SparseMatrix input_from(const Discretization& mesh, FormKind kind) {
                : dual_to_input(mesh.merging, kind.degree);
 }
 
-std::vector<Index> a_cell_at_each_vertex(const IntrinsicTessellation& tessellation) {
-    const auto& surface = tessellation.surface();
-    const IncidenceMatrix& pieces = tessellation.merging.diamonds[2];
-    std::vector<Index> cells(static_cast<std::size_t>(surface.vertices()), 0);
-    for (Index cell = 0; cell < pieces.rows(); ++cell)
-        for (Row t(pieces, cell); t; ++t)
-            for (Index i = 0; i < 3; ++i)
-                cells[surface.tail(3 * static_cast<Index>(t.col()) + i)] = cell;
-    return cells;
+/// The cell that each flipped triangle is a piece of, and its sign there.
+struct Piece {
+    Index cell;
+    double sign;
+};
+
+std::vector<Piece> pieces_of_cells(const IntrinsicTessellation& tessellation) {
+    const IncidenceMatrix& diamond = tessellation.merging.diamonds[2];
+    std::vector<Piece> pieces(static_cast<std::size_t>(diamond.cols()));
+    for (Index cell = 0; cell < diamond.rows(); ++cell)
+        for (Row t(diamond, cell); t; ++t)
+            pieces[t.col()] = {cell, static_cast<double>(t.value())};
+    return pieces;
 }
 
-Index first_corner(const SimplicialComplex& complex, Index triangle) {
-    return complex.coboundary(0).innerIndexPtr()[2 * complex.face(2, triangle, 2)];
+/// Functions of the cells as means over what the input's triangles have in common with them; one
+/// without area gets the value of a cell at its first corner.
+Vector means_over_input(const Discretization& mesh, const Vector& values) {
+    const auto& surface = mesh.intrinsic->surface();
+    const auto of = pieces_of_cells(*mesh.intrinsic);
+    const Overlay pieces = overlay(mesh);
+    Vector sums = Vector::Zero(mesh.input().size(2)), areas = sums;
+    for (Index p = 0; p < pieces.size(); ++p) {
+        const Piece& piece = of[pieces.triangle[p]];
+        areas[pieces.input[p]] += pieces.areas[p];
+        sums[pieces.input[p]] +=
+            pieces.areas[p] * pieces.signs[p] * piece.sign * values[piece.cell];
+    }
+
+    std::vector<Index> beside(static_cast<std::size_t>(surface.vertices()), 0);
+    for (Index h = 0; h < 3 * surface.triangles(); ++h)
+        beside[surface.tail(h)] = of[GluedSurface::triangle(h)].cell;
+    const auto& K = mesh.input();
+    for (Index t = 0; t < sums.size(); ++t) {
+        const Index corner = K.coboundary(0).innerIndexPtr()[2 * K.face(2, t, 2)];
+        sums[t] = areas[t] > 0 ? sums[t] / areas[t] : values[beside[corner]];
+    }
+    return sums;
 }
 
-/// Primal forms by the inverse flips; functions of the cells as means over what triangles cover.
+/// Primal forms by the inverse flips, functions of the cells by means.
 Cochain flipped_to_input(const Discretization& mesh, const Cochain& form) {
     if (form.side == Side::primal)
         return {form.side, form.degree, carry_back(*mesh.intrinsic, form.degree, form.values)};
     if (form.degree > 0)
         check_not_flipped(mesh, "a dual form of this degree on the input's triangles");
-    const SparseMatrix areas = overlap(mesh);
-    const Vector totals = areas * Vector::Ones(areas.cols());
-    Vector means = areas * form.values;
-    const auto beside = a_cell_at_each_vertex(*mesh.intrinsic);
-    for (Index t = 0; t < means.size(); ++t) // one without area covers none
-        means[t] = totals[t] > 0 ? means[t] / totals[t]
-                                 : form.values[beside[first_corner(mesh.input(), t)]];
-    return {form.side, form.degree, means};
+    return {form.side, form.degree, means_over_input(mesh, form.values)};
 }
 
 std::string simplex(const SimplicialComplex& K, int k, Index s) {

@@ -46,7 +46,7 @@ Cochain to_merged(const Discretization& discretization, const Cochain& form);
 
 /// The form on the input's simplices of a form on merged cells, by primal_to_input or
 /// dual_to_input. After intrinsic flips primal forms come back by the inverse flips, a cochain map,
-/// and dual 0-forms as their means over the parts of each triangle (see overlap). Throws
+/// and dual 0-forms as their means over the parts of each triangle (see overlay). Throws
 /// InvalidInput if the form does not live on the merged cells.
 Cochain to_input(const Discretization& discretization, const Cochain& form);
 

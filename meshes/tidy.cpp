@@ -198,9 +198,9 @@ std::string remedy(const Mesh& mesh, Index cell) {
         middle, place(mesh, middle), longest.a, longest.b);
 }
 
-void leave_out_flat_cells(Sieve& sieve) {
+void leave_out_flat_cells(Sieve& sieve, CellsWithoutVolume others_may) {
     const FlatCells flat = find_flat_cells(sieve.mesh);
-    if (flat.stuck.empty())
+    if (flat.stuck.empty() || others_may == CellsWithoutVolume::keep)
         return leave_out(sieve, flat.removable, fmt::format("without {}", measure(sieve.mesh)));
 
     const Index first = flat.stuck.front();
@@ -212,9 +212,13 @@ void leave_out_flat_cells(Sieve& sieve) {
                                                     vertices_of(sieve.mesh, cell));
                              }));
     throw InvalidInput(fmt::format(
-        "cell {} (vertices {}) has no {}, and without it its neighbors would come apart.\n{}{}",
+        "cell {} (vertices {}) has no {}, and without it its neighbors would come apart.\n{}{}{}",
         sieve.numbers[first], vertices_of(sieve.mesh, first), measure(sieve.mesh),
-        remedy(sieve.mesh, first), others));
+        remedy(sieve.mesh, first),
+        sieve.mesh.dimension() == 2
+            ? " Intrinsic flips can do with such cells (--delaunay, MergeOptions::delaunay)."
+            : "",
+        others));
 }
 
 } // namespace
@@ -246,8 +250,7 @@ Mesh tidy(Mesh mesh, CellsWithoutVolume flat) {
     std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
     leave_out(sieve, with_repeated_corner(sieve.mesh.simplices), "with a repeated corner");
     leave_out(sieve, duplicates(sieve.mesh.simplices), "on the vertices of an earlier one");
-    if (flat == CellsWithoutVolume::leave_out)
-        leave_out_flat_cells(sieve);
+    leave_out_flat_cells(sieve, flat);
 
     if (sieve.mesh.simplices.rows() == 0) {
         const auto& warnings = sieve.mesh.warnings;

@@ -8,7 +8,7 @@ namespace polydec {
 /// What becomes of cells without volume.
 enum class CellsWithoutVolume {
     leave_out, ///< where no slit opens; else they are refused
-    keep,      ///< for those who can do with them
+    keep,      ///< left out where no slit opens, too; the others stay, for who can do with them
 };
 
 /// The mesh without what makes no sense to a complex: cells with a repeated corner, cells on the

@@ -139,6 +139,10 @@ double CertifiedEigensolver::State::shift_close_to(Index done, Index wanted, dou
                                                    double high) {
     tell("counting");
     for (int step = 0; step < most_bisections; ++step) {
+        // a multiplet of more copies than wanted has no shift that is near enough; nearer than this
+        // the factorization would lose digits
+        if (high < 0 && high - low < 1e-3 * std::abs(low))
+            break;
         const double middle = (low + high) / 2;
         const auto below = counter.below(middle, small);
         if (!below)

@@ -128,6 +128,17 @@ Discretization load(const MeshArguments& arguments, Timing& timing) {
     return result;
 }
 
+bool is_flippable(const Discretization& mesh) {
+    const auto& counts = mesh.input().coface_counts(mesh.dimension() - 1);
+    return mesh.dimension() == 2 && *std::max_element(counts.begin(), counts.end()) <= 2;
+}
+
+std::string flip_advice(const Discretization& mesh) {
+    if (!is_flippable(mesh) || mesh.options.delaunay == Delaunay::flips_and_splits)
+        return "";
+    return mesh.intrinsic ? "; add --delaunay=split-boundary" : "; add --delaunay";
+}
+
 void add_timing(Json& answer, const MeshArguments& arguments, Timing& timing) {
     timing.end();
     if (arguments.timing)

@@ -52,6 +52,12 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption 
 /// The option --side primal|dual.
 CLI::Option* add_side(CLI::App& command, Side& side);
 
+/// Whether edges can be flipped: a surface with two triangles at an edge, at most.
+bool is_flippable(const Discretization& mesh);
+
+/// "; add --delaunay" or what else would help against negative duals; empty if nothing would.
+std::string flip_advice(const Discretization& mesh);
+
 /// Reads, merges and measures the mesh; tells its warnings on stderr.
 Discretization load(const MeshArguments& arguments, Timing& timing);
 

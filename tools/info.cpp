@@ -110,10 +110,7 @@ Json flips(const IntrinsicTessellation& tessellation) {
 /// What would make negative duals positive, if there are any and something would.
 Json advice(const Discretization& mesh) {
     Json list = Json::array();
-    const auto& counts = mesh.input().coface_counts(mesh.dimension() - 1);
-    const bool surface =
-        mesh.dimension() == 2 && *std::max_element(counts.begin(), counts.end()) < 3;
-    if (!surface || mesh.options.delaunay == Delaunay::flips_and_splits)
+    if (!is_flippable(mesh) || mesh.options.delaunay == Delaunay::flips_and_splits)
         return list;
     Index inside = 0, boundary = 0;
     for (const Index e : negative_star_cells(mesh.volumes, 1))

@@ -95,7 +95,7 @@ std::optional<std::string> negative_duals(const Discretization& mesh, Side side)
     return fmt::format("{} of the {}-cells have a negative dual (the mesh is not Delaunay there): "
                        "the solution may be far off beside them{}{}",
                        cells, k, side == Side::dual ? "; compare with --side primal" : "",
-                       mesh.dimension() == 2 && !mesh.intrinsic ? "; or add --delaunay" : "");
+                       flip_advice(mesh));
 }
 
 BoundaryConditions conditions(const Discretization& mesh, const Arguments& arguments) {

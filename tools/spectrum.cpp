@@ -80,8 +80,7 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
         return std::nullopt;
     return fmt::format("{} of the eigenvalues are negative and spurious: {} cells next to these "
                        "forms have a negative dual (the mesh is not Delaunay there){}",
-                       negative, duals,
-                       mesh.dimension() == 2 && !mesh.intrinsic ? "; add --delaunay" : "");
+                       negative, duals, flip_advice(mesh));
 }
 
 void run(Arguments arguments) {

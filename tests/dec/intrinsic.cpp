@@ -262,7 +262,8 @@ TEST(IntrinsicDelaunay, gives_needles_and_coinciding_points_some_area) {
     EXPECT_GT(result.intrinsic->delaunay.statistics.added_length, 0);
     EXPECT_GT(star(result.volumes, 1).minCoeff(), 0);
     ASSERT_EQ(result.warnings.size(), 1u);
-    EXPECT_EQ(result.warnings[0].substr(0, 37), "a triangle has nearly no area: 3e-06 ");
+    EXPECT_EQ(result.warnings[0].substr(0, 31), "a triangle has nearly no area: ");
+    EXPECT_LT(result.intrinsic->delaunay.statistics.added_area, 1e-4);
     EXPECT_EQ(refusal([&] { discretize(mesh); }).substr(0, 5), "cell ");
 }
 

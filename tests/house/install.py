@@ -43,10 +43,9 @@ def check_tree(prefix, build, headers):
 
 
 def configure(options, consumer, prefix, binary, components, expect_success=True):
-    """fmt is hidden: an installed polydec needs Eigen alone."""
     return run(options.cmake, "-S", consumer, "-B", binary, "-G", "Ninja",
                f"-DCMAKE_CXX_COMPILER={options.compiler}", f"-DCMAKE_PREFIX_PATH={prefix}",
-               "-DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON", f"-DCOMPONENTS={components}",
+               f"-DCOMPONENTS={components}",
                cwd=prefix.parent, expect_success=expect_success)
 
 
