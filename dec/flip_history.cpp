@@ -53,6 +53,16 @@ SparseRow combine(const std::vector<SparseRow>& rows, std::span<const Term> term
     return all;
 }
 
+Side side_of(const GluedSurface& surface, Index halfedge) {
+    return {surface.edge(halfedge), static_cast<std::int8_t>(surface.sign(halfedge))};
+}
+
+template <class Value>
+void turn(std::vector<Value>& values, Index triangle) {
+    const Term turned{-1, triangle};
+    values[triangle] = combine(values, {&turned, 1});
+}
+
 template <class Value>
 void share(std::vector<Value>& values, Index first, Index second, double part) {
     const Term both[] = {{1, first}, {1, second}}, rest{1 - part, first};
@@ -71,33 +81,29 @@ FlipHistory::FlipHistory(const GluedSurface& surface)
 void FlipHistory::flip(const GluedSurface& surface, Index edge, double share_before,
                        double share_after) {
     const auto [h, g] = surface.halfedges(edge);
-    const auto side = [&](Index halfedge) {
-        return Side{surface.edge(halfedge), static_cast<std::int8_t>(surface.sign(halfedge))};
-    };
-    steps_.push_back({Kind::flip,
-                      static_cast<std::int8_t>(surface.sign(h)),
-                      edge,
-                      GluedSurface::triangle(h),
-                      GluedSurface::triangle(g),
-                      {side(GluedSurface::next(h)), side(GluedSurface::previous(h)),
-                       side(GluedSurface::next(g)), side(GluedSurface::previous(g))},
-                      {},
-                      share_before,
-                      share_after});
+    steps_.push_back(
+        {Kind::flip,
+         static_cast<std::int8_t>(surface.sign(h)),
+         edge,
+         GluedSurface::triangle(h),
+         GluedSurface::triangle(g),
+         {side_of(surface, GluedSurface::next(h)), side_of(surface, GluedSurface::previous(h)),
+          side_of(surface, GluedSurface::next(g)), side_of(surface, GluedSurface::previous(g))},
+         {},
+         share_before,
+         share_after});
 }
 
 void FlipHistory::split_boundary(const GluedSurface& surface, Index edge, double fraction) {
     const Index h = surface.halfedges(edge)[0];
     const Index h1 = GluedSurface::next(h), h2 = GluedSurface::previous(h);
-    const auto side = [&](Index halfedge) {
-        return Side{surface.edge(halfedge), static_cast<std::int8_t>(surface.sign(halfedge))};
-    };
     steps_.push_back({Kind::split,
                       static_cast<std::int8_t>(surface.sign(h)),
                       edge,
                       GluedSurface::triangle(h),
                       surface.triangles(),
-                      {side(h1), side(h2), Side{surface.edges(), 1}, Side{surface.edges() + 1, 1}},
+                      {side_of(surface, h1), side_of(surface, h2), Side{surface.edges(), 1},
+                       Side{surface.edges() + 1, 1}},
                       {surface.tail(h), surface.tail(h1), surface.vertices()},
                       fraction,
                       fraction});
@@ -115,9 +121,8 @@ void FlipHistory::apply(const Step& step, int k, Values& values) const {
     const double part = step.after;
     const auto& [jk, ki, il, lj] = step.around;
     if (step.kind == Kind::reverse) {
-        const Term turned{-1, step.first};
         if (k == 2)
-            values[step.first] = combine(values, {&turned, 1});
+            turn(values, step.first);
     } else if (step.kind == Kind::flip) {
         // klj has its part of the circulation: kl = part (jk + ki + il + lj) - lj - jk
         const double s = step.sign;
@@ -148,9 +153,8 @@ void FlipHistory::undo(const Step& step, int k, Values& values) const {
     const double part = step.before;
     const auto& [jk, ki, il, lj] = step.around;
     if (step.kind == Kind::reverse) {
-        const Term turned{-1, step.first};
         if (k == 2)
-            values[step.first] = combine(values, {&turned, 1});
+            turn(values, step.first);
     } else if (step.kind == Kind::flip) {
         // ijk has its part of the circulation: ij = part (jk + ki + il + lj) - jk - ki
         const double s = step.sign;
