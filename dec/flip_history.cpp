@@ -244,14 +244,16 @@ SparseMatrix as_matrix(const std::vector<SparseRow>& rows, Index columns) {
 } // namespace
 
 SparseMatrix FlipHistory::matrix(int k) const {
-    auto rows = identity(first_sizes_.at(k));
+    check_size(k, k < 0 || k > 2 ? 0 : first_sizes_[k], first_sizes_, "first");
+    auto rows = identity(first_sizes_[k]);
     for (const Step& step : steps_)
         apply(step, k, rows);
     return as_matrix(rows, first_sizes_[k]);
 }
 
 SparseMatrix FlipHistory::matrix_back(int k) const {
-    auto rows = identity(last_sizes_.at(k));
+    check_size(k, k < 0 || k > 2 ? 0 : last_sizes_[k], last_sizes_, "last");
+    auto rows = identity(last_sizes_[k]);
     for (auto step = steps_.rbegin(); step != steps_.rend(); ++step)
         undo(*step, k, rows);
     return as_matrix(rows, last_sizes_[k]);

@@ -27,8 +27,6 @@ public:
     /// The edge of the first surface on which each vertex lies that splits have made: its two ends.
     std::vector<std::array<Index, 2>> edges_of_new_vertices() const;
 
-    Index steps() const { return static_cast<Index>(steps_.size()); }
-
     /// A primal k-cochain of the first surface as one of the last. Commutes with d; vertices keep
     /// their values, new ones lie on a line between those of their edge. Time of the order of the
     /// steps. Throws InvalidInput, naming both sizes, if there is not one value for each k-cell.

@@ -4,6 +4,8 @@
 #include "base/errors.h"
 #include "dec/glued_volumes.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace polydec {
@@ -125,8 +127,11 @@ Vector carry(const IntrinsicTessellation& tessellation, int k, const Vector& val
 
 Vector carry_back(const IntrinsicTessellation& tessellation, int k, const Vector& values) {
     const auto lift = commuting_lift(tessellation);
-    if (values.size() != lift.at(k).cols())
-        throw InvalidInput("a form on the polygons has one value for each of them");
+    if (k < 0 || k > 2 || values.size() != lift[k].cols())
+        throw InvalidInput(fmt::format("{} values are given for a {}-form: the tessellation has {} "
+                                       "vertices, {} edges and {} polygons",
+                                       values.size(), k, lift[0].cols(), lift[1].cols(),
+                                       lift[2].cols()));
     return tessellation.delaunay.history.carry_back(k, lift[k] * values);
 }
 
