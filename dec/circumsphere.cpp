@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/circumsphere.h"
 
+#include "base/checks.h"
 #include "base/parallel.h"
 #include "dec/simplex_geometry.h"
 
@@ -28,6 +29,12 @@ Vector radii_of(Index count, Make make) {
         }
     });
     return radii;
+}
+
+/// Throws InvalidInput for a vertex without point.
+void check_table(const Points& points, const Simplices& simplices) {
+    for (const Index vertex : simplices.reshaped())
+        check_number("the point", vertex, 0, points.rows() - 1);
 }
 
 } // namespace
@@ -118,12 +125,14 @@ bool Circumsphere::look_at(std::span<const Index> vertices) {
 }
 
 Vector circumradii(const Points& points, const Simplices& simplices) {
+    check_table(points, simplices);
     return radii_of(static_cast<Index>(simplices.rows()), [&] {
         return [&](Index s) { return Corners{points, vertices(simplices, s)}; };
     });
 }
 
 Vector circumradii(const SimplicialComplex& complex, const SimplexMetric& metric, int k) {
+    check_number("circumradii in degree", k, 0, complex.dimension());
     return radii_of(complex.size(k), [&] {
         return [k, layout = SimplexLayout(complex, metric)](Index s) mutable {
             return layout.at(k, s);
@@ -133,6 +142,7 @@ Vector circumradii(const SimplicialComplex& complex, const SimplexMetric& metric
 
 Points circumcenters(const Points& points, const Simplices& simplices) {
     require_points(points.cols(), "a circumcenter");
+    check_table(points, simplices);
     Circumsphere sphere(points);
     Points centers = Points::Zero(simplices.rows(), points.cols());
     for (Index s = 0; s < simplices.rows(); ++s) {

@@ -56,13 +56,15 @@ private:
     double squared_radius_ = 0;
 };
 
-/// Circumradii of all k-simplices in the given table (rows of vertex numbers).
+/// Circumradii of all k-simplices in the given table (rows of vertex numbers). Throws InvalidInput
+/// for a vertex without point.
 Vector circumradii(const Points& points, const Simplices& simplices);
 
 /// Circumradii of all k-simplices of the complex.
 Vector circumradii(const SimplicialComplex& complex, const SimplexMetric& metric, int k);
 
-/// Circumcenters of all k-simplices in the given table: one row of N coordinates each.
+/// Circumcenters of all k-simplices in the given table: one row of N coordinates each. Throws
+/// likewise.
 Points circumcenters(const Points& points, const Simplices& simplices);
 
 } // namespace polydec

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/dual_parts.h"
 
+#include "base/checks.h"
 #include "dec/circumsphere.h"
+#include "dec/star.h"
 
 namespace polydec {
 
@@ -28,6 +30,9 @@ SparseMatrix heights(const SimplicialComplex& complex, const SimplexMetric& metr
 
 SparseMatrix dual_parts(const SimplicialComplex& complex, const SimplexMetric& metric,
                         const CellVolumes& volumes, int k, int m) {
+    check_number("parts of duals in simplices of degree", m, 0, complex.dimension());
+    check_number("parts of the duals of simplices of degree", k, 0, m);
+    check_fit(complex, volumes);
     SparseMatrix parts(complex.size(m), complex.size(m));
     parts.setIdentity();
     for (int j = m - 1; j >= k; --j) {

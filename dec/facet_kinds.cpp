@@ -3,6 +3,7 @@
 
 #include "dec/circumsphere.h"
 #include "dec/facet_defects.h"
+#include "dec/star.h"
 
 namespace polydec {
 
@@ -34,6 +35,7 @@ std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const Simp
 
 FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& metric,
                        const CellVolumes& volumes, const MergeOptions& options) {
+    check_fit(complex, volumes);
     const int n = complex.dimension();
     const auto degenerate = facet_defects(complex, metric, volumes, options).degenerate;
     const auto centered = centered_cofaces(complex, metric, volumes);

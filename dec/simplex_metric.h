@@ -17,8 +17,9 @@ namespace polydec {
 class SimplexMetric {
 public:
     /// Simplices between points, a row per vertex number; implicit, so that points can be given
-    /// wherever a metric is asked for.
+    /// wherever a metric is asked for, but not temporaries.
     SimplexMetric(const Points& points) : points_(&points) {}
+    SimplexMetric(Points&&) = delete;
 
     /// Simplices of which only the lengths of the edges are known: size(1) numbers. Whether each
     /// simplex exists is checked by circumcentric_volumes.
@@ -80,7 +81,7 @@ private:
     std::vector<Points> tables_;  // by degree
 };
 
-/// Lengths of the 1-simplices between points. Size size(1).
+/// Lengths of the 1-simplices between points. Size size(1). Throws like require_points.
 Vector edge_lengths(const SimplicialComplex& complex, const Points& points);
 
 /// Says why k-simplex s, whose faces all exist, cannot have the lengths that it is given.
@@ -90,5 +91,8 @@ std::string flaw_of_lengths(const SimplicialComplex& complex, const SimplexMetri
 /// Throws InvalidInput if points have no coordinates, as those of a mesh of which only lengths are
 /// known; what says who needs them.
 void require_points(Eigen::Index coordinates, std::string_view what);
+
+/// The same, and if a vertex of the complex has no point.
+void require_points(const SimplicialComplex& complex, const Points& points, std::string_view what);
 
 } // namespace polydec

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/star.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -19,6 +20,17 @@ double zero_threshold(const Vector& star) {
 }
 
 } // namespace
+
+void check_fit(const CellComplex& complex, const CellVolumes& volumes) {
+    const int n = complex.dimension();
+    check_as_many("degrees of volumes", static_cast<std::int64_t>(volumes.primal.size()), n + 1);
+    for (int k = 0; k <= n; ++k) {
+        check_as_many(fmt::format("volumes of {}-cells", k), volumes.primal[k].size(),
+                      complex.size(k));
+        check_as_many(fmt::format("dual volumes of {}-cells", k), volumes.dual[k].size(),
+                      complex.size(k));
+    }
+}
 
 Vector star(const CellVolumes& volumes, int k) {
     const Vector &primal = volumes.primal.at(k), &dual = volumes.dual.at(k);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "complex/cell_complex.h"
 #include "dec/cell_volumes.h"
 
 namespace polydec {
+
+/// Throws InvalidInput, naming the degree, unless the volumes are those of as many cells.
+void check_fit(const CellComplex& complex, const CellVolumes& volumes);
 
 /// Hodge star on primal k-forms, to dual (n-k)-forms: diagonal, dual volume over primal volume.
 /// Size size(k); units length^(n-2k); positive iff every dual volume is.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/whitney.h"
 
+#include "base/checks.h"
 #include "dec/simplex_geometry.h"
 
 #include <Eigen/LU>
@@ -32,6 +33,8 @@ double minor_determinant(const DenseMatrix& products, const std::vector<int>& I,
 } // namespace
 
 std::vector<std::vector<int>> subsets(int count, int size) {
+    check_number("subsets of a set of size", count, 0, 30);
+    check_number("subsets of size", size, 0, count);
     std::vector<std::vector<int>> result;
     std::vector<int> current;
     const auto extend = [&](const auto& self, int next) -> void {
@@ -51,6 +54,9 @@ std::vector<std::vector<int>> subsets(int count, int size) {
 
 DenseMatrix whitney_mass(const Points& points, std::span<const Index> vertices, int j) {
     const auto m = static_cast<int>(vertices.size()) - 1;
+    check_number("the mass matrix of Whitney forms of degree", j, 0, m);
+    for (const Index v : vertices)
+        check_number("the point", v, 0, points.rows() - 1);
     const DenseMatrix gradients = barycentric_gradients(points, vertices);
     const DenseMatrix products = gradients * gradients.transpose();
     const double factorial = std::tgamma(j + 1.0);

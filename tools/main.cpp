@@ -2,15 +2,6 @@
 #include "base/errors.h"
 #include "io/atomic_file.h"
 #include "tools/commands.h"
-#ifdef POLYDEC_HAS_CHOLMOD
-#include "backends/cholmod.h"
-#endif
-#ifdef POLYDEC_HAS_PETSC
-#include "backends/petsc.h"
-#endif
-#ifdef POLYDEC_HAS_SLEPC
-#include "backends/slepc.h"
-#endif
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -76,15 +67,6 @@ int main(int argc, char** argv) {
     std::signal(SIGINT, clean_up_and_die);
     std::signal(SIGTERM, clean_up_and_die);
     try {
-#ifdef POLYDEC_HAS_CHOLMOD
-        polydec::register_cholmod();
-#endif
-#ifdef POLYDEC_HAS_PETSC
-        polydec::register_petsc();
-#endif
-#ifdef POLYDEC_HAS_SLEPC
-        polydec::register_slepc();
-#endif
         return run(argc, argv);
     } catch (const polydec::InvalidInput& error) {
         return fail(bad_input, error.what());

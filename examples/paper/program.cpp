@@ -4,9 +4,6 @@
 #include "base/errors.h"
 #include "examples/paper/reproductions.h"
 #include "io/atomic_file.h"
-#ifdef POLYDEC_HAS_CHOLMOD
-#include "backends/cholmod.h"
-#endif
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -46,9 +43,6 @@ int run(const Reproduction& reproduction, int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : wrong_usage;
     }
-#ifdef POLYDEC_HAS_CHOLMOD
-    register_cholmod();
-#endif
     const Report report = reproduction.run(request);
     fmt::print("{}", to_text(report));
     if (!out.empty())

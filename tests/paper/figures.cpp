@@ -92,7 +92,7 @@ TEST(Fig8, errors_on_a_sphere_of_128_are_those_of_an_independent_program) {
 
 TEST(Fig9, a_least_length_is_never_better_than_merging) {
     const Report report = fig9({.levels = 2});
-    for (const char* name : {"poisson", "sphere"}) {
+    for (const char* name : {"poisson", "poisson_negative", "sphere", "sphere_negative"}) {
         const auto& rows = table(report, name).rows;
         for (std::size_t level = 1; level <= 2; ++level)
             for (const auto& row : rows)
