@@ -21,15 +21,13 @@ double binomial(int n, int k) {
 
 void require_volumes(const CellComplex& complex, const CellVolumes& volumes) {
     const int n = complex.dimension();
-    require(volumes.primal.size() == static_cast<std::size_t>(n) + 1 &&
-                volumes.dual.size() == volumes.primal.size(),
-            "there are volumes of every degree");
+    require(volumes.dimension() == n, "there are volumes of every degree");
     for (int k = 0; k <= n; ++k) {
-        require(volumes.primal[k].size() == complex.size(k) &&
-                    volumes.dual[k].size() == complex.size(k),
+        require(volumes.primal(k).size() == complex.size(k) &&
+                    volumes.dual(k).size() == complex.size(k),
                 "every cell has a volume");
-        require(volumes.primal[k].allFinite() && volumes.dual[k].allFinite(), "volumes are finite");
-        require(volumes.primal[k].minCoeff() > 0, "volumes are positive");
+        require(volumes.primal(k).allFinite() && volumes.dual(k).allFinite(), "volumes are finite");
+        require(volumes.primal(k).minCoeff() > 0, "volumes are positive");
         Vector values;
         if (accepts([&] { values = star(volumes, k); }))
             require(values.allFinite(), "stars are finite");
@@ -40,10 +38,10 @@ void require_volumes(const CellComplex& complex, const CellVolumes& volumes) {
 
 /// sum |s||*s| = C(n,k) |K|, but for what cancels in the sum.
 void require_duals_that_fill(const CellVolumes& volumes) {
-    const int n = static_cast<int>(volumes.primal.size()) - 1;
-    const double whole = volumes.primal[n].sum();
+    const int n = volumes.dimension();
+    const double whole = volumes.primal(n).sum();
     for (int k = 0; k <= n; ++k) {
-        const auto parts = (volumes.primal[k].array() * volumes.dual[k].array()).eval();
+        const auto parts = (volumes.primal(k).array() * volumes.dual(k).array()).eval();
         require(std::abs(parts.sum() - binomial(n, k) * whole) <= 1e-3 * parts.abs().sum(),
                 "duals and cells fill the mesh");
     }
