@@ -55,11 +55,22 @@ void run(const Arguments& arguments) {
         check_drawable(2, static_cast<int>(mesh.points.cols()));
     timing.begin("solve");
     const auto sources = cells_of(mesh, arguments.from);
+    Index raised = 0;
     const Vector distance = [&] {
         const Progress progress;
         progress("solve");
-        return geodesic_distance(mesh, sources, arguments.geodesic);
+        GeodesicDistance solver(mesh, arguments.geodesic);
+        Vector result = solver.to(sources);
+        raised = solver.raised();
+        return result;
     }();
+    auto warnings = mesh.warnings;
+    if (raised > 0) {
+        warnings.push_back(fmt::format("{} of the distances fell below 0 and were raised to 0: "
+                                       "triangles there are far from Delaunay{}",
+                                       raised, flip_advice(mesh)));
+        warn(warnings.back());
+    }
     if (!arguments.out.empty()) {
         timing.begin("write");
         draw(mesh, arguments.out, distance);
@@ -68,11 +79,8 @@ void run(const Arguments& arguments) {
     Eigen::Index farthest = 0;
     distance.maxCoeff(&farthest);
     const Index vertex = cell_vertices(mesh, 0, static_cast<Index>(farthest)).front();
-    Json answer{{"from", arguments.from},
-                {"farthest", vertex},
-                {"max", distance[farthest]},
-                {"mean", distance.mean()},
-                {"warnings", mesh.warnings}};
+    Json answer{{"from", arguments.from},  {"farthest", vertex}, {"max", distance[farthest]},
+                {"mean", distance.mean()}, {"raised", raised},   {"warnings", warnings}};
     add_timing(answer, arguments.mesh, timing);
     if (arguments.mesh.json) {
         fmt::print("{}\n", answer.dump());
