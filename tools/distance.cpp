@@ -47,6 +47,7 @@ void draw(const Discretization& mesh, const std::filesystem::path& out, const Ve
 struct Distances : Answer {
     std::vector<Index> from;
     Index farthest = 0;
+    Index raised = 0; ///< values below 0 that were raised to it
     double max = 0, mean = 0;
 
     void write(JsonWriter& json) const override {
@@ -54,6 +55,7 @@ struct Distances : Answer {
         json.member("farthest", farthest);
         json.member("max", max);
         json.member("mean", mean);
+        json.member("raised", raised);
     }
 
     void write(Text& text) const override {
@@ -74,11 +76,19 @@ void run(const Arguments& arguments) {
         check_drawable(2, static_cast<int>(mesh.points.cols()));
     log.timing.begin("solve");
     const auto sources = cells_of(mesh, arguments.from);
+    Index raised = 0;
     const Vector distance = [&] {
         const Progress progress;
         progress("solve");
-        return geodesic_distance(mesh, sources, arguments.geodesic);
+        GeodesicDistance solver(mesh, arguments.geodesic);
+        Vector result = solver.to(sources);
+        raised = solver.raised();
+        return result;
     }();
+    if (raised > 0)
+        log.warn(fmt::format("{} of the distances fell below 0 and were raised to 0: triangles "
+                             "there are far from Delaunay{}",
+                             raised, flip_advice(mesh)));
     if (!arguments.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments.out, distance);
@@ -91,6 +101,7 @@ void run(const Arguments& arguments) {
     answer.farthest = cell_vertices(mesh, 0, static_cast<Index>(farthest)).front();
     answer.max = distance[farthest];
     answer.mean = distance.mean();
+    answer.raised = raised;
     tell(answer, log, arguments.mesh.tell);
 }
 
