@@ -23,23 +23,15 @@ double zero_threshold(const Vector& star) {
 
 void check_fit(const CellComplex& complex, const CellVolumes& volumes) {
     const int n = complex.dimension();
-    check_as_many("degrees of volumes", static_cast<std::int64_t>(volumes.primal.size()), n + 1);
+    check_as_many("degrees of volumes", volumes.dimension() + 1, n + 1);
     for (int k = 0; k <= n; ++k) {
-        check_as_many(fmt::format("volumes of {}-cells", k), volumes.primal[k].size(),
-                      complex.size(k));
-        check_as_many(fmt::format("dual volumes of {}-cells", k), volumes.dual[k].size(),
+        check_as_many(fmt::format("volumes of {}-cells", k), volumes.primal(k).size(),
                       complex.size(k));
     }
 }
 
 Vector star(const CellVolumes& volumes, int k) {
-    const Vector &primal = volumes.primal.at(k), &dual = volumes.dual.at(k);
-    for (Index s = 0; s < primal.size(); ++s)
-        if (!(primal[s] > 0))
-            throw InvalidInput(fmt::format("the {}-cell {} has volume {}: the Hodge star divides "
-                                           "by it; remove the cell",
-                                           k, s, primal[s]));
-    return dual.cwiseQuotient(primal);
+    return volumes.dual(k).cwiseQuotient(volumes.primal(k));
 }
 
 std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k) {
@@ -75,7 +67,7 @@ Vector inverse_star(const CellVolumes& volumes, int k) {
 }
 
 Vector dual_star(const CellVolumes& volumes, int k) {
-    const int n = static_cast<int>(volumes.primal.size()) - 1;
+    const int n = volumes.dimension();
     return (k * (n - k) % 2 == 0 ? 1.0 : -1.0) * inverse_star(volumes, k);
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace polydec::paper {
 
@@ -26,13 +27,14 @@ Discretization with_least_dual_length(const Mesh& mesh, double epsilon, const Si
     constexpr double rounding = 1e-10; // relative to the edge
     // the tolerance tells boundary edges without dual from others; here none is without
     auto bundle = discretize(mesh, {.criterion = MergeCriterion::none, .tolerance = 0});
-    const Vector& edges = bundle.volumes.primal[1];
-    Vector& lengths = bundle.volumes.dual[1];
+    const Vector& edges = bundle.volumes.primal(1);
+    Vector lengths = bundle.volumes.dual(1);
     for (Index e = 0; e < lengths.size(); ++e)
         if (std::abs(lengths[e]) < epsilon) {
             const bool is_zero = std::abs(lengths[e]) <= rounding * edges[e];
             lengths[e] = std::copysign(epsilon, is_zero ? sign.of_zero : lengths[e]);
         }
+    bundle.volumes = bundle.volumes.with_dual(1, std::move(lengths));
     return bundle;
 }
 
