@@ -24,7 +24,7 @@ constexpr bool is_taken = std::is_invocable_v<decltype(sum), Argument>;
 static_assert(!is_taken<Eigen::Matrix3d> && !is_taken<Eigen::MatrixX3d>);
 static_assert(!std::is_constructible_v<Vector, Eigen::MatrixX3d>);
 static_assert(!std::is_assignable_v<Vector&, Eigen::MatrixX3d>);
-static_assert(!is_taken<Eigen::VectorXcd> && !is_taken<double> && !is_taken<int>);
+static_assert(!is_taken<double> && !is_taken<int>);
 // and a Vector takes what is one
 static_assert(is_taken<Vector> && is_taken<Eigen::VectorXd> && is_taken<Eigen::Vector3d>);
 static_assert(is_taken<Eigen::RowVectorXd> && is_taken<DenseMatrix> && is_taken<Points>);

@@ -49,39 +49,39 @@ std::vector<Door> doors_of_complexes(const Sample& s) {
 
 std::vector<Door> doors_of_operators(const Sample& s) {
     const int n = s.n();
-    const auto ones = [&](int k) { return Vector(Vector::Ones(s.P().size(k))); };
+    const auto ones = [&s](int k) { return Vector(Vector::Ones(s.P().size(k))); };
     return {
-        {"derivative", -1, n, [&](int k) { derivative(s.P(), k); }},
-        {"dual_derivative", -1, n, [&](int j) { dual_derivative(s.P(), j); }},
-        {"star", 0, n, [&](int k) { star(s.V(), k); }},
-        {"inverse_star", 0, n, [&](int k) { inverse_star(s.V(), k); }},
-        {"dual_star", 0, n, [&](int k) { dual_star(s.V(), k); }},
-        {"zero_star_cells", 0, n, [&](int k) { zero_star_cells(s.V(), k); }},
-        {"negative_star_cells", 0, n, [&](int k) { negative_star_cells(s.V(), k); }},
-        {"codifferential", 0, n, [&](int k) { codifferential(s.P(), s.V(), k); }},
-        {"dual_codifferential", 0, n, [&](int j) { dual_codifferential(s.P(), s.V(), j); }},
-        {"laplacian", 0, n, [&](int k) { laplacian(s.P(), s.V(), k); }},
-        {"dual_laplacian", 0, n, [&](int j) { dual_laplacian(s.P(), s.V(), j); }},
-        {"symmetric_laplacian", 0, n, [&](int k) { symmetric_laplacian(s.P(), s.V(), k); }},
-        {"apply_derivative", -1, n, [&](int k) { apply_derivative(s.P(), k, ones(k)); }},
+        {"derivative", -1, n, [=, &s](int k) { derivative(s.P(), k); }},
+        {"dual_derivative", -1, n, [=, &s](int j) { dual_derivative(s.P(), j); }},
+        {"star", 0, n, [=, &s](int k) { star(s.V(), k); }},
+        {"inverse_star", 0, n, [=, &s](int k) { inverse_star(s.V(), k); }},
+        {"dual_star", 0, n, [=, &s](int k) { dual_star(s.V(), k); }},
+        {"zero_star_cells", 0, n, [=, &s](int k) { zero_star_cells(s.V(), k); }},
+        {"negative_star_cells", 0, n, [=, &s](int k) { negative_star_cells(s.V(), k); }},
+        {"codifferential", 0, n, [=, &s](int k) { codifferential(s.P(), s.V(), k); }},
+        {"dual_codifferential", 0, n, [=, &s](int j) { dual_codifferential(s.P(), s.V(), j); }},
+        {"laplacian", 0, n, [=, &s](int k) { laplacian(s.P(), s.V(), k); }},
+        {"dual_laplacian", 0, n, [=, &s](int j) { dual_laplacian(s.P(), s.V(), j); }},
+        {"symmetric_laplacian", 0, n, [=, &s](int k) { symmetric_laplacian(s.P(), s.V(), k); }},
+        {"apply_derivative", -1, n, [=, &s](int k) { apply_derivative(s.P(), k, ones(k)); }},
         {"apply_transposed_derivative", -1, n,
-         [&](int k) { apply_transposed_derivative(s.P(), k, ones(k + 1)); }},
+         [=, &s](int k) { apply_transposed_derivative(s.P(), k, ones(k + 1)); }},
         {"apply_codifferential", 0, n,
-         [&](int k) { apply_codifferential(s.P(), s.V(), k, ones(k)); }},
+         [=, &s](int k) { apply_codifferential(s.P(), s.V(), k, ones(k)); }},
         {"apply_dual_codifferential", 0, n,
-         [&](int j) { apply_dual_codifferential(s.P(), s.V(), j, ones(n - j)); }},
-        {"apply_laplacian", 0, n, [&](int k) { apply_laplacian(s.P(), s.V(), k, ones(k)); }},
+         [=, &s](int j) { apply_dual_codifferential(s.P(), s.V(), j, ones(n - j)); }},
+        {"apply_laplacian", 0, n, [=, &s](int k) { apply_laplacian(s.P(), s.V(), k, ones(k)); }},
         {"apply_symmetric_laplacian", 0, n,
-         [&](int k) { apply_symmetric_laplacian(s.P(), s.V(), k, ones(k)); }},
+         [=, &s](int k) { apply_symmetric_laplacian(s.P(), s.V(), k, ones(k)); }},
         {"symmetric_laplacian_diagonal", 0, n,
-         [&](int k) { symmetric_laplacian_diagonal(s.P(), s.V(), k); }},
+         [=, &s](int k) { symmetric_laplacian_diagonal(s.P(), s.V(), k); }},
         {"apply_dual_laplacian", 0, n,
-         [&](int j) { apply_dual_laplacian(s.P(), s.V(), j, ones(n - j)); }},
-        {"dual_boundary_derivative", 0, n, [&](int j) { dual_boundary_derivative(s.P(), j); }},
-        {"primal_to_merged", 0, n, [&](int k) { primal_to_merged(s.mesh.merging, k); }},
-        {"primal_to_input", 0, n, [&](int k) { primal_to_input(s.mesh.merging, s.W(), k); }},
-        {"dual_to_merged", 0, n, [&](int j) { dual_to_merged(s.mesh.merging, s.W(), j); }},
-        {"dual_to_input", 0, n, [&](int j) { dual_to_input(s.mesh.merging, j); }},
+         [=, &s](int j) { apply_dual_laplacian(s.P(), s.V(), j, ones(n - j)); }},
+        {"dual_boundary_derivative", 0, n, [=, &s](int j) { dual_boundary_derivative(s.P(), j); }},
+        {"primal_to_merged", 0, n, [=, &s](int k) { primal_to_merged(s.mesh.merging, k); }},
+        {"primal_to_input", 0, n, [=, &s](int k) { primal_to_input(s.mesh.merging, s.W(), k); }},
+        {"dual_to_merged", 0, n, [=, &s](int j) { dual_to_merged(s.mesh.merging, s.W(), j); }},
+        {"dual_to_input", 0, n, [=, &s](int j) { dual_to_input(s.mesh.merging, j); }},
     };
 }
 
@@ -97,15 +97,18 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
     };
     const auto N = static_cast<Index>(mesh.points.cols());
     return {
-        {"circumradii", 0, n, [&](int k) { circumradii(s.K(), mesh.metric(), k); }},
-        {"cell_centers", 0, n, [&](int k) { cell_centers(mesh.merging, mesh.points, s.W(), k); }},
+        {"circumradii", 0, n, [=, &s, &mesh](int k) { circumradii(s.K(), mesh.metric(), k); }},
+        {"cell_centers", 0, n,
+         [=, &s, &mesh](int k) { cell_centers(mesh.merging, mesh.points, s.W(), k); }},
         {"cell_centroids", 0, n,
-         [&](int k) { cell_centroids(mesh.merging, mesh.points, s.W(), k); }},
-        {"cell_centers of a bundle", 0, n, [&](int k) { cell_centers(mesh, k); }},
+         [=, &s, &mesh](int k) { cell_centroids(mesh.merging, mesh.points, s.W(), k); }},
+        {"cell_centers of a bundle", 0, n, [=, &s, &mesh](int k) { cell_centers(mesh, k); }},
         {"cell_centers after flips", 0, 2, [](int k) { cell_centers(flipped(), k); }},
         {"cell_vertices after flips", 0, 2, [](int k) { cell_vertices(flipped(), k, 0); }},
-        {"dual_parts, k", 0, n, [&](int k) { dual_parts(s.K(), mesh.metric(), s.W(), k, n); }},
-        {"dual_parts, m", 0, n, [&](int m) { dual_parts(s.K(), mesh.metric(), s.W(), 0, m); }},
+        {"dual_parts, k", 0, n,
+         [=, &s, &mesh](int k) { dual_parts(s.K(), mesh.metric(), s.W(), k, n); }},
+        {"dual_parts, m", 0, n,
+         [=, &s, &mesh](int m) { dual_parts(s.K(), mesh.metric(), s.W(), 0, m); }},
         {"de_rham", 0, n, [=, &mesh](int k) { de_rham(mesh, k, constant(k, N)); }},
         {"dual_de_rham", 0, n, [=, &mesh](int j) { dual_de_rham(mesh, j, constant(j, N)); }},
         {"interior_product", 0, n + 1,
@@ -117,7 +120,7 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
              interior_product(s.mesh.merging, s.lift, s.mesh.points, field, k, Sampling::upwind);
          }},
         {"whitney_mass", 0, n,
-         [&](int j) {
+         [=, &s, &mesh](int j) {
              const auto corners = s.K().simplices(n);
              whitney_mass(mesh.points, {&corners(0, 0), std::size_t(n) + 1}, j);
          }},

@@ -159,7 +159,6 @@ TEST(doors, a_matrix_is_no_vector) {
     EXPECT_EQ(outcome([&] { w.values = three; }), "refused");
     EXPECT_EQ(outcome([&] { apply_laplacian(s.P(), s.V(), 0, three); }), "refused");
     EXPECT_EQ(outcome([&] { PoissonSolver(s.mesh, {.conductivity = three}); }), "refused");
-    EXPECT_EQ(outcome([&] { SimplexMetric metric(s.K(), three); }), "refused");
     EXPECT_EQ(
         outcome([&] { de_rham(s.mesh, 0, [&](const Vector&) { return DenseMatrix(1, 2); }); }),
         "refused");
