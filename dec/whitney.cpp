@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <limits>
 
 namespace polydec {
 
@@ -33,8 +34,9 @@ double minor_determinant(const DenseMatrix& products, const std::vector<int>& I,
 } // namespace
 
 std::vector<std::vector<int>> subsets(int count, int size) {
-    check_number("subsets of a set of size", count, 0, 30);
-    check_number("subsets of size", size, 0, count);
+    constexpr int any = std::numeric_limits<int>::max();
+    check_number("subsets of a set of size", count, 0, any);
+    check_number("subsets of size", size, 0, any);
     std::vector<std::vector<int>> result;
     std::vector<int> current;
     const auto extend = [&](const auto& self, int next) -> void {

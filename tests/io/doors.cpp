@@ -124,7 +124,6 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
              const auto corners = s.K().simplices(n);
              whitney_mass(mesh.points, {&corners(0, 0), std::size_t(n) + 1}, j);
          }},
-        {"subsets", 0, n, [n](int size) { subsets(n, size); }},
     };
 }
 

@@ -95,6 +95,8 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
                   }),
                   "refused");
         EXPECT_EQ(outcome([&] { facets_within_labels(s.K(), {1}); }), "refused");
+        EXPECT_EQ(outcome([&] { subsets(n, -1); }), "refused");
+        EXPECT_EQ(outcome([&] { subsets(-1, 0); }), "refused");
     }
 }
 

@@ -102,6 +102,21 @@ TEST(Fig9, a_least_length_is_never_better_than_merging) {
     }
 }
 
+TEST(Fig9, the_sign_of_lengths_that_are_0_matters_the_less_the_shorter_they_become) {
+    const Report report = fig9({.levels = 2});
+    for (const std::string name : {"poisson", "sphere"}) {
+        const auto &positive = table(report, name).rows,
+                   &negative = table(report, name + "_negative").rows;
+        const auto difference = [&](std::size_t row) {
+            return std::abs(number(positive[row][2]) / number(negative[row][2]) - 1);
+        };
+        // 1e-3, 1e-5 and 1e-7
+        EXPECT_GT(difference(1), 0.3) << name;
+        EXPECT_LT(difference(2), difference(1) / 10) << name;
+        EXPECT_LT(difference(3), difference(2) / 10) << name;
+    }
+}
+
 TEST(Fig10, the_maximum_error_of_the_curvature_has_order_2_and_the_papers_norm_more) {
     const Report report = fig10({.levels = 4});
     EXPECT_NEAR(last_order(series(report, "curvature", "maximum")), 2.0, 0.1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <polydec.h>
+#include <backends/registry.h>
 
 bool has_engine(const char* name) {
     for (const auto& engine : polydec::engines())
