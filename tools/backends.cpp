@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backends/registry.h"
+#include "examples/paper/console.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 
@@ -26,9 +27,10 @@ const char* kind_name(EngineKind kind) {
 void run(bool json) {
     if (!json) {
         for (const auto& engine : engines())
-            fmt::print("{:<16}{:<15}{:<9}{}{}\n", engine.name, kind_name(engine.kind),
-                       engine.available ? "there" : "missing", engine.description,
-                       engine.available ? "" : fmt::format("; to get it: {}", engine.how_to_get));
+            console::print("{:<16}{:<15}{:<9}{}{}\n", engine.name, kind_name(engine.kind),
+                           engine.available ? "there" : "missing", engine.description,
+                           engine.available ? ""
+                                            : fmt::format("; to get it: {}", engine.how_to_get));
         return;
     }
     Json list = Json::array();
@@ -38,7 +40,7 @@ void run(bool json) {
                         {"available", engine.available},
                         {"description", engine.description},
                         {"how_to_get", engine.how_to_get}});
-    fmt::print("{}\n", Json{{"backends", list}}.dump());
+    console::print("{}\n", Json{{"backends", list}}.dump());
 }
 
 } // namespace

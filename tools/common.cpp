@@ -2,13 +2,13 @@
 #include "tools/common.h"
 
 #include "base/errors.h"
+#include "examples/paper/console.h"
 #include "io/length_file.h"
 #include "io/read_mesh.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <unistd.h>
 
 namespace polydec::tools {
@@ -149,28 +149,27 @@ void print_timing(const MeshArguments& arguments, Timing& timing) {
     timing.end();
     if (!arguments.timing)
         return;
-    fmt::print("\nseconds\n");
+    console::print("\nseconds\n");
     const Json seconds = timing.json();
     for (const auto& [stage, value] : seconds.items())
-        fmt::print("  {:<12} {:8.3f}\n", stage, value.get<double>());
+        console::print("  {:<12} {:8.3f}\n", stage, value.get<double>());
 }
 
 void warn(const std::string& text) {
-    fmt::print(stderr, "polydec: warning: {}\n", text);
+    console::tell(fmt::format("polydec: warning: {}\n", text));
 }
 
 Progress::Progress() : visible_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (visible_)
-        fmt::print(stderr, "\r\033[K");
+        console::tell("\r\033[K");
 }
 
 void Progress::operator()(std::string_view what) const {
     if (!visible_)
         return;
-    fmt::print(stderr, "\r\033[K{} ..", what);
-    std::fflush(stderr);
+    console::tell(fmt::format("\r\033[K{} ..", what));
 }
 
 } // namespace polydec::tools

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
+#include "examples/paper/console.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
 #include "solvers/geodesic_distance.h"
@@ -75,13 +76,14 @@ void run(const Arguments& arguments) {
                 {"warnings", mesh.warnings}};
     add_timing(answer, arguments.mesh, timing);
     if (arguments.mesh.json) {
-        fmt::print("{}\n", answer.dump());
+        console::print("{}\n", answer.dump());
         return;
     }
-    fmt::print("distance along the surface, {} source{}\n  farthest: vertex {} at {:.10g}\n  mean "
-               "over the vertices: {:.10g}\n",
-               sources.size(), sources.size() == 1 ? "" : "s", vertex, distance[farthest],
-               distance.mean());
+    console::print(
+        "distance along the surface, {} source{}\n  farthest: vertex {} at {:.10g}\n  mean "
+        "over the vertices: {:.10g}\n",
+        sources.size(), sources.size() == 1 ? "" : "s", vertex, distance[farthest],
+        distance.mean());
     print_timing(arguments.mesh, timing);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/generate.h"
 
+#include "examples/paper/console.h"
 #include "io/write_mesh.h"
 #include "meshes/generate.h"
 #include "tools/commands.h"
@@ -95,8 +96,8 @@ CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
 
 void write_generated(const std::filesystem::path& out, const Mesh& mesh) {
     write_mesh(out, mesh);
-    fmt::print("{}: {} points, {} simplices of dimension {}\n", out.string(), mesh.points.rows(),
-               mesh.simplices.rows(), mesh.dimension());
+    console::print("{}: {} points, {} simplices of dimension {}\n", out.string(),
+                   mesh.points.rows(), mesh.simplices.rows(), mesh.dimension());
 }
 
 void add_generate(CLI::App& app) {

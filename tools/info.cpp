@@ -4,6 +4,7 @@
 #include "dec/facet_kinds.h"
 #include "dec/star.h"
 #include "dec/well_defined.h"
+#include "examples/paper/console.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 
@@ -172,30 +173,30 @@ void print_cells(const Json& answer) {
     const auto count = [&](const char* which) { return join(answer["cells"][which]); };
     const int n = answer["dimension"];
     const Json& coordinates = answer["ambient_dimension"];
-    fmt::print("dimension {} {}, volume {:.10g}\n", n,
-               coordinates.is_null() ? "by lengths of edges alone"
-                                     : fmt::format("in {} coordinates", coordinates.get<int>()),
-               answer["volume"].get<double>());
-    fmt::print("cells of degree 0 .. {}\n", n);
-    fmt::print("  input    {}\n  merged   {}\n", count("input"), count("merged"));
+    console::print("dimension {} {}, volume {:.10g}\n", n,
+                   coordinates.is_null() ? "by lengths of edges alone"
+                                         : fmt::format("in {} coordinates", coordinates.get<int>()),
+                   answer["volume"].get<double>());
+    console::print("cells of degree 0 .. {}\n", n);
+    console::print("  input    {}\n  merged   {}\n", count("input"), count("merged"));
     std::vector<std::string> sizes;
     for (const auto& [vertices, cells] : answer["vertices_per_cell"].items())
         sizes.push_back(fmt::format("{} with {}", cells.get<Index>(), vertices));
-    fmt::print("  merged {}-cells by vertices: {}\n", n, fmt::join(sizes, ", "));
+    console::print("  merged {}-cells by vertices: {}\n", n, fmt::join(sizes, ", "));
 }
 
 void print_topology(const Json& answer) {
-    fmt::print("topology\n");
-    fmt::print("  Euler characteristic {}, Betti numbers {} ({} after merging)\n",
-               answer["euler"]["input"].get<Index>(), join(answer["betti"]["input"]),
-               answer["betti"]["merged"] == answer["betti"]["input"] ? "the same" : "changed");
-    fmt::print("  components {}, of the boundary {}, {}\n", answer["components"].get<Index>(),
-               answer["boundary_components"].get<Index>(),
-               answer["orientable"].get<bool>() ? "orientable" : "not orientable");
+    console::print("topology\n");
+    console::print("  Euler characteristic {}, Betti numbers {} ({} after merging)\n",
+                   answer["euler"]["input"].get<Index>(), join(answer["betti"]["input"]),
+                   answer["betti"]["merged"] == answer["betti"]["input"] ? "the same" : "changed");
+    console::print("  components {}, of the boundary {}, {}\n", answer["components"].get<Index>(),
+                   answer["boundary_components"].get<Index>(),
+                   answer["orientable"].get<bool>() ? "orientable" : "not orientable");
 }
 
 void print_flips(const Json& done) {
-    fmt::print(
+    console::print(
         "intrinsic flips\n  {} negative dual edges before, and {} on the boundary; {} flips, "
         "{} splits\n  {} and {} negative ones are left\n",
         done["negative_before"].get<Index>(), done["negative_boundary_before"].get<Index>(),
@@ -205,38 +206,40 @@ void print_flips(const Json& done) {
 
 void print_duals(const Json& answer) {
     const auto& facets = answer["facets"];
-    fmt::print("degenerate dual edges\n  {} between two cells, {} on the boundary, {} at branching "
-               "facets\n",
-               facets["degenerate"].get<Index>(), facets["boundary_degenerate"].get<Index>(),
-               facets["branching_degenerate"].get<Index>());
+    console::print(
+        "degenerate dual edges\n  {} between two cells, {} on the boundary, {} at branching "
+        "facets\n",
+        facets["degenerate"].get<Index>(), facets["boundary_degenerate"].get<Index>(),
+        facets["branching_degenerate"].get<Index>());
     if (answer.contains("concyclic"))
-        fmt::print("  {} edges removed; {} of the triangles ({:.1f} %) were in a concyclic pair\n",
-                   answer["concyclic"]["edges"].get<Index>(),
-                   answer["concyclic"]["faces"].get<Index>(),
-                   answer["concyclic"]["percent"].get<double>());
+        console::print(
+            "  {} edges removed; {} of the triangles ({:.1f} %) were in a concyclic pair\n",
+            answer["concyclic"]["edges"].get<Index>(), answer["concyclic"]["faces"].get<Index>(),
+            answer["concyclic"]["percent"].get<double>());
     if (answer.contains("intrinsic"))
         return print_flips(answer["intrinsic"]);
     const auto& pairs = answer["pairs"];
-    fmt::print("pairs of neighbors\n  {} well-centered, {} Delaunay, {} non-Delaunay, {} "
-               "{}\n",
-               pairs["well_centered"].get<Index>(), pairs["delaunay"].get<Index>(),
-               pairs["non_delaunay"].get<Index>(), pairs["cospherical"].get<Index>(),
-               answer["dimension"] == 2 ? "concyclic" : "cospherical");
+    console::print("pairs of neighbors\n  {} well-centered, {} Delaunay, {} non-Delaunay, {} "
+                   "{}\n",
+                   pairs["well_centered"].get<Index>(), pairs["delaunay"].get<Index>(),
+                   pairs["non_delaunay"].get<Index>(), pairs["cospherical"].get<Index>(),
+                   answer["dimension"] == 2 ? "concyclic" : "cospherical");
 }
 
 void print_stars(const Json& answer) {
-    fmt::print("Hodge stars after merging\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n",
-               "degree", "min", "max", "min abs", "negative", "zero", "condition", "(before)");
+    console::print("Hodge stars after merging\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n",
+                   "degree", "min", "max", "min abs", "negative", "zero", "condition", "(before)");
     const auto condition = [](const Json& star) {
         return star["condition"].is_null() ? std::string("infinite")
                                            : fmt::format("{:.3g}", star["condition"].get<double>());
     };
     for (std::size_t k = 0; k < answer["stars"].size(); ++k) {
         const auto& star = answer["stars"][k];
-        fmt::print("  {:<7}{:>14.6g}{:>14.6g}{:>14.6g}{:>10}{:>8}{:>12}{:>14}\n", k,
-                   star["min"].get<double>(), star["max"].get<double>(),
-                   star["min_abs"].get<double>(), star["negative"].get<Index>(),
-                   star["zero"].get<Index>(), condition(star), condition(answer["input_stars"][k]));
+        console::print("  {:<7}{:>14.6g}{:>14.6g}{:>14.6g}{:>10}{:>8}{:>12}{:>14}\n", k,
+                       star["min"].get<double>(), star["max"].get<double>(),
+                       star["min_abs"].get<double>(), star["negative"].get<Index>(),
+                       star["zero"].get<Index>(), condition(star),
+                       condition(answer["input_stars"][k]));
     }
 }
 
@@ -266,12 +269,13 @@ void print_operators(const Json& answer) {
                         cell(row["merged"], "primal"), cell(row["merged"], "dual")));
     }
     if (lines.empty()) {
-        fmt::print("operators\n  all are well defined, before and after merging\n");
+        console::print("operators\n  all are well defined, before and after merging\n");
         return;
     }
-    fmt::print("operators that are not well defined everywhere\n  {:<18}{:>14}{:>14}{:>16}{:>14}\n"
-               "{}",
-               "", "input primal", "dual", "merged primal", "dual", fmt::join(lines, ""));
+    console::print(
+        "operators that are not well defined everywhere\n  {:<18}{:>14}{:>14}{:>16}{:>14}\n"
+        "{}",
+        "", "input primal", "dual", "merged primal", "dual", fmt::join(lines, ""));
 }
 
 /// What the stars allow for the Laplacian on forms that live on the k-cells.
@@ -293,11 +297,12 @@ std::string verdict(const Json& stars, int k) {
 
 void print_advice(const Json& answer) {
     const int n = answer["dimension"];
-    fmt::print("spectra\n");
+    console::print("spectra\n");
     for (int k = 0; k <= n; ++k)
-        fmt::print("  primal {}-forms, dual {}-forms: {}\n", k, n - k, verdict(answer["stars"], k));
+        console::print("  primal {}-forms, dual {}-forms: {}\n", k, n - k,
+                       verdict(answer["stars"], k));
     for (const auto& text : answer["advice"])
-        fmt::print("{}\n", text.get<std::string>());
+        console::print("{}\n", text.get<std::string>());
 }
 
 void run(const MeshArguments& arguments) {
@@ -306,10 +311,10 @@ void run(const MeshArguments& arguments) {
     Json answer = describe(mesh, timing);
     add_timing(answer, arguments, timing);
     if (arguments.json) {
-        fmt::print("{}\n", answer.dump());
+        console::print("{}\n", answer.dump());
         return;
     }
-    fmt::print("{}\n", arguments.mesh.string());
+    console::print("{}\n", arguments.mesh.string());
     print_cells(answer);
     print_topology(answer);
     print_duals(answer);

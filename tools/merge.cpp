@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
+#include "examples/paper/console.h"
 #include "io/draw_cells.h"
 #include "io/draw_overlay.h"
 #include "io/vtu.h"
@@ -44,8 +45,8 @@ void run(const Arguments& arguments) {
     timing.begin("write");
     write(arguments.out, mesh);
     const int n = mesh.dimension();
-    fmt::print("{}: {} cells of dimension {} merged into {}\n", arguments.out.string(),
-               mesh.input().size(n), n, mesh.complex().size(n));
+    console::print("{}: {} cells of dimension {} merged into {}\n", arguments.out.string(),
+                   mesh.input().size(n), n, mesh.complex().size(n));
     print_timing(arguments.mesh, timing);
 }
 

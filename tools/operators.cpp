@@ -3,6 +3,7 @@
 #include "dec/laplacian.h"
 #include "dec/lift.h"
 #include "dec/star.h"
+#include "examples/paper/console.h"
 #include "io/atomic_file.h"
 #include "io/matrix_market.h"
 #include "tools/commands.h"
@@ -124,8 +125,8 @@ void run(const Arguments& arguments) {
     make_folder(arguments.out);
     timing.begin("write");
     Writer(mesh, arguments.out).write_all();
-    fmt::print("operators of degrees 0 .. {} written to {}\n", mesh.dimension(),
-               arguments.out.string());
+    console::print("operators of degrees 0 .. {} written to {}\n", mesh.dimension(),
+                   arguments.out.string());
     print_timing(arguments.mesh, timing);
 }
 

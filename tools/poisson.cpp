@@ -3,6 +3,7 @@
 
 #include "dec/cell_centers.h"
 #include "dec/star.h"
+#include "examples/paper/console.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
 #include "tools/commands.h"
@@ -63,17 +64,17 @@ void draw(const Discretization& mesh, const Arguments& arguments, const Vector& 
 }
 
 void print(const Json& answer) {
-    fmt::print("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n",
-               answer["side"].get<std::string>(), answer["boundary"].get<std::string>(),
-               answer["unknowns"].get<Index>());
-    fmt::print("  solution from {:.10g} to {:.10g}\n", answer["min"].get<double>(),
-               answer["max"].get<double>());
-    fmt::print("  residual {:.2e} with {} (tried: {})\n", answer["residual"].get<double>(),
-               answer["engine"].get<std::string>(),
-               fmt::join(answer["tried"].get<std::vector<std::string>>(), "; "));
+    console::print("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n",
+                   answer["side"].get<std::string>(), answer["boundary"].get<std::string>(),
+                   answer["unknowns"].get<Index>());
+    console::print("  solution from {:.10g} to {:.10g}\n", answer["min"].get<double>(),
+                   answer["max"].get<double>());
+    console::print("  residual {:.2e} with {} (tried: {})\n", answer["residual"].get<double>(),
+                   answer["engine"].get<std::string>(),
+                   fmt::join(answer["tried"].get<std::vector<std::string>>(), "; "));
     if (answer.contains("error"))
-        fmt::print("  error: L2 {:.6e}, largest {:.6e}\n", answer["error"]["l2"].get<double>(),
-                   answer["error"]["max"].get<double>());
+        console::print("  error: L2 {:.6e}, largest {:.6e}\n", answer["error"]["l2"].get<double>(),
+                       answer["error"]["max"].get<double>());
 }
 
 void warn_of_compatibility(const PoissonSolver& solver) {
@@ -145,7 +146,7 @@ void run(Arguments arguments) {
         answer["warnings"].push_back(*negative);
     add_timing(answer, arguments.mesh, timing);
     if (arguments.mesh.json) {
-        fmt::print("{}\n", answer.dump());
+        console::print("{}\n", answer.dump());
         return;
     }
     print(answer);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "examples/paper/console.h"
 #include "examples/paper/report.h"
 #include "examples/paper/reproductions.h"
 #include "tools/commands.h"
@@ -42,10 +43,10 @@ void print_list(bool json) {
     for (const auto& each : paper::reproductions()) {
         list.push_back({{"name", each.name}, {"summary", each.summary}});
         if (!json)
-            fmt::print("{:<9} {}\n", each.name, each.summary);
+            console::print("{:<9} {}\n", each.name, each.summary);
     }
     if (json)
-        fmt::print("{}\n", Json{{"reproductions", std::move(list)}}.dump());
+        console::print("{}\n", Json{{"reproductions", std::move(list)}}.dump());
 }
 
 paper::Report make(const Reproduction& reproduction, paper::Request request) {
@@ -67,22 +68,23 @@ void run(const Arguments& arguments) {
             continue;
         const auto report = make(each, arguments.request);
         if (!arguments.json)
-            fmt::print("{}{}", separator, paper::to_text(report));
+            console::print("{}{}", separator, paper::to_text(report));
         else
             reports.push_back(Json::parse(paper::to_json(report)));
+        console::flush(); // a figure that is done stays told if the next one fails
         separator = "\n";
         if (arguments.out.empty())
             continue;
         for (const auto& file : paper::write_report(arguments.out, report))
             if (!arguments.json)
-                fmt::print("{}\n", file.string());
+                console::print("{}\n", file.string());
     }
     if (!arguments.json)
         return;
     if (arguments.name == "all")
-        fmt::print("{}\n", Json{{"reports", std::move(reports)}}.dump());
+        console::print("{}\n", Json{{"reports", std::move(reports)}}.dump());
     else
-        fmt::print("{}\n", reports.front().dump());
+        console::print("{}\n", reports.front().dump());
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "solvers/spectrum.h"
 
 #include "dec/star.h"
+#include "examples/paper/console.h"
 #include "io/draw_cells.h"
 #include "io/draw_modes.h"
 #include "tools/commands.h"
@@ -45,20 +46,23 @@ Json describe(const Spectrum& spectrum, double seconds) {
 }
 
 void print(const Spectrum& spectrum, double seconds) {
-    fmt::print("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
-               "{:>10}\n",
-               name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
-               "residual");
+    console::print(
+        "Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
+        "{:>10}\n",
+        name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
+        "residual");
     for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-        fmt::print("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
-                   spectrum.residuals[i]);
+        console::print("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
+                       spectrum.residuals[i]);
     const auto& certificate = spectrum.certificate;
     if (certificate.complete)
-        fmt::print("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
-                   certificate.below_shift, certificate.shift, certificate.returned_below_shift);
+        console::print(
+            "\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
+            certificate.below_shift, certificate.shift, certificate.returned_below_shift);
     else
-        fmt::print("\nnot certified: copies of multiple eigenvalues may be missing\n");
-    fmt::print("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
+        console::print("\nnot certified: copies of multiple eigenvalues may be missing\n");
+    console::print("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver,
+                   seconds);
 }
 
 /// Negative duals make A indefinite; the negative eigenvalues they bring come first and mean
@@ -111,7 +115,7 @@ void run(Arguments arguments) {
     }
     add_timing(answer, arguments.mesh, timing);
     if (arguments.mesh.json) {
-        fmt::print("{}\n", answer.dump());
+        console::print("{}\n", answer.dump());
         return;
     }
     print(result, seconds.count());
