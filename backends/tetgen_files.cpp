@@ -82,6 +82,14 @@ public:
         return static_cast<Index>(rows);
     }
 
+    /// How many numbers follow in each row: not more than bytes.
+    std::size_t extras() {
+        const auto number = next<long long>();
+        if (number < 0 || std::cmp_greater(number, text_.size()))
+            malformed(fmt::format("it promises {} numbers more in a row", number));
+        return static_cast<std::size_t>(number);
+    }
+
     void expect(Index value, const char* what) {
         const auto found = next<long long>();
         if (found != value) {
@@ -156,7 +164,8 @@ Points read_tetgen_points(const std::filesystem::path& path) {
     Numbers numbers(path);
     const Index rows = numbers.count(4);
     numbers.expect(3, "the dimension");
-    const auto extras = numbers.next<int>() + numbers.next<int>(); // attributes and marker
+    const auto attributes = numbers.extras();
+    const auto extras = attributes + numbers.extras(); // and the boundary marker
     Points points(rows, 3);
     for (Index i = 0; i < rows; ++i) {
         numbers.expect(i, "the number of a point");
@@ -166,7 +175,7 @@ Points read_tetgen_points(const std::filesystem::path& path) {
         if (!points.row(i).allFinite()) {
             numbers.malformed(fmt::format("point {} is not finite", i));
         }
-        for (int j = 0; j < extras; ++j) {
+        for (std::size_t j = 0; j < extras; ++j) {
             numbers.next<double>();
         }
     }
@@ -178,7 +187,7 @@ Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index poin
     Numbers numbers(path);
     const Index rows = numbers.count(5);
     numbers.expect(4, "the number of corners");
-    const auto extras = numbers.next<int>();
+    const auto extras = numbers.extras();
     Simplices cells(rows, 4);
     for (Index i = 0; i < rows; ++i) {
         numbers.expect(i, "the number of a tetrahedron");
@@ -188,7 +197,7 @@ Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index poin
                 numbers.malformed(fmt::format("tetrahedron {} has the corner {}", i, cells(i, j)));
             }
         }
-        for (int j = 0; j < extras; ++j) {
+        for (std::size_t j = 0; j < extras; ++j) {
             numbers.next<double>();
         }
     }

@@ -39,7 +39,24 @@ void check_product(const IncidenceMatrix& upper, const IncidenceMatrix& lower, s
     }
 }
 
-std::vector<std::vector<Index>> count_cofaces(const std::vector<IncidenceMatrix>& d) {
+void check_canceled(const std::vector<IncidenceMatrix>& d,
+                    const std::vector<std::vector<Incidence>>& canceled) {
+    if (canceled.size() > d.size())
+        throw InvalidInput(fmt::format("incidences that cancel are given for {} coboundaries, but "
+                                       "there are {}",
+                                       canceled.size(), d.size()));
+    for (std::size_t k = 0; k < canceled.size(); ++k)
+        for (const auto& [cell, face] : canceled[k])
+            if (cell < 0 || cell >= d[k].rows() || face < 0 || face >= d[k].cols() ||
+                d[k].coeff(cell, face) != 0)
+                throw InvalidInput(fmt::format("{}-cell {} and {}-cell {} cannot cancel in d_{}: "
+                                               "expected cells without an entry there",
+                                               k + 1, cell, k, face, k));
+}
+
+/// An incidence that cancels stands for both sides of its face.
+std::vector<std::vector<Index>> count_cofaces(const std::vector<IncidenceMatrix>& d,
+                                              const std::vector<std::vector<Incidence>>& canceled) {
     std::vector<std::vector<Index>> counts;
     for (const auto& D : d) {
         auto& count = counts.emplace_back(static_cast<std::size_t>(D.cols()), 0);
@@ -47,29 +64,36 @@ std::vector<std::vector<Index>> count_cofaces(const std::vector<IncidenceMatrix>
             for (IncidenceMatrix::InnerIterator s(D, t); s; ++s)
                 ++count[s.col()];
     }
+    for (std::size_t k = 0; k < canceled.size(); ++k)
+        for (const auto& incidence : canceled[k])
+            counts[k][incidence.face] += 2;
     return counts;
 }
 
 } // namespace
 
-CellComplex::CellComplex(std::vector<IncidenceMatrix> coboundaries) {
+CellComplex::CellComplex(std::vector<IncidenceMatrix> coboundaries,
+                         std::vector<std::vector<Incidence>> canceled) {
     check_shapes(coboundaries);
+    check_canceled(coboundaries, canceled);
     for (auto& D : coboundaries)
         D.prune([](Index, Index, std::int8_t value) { return value != 0; });
     for (std::size_t k = 0; k + 1 < coboundaries.size(); ++k)
         check_product(coboundaries[k + 1], coboundaries[k], k);
-    auto counts = count_cofaces(coboundaries);
-    assign(std::move(coboundaries), std::move(counts));
+    auto counts = count_cofaces(coboundaries, canceled);
+    assign(std::move(coboundaries), std::move(counts), std::move(canceled));
 }
 
 CellComplex::CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
-                         std::vector<std::vector<Index>> coface_counts) {
+                         std::vector<std::vector<Index>> coface_counts,
+                         std::vector<std::vector<Incidence>> canceled) {
     check_shapes(coboundaries);
-    assign(std::move(coboundaries), std::move(coface_counts));
+    assign(std::move(coboundaries), std::move(coface_counts), std::move(canceled));
 }
 
 void CellComplex::assign(std::vector<IncidenceMatrix> coboundaries,
-                         std::vector<std::vector<Index>> coface_counts) {
+                         std::vector<std::vector<Index>> coface_counts,
+                         std::vector<std::vector<Incidence>> canceled) {
     const auto vertices = coboundaries.front().cols();
     const auto tops = coboundaries.back().rows();
     // Eigen's sparse matrices are swapped at no cost, but copied where one would move them
@@ -81,6 +105,8 @@ void CellComplex::assign(std::vector<IncidenceMatrix> coboundaries,
 
     coface_counts_ = std::move(coface_counts);
     coface_counts_.emplace_back(static_cast<std::size_t>(tops), 0);
+    canceled_ = std::move(canceled);
+    canceled_.resize(coboundaries.size());
 }
 
 void CellComplex::refuse_degree(int k) const {

@@ -7,6 +7,11 @@
 
 namespace polydec {
 
+/// A cell and one of its faces.
+struct Incidence {
+    Index cell, face;
+};
+
 /// A finite complex of oriented cells of degrees 0..n: simplices, merged polytopes, cubes or cells
 /// made by hand. It is its tower of signed incidence matrices and knows no lengths.
 class CellComplex {
@@ -15,13 +20,17 @@ public:
     struct Unchecked {};
 
     /// The complex with coboundaries d_0, .., d_(n-1), n >= 1; d_k is size(k+1) x size(k).
+    /// canceled[k], k < n, are the (k+1)-cells and faces that d_k does not show because both sides
+    /// of the face cancel, such as a loop and its vertex; without them the loop has no end.
     /// Throws InvalidInput, naming the cells, if shapes do not fit or d_(k+1) d_k is not zero.
-    explicit CellComplex(std::vector<IncidenceMatrix> coboundaries);
+    explicit CellComplex(std::vector<IncidenceMatrix> coboundaries,
+                         std::vector<std::vector<Incidence>> canceled = {});
 
-    /// As above without the check d d = 0. coface_counts[k][s] is the number of (k+1)-cells around
+    /// As above without the checks. coface_counts[k][s] is the number of (k+1)-cells around
     /// cell s of degree k < n, counting one that is glued to itself along s as often as it is.
     CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
-                std::vector<std::vector<Index>> coface_counts);
+                std::vector<std::vector<Index>> coface_counts,
+                std::vector<std::vector<Incidence>> canceled = {});
 
     int dimension() const { return static_cast<int>(coface_counts_.size()) - 1; }
 
@@ -46,16 +55,24 @@ public:
     /// on both sides of s cancels. All zero for k = n.
     const std::vector<Index>& coface_counts(int k) const { return coface_counts_.at(k); }
 
+    /// The (k+1)-cells and k-cells on their boundary between which d_k has no entry, because both
+    /// sides of the face cancel: a loop and its vertex, a cone and the edge along which it is
+    /// closed. Whatever asks for all faces of a cell needs these beside the rows of d_k, 0 <= k <
+    /// n.
+    const std::vector<Incidence>& canceled(int k) const { return canceled_.at(k); }
+
 protected:
     CellComplex() = default;
     void assign(std::vector<IncidenceMatrix> coboundaries,
-                std::vector<std::vector<Index>> coface_counts);
+                std::vector<std::vector<Index>> coface_counts,
+                std::vector<std::vector<Incidence>> canceled = {});
 
 private:
     [[noreturn]] void refuse_degree(int k) const;
 
     std::vector<IncidenceMatrix> coboundaries_;     // at k + 1: d_k, for k = -1..n
     std::vector<std::vector<Index>> coface_counts_; // at k: for k = 0..n
+    std::vector<std::vector<Incidence>> canceled_;  // at k: for k = 0..n-1
 };
 
 /// Euler characteristic: the alternating sum of the numbers of cells.

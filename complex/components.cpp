@@ -38,6 +38,18 @@ Components graph_components(const CellComplex& complex, Vertex has_vertex, Edge 
 
 } // namespace
 
+void mark_faces(const CellComplex& complex, CellMarks& marks) {
+    for (int k = complex.dimension(); k > 0; --k) {
+        for (Index t = 0; t < complex.size(k); ++t)
+            for (IncidenceMatrix::InnerIterator s(complex.coboundary(k - 1), t); marks[k][t] && s;
+                 ++s)
+                marks[k - 1][s.col()] = true;
+        for (const auto& [t, s] : complex.canceled(k - 1))
+            if (marks[k][t])
+                marks[k - 1][s] = true;
+    }
+}
+
 CellMarks boundary_cells(const CellComplex& complex) {
     const int n = complex.dimension();
     CellMarks marks;
@@ -45,12 +57,7 @@ CellMarks boundary_cells(const CellComplex& complex) {
         marks.emplace_back(complex.size(k), false);
     for (Index f = 0; f < complex.size(n - 1); ++f)
         marks[n - 1][f] = complex.coface_counts(n - 1)[f] == 1;
-
-    for (int k = n - 1; k > 0; --k)
-        for (Index t = 0; t < complex.size(k); ++t)
-            if (marks[k][t])
-                for (IncidenceMatrix::InnerIterator s(complex.coboundary(k - 1), t); s; ++s)
-                    marks[k - 1][s.col()] = true;
+    mark_faces(complex, marks);
     return marks;
 }
 

@@ -8,6 +8,9 @@ namespace polydec {
 /// Which cells of each degree 0..n belong to something: marks[k][s].
 using CellMarks = std::vector<std::vector<bool>>;
 
+/// Marks with each cell all its faces, also those that cancel in its row of d. Linear time.
+void mark_faces(const CellComplex& complex, CellMarks& marks);
+
 /// The cells of the boundary: facets with one coface, and their faces of every degree.
 CellMarks boundary_cells(const CellComplex& complex);
 

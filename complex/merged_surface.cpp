@@ -84,6 +84,7 @@ IncidenceMatrix polygons(DisjointSets& sets, Index triangles) {
 struct Sides {
     IncidenceMatrix coboundary;
     std::vector<Index> counts; // of the polygons around each edge
+    std::vector<Incidence> canceled;
 };
 
 /// d_1 of the polygons: the sides of their triangles that are kept; a polygon on both sides of an
@@ -96,7 +97,8 @@ Sides sides_of_polygons(const GluedSurface& surface, const IncidenceMatrix& piec
         number[e] = removed[e] ? -1 : edges++;
 
     Sides result{IncidenceMatrix(pieces.rows(), edges),
-                 std::vector<Index>(static_cast<std::size_t>(edges), 0)};
+                 std::vector<Index>(static_cast<std::size_t>(edges), 0),
+                 {}};
     auto& d = result.coboundary;
     d.resizeNonZeros(3 * pieces.cols());
     Index entries = 0;
@@ -114,8 +116,10 @@ Sides sides_of_polygons(const GluedSurface& surface, const IncidenceMatrix& piec
             int sum = 0;
             for (; j < sides.size() && sides[j].first == sides[i].first; ++j)
                 sum += sides[j].second;
-            if (sum == 0)
+            if (sum == 0) {
+                result.canceled.push_back({cell, sides[i].first});
                 continue;
+            }
             d.innerIndexPtr()[entries] = sides[i].first;
             d.valuePtr()[entries++] = static_cast<std::int8_t>(sum);
         }
@@ -125,9 +129,9 @@ Sides sides_of_polygons(const GluedSurface& surface, const IncidenceMatrix& piec
     return result;
 }
 
-/// d_0 for the edges that are kept; a loop has an empty row.
+/// d_0 for the edges that are kept; a loop has an empty row and is noted.
 IncidenceMatrix ends_of_edges(const GluedSurface& surface, const std::vector<bool>& removed,
-                              Index rows) {
+                              Index rows, std::vector<Incidence>& loops) {
     IncidenceMatrix d(rows, surface.vertices());
     d.resizeNonZeros(2 * Eigen::Index(rows));
     Index row = 0, entries = 0;
@@ -140,6 +144,8 @@ IncidenceMatrix ends_of_edges(const GluedSurface& surface, const std::vector<boo
             d.valuePtr()[entries++] = static_cast<std::int8_t>(a < b ? -1 : 1);
             d.innerIndexPtr()[entries] = std::max(a, b);
             d.valuePtr()[entries++] = static_cast<std::int8_t>(a < b ? 1 : -1);
+        } else {
+            loops.push_back({row, a});
         }
         d.outerIndexPtr()[++row] = entries;
     }
@@ -169,10 +175,12 @@ MergedSurface merge_triangles(const GluedSurface& surface, std::span<const Index
 
     auto sides = sides_of_polygons(surface, diamonds[2], removal.removed);
     const auto edges_left = static_cast<Index>(diamonds[1].rows());
-    ends_of_edges(surface, removal.removed, edges_left).swap(d[0]);
+    std::vector<Incidence> loops;
+    ends_of_edges(surface, removal.removed, edges_left, loops).swap(d[0]);
     d[1].swap(sides.coboundary);
     CellComplex merged(CellComplex::Unchecked{}, std::move(d),
-                       {kept_edges_at_vertices(surface, removal.removed), std::move(sides.counts)});
+                       {kept_edges_at_vertices(surface, removal.removed), std::move(sides.counts)},
+                       {std::move(loops), std::move(sides.canceled)});
     return {std::move(merged), std::move(diamonds)};
 }
 

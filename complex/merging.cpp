@@ -61,6 +61,7 @@ IncidenceMatrix make_diamond(const Carriers& carriers, const Blocks& blocks, int
 struct MergedDegree {
     IncidenceMatrix coboundary;
     std::vector<Index> coface_counts;
+    std::vector<Incidence> canceled;
 };
 
 /// A cell in a boundary, with its sign.
@@ -69,9 +70,9 @@ struct Side {
     int sign;
 };
 
-/// Sorted, with signs of equal cells added up and those that cancel left out: a cell on both sides
+/// Sorted, with signs of equal cells added up and those that cancel moved out: a cell on both sides
 /// of another. The sides of a single piece are sorted already, those of a few nearly so.
-void add_up(std::vector<Side>& sides) {
+void add_up(std::vector<Side>& sides, Index cell, std::vector<Incidence>& canceled) {
     const auto comes_before = [](const Side& a, const Side& b) { return a.cell < b.cell; };
     if (!std::is_sorted(sides.begin(), sides.end(), comes_before))
         std::sort(sides.begin(), sides.end(), comes_before);
@@ -82,6 +83,8 @@ void add_up(std::vector<Side>& sides) {
             sum.sign += sides[j].sign;
         if (sum.sign != 0)
             sides[kept++] = sum;
+        else
+            canceled.push_back({cell, sum.cell});
     }
     sides.resize(kept);
 }
@@ -99,6 +102,7 @@ MergedDegree merge_degree(const SimplicialComplex& complex, const Blocks& blocks
     columns.reserve(static_cast<std::size_t>(upper.nonZeros()) * 2);
     signs.reserve(columns.capacity());
     std::vector<Index> counts(diamonds[k].rows(), 0);
+    std::vector<Incidence> canceled;
     std::vector<Side> sides;
     for (Index cell = 0; cell < cells; ++cell) {
         sides.clear();
@@ -111,14 +115,15 @@ MergedDegree merge_degree(const SimplicialComplex& complex, const Blocks& blocks
                 ++counts[face];
                 sides.push_back({face, piece.value() * s.value()});
             }
-        add_up(sides);
+        add_up(sides, cell, canceled);
         for (const Side& side : sides) {
             columns.push_back(side.cell);
             signs.push_back(static_cast<std::int8_t>(side.sign));
         }
         ends.push_back(static_cast<Index>(columns.size()));
     }
-    MergedDegree result{IncidenceMatrix(cells, diamonds[k].rows()), std::move(counts)};
+    MergedDegree result{IncidenceMatrix(cells, diamonds[k].rows()), std::move(counts),
+                        std::move(canceled)};
     result.coboundary.resizeNonZeros(static_cast<Index>(columns.size()));
     std::copy(columns.begin(), columns.end(), result.coboundary.innerIndexPtr());
     std::copy(signs.begin(), signs.end(), result.coboundary.valuePtr());
@@ -130,12 +135,15 @@ CellComplex make_merged(const SimplicialComplex& complex, const Blocks& blocks,
                         const Carriers& carriers, const std::vector<IncidenceMatrix>& diamonds) {
     std::vector<IncidenceMatrix> coboundaries(complex.dimension());
     std::vector<std::vector<Index>> counts;
+    std::vector<std::vector<Incidence>> canceled;
     for (int k = 0; k < complex.dimension(); ++k) {
         auto degree = merge_degree(complex, blocks, carriers, diamonds, k);
         coboundaries[k].swap(degree.coboundary);
         counts.push_back(std::move(degree.coface_counts));
+        canceled.push_back(std::move(degree.canceled));
     }
-    return {CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts)};
+    return {CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts),
+            std::move(canceled)};
 }
 
 std::vector<IncidenceMatrix> make_diamonds(const Carriers& carriers, const Blocks& blocks) {

@@ -21,13 +21,19 @@ void check_closed(const CellComplex& complex, const CellMarks& dropped) {
             throw InvalidInput(fmt::format("a relative complex needs to be told of each of the {} "
                                            "{}-cells whether it is dropped",
                                            complex.size(k), k));
-    for (int k = 1; k <= n; ++k)
+    for (int k = 1; k <= n; ++k) {
+        const auto check = [&, k](Index t, Index s) {
+            if (dropped[k][t] && !dropped[k - 1][s])
+                throw InvalidInput(fmt::format("the {}-cell {} is to be dropped but not its "
+                                               "face, the {}-cell {}: drop both or none",
+                                               k, t, k - 1, s));
+        };
         for (Index t = 0; t < complex.size(k); ++t)
             for (Row s(complex.coboundary(k - 1), t); s; ++s)
-                if (dropped[k][t] && !dropped[k - 1][s.col()])
-                    throw InvalidInput(fmt::format("the {}-cell {} is to be dropped but not its "
-                                                   "face, the {}-cell {}: drop both or none",
-                                                   k, t, k - 1, s.col()));
+                check(t, static_cast<Index>(s.col()));
+        for (const auto& [t, s] : complex.canceled(k - 1))
+            check(t, s);
+    }
 }
 
 /// d_k between the kept cells, whose numbers are `cells`; number[s] is the new one of k-cell s.
@@ -70,10 +76,16 @@ RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dr
             }
     }
     std::vector<IncidenceMatrix> coboundaries;
-    for (int k = 0; k < n; ++k)
+    std::vector<std::vector<Incidence>> canceled(n);
+    for (int k = 0; k < n; ++k) {
+        for (const auto& [t, s] : complex.canceled(k))
+            if (!dropped[k + 1][t] && !dropped[k][s])
+                canceled[k].push_back({numbers[k + 1][t], numbers[k][s]});
         coboundaries.push_back(kept_part(complex.coboundary(k), cells[k + 1], numbers[k],
                                          static_cast<Index>(cells[k].size())));
-    return {CellComplex(CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts)),
+    }
+    return {CellComplex(CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts),
+                        std::move(canceled)),
             std::move(cells), std::move(sizes)};
 }
 

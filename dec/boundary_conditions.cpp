@@ -7,20 +7,6 @@
 
 namespace polydec {
 
-namespace {
-
-using Row = IncidenceMatrix::InnerIterator;
-
-/// With each marked cell also its faces.
-void close(const CellComplex& complex, CellMarks& marks) {
-    for (int k = complex.dimension(); k > 0; --k)
-        for (Index t = 0; t < complex.size(k); ++t)
-            for (Row s(complex.coboundary(k - 1), t); marks[k][t] && s; ++s)
-                marks[k - 1][s.col()] = true;
-}
-
-} // namespace
-
 BoundaryConditions essential_where(const Points& sites,
                                    const std::function<bool(const Vector& site)>& predicate) {
     BoundaryConditions conditions;
@@ -44,17 +30,18 @@ CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& 
     for (Index f = 0; f < complex.size(n - 1); ++f)
         marks[n - 1][f] = complex.coface_counts(n - 1)[f] == 1 &&
                           conditions.at(f) == BoundaryCondition::essential;
-    close(complex, marks);
+    mark_faces(complex, marks);
     return marks;
 }
 
 CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes) {
-    CellVolumes result;
+    std::vector<Vector> primal, dual, terms;
     for (int k = 0; k <= relative.complex.dimension(); ++k) {
-        result.primal.push_back(relative.restrict(k, volumes.primal.at(k)));
-        result.dual.push_back(relative.restrict(k, volumes.dual.at(k)));
+        primal.push_back(relative.restrict(k, volumes.primal(k)));
+        dual.push_back(relative.restrict(k, volumes.dual(k)));
+        terms.push_back(relative.restrict(k, volumes.terms(k)));
     }
-    return result;
+    return {std::move(primal), std::move(dual), std::move(terms)};
 }
 
 SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {
@@ -67,7 +54,8 @@ SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {
         if (!marks[k][s])
             continue;
         // the dual of a facet within the boundary is a point, which has no orientation
-        const double facet_sign = k == n - 1 ? Row(cofaces, s).value() : 1;
+        const double facet_sign =
+            k == n - 1 ? IncidenceMatrix::InnerIterator(cofaces, s).value() : 1;
         B.insert(s, s) = (k % 2 == 0 ? 1 : -1) * facet_sign;
     }
     B.makeCompressed();

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
 #include "complex/homology.h"
+#include "complex/merged_surface.h"
 #include "complex/relative.h"
+#include "tests/support/glued.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/merged.h"
 #include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -126,6 +129,85 @@ INSTANTIATE_TEST_SUITE_P(Manifolds, OrientableShapes,
 TEST(BettiNumbers, of_an_open_moebius_strip_see_that_it_is_one_sided) {
     EXPECT_EQ(betti_numbers(relative_to_boundary(merged("moebius12x2").P()).complex),
               (std::vector<Index>{0, 0, 0}));
+}
+
+/// A fan of triangles around a vertex, its first and last side glued: a disk with `sides` edges as
+/// its boundary, which is a loop if there is one only.
+GluedSurface cone(Index sides) {
+    std::vector<std::array<GluedSurface::Side, 3>> triangles;
+    for (Index i = 0; i < sides; ++i)
+        triangles.push_back({{{i, 1}, {sides + i, 1}, {(i + 1) % sides, -1}}});
+    return GluedSurface(triangles);
+}
+
+/// Two triangles on two vertices: a ring between two loops.
+GluedSurface ring_of_two() {
+    return GluedSurface({{{{0, 1}, {1, 1}, {2, -1}}}, {{{2, 1}, {3, -1}, {1, -1}}}});
+}
+
+TEST(Loops, on_the_boundary_have_their_vertex_there) {
+    for (const Index sides : {1, 2, 3, 7}) {
+        const auto complex = cell_complex(cone(sides));
+        EXPECT_EQ(boundary_components(complex).count, 1) << sides;
+        EXPECT_EQ(betti_numbers(complex), (std::vector<Index>{1, 0, 0})) << sides;
+        EXPECT_EQ(betti_numbers(relative_to_boundary(complex).complex),
+                  betti_numbers(relative_to_boundary(merged("grid4").P()).complex))
+            << sides;
+    }
+    const auto ring = cell_complex(ring_of_two());
+    EXPECT_EQ(boundary_components(ring).count, 2);
+    EXPECT_EQ(betti_numbers(relative_to_boundary(ring).complex),
+              betti_numbers(relative_to_boundary(merged("annulus9").P()).complex));
+    const auto moebius = cell_complex(moebius_triangle());
+    EXPECT_EQ(boundary_components(moebius).count, 1);
+    EXPECT_EQ(betti_numbers(relative_to_boundary(moebius).complex),
+              betti_numbers(relative_to_boundary(merged("moebius12x2").P()).complex));
+}
+
+TEST(Loops, are_incidences_that_cancel_and_are_kept_in_relative_complexes) {
+    const auto complex = cell_complex(cone(1));
+    ASSERT_EQ(complex.canceled(0).size(), 1U);
+    EXPECT_EQ(complex.canceled(0)[0].cell, 1);
+    EXPECT_EQ(complex.canceled(0)[0].face, complex.coboundary(0).coeff(0, 0) > 0 ? 0 : 1);
+    ASSERT_EQ(complex.canceled(1).size(), 1U);
+    EXPECT_EQ(complex.canceled(1)[0].face, 0);
+    const auto all = relative_complex(complex, CellMarks{{false, false}, {false, false}, {false}});
+    EXPECT_EQ(all.complex.canceled(0).size(), 1U);
+    EXPECT_EQ(boundary_components(all.complex).count, 1);
+}
+
+TEST(LoopsBroken, without_what_cancels_the_boundary_of_a_cone_has_no_vertex) {
+    const auto complex = cell_complex(cone(1));
+    const CellComplex blind(CellComplex::Unchecked{},
+                            {complex.coboundary(0), complex.coboundary(1)},
+                            {complex.coface_counts(0), complex.coface_counts(1)});
+    EXPECT_EQ(boundary_components(blind).count, 0);
+    EXPECT_NE(betti_numbers(relative_to_boundary(blind).complex), (std::vector<Index>{0, 0, 1}));
+}
+
+TEST(Loops, can_be_told_by_hand) {
+    IncidenceMatrix d0(1, 1), d1(1, 1);
+    d1.insert(0, 0) = 1;
+    const CellComplex disk({d0, d1}, {{{0, 0}}});
+    EXPECT_EQ(disk.coface_counts(0)[0], 2);
+    EXPECT_EQ(boundary_components(disk).count, 1);
+    EXPECT_EQ(betti_numbers(relative_to_boundary(disk).complex), (std::vector<Index>{0, 0, 1}));
+    EXPECT_EQ(refusal([&] {
+                  CellComplex({d0, d1}, {{{0, 1}}});
+              }),
+              "1-cell 0 and 0-cell 1 cannot cancel in d_0: expected cells without an entry there");
+    EXPECT_EQ(refusal([&] {
+                  CellComplex({d0, d1}, {{}, {{0, 0}}});
+              }),
+              "2-cell 0 and 1-cell 0 cannot cancel in d_1: expected cells without an entry there");
+    EXPECT_EQ(refusal([&] {
+                  CellComplex({d0, d1}, {{}, {}, {}});
+              }),
+              "incidences that cancel are given for 3 coboundaries, but there are 2");
+    EXPECT_EQ(refusal([&] {
+                  relative_complex(disk, CellMarks{{false}, {true}, {false}});
+              }),
+              "the 1-cell 0 is to be dropped but not its face, the 0-cell 0: drop both or none");
 }
 
 } // namespace

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dec/boundary_conditions.h"
 
+#include "complex/merged_surface.h"
 #include "dec/cell_centers.h"
 #include "dec/de_rham.h"
 #include "dec/derivative.h"
 #include "dec/discretization.h"
+#include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
@@ -96,7 +98,7 @@ TEST_P(BoundaryData, mixed_conditions_drop_closed_sets) {
     const auto relative = relative_complex(P, essential_cells(P, conditions));
     const auto volumes = relative_volumes(relative, mesh().volumes);
     for (int k = 0; k <= n; ++k) {
-        EXPECT_EQ(volumes.primal[k].size(), relative.complex.size(k));
+        EXPECT_EQ(volumes.primal(k).size(), relative.complex.size(k));
         EXPECT_LE(relative.complex.size(k), P.size(k));
         EXPECT_GE(relative.complex.size(k), relative_to_boundary(P).complex.size(k));
     }
@@ -107,6 +109,13 @@ POLYDEC_OVER_MESHES(BoundaryData);
 TEST(BoundaryDataBroken, without_the_boundary_constants_have_jumps_there) {
     const auto& P = merged("grid4").P();
     EXPECT_EQ((dual_derivative(P, 0) * Vector::Ones(16)).cwiseAbs().sum(), 16);
+}
+
+TEST(BoundaryData, of_a_cone_reaches_the_vertex_of_its_loop) {
+    const auto cone = cell_complex(folded_triangle());
+    const auto marks = essential_cells(cone, {.facets = {2, BoundaryCondition::essential}});
+    EXPECT_EQ(marks, boundary_cells(cone));
+    EXPECT_EQ(std::count(marks[0].begin(), marks[0].end(), true), 1);
 }
 
 TEST(BoundaryErrors, count_the_conditions) {
