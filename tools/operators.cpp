@@ -57,8 +57,12 @@ Maps maps(const Discretization& mesh) {
 
 class Writer {
 public:
-    Writer(const Discretization& mesh, std::filesystem::path folder)
-        : mesh_(mesh), P_(mesh.complex()), K_(mesh.input()), folder_(std::move(folder)) {}
+    Writer(const Discretization& mesh, std::filesystem::path folder, Log& log)
+        : mesh_(mesh),
+          P_(mesh.complex()),
+          K_(mesh.input()),
+          folder_(std::move(folder)),
+          log_(log) {}
 
     void write_all() {
         const auto [diamonds, lifts] = maps(mesh_);
@@ -88,8 +92,8 @@ private:
             write_matrix_market(primal, laplacian(P_, mesh_.volumes, k));
             write_matrix_market(dual, dual_laplacian(P_, mesh_.volumes, j));
         } catch (const InvalidInput& error) {
-            warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
-                             dual.filename().string(), error.what()));
+            log_.warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
+                                  dual.filename().string(), error.what()));
             std::filesystem::remove(primal);
             std::filesystem::remove(dual);
         }
@@ -108,6 +112,7 @@ private:
     const CellComplex& P_;
     const SimplicialComplex& K_;
     std::filesystem::path folder_;
+    Log& log_;
 };
 
 void make_folder(const std::filesystem::path& folder) {
@@ -118,15 +123,31 @@ void make_folder(const std::filesystem::path& folder) {
                                   error ? error.message() : "a file of that name is in the way"));
 }
 
+class Operators : public Answer {
+public:
+    Operators(std::string out, int dimension) : out_(std::move(out)), dimension_(dimension) {}
+
+    void write(JsonWriter& json) const override {
+        json.member("out", out_);
+        json.member("dimension", dimension_);
+    }
+
+    void write(Text& text) const override {
+        text("operators of degrees 0 .. {} written to {}\n", dimension_, out_);
+    }
+
+private:
+    std::string out_;
+    int dimension_;
+};
+
 void run(const Arguments& arguments) {
-    Timing timing;
-    const Discretization mesh = load(arguments.mesh, timing);
+    Log log;
+    const Discretization mesh = load(arguments.mesh, log);
     make_folder(arguments.out);
-    timing.begin("write");
-    Writer(mesh, arguments.out).write_all();
-    fmt::print("operators of degrees 0 .. {} written to {}\n", mesh.dimension(),
-               arguments.out.string());
-    print_timing(arguments.mesh, timing);
+    log.timing.begin("write");
+    Writer(mesh, arguments.out, log).write_all();
+    tell(Operators(arguments.out.string(), mesh.dimension()), log, arguments.mesh.tell);
 }
 
 } // namespace
@@ -134,7 +155,7 @@ void run(const Arguments& arguments) {
 void add_operators(CLI::App& app) {
     auto* command = app.add_subcommand("operators", "writes every operator and map as files");
     const auto arguments = std::make_shared<Arguments>();
-    add_mesh_arguments(*command, arguments->mesh, JsonOption::none);
+    add_mesh_arguments(*command, arguments->mesh);
     command->add_option("--out", arguments->out, "folder for the files, made if needed")
         ->required();
     command->footer(
