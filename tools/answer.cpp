@@ -2,9 +2,9 @@
 #include "tools/answer.h"
 
 #include "base/printable.h"
+#include "examples/paper/console.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace polydec::tools {
 
@@ -32,10 +32,6 @@ void write_text(Text& text, const Answer& answer, const Log& log, bool timing) {
         text("  {:<12} {:8.3f}\n", stage, seconds);
 }
 
-void print(std::string_view text) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-}
-
 } // namespace
 
 void Timing::begin(std::string_view stage) {
@@ -56,7 +52,7 @@ void Timing::end() {
 
 void Log::warn(const std::string& text) {
     warnings.push_back(printable_message(text));
-    fmt::print(stderr, "polydec: warning: {}\n", warnings.back());
+    console::tell(fmt::format("polydec: warning: {}\n", warnings.back()));
 }
 
 void tell(const Answer& answer, Log& log, const TellOptions& options) {
@@ -69,7 +65,7 @@ void tell(const Answer& answer, Log& log, const TellOptions& options) {
         text("{}\n", json.view());
     else
         write_text(text, answer, log, options.timing);
-    print(text.view());
+    console::write(text.view());
 }
 
 } // namespace polydec::tools

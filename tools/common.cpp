@@ -2,13 +2,13 @@
 #include "tools/common.h"
 
 #include "base/errors.h"
+#include "examples/paper/console.h"
 #include "io/length_file.h"
 #include "io/read_mesh.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <unistd.h>
 
 namespace polydec::tools {
@@ -123,14 +123,13 @@ Progress::Progress() : visible_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (visible_)
-        fmt::print(stderr, "\r\033[K");
+        console::tell("\r\033[K");
 }
 
 void Progress::operator()(std::string_view what) const {
     if (!visible_)
         return;
-    fmt::print(stderr, "\r\033[K{} ..", what);
-    std::fflush(stderr);
+    console::tell(fmt::format("\r\033[K{} ..", what));
 }
 
 } // namespace polydec::tools

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/simplicial_complex.h"
 #include "dec/discretization.h"
 
 namespace polydec::fuzz {
-
-/// d d = 0, and the Betti numbers give the Euler characteristic.
-void require_topology(const CellComplex& complex);
 
 /// What `polydec info` tells, and what else holds of every mesh that was accepted.
 void require_laws(const Discretization& mesh);
