@@ -42,7 +42,7 @@ void check_two_sided(const Discretization& discretization) {
 Vector facet_scales(const Discretization& discretization) {
     const int n = discretization.dimension();
     if (discretization.intrinsic)
-        return discretization.volumes.primal[n - 1]; // edges
+        return discretization.volumes.primal(n - 1); // edges
     const Vector radii = circumradii(discretization.input(), discretization.metric(), n - 1);
     Vector scales = Vector::Zero(discretization.complex().size(n - 1));
     for (Index f = 0; f < scales.size(); ++f)
@@ -56,16 +56,16 @@ Vector facet_scales(const Discretization& discretization) {
 Vector resistances(const Discretization& discretization, const Vector& conductivity) {
     const int n = discretization.dimension();
     if (conductivity.size() == 0)
-        return discretization.volumes.dual[n - 1];
+        return discretization.volumes.dual(n - 1);
     check_not_flipped(discretization, "a conductivity for each cell");
     const auto& volumes = discretization.input_volumes;
     const SparseMatrix parts =
         dual_parts(discretization.input(), discretization.metric(), volumes, n - 1, n);
     const SparseMatrix pieces = discretization.merging.diamond(n).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
-    const Vector products = volumes.primal[n - 1].cwiseProduct(parts.transpose() * of_pieces);
+    const Vector products = volumes.primal(n - 1).cwiseProduct(parts.transpose() * of_pieces);
     const SparseMatrix facets = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
-    return (facets * products).cwiseQuotient(discretization.volumes.primal[n - 1]);
+    return (facets * products).cwiseQuotient(discretization.volumes.primal(n - 1));
 }
 
 void check_flux_is_defined(const Discretization& discretization, Index facet, double relative) {
@@ -112,7 +112,7 @@ DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& es
         if (!coface || (!interior && !essential[n - 1][f]))
             continue;
         const auto cell = static_cast<Index>(coface.col());
-        const double dual = volumes.dual[n - 1][f];
+        const double dual = volumes.dual(n - 1)[f];
         const double relative = scales[f] > 0 ? std::abs(dual) / scales[f] : 1;
         if (interior)
             check_flux_is_defined(discretization, f, relative);
@@ -121,7 +121,7 @@ DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& es
             result.fixed[cell] = true;
             continue;
         }
-        result.weights[f] = volumes.primal[n - 1][f] / resistance[f];
+        result.weights[f] = volumes.primal(n - 1)[f] / resistance[f];
         if (!interior) {
             load.emplace_back(cell, f, result.weights[f]);
             result.tied[cell] = true;

@@ -164,7 +164,7 @@ Vector geodesic_distance(const Discretization& discretization, std::span<const I
         return geodesic_distance(discretization.intrinsic->surface(),
                                  discretization.intrinsic->delaunay.lengths, sources, options);
     return geodesic_distance(GluedSurface(discretization.input()),
-                             discretization.input_volumes.primal[1], sources, options);
+                             discretization.input_volumes.primal(1), sources, options);
 }
 
 } // namespace polydec
