@@ -2,10 +2,14 @@
 #include "dec/discretization.h"
 
 #include "base/errors.h"
+#include "base/listed.h"
 #include "dec/glued_volumes.h"
+#include "dec/overlaps.h"
 #include "meshes/tidy.h"
+#include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +37,34 @@ void warn_of_branching(const SimplicialComplex& complex, std::vector<std::string
     if (branching > 0)
         warnings.push_back(fmt::format("not a manifold: {} facet{} with three or more cells",
                                        branching, branching == 1 ? "" : "s"));
+}
+
+void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
+                      std::vector<std::string>& warnings) {
+    const int n = complex.dimension();
+    const auto [folded, wound] = find_overlaps(complex, points);
+    if (!folded.empty())
+        warnings.push_back(fmt::format(
+            "the mesh is folded: {} of {} cells lie{} over {} neighbors (vertices {}): what is "
+            "computed is for the folded mesh, not for the region that it covers",
+            folded.size(), complex.size(n), folded.size() == 1 ? "s" : "",
+            folded.size() == 1 ? "its" : "their", listed(folded, [&](Index t) {
+                return fmt::format("{}", fmt::join(vertices(complex.simplices(n), t), " "));
+            })));
+    if (!wound.empty())
+        warnings.push_back(fmt::format(
+            "the mesh overlaps itself: cells around {} lie over each other without a fold (vertex "
+            "{}): what is computed is for the mesh as it is glued, not for the region that it "
+            "covers",
+            wound.size() == 1 ? "1 vertex" : fmt::format("{} vertices", wound.size()),
+            listed(wound, [](Index v) { return fmt::format("{}", v); })));
+}
+
+void warn_of_unit(double unit, std::vector<std::string>& warnings) {
+    if (unit != 1)
+        warnings.push_back(fmt::format("the lengths of the mesh are far from 1: it is measured in "
+                                       "units of 2^{} = {:.3g}",
+                                       std::ilogb(unit), unit));
 }
 
 /// Tags of the merged n-cells; one that joins simplices with different tags has none.
@@ -123,6 +155,7 @@ Discretization measured(SimplicialComplex complex, Mesh mesh, Vector lengths,
                         const MergeOptions& options, const Stage& stage) {
     warn_of_orientation(complex, mesh.warnings);
     warn_of_branching(complex, mesh.warnings);
+    warn_of_overlaps(complex, mesh.points, mesh.warnings);
     if (options.delaunay != Delaunay::off) {
         begin(stage, "merge");
         return flip_and_merge(std::move(complex), std::move(mesh), std::move(lengths), options);
@@ -152,8 +185,14 @@ Discretization discretize(Mesh mesh, const MergeOptions& options, const Stage& s
     begin(stage, "complex");
     const bool flips = options.delaunay != Delaunay::off;
     mesh = tidy(std::move(mesh), flips ? CellsWithoutVolume::keep : CellsWithoutVolume::leave_out);
+    const double unit = unit_of_length(mesh);
+    warn_of_unit(unit, mesh.warnings);
+    if (unit != 1)
+        mesh = in_units(std::move(mesh), unit);
     SimplicialComplex complex(mesh.simplices);
-    return measured(std::move(complex), std::move(mesh), {}, options, stage);
+    auto result = measured(std::move(complex), std::move(mesh), {}, options, stage);
+    result.unit = unit;
+    return result;
 }
 
 Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, const Stage& stage) {
@@ -162,9 +201,14 @@ Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, c
     SimplicialComplex complex(mesh.simplices);
     Mesh without_points{Points(mesh.vertices, 0), mesh.simplices, {}};
     warn_of_isolated_vertices(without_points);
+    const double unit = unit_of_length(mesh);
+    warn_of_unit(unit, without_points.warnings);
     // the complex numbers its edges in lexicographic order
-    return measured(std::move(complex), std::move(without_points),
-                    mesh.lengths(edges_in_order(mesh)), options, stage);
+    Vector lengths = mesh.lengths(edges_in_order(mesh)) / unit;
+    auto result =
+        measured(std::move(complex), std::move(without_points), std::move(lengths), options, stage);
+    result.unit = unit;
+    return result;
 }
 
 Points vertex_points(const Discretization& discretization) {
