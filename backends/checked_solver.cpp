@@ -286,7 +286,7 @@ DenseMatrix CheckedSolver::solve_scaled(const Eigen::Ref<const DenseMatrix>& B) 
     for (Eigen::Index j = 0; j < B.cols(); ++j) {
         const double part =
             ratio((B.col(j) - consistent.col(j)).stableNorm(), B.col(j).stableNorm());
-        if (part > kernel_limit)
+        if (!(part <= kernel_limit))
             throw InvalidInput(fmt::format(
                 "{}: right-hand side {} has a part in the kernel of the matrix, {:.2g} of its "
                 "norm\nNo solution exists; take that part away (for Neumann data: make the mean "

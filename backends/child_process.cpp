@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "backends/child_process.h"
 
+#include "backends/descriptor.h"
 #include "backends/held_signals.h"
 #include "base/errors.h"
+#include "base/unfinished.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +16,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
+#include <pthread.h>
 #include <string_view>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -36,23 +39,6 @@ using Milliseconds = std::chrono::milliseconds;
     throw IoError(fmt::format("cannot run {}: {}", program.string(),
                               std::generic_category().message(reason)));
 }
-
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-    ~Descriptor() { close(); }
-    int number() const { return number_; }
-    void close() {
-        if (number_ >= 0) {
-            ::close(number_);
-        }
-        number_ = -1;
-    }
-
-private:
-    int number_;
-};
 
 struct Pipe {
     Descriptor read, write;
@@ -91,6 +77,37 @@ struct Start {
     int output, report;
 };
 
+/// Signals are as they were for this program at its start, except that a broken pipe ends the
+/// child.
+void forget_handlers() {
+    for (int signal = 1; signal < NSIG; ++signal) {
+        struct sigaction action {};
+        const bool is_known = ::sigaction(signal, nullptr, &action) == 0;
+        if (is_known && (action.sa_handler != SIG_IGN || signal == SIGPIPE)) {
+            action = {};
+            action.sa_handler = SIG_DFL;
+            ::sigaction(signal, &action, nullptr);
+        }
+    }
+}
+
+/// All signals wait while a child comes to be, so that it never runs a handler of this program,
+/// which would remove what is not the child's.
+class NoSignals {
+public:
+    NoSignals() noexcept {
+        sigset_t all;
+        sigfillset(&all);
+        ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+    }
+    ~NoSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    NoSignals(const NoSignals&) = delete;
+    NoSignals& operator=(const NoSignals&) = delete;
+
+private:
+    sigset_t before_;
+};
+
 /// The new process becomes the program; what hinders it goes into the report.
 [[noreturn]] void become(const Start& start, pid_t parent) {
     ::setpgid(0, 0);
@@ -111,6 +128,7 @@ struct Start {
                        ::dup2(start.output, STDOUT_FILENO) >= 0 &&
                        ::dup2(start.output, STDERR_FILENO) >= 0 && ::chdir(start.folder) == 0;
     if (ready) {
+        forget_handlers();
         sigset_t none;
         sigemptyset(&none);
         ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -124,10 +142,16 @@ struct Start {
 /// A process that runs; killed with its whole group, and reaped, unless that is done.
 class Child {
 public:
-    explicit Child(pid_t id) : id_(id) {}
+    Child() = default;
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
     ~Child() { reap(); }
+
+    bool can_start() const { return noted_.has_place(); }
+    void start(pid_t id) {
+        id_ = id;
+        noted_.note_process(id);
+    }
 
     /// Not yet reaped, so that its number cannot be given to another group before that is killed.
     bool has_ended() const {
@@ -142,6 +166,7 @@ public:
             return false;
         }
         ::kill(-id_, SIGKILL);
+        noted_.finish(); // its number may be another's once it is reaped
         pid_t reaped = -1;
         do {
             reaped = ::wait4(id_, status, 0, usage);
@@ -151,8 +176,22 @@ public:
     }
 
 private:
-    pid_t id_;
+    Unfinished noted_;
+    pid_t id_ = -1;
 };
+
+void fork_into(Child& child, const Start& start, const std::filesystem::path& program) {
+    const NoSignals quiet;
+    const pid_t parent = ::getpid();
+    const pid_t id = ::fork();
+    if (id < 0) {
+        refuse(program, errno);
+    }
+    if (id == 0) {
+        become(start, parent);
+    }
+    child.start(id);
+}
 
 /// Reads what is there; false at the end.
 bool read_some(int file, std::string& text, std::size_t most) {
@@ -258,15 +297,11 @@ ChildOutcome run_child(const std::filesystem::path& program,
 
     const Start start{program.c_str(), pointers.data(),       folder.c_str(),
                       limits.bytes,    output.write.number(), report.write.number()};
-    const pid_t parent = ::getpid();
-    const pid_t id = ::fork();
-    if (id < 0) {
-        refuse(program, errno);
+    Child child;
+    if (!child.can_start()) {
+        refuse(program, EAGAIN);
     }
-    if (id == 0) {
-        become(start, parent);
-    }
-    Child child(id);
+    fork_into(child, start, program);
     output.write.close();
     report.write.close();
     check_start(report.read.number(), program);

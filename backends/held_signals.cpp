@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "backends/held_signals.h"
 
+#include "base/unfinished.h"
+
 #include <pthread.h>
 
 namespace polydec {
 
 namespace {
-
-constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 /// A signal that is ignored would wait all the same once it is blocked.
 bool is_ignored(int signal) {

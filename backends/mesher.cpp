@@ -2,6 +2,7 @@
 #include "backends/mesher.h"
 
 #include "backends/mesher_input.h"
+#include "backends/mesher_output.h"
 #include "backends/registry.h"
 
 namespace polydec {
@@ -11,7 +12,9 @@ MesherOutput tetrahedralize(const MesherInput& input, const MesherOptions& optio
     const Mesher mesher = find_mesher(engine);
     check_mesher_options(options);
     check_mesher_input(input);
-    return mesher(input, options);
+    auto output = mesher(input, options);
+    check_mesher_output(input, engine, output);
+    return output;
 }
 
 } // namespace polydec

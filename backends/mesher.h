@@ -35,9 +35,12 @@ struct MesherOptions {
 struct MesherOutput {
     Points points = {}; ///< those of the input that were not left out, in order; then new ones
     Simplices tetrahedra = {}; ///< four columns; determinants of the edge vectors are positive
+    Simplices faces = Simplices(0, 3); ///< the faces of tetrahedra that facets are unions of
+    std::vector<Index> facets = {};    ///< the facet that each of them is on
 };
 
-/// What makes tetrahedra: an engine of kind `mesher`. It may rely on a checked input.
+/// What makes tetrahedra: an engine of kind `mesher`. It may rely on a checked input; what it makes
+/// is checked.
 using Mesher = std::function<MesherOutput(const MesherInput&, const MesherOptions&)>;
 
 /// Fills with tetrahedra, by the engine of that name. Delaunay, if there are no facets; else the
@@ -49,7 +52,9 @@ using Mesher = std::function<MesherOutput(const MesherInput&, const MesherOption
 /// corners, without area or not plane within 1e-8 of its size, an edge in other than two facets,
 /// facets that cross, and options that make no sense; BackendUnavailable if the engine's program is
 /// not there; SolverFailure, naming the probable cause, if it fails, or needs too long or too much
-/// memory; IoError if it cannot be run.
+/// memory, or
+/// if what it makes is not what is said here: volumes, faces and boundary are checked; IoError if
+/// it cannot be run.
 /// Source: Si, TetGen, ACM Trans. Math. Softw. 41 (2015) 11, for the engine `tetgen`.
 MesherOutput tetrahedralize(const MesherInput& input, const MesherOptions& options = {},
                             const std::string& engine = "tetgen");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/mesher_input.h"
 
+#include "backends/polygon_sides.h"
 #include "base/errors.h"
 
 #include <Eigen/Geometry>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <numeric>
 #include <span>
-#include <tuple>
 #include <utility>
 
 namespace polydec {
@@ -85,29 +85,39 @@ Points scaled(const Points& points) {
     return largest > 0.0 ? Points(points / largest) : points;
 }
 
-void check_shape(const MesherInput& input, const Points& places, Index f) {
+/// Where a facet lies, and how large it is.
+struct Plane {
+    Place origin, normal; // the normal has length 1, or is 0 if the facet has no area
+    double size = 0.0;    // its longest side, or way between its first and another corner
+    double height(const Place& place) const { return std::abs((place - origin).dot(normal)); }
+};
+
+Plane plane_of(const MesherInput& input, const Points& places, Index f) {
     const Facet corners = facet(input, f);
-    const Place first = places.row(corners[0]);
-    Place normal = Place::Zero(); // twice the area vector, after Newell
-    double size = 0.0;
+    Plane plane{places.row(corners[0]), Place::Zero()}; // twice the area vector, after Newell
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Place here = places.row(corners[i]).transpose() - first;
-        const Place next = places.row(corners[(i + 1) % corners.size()]).transpose() - first;
-        normal += here.cross(next);
-        size = std::max({size, here.norm(), (next - here).norm()});
+        const Place here = places.row(corners[i]).transpose() - plane.origin;
+        const Place next = places.row(corners[(i + 1) % corners.size()]).transpose() - plane.origin;
+        plane.normal += here.cross(next);
+        plane.size = std::max({plane.size, here.norm(), (next - here).norm()});
     }
-    if (!(normal.norm() > flat_tolerance * size * size)) {
+    const bool is_flat = !(plane.normal.norm() > flat_tolerance * plane.size * plane.size);
+    plane.normal = is_flat ? Place::Zero().eval() : plane.normal.normalized().eval();
+    return plane;
+}
+
+void check_shape(const MesherInput& input, const Points& places, Index f) {
+    const Plane plane = plane_of(input, places, f);
+    if (plane.normal.isZero()) {
         throw InvalidInput(fmt::format("mesher: facet {} has no area: its corners lie on one line",
                                        facet_name(input, f)));
     }
-    normal.normalize();
-    for (const Index corner : corners) {
-        const Place off = places.row(corner).transpose() - first;
-        if (std::abs(off.dot(normal)) > bending_tolerance * size) {
+    for (const Index corner : facet(input, f)) {
+        const double height = plane.height(places.row(corner));
+        if (height > bending_tolerance * plane.size) {
             throw InvalidInput(fmt::format("mesher: facet {} is not plane: its corner {} is off by "
                                            "{:.2g} of its size\nSplit it into triangles.",
-                                           facet_name(input, f), corner,
-                                           std::abs(off.dot(normal)) / size));
+                                           facet_name(input, f), corner, height / plane.size));
         }
     }
 }
@@ -163,38 +173,16 @@ void check_not_coplanar(const Points& places, const std::vector<Index>& used) {
     }
 }
 
-struct Side {
-    Index a, b, facet; // a < b
-    bool operator<(const Side& other) const {
-        return std::tie(a, b, facet) < std::tie(other.a, other.b, other.facet);
-    }
-    bool beside(const Side& other) const { return a == other.a && b == other.b; }
-};
-
-std::vector<Side> sorted_sides(const MesherInput& input) {
-    std::vector<Side> sides;
-    sides.reserve(input.corners.size());
-    for (Index f = 0; f < facet_count(input); ++f) {
-        const Facet corners = facet(input, f);
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const auto [a, b] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
-            sides.push_back({a, b, f});
-        }
-    }
-    std::sort(sides.begin(), sides.end());
-    return sides;
-}
-
 void check_closed(const MesherInput& input) {
-    const auto sides = sorted_sides(input);
+    const auto sides = sorted_sides(input.corners, input.offsets);
     std::string names;
     std::size_t bad = 0;
     for (auto begin = sides.begin(); begin != sides.end();) {
         const auto end = std::find_if(begin, sides.end(),
                                       [&](const Side& side) { return !side.beside(*begin); });
         if (end - begin != 2 && ++bad <= 3) {
-            names += fmt::format("{}edge {} {} in {} (facet {})", bad == 1 ? "" : ", ", begin->a,
-                                 begin->b, end - begin, begin->facet);
+            names += fmt::format("{}edge {} {} in {} (facet {})", bad == 1 ? "" : ", ", begin->low,
+                                 begin->high, end - begin, begin->polygon);
         }
         begin = end;
     }
@@ -222,6 +210,47 @@ std::vector<Index> used_points(const MesherInput& input) {
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     return used;
+}
+
+std::vector<Index> plane_patches(const MesherInput& input) {
+    const auto count = static_cast<std::size_t>(facet_count(input));
+    const Points places = scaled(input.points);
+    std::vector<std::vector<Index>> beside(count);
+    const auto sides = sorted_sides(input.corners, input.offsets);
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+        if (sides[i].beside(sides[i + 1])) {
+            beside[static_cast<std::size_t>(sides[i].polygon)].push_back(sides[i + 1].polygon);
+            beside[static_cast<std::size_t>(sides[i + 1].polygon)].push_back(sides[i].polygon);
+        }
+    }
+
+    std::vector<Index> patches(count, -1);
+    std::vector<Index> open;
+    for (Index seed = 0; seed < facet_count(input); ++seed) {
+        const Plane plane = plane_of(input, places, seed);
+        const auto is_in_plane = [&](Index f) {
+            const double most =
+                bending_tolerance * std::min(plane.size, plane_of(input, places, f).size);
+            return std::ranges::all_of(facet(input, f), [&](Index corner) {
+                return plane.height(places.row(corner)) <= most;
+            });
+        };
+        const auto take = [&](Index f) {
+            if (patches[static_cast<std::size_t>(f)] < 0 && (f == seed || is_in_plane(f))) {
+                patches[static_cast<std::size_t>(f)] = seed;
+                open.push_back(f);
+            }
+        };
+        take(seed);
+        while (!open.empty()) {
+            const auto here = static_cast<std::size_t>(open.back());
+            open.pop_back();
+            for (const Index f : beside[here]) {
+                take(f);
+            }
+        }
+    }
+    return patches;
 }
 
 std::string facet_name(const MesherInput& input, Index f) {

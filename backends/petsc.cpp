@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <mutex>
 #include <petscksp.h>
 #include <sstream>
 #include <utility>
@@ -359,13 +358,13 @@ void add(const std::string& name, const std::string& multigrid, const std::strin
 } // namespace
 
 void register_petsc() {
-    static std::once_flag once;
-    std::call_once(once, [] {
+    [[maybe_unused]] static const bool is_done = [] {
         add("petsc.cg-gamg", gamg, singular_gamg);
 #ifdef PETSC_HAVE_HYPRE
         add("petsc.cg-hypre", boomeramg, singular_boomeramg);
 #endif
-    });
+        return true;
+    }();
 }
 
 } // namespace polydec

@@ -35,7 +35,7 @@ template <typename Factory>
 void add(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Factory factory) {
     info.available = static_cast<bool>(factory);
     const std::string name = info.name;
-    known[name] = {std::move(info), std::move(factory), {}};
+    known.insert_or_assign(name, Entry<Factory>{std::move(info), std::move(factory), {}});
 }
 
 // Engines of optional components, so that who asks for one is told how to get it.

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string>
 #include <system_error>
+#include <unistd.h>
 
 namespace polydec {
 
@@ -28,16 +29,18 @@ TemporaryFolder::TemporaryFolder() {
     if (error) {
         refuse(error.message());
     }
+    if (!noted_.has_place()) {
+        refuse(fmt::format("{} of them, or of files, are in use already", Unfinished::most));
+    }
     std::string name = (parent / "polydec-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) {
         refuse(fmt::format("{}: {}", parent.string(), std::generic_category().message(errno)));
     }
+    if (!noted_.note_folder(name.c_str())) {
+        ::rmdir(name.c_str());
+        refuse(fmt::format("{}: {}", parent.string(), std::generic_category().message(errno)));
+    }
     path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
 }
 
 } // namespace polydec

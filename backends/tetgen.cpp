@@ -17,7 +17,7 @@
 #include <cstring>
 #include <fstream>
 #include <string_view>
-#include <utility>
+#include <tuple>
 
 namespace polydec::builtin {
 
@@ -63,10 +63,10 @@ void write_input(const Run& run) {
     }
 }
 
-/// Counting from zero (z), quietly (Q), without files of faces (F) and boundary markers (B).
+/// Counting from zero (z) and quietly (Q); of a point set without faces (F) and their numbers (B).
 std::string switches(const Run& run) {
     const auto& options = run.options;
-    std::string text = facet_count(run.input) > 0 ? "-zQFBp" : "-zQFB";
+    std::string text = facet_count(run.input) > 0 ? "-zQp" : "-zQFB";
     if (options.boundary == BoundarySplitting::forbidden) {
         text += "Y";
     }
@@ -165,27 +165,6 @@ void refuse_crossing_facets(const Run& run) {
                                         : "the points are almost in one plane"));
 }
 
-/// It takes points for one that are nearer to each other than 1e-8 of the whole, and is silent.
-void restore_points(const Run& run, Points& points) {
-    const auto& given = run.input.points;
-    for (std::size_t i = 0; i < run.used.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        bool same = row < points.rows();
-        for (int j = 0; same && j < 3; ++j) {
-            same = points(row, j) == std::ldexp(given(run.used[i], j), -run.exponent);
-        }
-        if (!same) {
-            throw SolverFailure(fmt::format(
-                "tetgen left out point {} at ({}, {}, {})\nProbable cause: it is nearer to another "
-                "point than 1e-8 of the whole, or within a hole; join it or move it.",
-                run.used[i], given(run.used[i], 0), given(run.used[i], 1), given(run.used[i], 2)));
-        }
-    }
-    for (double& coordinate : points.reshaped()) {
-        coordinate = std::ldexp(coordinate, run.exponent);
-    }
-}
-
 /// TetGen orients all tetrahedra alike, and the sum tells how, whatever rounding does to flat ones.
 void orient(const Points& points, Simplices& cells) {
     double volume = 0.0;
@@ -209,7 +188,13 @@ MesherOutput collect(const Run& run) {
         fail_empty(run);
     }
     orient(output.points, output.tetrahedra);
-    restore_points(run, output.points);
+    if (facet_count(run.input) > 0) {
+        std::tie(output.faces, output.facets) = read_tetgen_faces(
+            run.folder / "mesh.1.face", output.points.rows(), facet_count(run.input));
+    }
+    for (double& coordinate : output.points.reshaped()) {
+        coordinate = std::ldexp(coordinate, run.exponent);
+    }
     return output;
 }
 
@@ -232,7 +217,7 @@ MesherOutput run_tetgen(const MesherInput& input, const MesherOptions& options) 
         fail(run, outcome);
     }
     std::error_code ignored;
-    if (!fs::exists(run.folder / "mesh.1.ele", ignored)) {
+    if (!fs::exists(fs::symlink_status(run.folder / "mesh.1.ele", ignored))) {
         fail_empty(run);
     }
     return collect(run);

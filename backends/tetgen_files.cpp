@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "backends/tetgen_files.h"
 
+#include "backends/descriptor.h"
 #include "backends/mesher_input.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <fcntl.h>
 #include <iterator>
 #include <limits>
 #include <sstream>
 #include <string_view>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
 #include <utility>
 
 namespace polydec::builtin {
@@ -33,29 +38,24 @@ void append_facets(fmt::memory_buffer& text, const MesherInput& input,
     const auto new_number = [&](Index point) {
         return std::lower_bound(used.begin(), used.end(), point) - used.begin();
     };
-    fmt::format_to(std::back_inserter(text), "{} 0\n", facet_count(input));
+    // one number for facets in one plane: TetGen drops the edges between those that have the same
+    const auto patches = plane_patches(input);
+    fmt::format_to(std::back_inserter(text), "{} 1\n", facet_count(input));
     for (std::size_t f = 0; f + 1 < input.offsets.size(); ++f) {
         fmt::format_to(std::back_inserter(text), "{}", input.offsets[f + 1] - input.offsets[f]);
         for (Index i = input.offsets[f]; i < input.offsets[f + 1]; ++i) {
             fmt::format_to(std::back_inserter(text), " {}",
                            new_number(input.corners[static_cast<std::size_t>(i)]));
         }
-        text.push_back('\n');
+        fmt::format_to(std::back_inserter(text), " {}\n", patches[f] + 1);
     }
 }
 
 /// The numbers of a file, one after the other.
 class Numbers {
 public:
-    explicit Numbers(const std::filesystem::path& path) : name_(path.filename().string()) {
-        std::ifstream file(path, std::ios::binary);
-        std::ostringstream text;
-        text << file.rdbuf();
-        if (!file || !text) {
-            malformed("it cannot be read");
-        }
-        text_ = std::move(text).str();
-    }
+    explicit Numbers(const std::filesystem::path& path)
+        : name_(path.filename().string()), text_(read_regular_file(path)) {}
 
     template <typename Number>
     Number next() {
@@ -82,10 +82,28 @@ public:
         return static_cast<Index>(rows);
     }
 
+    /// How many numbers follow in each row: not more than bytes.
+    std::size_t extras() {
+        const auto number = next<long long>();
+        if (number < 0 || std::cmp_greater(number, text_.size()))
+            malformed(fmt::format("it promises {} numbers more in a row", number));
+        return static_cast<std::size_t>(number);
+    }
+
     void expect(Index value, const char* what) {
         const auto found = next<long long>();
         if (found != value) {
             malformed(fmt::format("{} is {}, not {}", what, found, value));
+        }
+    }
+
+    /// Nothing may follow but a comment, and the last line must be whole.
+    void expect_end() {
+        const auto line = std::min(text_.find('\n', at_), text_.size());
+        const auto rest = text_.find_first_not_of(" \t\r\n", at_);
+        const bool is_comment = rest == std::string::npos || text_[rest] == '#';
+        if (line == text_.size() || !is_comment || text_.back() != '\n') {
+            malformed(fmt::format("it does not end after {} bytes, with its last row", at_));
         }
     }
 
@@ -96,10 +114,33 @@ public:
     }
 
 private:
+    std::string read_regular_file(const std::filesystem::path& path) const;
+
     std::string name_;
     std::string text_;
     std::size_t at_ = 0;
 };
+
+/// Neither follows a link nor waits for a pipe.
+std::string Numbers::read_regular_file(const std::filesystem::path& path) const {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat status {};
+    if (file.number() < 0 || ::fstat(file.number(), &status) != 0) {
+        malformed(fmt::format("it cannot be read: {}", std::generic_category().message(errno)));
+    }
+    if (!S_ISREG(status.st_mode)) {
+        malformed("it is no regular file");
+    }
+    std::string text(static_cast<std::size_t>(status.st_size), '\0');
+    for (std::size_t done = 0; done < text.size();) {
+        const auto count = ::read(file.number(), text.data() + done, text.size() - done);
+        if (count == 0 || (count < 0 && errno != EINTR)) {
+            malformed("it cannot be read to its end");
+        }
+        done += count > 0 ? static_cast<std::size_t>(count) : 0;
+    }
+    return text;
+}
 
 } // namespace
 
@@ -123,7 +164,8 @@ Points read_tetgen_points(const std::filesystem::path& path) {
     Numbers numbers(path);
     const Index rows = numbers.count(4);
     numbers.expect(3, "the dimension");
-    const auto extras = numbers.next<int>() + numbers.next<int>(); // attributes and marker
+    const auto attributes = numbers.extras();
+    const auto extras = attributes + numbers.extras(); // and the boundary marker
     Points points(rows, 3);
     for (Index i = 0; i < rows; ++i) {
         numbers.expect(i, "the number of a point");
@@ -133,10 +175,11 @@ Points read_tetgen_points(const std::filesystem::path& path) {
         if (!points.row(i).allFinite()) {
             numbers.malformed(fmt::format("point {} is not finite", i));
         }
-        for (int j = 0; j < extras; ++j) {
+        for (std::size_t j = 0; j < extras; ++j) {
             numbers.next<double>();
         }
     }
+    numbers.expect_end();
     return points;
 }
 
@@ -144,7 +187,7 @@ Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index poin
     Numbers numbers(path);
     const Index rows = numbers.count(5);
     numbers.expect(4, "the number of corners");
-    const auto extras = numbers.next<int>();
+    const auto extras = numbers.extras();
     Simplices cells(rows, 4);
     for (Index i = 0; i < rows; ++i) {
         numbers.expect(i, "the number of a tetrahedron");
@@ -154,11 +197,37 @@ Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index poin
                 numbers.malformed(fmt::format("tetrahedron {} has the corner {}", i, cells(i, j)));
             }
         }
-        for (int j = 0; j < extras; ++j) {
+        for (std::size_t j = 0; j < extras; ++j) {
             numbers.next<double>();
         }
     }
+    numbers.expect_end();
     return cells;
+}
+
+std::pair<Simplices, std::vector<Index>> read_tetgen_faces(const std::filesystem::path& path,
+                                                           Eigen::Index points, Index facets) {
+    Numbers numbers(path);
+    const Index rows = numbers.count(5);
+    numbers.expect(1, "the count of markers");
+    Simplices faces(rows, 3);
+    std::vector<Index> markers(static_cast<std::size_t>(rows));
+    for (Index i = 0; i < rows; ++i) {
+        numbers.expect(i, "the number of a face");
+        for (int j = 0; j < 3; ++j) {
+            faces(i, j) = numbers.next<Index>();
+            if (faces(i, j) < 0 || faces(i, j) >= points) {
+                numbers.malformed(fmt::format("face {} has the corner {}", i, faces(i, j)));
+            }
+        }
+        const Index marker = numbers.next<Index>();
+        if (marker < 1 || marker > facets) {
+            numbers.malformed(fmt::format("face {} is on facet {}", i, marker));
+        }
+        markers[static_cast<std::size_t>(i)] = marker - 1;
+    }
+    numbers.expect_end();
+    return {std::move(faces), std::move(markers)};
 }
 
 std::vector<std::pair<Index, Index>> crossing_facets(const std::string& output, Index facets) {

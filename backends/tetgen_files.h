@@ -16,10 +16,13 @@ namespace polydec::builtin {
 /// their coordinates times 2^-exponent, which loses no digit.
 std::string tetgen_input(const MesherInput& input, const std::vector<Index>& used, int exponent);
 
-/// Points and tetrahedra as TetGen wrote them. Throw SolverFailure if a file is not what it writes:
-/// counts that its size cannot hold, numbers missing or out of range.
+/// Points, tetrahedra, and faces with the facet that each is on, as TetGen wrote them. Throw
+/// SolverFailure if a file is not what it writes: a link, a folder or a pipe, counts that its size
+/// cannot hold, numbers missing, too many or out of range.
 Points read_tetgen_points(const std::filesystem::path& path);
 Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index points);
+std::pair<Simplices, std::vector<Index>> read_tetgen_faces(const std::filesystem::path& path,
+                                                           Eigen::Index points, Index facets);
 
 /// Pairs of facets, from 0 and each once, that a run of TetGen with -d says cross or are the same.
 std::vector<std::pair<Index, Index>> crossing_facets(const std::string& output, Index facets);

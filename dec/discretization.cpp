@@ -104,11 +104,12 @@ DegenerateFacets count_degenerate(const IntrinsicTessellation& tessellation, dou
     return result;
 }
 
-void warn_of_flips(const IntrinsicStatistics& flips, std::vector<std::string>& warnings) {
+void warn_of_flips(const IntrinsicStatistics& flips, double unit,
+                   std::vector<std::string>& warnings) {
     if (flips.added_length > 0)
         warnings.push_back(fmt::format("a triangle has nearly no area: {:.3g} was added to the "
                                        "length of every edge before flips (area: +{:.2g} %)",
-                                       flips.added_length, 100 * flips.added_area));
+                                       unit * flips.added_length, 100 * flips.added_area));
     if (flips.negative_interior > 0)
         warnings.push_back(fmt::format("{} interior edges kept a negative dual: rounding is larger "
                                        "than the triangles there",
@@ -116,7 +117,7 @@ void warn_of_flips(const IntrinsicStatistics& flips, std::vector<std::string>& w
 }
 
 /// The way by intrinsic flips: K is kept for looking, and nothing of it is merged.
-Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengths,
+Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengths, double unit,
                               const MergeOptions& options) {
     const GluedSurface surface(complex);
     const bool has_points = mesh.points.cols() > 0;
@@ -127,7 +128,7 @@ Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengt
         surface, given.array() + tessellation->delaunay.statistics.added_length);
     if (!mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
-    warn_of_flips(tessellation->delaunay.statistics, mesh.warnings);
+    warn_of_flips(tessellation->delaunay.statistics, unit, mesh.warnings);
     auto volumes = merged_volumes(tessellation->merging, tessellation->triangle_volumes);
     const auto degenerate = count_degenerate(*tessellation, options.tolerance);
     return {std::move(mesh.points),
@@ -139,7 +140,8 @@ Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengt
             std::move(mesh.warnings),
             {},
             std::move(lengths),
-            std::move(tessellation)};
+            std::move(tessellation),
+            unit};
 }
 
 using Stage = std::function<void(std::string_view)>;
@@ -151,14 +153,15 @@ void begin(const Stage& stage, std::string_view what) {
 
 /// Measures and merges; mesh holds whatever goes with the simplices, lengths are empty if it has
 /// points.
-Discretization measured(SimplicialComplex complex, Mesh mesh, Vector lengths,
+Discretization measured(SimplicialComplex complex, Mesh mesh, Vector lengths, double unit,
                         const MergeOptions& options, const Stage& stage) {
     warn_of_orientation(complex, mesh.warnings);
     warn_of_branching(complex, mesh.warnings);
     warn_of_overlaps(complex, mesh.points, mesh.warnings);
     if (options.delaunay != Delaunay::off) {
         begin(stage, "merge");
-        return flip_and_merge(std::move(complex), std::move(mesh), std::move(lengths), options);
+        return flip_and_merge(std::move(complex), std::move(mesh), std::move(lengths), unit,
+                              options);
     }
     begin(stage, "volumes");
     const SimplexMetric metric =
@@ -176,7 +179,9 @@ Discretization measured(SimplicialComplex complex, Mesh mesh, Vector lengths,
             merged.degenerate,
             std::move(mesh.warnings),
             std::move(tags),
-            std::move(lengths)};
+            std::move(lengths),
+            {},
+            unit};
 }
 
 } // namespace
@@ -190,9 +195,7 @@ Discretization discretize(Mesh mesh, const MergeOptions& options, const Stage& s
     if (unit != 1)
         mesh = in_units(std::move(mesh), unit);
     SimplicialComplex complex(mesh.simplices);
-    auto result = measured(std::move(complex), std::move(mesh), {}, options, stage);
-    result.unit = unit;
-    return result;
+    return measured(std::move(complex), std::move(mesh), {}, unit, options, stage);
 }
 
 Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, const Stage& stage) {
@@ -205,10 +208,8 @@ Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, c
     warn_of_unit(unit, without_points.warnings);
     // the complex numbers its edges in lexicographic order
     Vector lengths = mesh.lengths(edges_in_order(mesh)) / unit;
-    auto result =
-        measured(std::move(complex), std::move(without_points), std::move(lengths), options, stage);
-    result.unit = unit;
-    return result;
+    return measured(std::move(complex), std::move(without_points), std::move(lengths), unit,
+                    options, stage);
 }
 
 Points vertex_points(const Discretization& discretization) {

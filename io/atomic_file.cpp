@@ -6,12 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <atomic>
 #include <cassert>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -21,48 +19,21 @@ namespace polydec {
 namespace {
 
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
-constexpr std::size_t longest_path = 4096;
-
-/// A temporary name where a signal handler can read it: no memory is allocated or freed.
-struct Slot {
-    enum State : int { is_free, is_claimed, is_named };
-    std::atomic<int> state{is_free};
-    std::array<char, longest_path> path{};
-};
-static_assert(std::atomic<int>::is_always_lock_free, "needed in signal handlers");
-
-std::array<Slot, 64> slots;
 std::atomic<unsigned> next_name{0};
-
-std::size_t claim_slot(const std::string& target) {
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        int expected = Slot::is_free;
-        if (slots[i].state.compare_exchange_strong(expected, Slot::is_claimed)) {
-            return i;
-        }
-    }
-    throw IoError(fmt::format("cannot write {}: {} files are being written already; write fewer at "
-                              "a time",
-                              target, slots.size()));
-}
 
 /// Short, so that every folder in which the target fits has room for it.
 std::string temporary_name() {
     return fmt::format(".polydec-{}-{}.part", ::getpid(), next_name++);
 }
 
-/// Opens a file that was not there; its name is in the slot before it can exist. -1 on failure.
-int create(Slot& slot, const std::filesystem::path& folder) {
+/// Opens a file that was not there; it is noted before it can exist. -1 on failure.
+int create(Unfinished& temporary, const std::filesystem::path& folder) {
     constexpr int most_stale_files = 1000;
     for (int attempt = 0; attempt < most_stale_files; ++attempt) {
         const auto path = (folder / temporary_name()).string();
-        if (path.size() >= longest_path) {
-            errno = ENAMETOOLONG;
+        if (!temporary.note_file(path.c_str())) {
             return -1;
         }
-        slot.state = Slot::is_claimed;
-        std::memcpy(slot.path.data(), path.c_str(), path.size() + 1);
-        slot.state = Slot::is_named;
         const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file >= 0 || errno != EEXIST) {
             return file;
@@ -88,7 +59,7 @@ std::string advice(const std::filesystem::path& folder) {
 
 } // namespace
 
-AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target), slot_(slots.size()) {
+AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target) {
     std::error_code error;
     final_ = std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
     struct stat status {};
@@ -99,11 +70,15 @@ AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target), s
                                         : "it is a folder, pipe or device; name a regular file"));
     }
 
-    slot_ = claim_slot(target.string());
-    file_ = create(slots[slot_], final_.parent_path());
+    if (!temporary_.has_place()) {
+        throw IoError(fmt::format("cannot write {}: {} files are being written already; write "
+                                  "fewer at a time",
+                                  target.string(), Unfinished::most));
+    }
+    file_ = create(temporary_, final_.parent_path());
     if (file_ < 0) {
         const auto reason = system_reason();
-        slots[slot_].state = Slot::is_free;
+        temporary_.finish();
         throw IoError(fmt::format("cannot write {}: {}{}", target.string(), reason,
                                   advice(final_.parent_path())));
     }
@@ -113,7 +88,9 @@ AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target), s
 }
 
 AtomicFile::~AtomicFile() {
-    close_and_remove();
+    if (file_ >= 0) {
+        ::close(file_);
+    }
 }
 
 void AtomicFile::write(std::string_view text) {
@@ -137,12 +114,10 @@ void AtomicFile::commit() {
     if (::close(file) != 0) {
         fail();
     }
-    auto& slot = slots[slot_];
-    if (std::rename(slot.path.data(), final_.c_str()) != 0) {
+    if (std::rename(temporary_.path(), final_.c_str()) != 0) {
         fail();
     }
-    slot.state = Slot::is_free;
-    slot_ = slots.size();
+    temporary_.finish();
 }
 
 void AtomicFile::flush() {
@@ -157,31 +132,8 @@ void AtomicFile::flush() {
     buffer_.clear();
 }
 
-void AtomicFile::close_and_remove() noexcept {
-    if (file_ >= 0) {
-        ::close(file_);
-        file_ = -1;
-    }
-    if (slot_ < slots.size()) {
-        auto& slot = slots[slot_];
-        if (slot.state == Slot::is_named) {
-            ::unlink(slot.path.data());
-        }
-        slot.state = Slot::is_free;
-        slot_ = slots.size();
-    }
-}
-
 void AtomicFile::fail() const {
     throw IoError(fmt::format("cannot write {}: {}", target_.string(), system_reason()));
-}
-
-void remove_unfinished_files() noexcept {
-    for (const auto& slot : slots) {
-        if (slot.state == Slot::is_named) {
-            ::unlink(slot.path.data());
-        }
-    }
 }
 
 } // namespace polydec

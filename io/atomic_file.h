@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/unfinished.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -9,8 +11,9 @@
 namespace polydec {
 
 /// A file that appears whole or not at all: written under a temporary name beside its target and
-/// renamed by `commit`. Without commit, as when an error is thrown, nothing is left.
-/// All functions throw IoError, naming the target and the system's reason.
+/// renamed by `commit`. Without commit, as when an error is thrown, nothing is left; nor is it
+/// after a signal whose handler calls remove_unfinished. All functions throw IoError, naming the
+/// target and the system's reason.
 class AtomicFile {
 public:
     /// Creates the temporary file. A target that is there must be a regular file.
@@ -26,18 +29,13 @@ public:
 
 private:
     void flush();
-    void close_and_remove() noexcept;
     [[noreturn]] void fail() const;
 
     std::filesystem::path target_; ///< as given, for messages
     std::filesystem::path final_;  ///< with symbolic links followed
-    std::size_t slot_;
+    Unfinished temporary_;
     int file_ = -1;
     std::string buffer_;
 };
-
-/// Removes the temporary files of all AtomicFiles that are not committed. Safe to call in a signal
-/// handler; the program should end afterwards.
-void remove_unfinished_files() noexcept;
 
 } // namespace polydec

@@ -28,7 +28,7 @@ double unit_for(double half_of_longest, int dimension, int least) {
     if (std::abs(exponent) <= std::min(moderate, moderate_product / std::max(dimension, 1)))
         return 1;
     const int even = exponent - (exponent & 1);
-    return std::ldexp(1.0, std::max(even, least + (least & 1)));
+    return std::ldexp(1.0, std::clamp(even, least + (least & 1), finite_exponent - 1));
 }
 
 } // namespace

@@ -8,19 +8,26 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace polydec {
 
 namespace {
 
-ConstrainedSystem poisson_system(const GluedSurface& surface, const SurfaceMetric& metric) {
+/// The cotangent Laplacian with the pins at 0.
+ConstrainedSystem poisson_system(const GluedSurface& surface, const SurfaceMetric& metric,
+                                 std::span<const Index> pins) {
     const auto n = static_cast<std::size_t>(surface.vertices());
-    return {.A = surface_laplacian(surface, metric, Vector::Ones(metric.mean_lengths.size())),
-            .fixed = std::vector<bool>(n, false),
-            .tied = std::vector<bool>(n, false),
-            .weights = metric.vertex_areas,
-            .definiteness = Definiteness::semidefinite,
-            .domain_dimension = 2};
+    ConstrainedSystem system{
+        .A = surface_laplacian(surface, metric, Vector::Ones(metric.mean_lengths.size())),
+        .fixed = std::vector<bool>(n, false),
+        .tied = std::vector<bool>(n, false),
+        .weights = metric.vertex_areas,
+        .definiteness = Definiteness::semidefinite,
+        .domain_dimension = 2};
+    for (const Index v : pins)
+        system.fixed[v] = true;
+    return system;
 }
 
 /// What decides on the direction of the gradient of the heat in a triangle: its logarithms, which
@@ -64,33 +71,43 @@ Vector against_gradient(const GluedSurface& surface, const SurfaceMetric& metric
     return b;
 }
 
-/// What to subtract on each component from a function that is known up to a constant: the sources
-/// are known to be at 0, and their neighbors at the lengths of the edges to them. The neighbors
-/// decide, because the function has a kink at the sources, which spoils its value there.
+/// Marks the vertices opposite to an edge between two sources: away from such an edge the distance
+/// grows evenly.
+std::vector<bool> beside_source_edges(const GluedSurface& surface,
+                                      const std::vector<bool>& is_source) {
+    std::vector<bool> marks(is_source.size(), false);
+    for (Index h = 0; h < 3 * surface.triangles(); ++h)
+        if (is_source[surface.tail(h)] && is_source[surface.head(h)])
+            marks[surface.tail(surface.previous(h))] = true;
+    return marks;
+}
+
+/// What to subtract on each component from a function that is 0 at the sources. Around a source
+/// that stands alone the distance has a kink, of which a function that is linear on triangles knows
+/// nothing, so that all its other values are off by the same. Its neighbors tell by how much: their
+/// distances are the lengths of the edges to it.
 Vector shifts(const GluedSurface& surface, const SurfaceMetric& metric,
               std::span<const Index> sources, const Vector& distance) {
     constexpr double far = std::numeric_limits<double>::infinity();
-    Vector known = Vector::Constant(surface.vertices(), far);
+    std::vector<bool> is_source(std::size_t(surface.vertices()), false);
     for (const Index v : sources)
-        known[v] = 0;
-    const Vector at_sources = known;
+        is_source[v] = true;
+    Vector known = Vector::Constant(surface.vertices(), far);
     for (Index e = 0; e < surface.edges(); ++e) {
         const Index a = surface.first_vertex(e), b = surface.last_vertex(e);
-        known[a] = std::min(known[a], at_sources[b] + metric.lengths[e]);
-        known[b] = std::min(known[b], at_sources[a] + metric.lengths[e]);
+        if (is_source[a])
+            known[b] = std::min(known[b], metric.lengths[e]);
+        if (is_source[b])
+            known[a] = std::min(known[a], metric.lengths[e]);
     }
-    Vector near = Vector::Zero(metric.mean_lengths.size());
-    Vector near_count = near, sum = near, count = near;
-    for (Index v = 0; v < surface.vertices(); ++v) {
-        const Index c = metric.component[v];
-        if (known[v] == 0)
-            sum[c] += distance[v], count[c] += 1;
-        else if (known[v] < far)
-            near[c] += distance[v] - known[v], near_count[c] += 1;
-    }
-    for (Eigen::Index c = 0; c < near.size(); ++c)
-        sum[c] = near_count[c] > 0 ? near[c] / near_count[c] : sum[c] / count[c];
-    return sum;
+    const auto beside = beside_source_edges(surface, is_source);
+    Vector sum = Vector::Zero(metric.mean_lengths.size()), count = sum;
+    for (Index v = 0; v < surface.vertices(); ++v)
+        if (const Index c = metric.component[v]; known[v] < far && !is_source[v]) {
+            sum[c] += beside[v] ? 0 : distance[v] - known[v];
+            count[c] += 1;
+        }
+    return sum.cwiseQuotient(count.cwiseMax(1));
 }
 
 } // namespace
@@ -100,14 +117,14 @@ struct GeodesicDistance::Parts {
     SurfaceMetric metric;
     std::string engine;
     HeatStep step;
-    ConstrainedSolver poisson;
+    std::optional<ConstrainedSolver> poisson;
+    bool is_for_single_sources = false; // the pins of the last one
 
     Parts(const GluedSurface& surface_, const Vector& lengths, const GeodesicOptions& options)
         : surface(surface_),
           metric(surface_metric(surface, lengths)),
           engine(options.linear_solver),
-          step(surface, metric, options.time_scale * metric.mean_lengths.cwiseAbs2(), engine),
-          poisson(poisson_system(surface, metric), engine) {}
+          step(surface, metric, options.time_scale * metric.mean_lengths.cwiseAbs2(), engine) {}
 
     Vector heat(std::span<const Index> sources) {
         Vector b = Vector::Zero(surface.vertices());
@@ -123,6 +140,26 @@ struct GeodesicDistance::Parts {
         }
         return u;
     }
+
+    /// The function that is 0 at the sources and fits b elsewhere. If they are one on each
+    /// component, others differ by a constant alone, and a factorization serves them all.
+    Vector fit(const Vector& b, std::span<const Index> sources) {
+        std::vector<Index> pins(sources.begin(), sources.end());
+        std::sort(pins.begin(), pins.end());
+        pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
+        const bool single = Eigen::Index(pins.size()) == metric.mean_lengths.size();
+        if (!(single && poisson && is_for_single_sources)) {
+            poisson.emplace(poisson_system(surface, metric, pins), engine);
+            is_for_single_sources = single;
+        }
+        Vector u = poisson->solve(b, Vector::Zero(b.size()));
+        if (!single)
+            return u;
+        Vector at_source(metric.mean_lengths.size());
+        for (const Index v : pins)
+            at_source[metric.component[v]] = u[v];
+        return u - at_source(metric.component);
+    }
 };
 
 GeodesicDistance::GeodesicDistance(const GluedSurface& surface, const Vector& lengths,
@@ -130,6 +167,14 @@ GeodesicDistance::GeodesicDistance(const GluedSurface& surface, const Vector& le
     check_time_scale(options.time_scale);
     parts_ = std::make_unique<Parts>(surface, lengths, options);
 }
+
+GeodesicDistance::GeodesicDistance(const Discretization& discretization,
+                                   const GeodesicOptions& options)
+    : GeodesicDistance(discretization.intrinsic ? discretization.intrinsic->surface()
+                                                : GluedSurface(discretization.input()),
+                       discretization.intrinsic ? discretization.intrinsic->delaunay.lengths
+                                                : discretization.input_volumes.primal(1),
+                       options) {}
 
 GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;
 GeodesicDistance::~GeodesicDistance() = default;
@@ -139,18 +184,14 @@ Vector GeodesicDistance::to(std::span<const Index> sources) {
     check_sources(parts_->surface, metric, sources);
     Vector distance = explaining_failure(parts_->surface, metric, [&] {
         const Vector b = against_gradient(parts_->surface, metric, parts_->heat(sources));
-        return parts_->poisson.solve(b, Vector::Zero(b.size()));
+        return parts_->fit(b, sources);
     });
 
-    // known up to a constant on every component
-    const Vector shift = shifts(parts_->surface, metric, sources, distance);
-    for (Eigen::Index v = 0; v < distance.size(); ++v) {
-        const Index c = metric.component[v];
-        distance[v] = metric.unit * std::max(0.0, distance[v] - shift[c]);
-    }
+    distance -= shifts(parts_->surface, metric, sources, distance)(metric.component);
     for (const Index v : sources)
         distance[v] = 0;
-    return distance;
+    raised_ = static_cast<Index>((distance.array() < 0).count());
+    return metric.unit * distance.cwiseMax(0);
 }
 
 Vector geodesic_distance(const GluedSurface& surface, const Vector& lengths,
@@ -160,11 +201,7 @@ Vector geodesic_distance(const GluedSurface& surface, const Vector& lengths,
 
 Vector geodesic_distance(const Discretization& discretization, std::span<const Index> sources,
                          const GeodesicOptions& options) {
-    if (discretization.intrinsic)
-        return geodesic_distance(discretization.intrinsic->surface(),
-                                 discretization.intrinsic->delaunay.lengths, sources, options);
-    return geodesic_distance(GluedSurface(discretization.input()),
-                             discretization.input_volumes.primal(1), sources, options);
+    return GeodesicDistance(discretization, options).to(sources);
 }
 
 } // namespace polydec

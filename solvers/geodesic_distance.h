@@ -14,10 +14,11 @@ struct GeodesicOptions {
     std::string linear_solver = "auto";
 };
 
-/// Distance along a surface by the heat method, with two factorizations for all sources. Heat flows
-/// from the sources for a short time; the gradient of its logarithm, made a unit vector in every
-/// triangle, points towards them; the distance is the function whose gradient fits the opposite
-/// best. The surface may be bounded, one-sided and of several components.
+/// Distance along a surface by the heat method. Heat flows from the sources for a short time; the
+/// gradient of its logarithm, made a unit vector in every triangle, points towards them; the
+/// distance is the function that is 0 at the sources and whose gradient fits the opposite best. The
+/// surface may be bounded, one-sided and of several components. Two factorizations serve all calls
+/// with one source on each component; several there cost one for each call.
 ///
 /// Where the time is so short that the heat far away is too faint for its digits to be trusted, it
 /// flows longer, on that component and for that call. With a direct engine this begins at some 500
@@ -31,18 +32,25 @@ public:
     /// the engine cannot factorize.
     GeodesicDistance(const GluedSurface& surface, const Vector& lengths,
                      const GeodesicOptions& options = {});
+    /// On the surface of a bundle, after intrinsic flips on the flipped triangles.
+    /// Throws InvalidInput too if it is no surface or three triangles meet at an edge.
+    GeodesicDistance(const Discretization& discretization, const GeodesicOptions& options = {});
     GeodesicDistance(GeodesicDistance&&) noexcept;
     ~GeodesicDistance();
 
     /// The distance of every vertex from the nearest of the source vertices, in the unit of the
-    /// lengths. 0 at the sources, and above or equal to 0 elsewhere: values that fell below are
-    /// raised. Throws InvalidInput for a source that is no vertex, and, naming a vertex, if a
-    /// component has no source; SolverFailure if the engine does not deliver.
+    /// lengths. 0 at the sources. Triangles far from Delaunay can bring values below 0, which are
+    /// raised to 0 and counted. Throws InvalidInput for a source that is no vertex, and, naming a
+    /// vertex, if a component has no source; SolverFailure if the engine does not deliver.
     Vector to(std::span<const Index> sources);
+
+    /// How many values of the last call were raised to 0.
+    Index raised() const { return raised_; }
 
 private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
+    Index raised_ = 0;
 };
 
 /// The distance by a solver made for it.

@@ -46,7 +46,8 @@ private:
     CellComplex complex_;
     Side side_;
     int degree_, k_;
-    Vector mass_;                        // star_k
+    Vector mass_;                        // star_k / unit_
+    double unit_ = 1;                    // a power of 4 by which squares of the mass are numbers
     std::vector<Index> faces_, cofaces_; // the cells of the regular minors
     std::unique_ptr<Projection> exact_, coexact_;
 };

@@ -64,22 +64,39 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
                                            n, cell, conductivity[cell]));
 }
 
-/// star_1 with every part of a dual multiplied by the conductivity of the cell it lies in.
+/// star_1 with every part of a dual multiplied by the conductivity of the cell it lies in; 0 where
+/// that is no more than rounding, because such an edge connects nothing.
 Vector edge_weights(const Discretization& discretization, const Vector& conductivity) {
-    if (conductivity.size() == 0)
-        return star(discretization.volumes, 1);
+    if (conductivity.size() == 0) {
+        Vector weights = star(discretization.volumes, 1);
+        for (const Index edge : zero_star_cells(discretization.volumes, 1))
+            weights[edge] = 0;
+        return weights;
+    }
     check_not_flipped(discretization, "a conductivity for each cell");
     const auto& merging = discretization.merging;
+    const auto& volumes = discretization.input_volumes;
     const int n = discretization.dimension();
-    const SparseMatrix parts = dual_parts(discretization.input(), discretization.metric(),
-                                          discretization.input_volumes, 1, n);
+    const SparseMatrix parts =
+        dual_parts(discretization.input(), discretization.metric(), volumes, 1, n);
     const SparseMatrix pieces = merging.diamond(n).cast<double>().cwiseAbs();
-    const Vector of_pieces = pieces.transpose() * conductivity;
-    const Vector products =
-        discretization.input_volumes.primal(1).cwiseProduct(parts.transpose() * of_pieces);
     const SparseMatrix edges = merging.diamond(1).cast<double>().cwiseAbs();
-    const Vector lengths = discretization.volumes.primal(1);
-    return (edges * products).cwiseQuotient(lengths).cwiseQuotient(lengths);
+    const Vector of_pieces = pieces.transpose() * conductivity;
+    const Vector& lengths = discretization.volumes.primal(1);
+    const auto over_squares = [&](const Vector& of_input_edges) -> Vector {
+        return (edges * of_input_edges).cwiseQuotient(lengths).cwiseQuotient(lengths);
+    };
+    Vector weights = over_squares(volumes.primal(1).cwiseProduct(parts.transpose() * of_pieces));
+
+    // |e| times its part of t is of the size of t, or larger where such terms cancel
+    const SparseMatrix around = parts.cwiseAbs();
+    SparseMatrix where = parts;
+    where.coeffs().setOnes();
+    const Vector sizes =
+        over_squares(volumes.primal(1).cwiseProduct(around.transpose() * of_pieces) +
+                     where.transpose() * of_pieces.cwiseProduct(volumes.primal(n)));
+    constexpr double rounding = 1e-12;
+    return (weights.array().abs() <= rounding * sizes.array()).select(0, weights);
 }
 
 /// Half of the length of every edge that counts, for each of its ends.
@@ -127,9 +144,7 @@ void PoissonSolver::set_up_primal(const Discretization& discretization, const Ce
     boundary_sites_ = sites_;
     mass_ = star(discretization.volumes, 0);
 
-    Vector weights = edge_weights(discretization, options.conductivity);
-    for (const Index edge : zero_star_cells(discretization.volumes, 1))
-        weights[edge] = 0; // no more than rounding: the edge connects nothing
+    const Vector weights = edge_weights(discretization, options.conductivity);
     ConstrainedSystem system{connections(complex.boundary(1), complex.coboundary(0), weights),
                              essential[0],
                              std::vector<bool>(size, false),

@@ -23,6 +23,10 @@ struct PoissonOptions {
 /// where it has no length the cell's value is the boundary value. Natural: what flows through the
 /// facet enters the right-hand side. Components without an essential facet have the solution of
 /// mean 0, and the mean of the data is removed there. No star is inverted that need not be.
+///
+/// Primal, an edge connects its ends by the parts of its dual in the n-simplices around it, each
+/// times its conductivity, over the edge's length; on triangles these are linear finite elements,
+/// whatever was merged.
 class PoissonSolver {
 public:
     /// Throws InvalidInput, naming the facets, if dual 0-forms are asked for on a complex that is

@@ -23,32 +23,41 @@ const char* kind_name(EngineKind kind) {
     return "";
 }
 
-void run(bool json) {
-    if (!json) {
-        for (const auto& engine : engines())
-            fmt::print("{:<16}{:<15}{:<9}{}{}\n", engine.name, kind_name(engine.kind),
-                       engine.available ? "there" : "missing", engine.description,
-                       engine.available ? "" : fmt::format("; to get it: {}", engine.how_to_get));
-        return;
+struct Backends : Answer {
+    std::vector<EngineInfo> engines = polydec::engines();
+
+    void write(JsonWriter& json) const override {
+        json.array("backends", [&] {
+            for (const auto& engine : engines)
+                json.object([&] {
+                    json.member("name", engine.name);
+                    json.member("kind", kind_name(engine.kind));
+                    json.member("available", engine.available);
+                    json.member("description", engine.description);
+                    json.member("how_to_get", engine.how_to_get);
+                });
+        });
     }
-    Json list = Json::array();
-    for (const auto& engine : engines())
-        list.push_back({{"name", engine.name},
-                        {"kind", kind_name(engine.kind)},
-                        {"available", engine.available},
-                        {"description", engine.description},
-                        {"how_to_get", engine.how_to_get}});
-    fmt::print("{}\n", Json{{"backends", list}}.dump());
-}
+
+    void write(Text& text) const override {
+        for (const auto& engine : engines)
+            text("{:<16}{:<15}{:<9}{}{}\n", engine.name, kind_name(engine.kind),
+                 engine.available ? "there" : "missing", engine.description,
+                 engine.available ? "" : fmt::format("; to get it: {}", engine.how_to_get));
+    }
+};
 
 } // namespace
 
 void add_backends(CLI::App& app) {
     auto* command = app.add_subcommand("backends", "engines: there, missing, how to get them");
-    const auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "print one JSON object");
+    const auto options = std::make_shared<TellOptions>();
+    add_json(*command, *options);
     command->footer("Example:\n  polydec backends");
-    command->callback([json] { run(*json); });
+    command->callback([options] {
+        Log log;
+        tell(Backends(), log, *options);
+    });
 }
 
 } // namespace polydec::tools

@@ -2,13 +2,13 @@
 #include "tools/common.h"
 
 #include "base/errors.h"
+#include "examples/paper/console.h"
 #include "io/length_file.h"
 #include "io/read_mesh.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <unistd.h>
 
 namespace polydec::tools {
@@ -39,30 +39,7 @@ Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
 
 } // namespace
 
-void Timing::begin(std::string_view stage) {
-    end();
-    const auto it = std::find_if(seconds_.begin(), seconds_.end(),
-                                 [&](const auto& entry) { return entry.first == stage; });
-    running_ = static_cast<std::size_t>(it - seconds_.begin());
-    if (it == seconds_.end())
-        seconds_.emplace_back(stage, 0.0);
-    since_ = Clock::now();
-}
-
-void Timing::end() {
-    if (running_)
-        seconds_[*running_].second += std::chrono::duration<double>(Clock::now() - since_).count();
-    running_.reset();
-}
-
-Json Timing::json() const {
-    Json result = Json::object();
-    for (const auto& [stage, seconds] : seconds_)
-        result[stage] = seconds;
-    return result;
-}
-
-void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption json) {
+void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
     command
         .add_option("MESH", arguments.mesh,
                     "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc\n"
@@ -82,9 +59,12 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments, JsonOption 
                   "=split-boundary divides boundary edges too")
         ->check(CLI::IsMember({"flips", "split-boundary"}))
         ->excludes(angle);
-    if (json == JsonOption::offered)
-        command.add_flag("--json", arguments.json, "print one JSON object");
-    command.add_flag("--timing", arguments.timing, "tell the seconds each stage took");
+    add_json(command, arguments.tell);
+    command.add_flag("--timing", arguments.tell.timing, "tell the seconds each stage took");
+}
+
+void add_json(CLI::App& command, TellOptions& options) {
+    command.add_flag("--json", options.json, "print one JSON object");
 }
 
 CLI::Option* add_side(CLI::App& command, Side& side) {
@@ -100,10 +80,10 @@ CLI::Option* add_side(CLI::App& command, Side& side) {
         ->transform(CLI::Validator(read, "primal|dual"));
 }
 
-Discretization load(const MeshArguments& arguments, Timing& timing) {
+Discretization load(const MeshArguments& arguments, Log& log) {
     const Progress progress;
     const auto stage = [&](std::string_view what) {
-        timing.begin(what);
+        log.timing.begin(what);
         progress(what);
     };
     MergeOptions options;
@@ -122,9 +102,9 @@ Discretization load(const MeshArguments& arguments, Timing& timing) {
     auto result = is_length_file(arguments.mesh)
                       ? discretize_checked(arguments, read_lengths(arguments.mesh), options, stage)
                       : discretize_checked(arguments, read_mesh(arguments.mesh), options, stage);
-    timing.end();
+    log.timing.end();
     for (const auto& warning : result.warnings)
-        warn(warning);
+        log.warn(warning);
     return result;
 }
 
@@ -139,38 +119,17 @@ std::string flip_advice(const Discretization& mesh) {
     return mesh.intrinsic ? "; add --delaunay=split-boundary" : "; add --delaunay";
 }
 
-void add_timing(Json& answer, const MeshArguments& arguments, Timing& timing) {
-    timing.end();
-    if (arguments.timing)
-        answer["timing"] = timing.json();
-}
-
-void print_timing(const MeshArguments& arguments, Timing& timing) {
-    timing.end();
-    if (!arguments.timing)
-        return;
-    fmt::print("\nseconds\n");
-    const Json seconds = timing.json();
-    for (const auto& [stage, value] : seconds.items())
-        fmt::print("  {:<12} {:8.3f}\n", stage, value.get<double>());
-}
-
-void warn(const std::string& text) {
-    fmt::print(stderr, "polydec: warning: {}\n", text);
-}
-
 Progress::Progress() : visible_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (visible_)
-        fmt::print(stderr, "\r\033[K");
+        console::tell("\r\033[K");
 }
 
 void Progress::operator()(std::string_view what) const {
     if (!visible_)
         return;
-    fmt::print(stderr, "\r\033[K{} ..", what);
-    std::fflush(stderr);
+    console::tell(fmt::format("\r\033[K{} ..", what));
 }
 
 } // namespace polydec::tools

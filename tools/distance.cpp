@@ -2,6 +2,7 @@
 #include "base/errors.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/geodesic_distance.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -44,45 +45,65 @@ void draw(const Discretization& mesh, const std::filesystem::path& out, const Ve
     write_vtu(out, grid);
 }
 
+struct Distances : Answer {
+    std::vector<Index> from;
+    Index farthest = 0;
+    Index raised = 0; ///< values below 0 that were raised to it
+    double max = 0, mean = 0;
+
+    void write(JsonWriter& json) const override {
+        json.member("from", from);
+        json.member("farthest", farthest);
+        json.member("max", max);
+        json.member("mean", mean);
+        json.member("raised", raised);
+    }
+
+    void write(Text& text) const override {
+        text("distance along the surface, {} source{}\n  farthest: vertex {} at {:.10g}\n  mean "
+             "over the vertices: {:.10g}\n",
+             from.size(), from.size() == 1 ? "" : "s", farthest, max, mean);
+    }
+};
+
 void run(const Arguments& arguments) {
-    Timing timing;
-    const Discretization mesh = load(arguments.mesh, timing);
+    Log log;
+    const Discretization mesh = load(arguments.mesh, log);
     if (mesh.dimension() != 2)
         throw InvalidInput(fmt::format("{} has cells of dimension {}: distances are found on "
                                        "surfaces",
                                        arguments.mesh.mesh.string(), mesh.dimension()));
     if (!arguments.out.empty())
         check_drawable(2, static_cast<int>(mesh.points.cols()));
-    timing.begin("solve");
+    log.timing.begin("solve");
     const auto sources = cells_of(mesh, arguments.from);
+    Index raised = 0;
     const Vector distance = [&] {
         const Progress progress;
         progress("solve");
-        return geodesic_distance(mesh, sources, arguments.geodesic);
+        GeodesicDistance solver(mesh, arguments.geodesic);
+        Vector result = in_input_units(solver.to(sources), mesh.unit, 1, "distances");
+        raised = solver.raised();
+        return result;
     }();
+    if (raised > 0)
+        log.warn(fmt::format("{} of the distances fell below 0 and were raised to 0: triangles "
+                             "there are far from Delaunay{}",
+                             raised, flip_advice(mesh)));
     if (!arguments.out.empty()) {
-        timing.begin("write");
+        log.timing.begin("write");
         draw(mesh, arguments.out, distance);
     }
 
     Eigen::Index farthest = 0;
     distance.maxCoeff(&farthest);
-    const Index vertex = cell_vertices(mesh, 0, static_cast<Index>(farthest)).front();
-    Json answer{{"from", arguments.from},
-                {"farthest", vertex},
-                {"max", distance[farthest]},
-                {"mean", distance.mean()},
-                {"warnings", mesh.warnings}};
-    add_timing(answer, arguments.mesh, timing);
-    if (arguments.mesh.json) {
-        fmt::print("{}\n", answer.dump());
-        return;
-    }
-    fmt::print("distance along the surface, {} source{}\n  farthest: vertex {} at {:.10g}\n  mean "
-               "over the vertices: {:.10g}\n",
-               sources.size(), sources.size() == 1 ? "" : "s", vertex, distance[farthest],
-               distance.mean());
-    print_timing(arguments.mesh, timing);
+    Distances answer;
+    answer.from = arguments.from;
+    answer.farthest = cell_vertices(mesh, 0, static_cast<Index>(farthest)).front();
+    answer.max = distance[farthest];
+    answer.mean = distance.mean();
+    answer.raised = raised;
+    tell(answer, log, arguments.mesh.tell);
 }
 
 } // namespace
@@ -91,7 +112,7 @@ void add_distance(CLI::App& app) {
     auto* command =
         app.add_subcommand("distance", "geodesic distance from vertices, by the heat method");
     const auto arguments = std::make_shared<Arguments>();
-    add_mesh_arguments(*command, arguments->mesh, JsonOption::offered);
+    add_mesh_arguments(*command, arguments->mesh);
     command->add_option("--from", arguments->from, "the vertices it is 0 at")->required();
     command
         ->add_option("--time-scale", arguments->geodesic.time_scale,

@@ -4,6 +4,7 @@
 #include "io/write_mesh.h"
 #include "meshes/generate.h"
 #include "tools/commands.h"
+#include "tools/common.h"
 
 #include <fmt/format.h>
 
@@ -82,21 +83,50 @@ void add_surface(CLI::App& generate, const Surface& surface) {
     }
 }
 
+struct Generated : Answer {
+    std::string out;
+    Eigen::Index points = 0, simplices = 0;
+    int dimension = 0, ambient_dimension = 0;
+
+    void write(JsonWriter& json) const override {
+        json.member("out", out);
+        json.member("points", points);
+        json.member("simplices", simplices);
+        json.member("dimension", dimension);
+        json.member("ambient_dimension", ambient_dimension);
+    }
+
+    void write(Text& text) const override {
+        text("{}: {} points, {} simplices of dimension {}\n", out, points, simplices, dimension);
+    }
+};
+
 } // namespace
 
 CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
                         std::function<Mesh()> make) {
     auto* command = generate.add_subcommand(name, help);
     const auto out = std::make_shared<std::filesystem::path>();
+    const auto options = std::make_shared<TellOptions>();
     command->add_option("-o,--out", *out, "mesh file: .off .obj .ply .stl .mesh .nsc")->required();
-    command->callback([out, make = std::move(make)] { write_generated(*out, make()); });
+    add_json(*command, *options);
+    command->callback([out, options, make = std::move(make)] {
+        Log log;
+        write_generated(*out, make(), log, *options);
+    });
     return command;
 }
 
-void write_generated(const std::filesystem::path& out, const Mesh& mesh) {
+void write_generated(const std::filesystem::path& out, const Mesh& mesh, Log& log,
+                     const TellOptions& options) {
     write_mesh(out, mesh);
-    fmt::print("{}: {} points, {} simplices of dimension {}\n", out.string(), mesh.points.rows(),
-               mesh.simplices.rows(), mesh.dimension());
+    Generated answer;
+    answer.out = out.string();
+    answer.points = mesh.points.rows();
+    answer.simplices = mesh.simplices.rows();
+    answer.dimension = mesh.dimension();
+    answer.ambient_dimension = mesh.ambient_dimension();
+    tell(answer, log, options);
 }
 
 void add_generate(CLI::App& app) {

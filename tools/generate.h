@@ -2,6 +2,7 @@
 #pragma once
 
 #include "meshes/mesh.h"
+#include "tools/answer.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,12 +12,13 @@
 /// The parts of `polydec generate`.
 namespace polydec::tools {
 
-/// A subcommand with --out that writes what `make` gives.
+/// A subcommand with --out and --json that writes what `make` gives.
 CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
                         std::function<Mesh()> make);
 
 /// Writes the mesh and tells its size.
-void write_generated(const std::filesystem::path& out, const Mesh& mesh);
+void write_generated(const std::filesystem::path& out, const Mesh& mesh, Log& log,
+                     const TellOptions& options);
 
 /// Boxes and lattices in any dimension, and clusters of cospherical points.
 void add_lattices(CLI::App& generate);

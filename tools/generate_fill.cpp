@@ -19,6 +19,7 @@ struct FillArguments {
     std::filesystem::path surface, out;
     MesherOptions options;
     std::vector<std::array<double, 3>> holes;
+    TellOptions tell;
 };
 
 void fill(const FillArguments& arguments) {
@@ -34,10 +35,11 @@ void fill(const FillArguments& arguments) {
         progress(arguments.mesher);
         mesh = tetrahedralize(surface, arguments.options, holes, arguments.mesher);
     }
+    Log log;
     for (const Mesh* told : {&surface, &mesh})
         for (const auto& warning : told->warnings)
-            warn(warning);
-    write_generated(arguments.out, mesh);
+            log.warn(warning);
+    write_generated(arguments.out, mesh, log, arguments.tell);
 }
 
 /// One of the meshers that are known, also where its program is missing: then that is told.
@@ -94,6 +96,7 @@ void add_fill(CLI::App& generate) {
         ->capture_default_str()
         ->needs(mesher);
     generate.add_option("-o,--out", arguments->out, "mesh file of tetrahedra: .mesh .nsc");
+    add_json(generate, arguments->tell);
     generate.callback([&generate, arguments] { fill_if_asked(generate, *arguments); });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/errors.h"
-#include "io/atomic_file.h"
+#include "examples/paper/process.h"
+#include "examples/paper/usage.h"
 #include "tools/commands.h"
 #ifdef POLYDEC_HAS_CHOLMOD
 #include "backends/cholmod.h"
@@ -15,26 +15,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <csignal>
-#include <cstdio>
-#include <exception>
-#include <new>
 #include <string>
-#include <unistd.h>
 
 namespace {
-
-enum ExitCode { wrong_usage = 1, bad_input = 2, numerical_failure = 3, resource_failure = 4 };
-
-extern "C" void clean_up_and_die(int signal) {
-    polydec::remove_unfinished_files();
-    _exit(128 + signal);
-}
-
-int fail(ExitCode code, const char* text) {
-    fmt::print(stderr, "polydec: {}\n", text);
-    return code;
-}
 
 /// An argument that nobody knows is the cause even where something is missing too.
 std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
@@ -45,6 +28,15 @@ std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
 }
 
 int run(int argc, char** argv) {
+#ifdef POLYDEC_HAS_CHOLMOD
+    polydec::register_cholmod();
+#endif
+#ifdef POLYDEC_HAS_PETSC
+    polydec::register_petsc();
+#endif
+#ifdef POLYDEC_HAS_SLEPC
+    polydec::register_slepc();
+#endif
     CLI::App app{"polydec: discrete exterior calculus on the mesh you have", "polydec"};
     app.set_version_flag("--version", POLYDEC_VERSION);
     app.require_subcommand(1);
@@ -64,35 +56,13 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : wrong_usage;
+        return polydec::tell_usage(app, error);
     }
-    // output that could not be written is no success
-    return std::fflush(stdout) == 0 ? 0 : fail(resource_failure, "standard output is not writable");
+    return polydec::done;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGINT, clean_up_and_die);
-    std::signal(SIGTERM, clean_up_and_die);
-    try {
-#ifdef POLYDEC_HAS_CHOLMOD
-        polydec::register_cholmod();
-#endif
-#ifdef POLYDEC_HAS_PETSC
-        polydec::register_petsc();
-#endif
-#ifdef POLYDEC_HAS_SLEPC
-        polydec::register_slepc();
-#endif
-        return run(argc, argv);
-    } catch (const polydec::InvalidInput& error) {
-        return fail(bad_input, error.what());
-    } catch (const polydec::SolverFailure& error) {
-        return fail(numerical_failure, error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(resource_failure, "memory does not suffice for this mesh");
-    } catch (const std::exception& error) {
-        return fail(resource_failure, error.what());
-    }
+    return polydec::run_process("polydec", run, argc, argv);
 }

@@ -20,7 +20,7 @@ struct Arguments {
     std::filesystem::path out;
 };
 
-void write(const std::filesystem::path& out, const Discretization& mesh) {
+void write_merged(const std::filesystem::path& out, const Discretization& mesh) {
     if (mesh.dimension() > 3)
         throw InvalidInput(fmt::format("{}: no format holds merged cells of dimension {}; the "
                                        "subcommand operators writes them as matrices",
@@ -38,15 +38,38 @@ void write(const std::filesystem::path& out, const Discretization& mesh) {
                                        out.string(), mesh.dimension()));
 }
 
+class Merged : public Answer {
+public:
+    Merged(std::string out, int dimension, Index input, Index merged)
+        : out_(std::move(out)), dimension_(dimension), input_(input), merged_(merged) {}
+
+    void write(JsonWriter& json) const override {
+        json.member("out", out_);
+        json.member("dimension", dimension_);
+        json.object("cells", [&] {
+            json.member("input", input_);
+            json.member("merged", merged_);
+        });
+    }
+
+    void write(Text& text) const override {
+        text("{}: {} cells of dimension {} merged into {}\n", out_, input_, dimension_, merged_);
+    }
+
+private:
+    std::string out_;
+    int dimension_;
+    Index input_, merged_;
+};
+
 void run(const Arguments& arguments) {
-    Timing timing;
-    const Discretization mesh = load(arguments.mesh, timing);
-    timing.begin("write");
-    write(arguments.out, mesh);
+    Log log;
+    const Discretization mesh = load(arguments.mesh, log);
+    log.timing.begin("write");
+    write_merged(arguments.out, mesh);
     const int n = mesh.dimension();
-    fmt::print("{}: {} cells of dimension {} merged into {}\n", arguments.out.string(),
-               mesh.input().size(n), n, mesh.complex().size(n));
-    print_timing(arguments.mesh, timing);
+    tell(Merged(arguments.out.string(), n, mesh.input().size(n), mesh.complex().size(n)), log,
+         arguments.mesh.tell);
 }
 
 } // namespace
@@ -54,7 +77,7 @@ void run(const Arguments& arguments) {
 void add_merge(CLI::App& app) {
     auto* command = app.add_subcommand("merge", "writes the merged complex");
     const auto arguments = std::make_shared<Arguments>();
-    add_mesh_arguments(*command, arguments->mesh, JsonOption::none);
+    add_mesh_arguments(*command, arguments->mesh);
     command->add_option("-o,--out", arguments->out, ".off .obj .ply (surfaces) or .vtu")
         ->required();
     command->footer("With --delaunay polygons have edges that cross the input's triangles: the "

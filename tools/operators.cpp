@@ -5,6 +5,7 @@
 #include "dec/star.h"
 #include "io/atomic_file.h"
 #include "io/matrix_market.h"
+#include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 
@@ -57,17 +58,22 @@ Maps maps(const Discretization& mesh) {
 
 class Writer {
 public:
-    Writer(const Discretization& mesh, std::filesystem::path folder)
-        : mesh_(mesh), P_(mesh.complex()), K_(mesh.input()), folder_(std::move(folder)) {}
+    Writer(const Discretization& mesh, std::filesystem::path folder, Log& log)
+        : mesh_(mesh),
+          P_(mesh.complex()),
+          K_(mesh.input()),
+          folder_(std::move(folder)),
+          log_(log) {}
 
     void write_all() {
         const auto [diamonds, lifts] = maps(mesh_);
         for (int k = 0; k <= mesh_.dimension(); ++k) {
             if (k < mesh_.dimension())
                 write_matrix_market(file("d", k), P_.coboundary(k));
-            write_matrix_market(file("star", k), star(mesh_.volumes, k));
-            write_matrix_market(file("volume", k), mesh_.volumes.primal(k));
-            write_matrix_market(file("dual_volume", k), mesh_.volumes.dual(k));
+            const int n = mesh_.dimension();
+            write_scaled("star", k, star(mesh_.volumes, k), n - 2 * k);
+            write_scaled("volume", k, mesh_.volumes.primal(k), k);
+            write_scaled("dual_volume", k, mesh_.volumes.dual(k), n - k);
             write_matrix_market(file("diamond", k), diamonds[k]);
             write_matrix_market(file("lift", k), lifts[k]);
             write_laplacians(k);
@@ -80,16 +86,30 @@ private:
         return folder_ / fmt::format("{}_{}.{}", name, k, extension);
     }
 
+    /// Values that are a length to some power, in the units of the file.
+    void write_scaled(const char* name, int k, const Vector& values, int power) const {
+        const auto path = file(name, k);
+        write_matrix_market(path,
+                            in_input_units(values, mesh_.unit, power, path.filename().string()));
+    }
+    void write_scaled(const std::filesystem::path& path, SparseMatrix laplacian) const {
+        laplacian.makeCompressed();
+        laplacian.coeffs() =
+            in_input_units(laplacian.coeffs().matrix(), mesh_.unit, -2, path.filename().string())
+                .array();
+        write_matrix_market(path, laplacian);
+    }
+
     /// A Laplacian that would divide by zero is left out, and one of an earlier run removed.
     void write_laplacians(int k) const {
         const int j = mesh_.dimension() - k;
         const auto primal = file("laplacian_primal", k), dual = file("laplacian_dual", j);
         try {
-            write_matrix_market(primal, laplacian(P_, mesh_.volumes, k));
-            write_matrix_market(dual, dual_laplacian(P_, mesh_.volumes, j));
+            write_scaled(primal, laplacian(P_, mesh_.volumes, k));
+            write_scaled(dual, dual_laplacian(P_, mesh_.volumes, j));
         } catch (const InvalidInput& error) {
-            warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
-                             dual.filename().string(), error.what()));
+            log_.warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
+                                  dual.filename().string(), error.what()));
             std::filesystem::remove(primal);
             std::filesystem::remove(dual);
         }
@@ -108,6 +128,7 @@ private:
     const CellComplex& P_;
     const SimplicialComplex& K_;
     std::filesystem::path folder_;
+    Log& log_;
 };
 
 void make_folder(const std::filesystem::path& folder) {
@@ -118,15 +139,31 @@ void make_folder(const std::filesystem::path& folder) {
                                   error ? error.message() : "a file of that name is in the way"));
 }
 
+class Operators : public Answer {
+public:
+    Operators(std::string out, int dimension) : out_(std::move(out)), dimension_(dimension) {}
+
+    void write(JsonWriter& json) const override {
+        json.member("out", out_);
+        json.member("dimension", dimension_);
+    }
+
+    void write(Text& text) const override {
+        text("operators of degrees 0 .. {} written to {}\n", dimension_, out_);
+    }
+
+private:
+    std::string out_;
+    int dimension_;
+};
+
 void run(const Arguments& arguments) {
-    Timing timing;
-    const Discretization mesh = load(arguments.mesh, timing);
+    Log log;
+    const Discretization mesh = load(arguments.mesh, log);
     make_folder(arguments.out);
-    timing.begin("write");
-    Writer(mesh, arguments.out).write_all();
-    fmt::print("operators of degrees 0 .. {} written to {}\n", mesh.dimension(),
-               arguments.out.string());
-    print_timing(arguments.mesh, timing);
+    log.timing.begin("write");
+    Writer(mesh, arguments.out, log).write_all();
+    tell(Operators(arguments.out.string(), mesh.dimension()), log, arguments.mesh.tell);
 }
 
 } // namespace
@@ -134,7 +171,7 @@ void run(const Arguments& arguments) {
 void add_operators(CLI::App& app) {
     auto* command = app.add_subcommand("operators", "writes every operator and map as files");
     const auto arguments = std::make_shared<Arguments>();
-    add_mesh_arguments(*command, arguments->mesh, JsonOption::none);
+    add_mesh_arguments(*command, arguments->mesh);
     command->add_option("--out", arguments->out, "folder for the files, made if needed")
         ->required();
     command->footer(

@@ -5,6 +5,7 @@
 #include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
+#include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/expression.h"
@@ -28,31 +29,77 @@ struct Arguments {
     std::filesystem::path out;
 };
 
-Json describe(const Arguments& arguments, const PoissonSolver& solver, const Vector& u) {
-    Json answer{{"side", name(arguments.poisson.side)},
-                {"boundary", arguments.natural                   ? "natural"
-                             : arguments.essential_where.empty() ? "dirichlet"
-                                                                 : "mixed"},
-                {"unknowns", u.size()},
-                {"min", u.minCoeff()},
-                {"max", u.maxCoeff()},
-                {"residual", solver.residual()},
-                {"engine", solver.report().engine},
-                {"tried", solver.report().tried},
-                {"iterations", solver.report().iterations},
-                {"free_components", solver.compatibility().free_components}};
+/// Errors against the exact solution: L2 with the cells' volumes as weights, and the largest.
+struct Errors {
+    std::optional<double> l2; ///< none if it is no number in the units of the file
+    double max;
+};
+
+struct Solution : Answer {
+    Side side = Side::primal;
+    const char* boundary = "";
+    Eigen::Index unknowns = 0;
+    double min = 0, max = 0, residual = 0;
+    SolveReport report;
+    Index free_components = 0;
+    std::optional<Errors> errors;
+
+    void write(JsonWriter& json) const override {
+        json.member("side", name(side));
+        json.member("boundary", boundary);
+        json.member("unknowns", unknowns);
+        json.member("min", min);
+        json.member("max", max);
+        json.member("residual", residual);
+        json.member("engine", report.engine);
+        json.member("tried", report.tried);
+        json.member("iterations", report.iterations);
+        json.member("free_components", free_components);
+        if (errors)
+            json.object("error", [&] {
+                json.member("l2", errors->l2);
+                json.member("max", errors->max);
+            });
+    }
+
+    void write(Text& text) const override {
+        text("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n", name(side), boundary,
+             unknowns);
+        text("  solution from {:.10g} to {:.10g}\n", min, max);
+        text("  residual {:.2e} with {} (tried: {})\n", residual, report.engine,
+             fmt::join(report.tried, "; "));
+        if (errors)
+            text("  error: L2 {}, largest {:.6e}\n",
+                 errors->l2 ? fmt::format("{:.6e}", *errors->l2) : "out of range", errors->max);
+    }
+};
+
+Solution describe(const Arguments& arguments, const PoissonSolver& solver, const Vector& u) {
+    Solution answer;
+    answer.side = arguments.poisson.side;
+    answer.boundary = arguments.natural                   ? "natural"
+                      : arguments.essential_where.empty() ? "dirichlet"
+                                                          : "mixed";
+    answer.unknowns = u.size();
+    answer.min = u.minCoeff();
+    answer.max = u.maxCoeff();
+    answer.residual = solver.residual();
+    answer.report = solver.report();
+    answer.free_components = solver.compatibility().free_components;
     return answer;
 }
 
-/// Errors against the exact solution: L2 with the cells' volumes as weights, and the largest.
-Json errors(const Discretization& mesh, const Arguments& arguments, const PoissonSolver& solver,
-            const Vector& u) {
-    const Vector difference = u - values_at("--exact", arguments.exact, solver.sites());
+Errors errors(const Discretization& mesh, const Arguments& arguments, const PoissonSolver& solver,
+              const Vector& u) {
+    const Vector difference = u - values_at("--exact", arguments.exact, mesh.unit * solver.sites());
     const Vector& volumes = arguments.poisson.side == Side::primal
                                 ? mesh.volumes.dual(0)
                                 : mesh.volumes.primal(mesh.dimension());
-    const double squared = volumes.cwiseAbs().dot(difference.cwiseAbs2());
-    return {{"l2", std::sqrt(squared)}, {"max", difference.cwiseAbs().maxCoeff()}};
+    // squares of the differences of a solution of extreme size would be no numbers
+    const double largest = difference.cwiseAbs().maxCoeff();
+    const double size = largest > 0 ? std::exp2(std::ilogb(largest)) : 1;
+    const double squared = volumes.cwiseAbs().dot((difference / size).cwiseAbs2());
+    return {in_input_units(size * std::sqrt(squared), mesh.unit, mesh.dimension() / 2.0), largest};
 }
 
 void draw(const Discretization& mesh, const Arguments& arguments, const Vector& u) {
@@ -63,28 +110,14 @@ void draw(const Discretization& mesh, const Arguments& arguments, const Vector& 
     write_vtu(arguments.out, grid);
 }
 
-void print(const Json& answer) {
-    fmt::print("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n",
-               answer["side"].get<std::string>(), answer["boundary"].get<std::string>(),
-               answer["unknowns"].get<Index>());
-    fmt::print("  solution from {:.10g} to {:.10g}\n", answer["min"].get<double>(),
-               answer["max"].get<double>());
-    fmt::print("  residual {:.2e} with {} (tried: {})\n", answer["residual"].get<double>(),
-               answer["engine"].get<std::string>(),
-               fmt::join(answer["tried"].get<std::vector<std::string>>(), "; "));
-    if (answer.contains("error"))
-        fmt::print("  error: L2 {:.6e}, largest {:.6e}\n", answer["error"]["l2"].get<double>(),
-                   answer["error"]["max"].get<double>());
-}
-
-void warn_of_compatibility(const PoissonSolver& solver) {
+void warn_of_compatibility(const PoissonSolver& solver, Log& log) {
     const auto& compatibility = solver.compatibility();
     constexpr double rounding = 1e-10;
     if (compatibility.worst > rounding)
-        warn(fmt::format("the right-hand side does not sum to zero on {} component{} without "
-                         "boundary data (relative {:.2g}): its mean was removed",
-                         compatibility.free_components,
-                         compatibility.free_components == 1 ? "" : "s", compatibility.worst));
+        log.warn(fmt::format("the right-hand side does not sum to zero on {} component{} without "
+                             "boundary data (relative {:.2g}): its mean was removed",
+                             compatibility.free_components,
+                             compatibility.free_components == 1 ? "" : "s", compatibility.worst));
 }
 
 /// Dual cells of negative extent that the problem is made of.
@@ -104,7 +137,7 @@ BoundaryConditions conditions(const Discretization& mesh, const Arguments& argum
         return {BoundaryCondition::natural};
     if (arguments.essential_where.empty())
         return {};
-    const Points sites = cell_centers(mesh, mesh.dimension() - 1);
+    const Points sites = mesh.unit * cell_centers(mesh, mesh.dimension() - 1);
     const Vector holds = values_at("--essential-where", arguments.essential_where, sites);
     BoundaryConditions result;
     for (const double value : holds)
@@ -114,43 +147,37 @@ BoundaryConditions conditions(const Discretization& mesh, const Arguments& argum
 }
 
 void run(Arguments arguments) {
-    Timing timing;
-    const Discretization mesh = load(arguments.mesh, timing);
+    Log log;
+    const Discretization mesh = load(arguments.mesh, log);
     arguments.poisson.boundary = conditions(mesh, arguments);
     if (!arguments.out.empty())
         check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
-    timing.begin("solve");
+    log.timing.begin("solve");
     PoissonSolver solver = [&] {
         const Progress progress;
         progress("solve");
         return PoissonSolver(mesh, arguments.poisson);
     }();
-    const Vector f = values_at("--rhs", arguments.rhs, solver.sites());
-    const Vector g = values_at("--boundary", arguments.boundary, solver.boundary_sites());
-    const Vector h = values_at("--flux", arguments.flux, solver.flux_sites());
+    // at places of the file; derivatives of second and first order become those of the mesh
+    const Vector f = in_input_units(values_at("--rhs", arguments.rhs, mesh.unit * solver.sites()),
+                                    mesh.unit, 2, "--rhs");
+    const Vector g =
+        values_at("--boundary", arguments.boundary, mesh.unit * solver.boundary_sites());
+    const Vector h =
+        in_input_units(values_at("--flux", arguments.flux, mesh.unit * solver.flux_sites()),
+                       mesh.unit, 1, "--flux");
     const Vector u = solver.solve(f, g, h);
-    warn_of_compatibility(solver);
-    const auto negative = negative_duals(mesh, arguments.poisson.side);
-    if (negative)
-        warn(*negative);
+    warn_of_compatibility(solver, log);
+    if (const auto negative = negative_duals(mesh, arguments.poisson.side))
+        log.warn(*negative);
+    Solution answer = describe(arguments, solver, u);
+    if (!arguments.exact.empty())
+        answer.errors = errors(mesh, arguments, solver, u);
     if (!arguments.out.empty()) {
-        timing.begin("write");
+        log.timing.begin("write");
         draw(mesh, arguments, u);
     }
-
-    Json answer = describe(arguments, solver, u);
-    if (!arguments.exact.empty())
-        answer["error"] = errors(mesh, arguments, solver, u);
-    answer["warnings"] = mesh.warnings;
-    if (negative)
-        answer["warnings"].push_back(*negative);
-    add_timing(answer, arguments.mesh, timing);
-    if (arguments.mesh.json) {
-        fmt::print("{}\n", answer.dump());
-        return;
-    }
-    print(answer);
-    print_timing(arguments.mesh, timing);
+    tell(answer, log, arguments.mesh.tell);
 }
 
 } // namespace
@@ -158,7 +185,7 @@ void run(Arguments arguments) {
 void add_poisson(CLI::App& app) {
     auto* command = app.add_subcommand("poisson", "solves Delta u = f, Delta = -div grad");
     const auto arguments = std::make_shared<Arguments>();
-    add_mesh_arguments(*command, arguments->mesh, JsonOption::offered);
+    add_mesh_arguments(*command, arguments->mesh);
     add_side(*command, arguments->poisson.side)->required();
     command->add_option("--rhs", arguments->rhs, "f: an expression in x, y, z, or a file")
         ->required();

@@ -19,7 +19,7 @@ struct Arguments {
     paper::Request request;
     std::filesystem::path out;
     bool list = false;
-    bool json = false;
+    TellOptions tell;
 };
 
 std::string check_name(const std::string& name) {
@@ -37,16 +37,51 @@ std::string check_levels(const std::string& text) {
     return good ? "" : fmt::format("expected a number from 1 to 20, not '{}'", text);
 }
 
-void print_list(bool json) {
-    Json list = Json::array();
-    for (const auto& each : paper::reproductions()) {
-        list.push_back({{"name", each.name}, {"summary", each.summary}});
-        if (!json)
-            fmt::print("{:<9} {}\n", each.name, each.summary);
+struct List : Answer {
+    void write(JsonWriter& json) const override {
+        json.array("reproductions", [&] {
+            for (const auto& each : paper::reproductions())
+                json.object([&] {
+                    json.member("name", each.name);
+                    json.member("summary", each.summary);
+                });
+        });
     }
-    if (json)
-        fmt::print("{}\n", Json{{"reproductions", std::move(list)}}.dump());
-}
+
+    void write(Text& text) const override {
+        for (const auto& each : paper::reproductions())
+            text("{:<9} {}\n", each.name, each.summary);
+    }
+};
+
+/// What was made, one or all, and where its files are.
+struct Reports : Answer {
+    struct Made {
+        paper::Report report;
+        std::vector<std::filesystem::path> files;
+    };
+    std::vector<Made> made;
+    bool all = false;
+
+    void write(JsonWriter& json) const override {
+        if (!all)
+            return paper::write(json, made.front().report);
+        json.array("reports", [&] {
+            for (const auto& each : made)
+                json.object([&] { paper::write(json, each.report); });
+        });
+    }
+
+    void write(Text& text) const override {
+        const char* separator = "";
+        for (const auto& [report, files] : made) {
+            text("{}{}", separator, paper::to_text(report));
+            for (const auto& file : files)
+                text("{}\n", file.string());
+            separator = "\n";
+        }
+    }
+};
 
 paper::Report make(const Reproduction& reproduction, paper::Request request) {
     const Progress progress;
@@ -58,31 +93,20 @@ paper::Report make(const Reproduction& reproduction, paper::Request request) {
 }
 
 void run(const Arguments& arguments) {
+    Log log;
     if (arguments.list)
-        return print_list(arguments.json);
-    Json reports = Json::array();
-    const char* separator = "";
+        return tell(List(), log, arguments.tell);
+    Reports answer;
+    answer.all = arguments.name == "all";
     for (const auto& each : paper::reproductions()) {
-        if (arguments.name != each.name && arguments.name != "all")
+        if (arguments.name != each.name && !answer.all)
             continue;
-        const auto report = make(each, arguments.request);
-        if (!arguments.json)
-            fmt::print("{}{}", separator, paper::to_text(report));
-        else
-            reports.push_back(Json::parse(paper::to_json(report)));
-        separator = "\n";
-        if (arguments.out.empty())
-            continue;
-        for (const auto& file : paper::write_report(arguments.out, report))
-            if (!arguments.json)
-                fmt::print("{}\n", file.string());
+        auto& [report, files] = answer.made.emplace_back();
+        report = make(each, arguments.request);
+        if (!arguments.out.empty())
+            files = paper::write_report(arguments.out, report);
     }
-    if (!arguments.json)
-        return;
-    if (arguments.name == "all")
-        fmt::print("{}\n", Json{{"reports", std::move(reports)}}.dump());
-    else
-        fmt::print("{}\n", reports.front().dump());
+    tell(answer, log, arguments.tell);
 }
 
 } // namespace
@@ -103,7 +127,7 @@ void add_reproduce(CLI::App& app) {
                         "folder for .json, .csv and .svg files (default: print only)");
     command->add_option("--meshes", arguments->request.meshes,
                         "folder of mesh files for table2 (default: generated meshes)");
-    command->add_flag("--json", arguments->json, "print one JSON object");
+    add_json(*command, arguments->tell);
     command->footer("Examples:\n  polydec reproduce --list\n"
                     "  polydec reproduce fig7 --levels 4 --out figures\n"
                     "  polydec reproduce table2 --meshes models\n"

@@ -4,6 +4,7 @@
 #include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/draw_modes.h"
+#include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 
@@ -24,42 +25,46 @@ struct Arguments {
     std::filesystem::path out;
 };
 
-Json list(const Vector& values) {
-    return std::vector<double>(values.begin(), values.end());
-}
+struct Eigenvalues : Answer {
+    const Spectrum& spectrum;
+    double seconds;
 
-Json describe(const Spectrum& spectrum, double seconds) {
-    const auto& certificate = spectrum.certificate;
-    return {{"side", name(spectrum.side)},
-            {"degree", spectrum.degree},
-            {"eigenvalues", list(spectrum.eigenvalues)},
-            {"residuals", list(spectrum.residuals)},
-            {"certificate",
-             {{"shift", certificate.shift},
-              {"below_shift", certificate.below_shift},
-              {"returned_below_shift", certificate.returned_below_shift},
-              {"complete", certificate.complete}}},
-            {"linear_solver", spectrum.linear_solver},
-            {"eigen_solver", spectrum.eigen_solver},
-            {"seconds", seconds}};
-}
+    Eigenvalues(const Spectrum& spectrum, double seconds) : spectrum(spectrum), seconds(seconds) {}
 
-void print(const Spectrum& spectrum, double seconds) {
-    fmt::print("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
-               "{:>10}\n",
-               name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
-               "residual");
-    for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-        fmt::print("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
-                   spectrum.residuals[i]);
-    const auto& certificate = spectrum.certificate;
-    if (certificate.complete)
-        fmt::print("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
-                   certificate.below_shift, certificate.shift, certificate.returned_below_shift);
-    else
-        fmt::print("\nnot certified: copies of multiple eigenvalues may be missing\n");
-    fmt::print("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
-}
+    void write(JsonWriter& json) const override {
+        const auto& certificate = spectrum.certificate;
+        json.member("side", name(spectrum.side));
+        json.member("degree", spectrum.degree);
+        json.member("eigenvalues", spectrum.eigenvalues);
+        json.member("residuals", spectrum.residuals);
+        json.object("certificate", [&] {
+            json.member("shift", certificate.shift);
+            json.member("below_shift", certificate.below_shift);
+            json.member("returned_below_shift", certificate.returned_below_shift);
+            json.member("complete", certificate.complete);
+        });
+        json.member("linear_solver", spectrum.linear_solver);
+        json.member("eigen_solver", spectrum.eigen_solver);
+        json.member("seconds", seconds);
+    }
+
+    void write(Text& text) const override {
+        text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
+             "{:>10}\n",
+             name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
+             "residual");
+        for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
+            text("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
+                 spectrum.residuals[i]);
+        const auto& certificate = spectrum.certificate;
+        if (certificate.complete)
+            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
+                 certificate.below_shift, certificate.shift, certificate.returned_below_shift);
+        else
+            text("\nnot certified: copies of multiple eigenvalues may be missing\n");
+        text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
+    }
+};
 
 /// Negative duals make A indefinite; the negative eigenvalues they bring come first and mean
 /// nothing.
@@ -83,14 +88,26 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                        negative, duals, flip_advice(mesh));
 }
 
+/// What is measured in length^-2, in the units of the file: together, so that residuals that are
+/// rounding beside the eigenvalues may vanish.
+void use_input_units(Spectrum& spectrum, double unit) {
+    const Eigen::Index count = spectrum.eigenvalues.size();
+    Vector all(2 * count + 1);
+    all << spectrum.eigenvalues, spectrum.residuals, spectrum.certificate.shift;
+    all = in_input_units(all, unit, -2, "eigenvalues");
+    spectrum.eigenvalues = all.head(count);
+    spectrum.residuals = all.segment(count, count);
+    spectrum.certificate.shift = all[2 * count];
+}
+
 void run(Arguments arguments) {
-    Timing timing;
-    const Discretization mesh = load(arguments.mesh, timing);
+    Log log;
+    const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.out.empty())
         check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
-    timing.begin("solve");
+    log.timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
-    const auto result = [&] {
+    auto result = [&] {
         const Progress progress;
         arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
         if (!arguments.certify)
@@ -99,23 +116,14 @@ void run(Arguments arguments) {
     }();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
 
+    if (const auto spurious = spurious_eigenvalues(mesh, result))
+        log.warn(*spurious);
     if (!arguments.out.empty()) {
-        timing.begin("write");
+        log.timing.begin("write");
         write_vtu(arguments.out, mesh, result);
     }
-    Json answer = describe(result, seconds.count());
-    answer["warnings"] = mesh.warnings;
-    if (const auto spurious = spurious_eigenvalues(mesh, result)) {
-        warn(*spurious);
-        answer["warnings"].push_back(*spurious);
-    }
-    add_timing(answer, arguments.mesh, timing);
-    if (arguments.mesh.json) {
-        fmt::print("{}\n", answer.dump());
-        return;
-    }
-    print(result, seconds.count());
-    print_timing(arguments.mesh, timing);
+    use_input_units(result, mesh.unit);
+    tell(Eigenvalues(result, seconds.count()), log, arguments.mesh.tell);
 }
 
 } // namespace
@@ -124,7 +132,7 @@ void add_spectrum(CLI::App& app) {
     auto* command = app.add_subcommand(
         "spectrum", "smallest eigenpairs of the Laplace-de Rham operator, certified");
     const auto arguments = std::make_shared<Arguments>();
-    add_mesh_arguments(*command, arguments->mesh, JsonOption::offered);
+    add_mesh_arguments(*command, arguments->mesh);
     add_side(*command, arguments->spectrum.side)->required();
     command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();
     command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")

@@ -5,12 +5,11 @@
 #include "io/atomic_file.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -18,8 +17,6 @@
 namespace polydec::paper {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t line_width = 100;
 
@@ -108,44 +105,68 @@ std::string wrapped(std::string_view remark) {
     return text + line + "\n";
 }
 
-Json json_of(const Entry& entry) {
-    if (const auto* number = std::get_if<double>(&entry); number && std::isnan(*number))
-        return nullptr;
-    return std::visit([](const auto& value) { return Json(value); }, entry);
+/// NaN is a number that there is not.
+std::optional<double> known(double number) {
+    return std::isnan(number) ? std::nullopt : std::optional(number);
 }
 
-Json json_of(const Table& table) {
+void write(JsonWriter& json, const Entry& entry) {
+    if (const auto* number = std::get_if<double>(&entry))
+        json.value(known(*number));
+    else if (const auto* count = std::get_if<long>(&entry))
+        json.value(*count);
+    else
+        json.value(std::get<std::string>(entry));
+}
+
+void write(JsonWriter& json, const Table& table) {
     check(table);
-    Json rows = Json::array();
-    for (const auto& row : table.rows) {
-        Json list = Json::array();
-        for (const auto& entry : row)
-            list.push_back(json_of(entry));
-        rows.push_back(std::move(list));
-    }
-    return {{"name", table.name},
-            {"title", table.title},
-            {"columns", table.columns},
-            {"rows", std::move(rows)}};
+    json.member("name", table.name);
+    json.member("title", table.title);
+    json.member("columns", table.columns);
+    json.array("rows", [&] {
+        for (const auto& row : table.rows)
+            json.array([&] {
+                for (const auto& entry : row)
+                    write(json, entry);
+            });
+    });
 }
 
-Json json_of(const std::vector<double>& values) {
-    Json list = Json::array();
-    for (const double value : values)
-        list.push_back(json_of(Entry(value)));
-    return list;
+void write_numbers(JsonWriter& json, std::string_view name, const std::vector<double>& values) {
+    json.array(name, [&] {
+        for (const double value : values)
+            json.value(known(value));
+    });
 }
 
-Json json_of(const NamedPlot& named) {
+void write(JsonWriter& json, const NamedPlot& named) {
     const auto& plot = named.plot;
-    Json series = Json::array();
-    for (const auto& each : plot.series)
-        series.push_back({{"name", each.name}, {"x", json_of(each.x)}, {"y", json_of(each.y)}});
-    return {{"name", named.name},
-            {"title", plot.title},
-            {"x", plot.x.label},
-            {"y", plot.y.label},
-            {"series", std::move(series)}};
+    json.member("name", named.name);
+    json.member("title", plot.title);
+    json.member("x", plot.x.label);
+    json.member("y", plot.y.label);
+    json.array("series", [&] {
+        for (const auto& each : plot.series)
+            json.object([&] {
+                json.member("name", each.name);
+                write_numbers(json, "x", each.x);
+                write_numbers(json, "y", each.y);
+            });
+    });
+}
+
+void write(JsonWriter& json, const NamedDrawing& drawing) {
+    json.member("name", drawing.name);
+    json.member("title", drawing.drawing.title);
+}
+
+template <class Parts>
+void write_parts(JsonWriter& json, std::string_view name, const Parts& parts) {
+    json.array(name, [&] {
+        for (const auto& part : parts)
+            json.object([&] { write(json, part); });
+    });
 }
 
 std::string csv_of(std::string text) {
@@ -238,21 +259,19 @@ std::string to_text(const Report& report) {
     return text;
 }
 
+void write(JsonWriter& json, const Report& report) {
+    json.member("name", report.name);
+    json.member("title", report.title);
+    write_parts(json, "tables", report.tables);
+    write_parts(json, "plots", report.plots);
+    write_parts(json, "drawings", report.drawings);
+    json.member("remarks", report.remarks);
+}
+
 std::string to_json(const Report& report) {
-    Json tables = Json::array(), plots = Json::array(), drawings = Json::array();
-    for (const auto& table : report.tables)
-        tables.push_back(json_of(table));
-    for (const auto& plot : report.plots)
-        plots.push_back(json_of(plot));
-    for (const auto& drawing : report.drawings)
-        drawings.push_back({{"name", drawing.name}, {"title", drawing.drawing.title}});
-    return Json{{"name", report.name},
-                {"title", report.title},
-                {"tables", std::move(tables)},
-                {"plots", std::move(plots)},
-                {"drawings", std::move(drawings)},
-                {"remarks", report.remarks}}
-        .dump();
+    JsonWriter json;
+    json.object([&] { write(json, report); });
+    return std::string(json.view());
 }
 
 std::vector<std::filesystem::path> write_report(const std::filesystem::path& folder,

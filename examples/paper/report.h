@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/json_writer.h"
 #include "io/svg_drawing.h"
 #include "io/svg_plot.h"
 
@@ -65,6 +66,9 @@ std::string to_text(const Report& report);
 /// title, columns, rows), plots (name, title, x, y, series), drawings (name, title), remarks. NaN
 /// is null. Throws like to_text.
 std::string to_json(const Report& report);
+
+/// The members of that object.
+void write(JsonWriter& json, const Report& report);
 
 /// Writes name.json, and a .csv for each table and an .svg for each plot and drawing, into a
 /// folder, which is made if it is not there. The name of the report stands before the names of the

@@ -217,6 +217,10 @@ TEST_F(MesherTest, output_that_is_none_is_refused) {
     EXPECT_EQ(wrote("", ""), lacks("node", "a number is missing after 1 bytes"));
     EXPECT_EQ(wrote("2000000000 3 0 0", ""),
               lacks("node", "it promises 2000000000 rows in 17 bytes"));
+    EXPECT_EQ(wrote("1 3 2147483647 1 0 0 0 0", ""),
+              lacks("node", "it promises 2147483647 numbers more in a row"));
+    EXPECT_EQ(wrote(tetrahedron, "1 4 -1 0 0 1 2 3"),
+              lacks("ele", "it promises -1 numbers more in a row"));
     EXPECT_EQ(wrote("1 3 0 0 0 nan 0 0", ""), lacks("node", "point 0 is not finite"));
     EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1 2 4"),
               lacks("ele", "tetrahedron 0 has the corner 4"));

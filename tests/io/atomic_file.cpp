@@ -138,7 +138,7 @@ TEST(AtomicFile, ASignalHandlerCanRemoveUnfinishedFiles) {
     const AtomicFile first(folder.path("first.txt"));
     const AtomicFile second(folder.path("second.txt"));
     EXPECT_EQ(folder.names().size(), 3U);
-    std::signal(SIGUSR1, [](int) { remove_unfinished_files(); });
+    std::signal(SIGUSR1, [](int) { remove_unfinished(); });
     std::raise(SIGUSR1);
     std::signal(SIGUSR1, SIG_DFL);
     EXPECT_EQ(folder.names(), Names{"done.txt"});

@@ -118,6 +118,40 @@ class Json(TestCase):
         self.assertEqual(outcome.err,
                          "".join(f"polydec: warning: {text}\n" for text in warnings))
 
+    def test_every_command_has_an_object_with_its_warnings(self):
+        mesh = golden("branching.off")
+        left_out = ("non-orientable", "not a manifold")
+        for arguments, warned in (
+                (("info", mesh), True), (("merge", mesh, "-o", "a.off"), True),
+                (("operators", mesh, "--out", "out"), True),
+                (("spectrum", mesh, "--side", "primal", "--degree", 0, "--count", 2), True),
+                (("poisson", mesh, "--side", "primal", "--rhs", "1"), True),
+                (("generate", "grid", "-o", "grid.off"), False),
+                (("reproduce", "fig6"), False), (("reproduce", "--list"), False),
+                (("backends",), False)):
+            outcome = self.succeed(*arguments, "--json")
+            warnings = command.parse(outcome.out)["warnings"]
+            self.assertEqual(outcome.err,
+                             "".join(f"polydec: warning: {text}\n" for text in warnings))
+            self.assertEqual(any(word in text for text in warnings for word in left_out), warned,
+                             arguments)
+
+    def test_a_mean_that_was_removed_is_told_in_the_object(self):
+        answer = self.ask("poisson", golden("uv8.off"), "--side", "primal", "--rhs", "1")
+        self.assertEqual(answer["warnings"],
+                         ["the right-hand side does not sum to zero on 1 component without "
+                          "boundary data (relative 1): its mean was removed"])
+        self.assertEqual(self.ask("poisson", golden("uv8.off"), "--side", "primal", "--rhs",
+                                  "z")["warnings"], [])
+
+    def test_answers_of_commands_that_write(self):
+        grid = self.ask("generate", "grid", "--nx", 3, "--ny", 2, "-o", "grid.off")
+        self.assertEqual(grid, {"out": "grid.off", "points": 12, "simplices": 12, "dimension": 2,
+                                "ambient_dimension": 2, "warnings": []})
+        self.assertEqual(self.ask("merge", "grid.off", "-o", "merged.off"),
+                         {"out": "merged.off", "dimension": 2, "cells": {"input": 12, "merged": 6},
+                          "warnings": []})
+
     def test_without_json_there_is_a_text(self):
         for more in (("info",), ("spectrum", "--side", "primal", "--degree", 0, "--count", 2),
                      ("poisson", "--side", "primal", "--rhs", "1")):

@@ -26,6 +26,30 @@ class Distance(TestCase):
         two = parse(run("distance", sphere, "--from", 0, one["farthest"], "--json").out)
         self.assertLess(two["max"], 0.55 * one["max"])
 
+    def test_counts_what_fell_below_0(self):
+        ribbon = os.path.join(self.folder, "ribbon.off")
+        with open(ribbon, "w") as file:
+            # rows of triangles whose every second vertex is moved along the row, far from Delaunay
+            columns, rows = 24, 24
+            file.write(f"OFF\n{(columns + 1) * (rows + 1)} {2 * columns * rows} 0\n")
+            for i in range(columns + 1):
+                for j in range(rows + 1):
+                    shift = 0.3 * math.sin(12.9898 * i + 78.233 * j)
+                    file.write(f"{(i + shift) / columns} {0.05 * j / rows} 0\n")
+            for i in range(columns):
+                for j in range(rows):
+                    a, b = i * (rows + 1) + j, (i + 1) * (rows + 1) + j
+                    file.write(f"3 {a} {b} {b + 1}\n3 {a} {b + 1} {a + 1}\n")
+        answer = run("distance", ribbon, "--from", 38, "--json")
+        raised = parse(answer.out)["raised"]
+        self.assertGreater(raised, 0)
+        text = f"{raised} of the distances fell below 0 and were raised to 0: triangles there are " \
+            "far from Delaunay; add --delaunay"
+        self.assertEqual(parse(answer.out)["warnings"], [text])
+        self.assertIn(text, answer.err)
+        flipped = parse(run("distance", ribbon, "--delaunay", "--from", 38, "--json").out)
+        self.assertEqual(flipped["raised"], 0)
+
     def test_is_told_in_words_and_drawn(self):
         picture = os.path.join(self.folder, "distance.vtu")
         told = run("distance", self.sphere(), "--from", 0, "-o", picture, "--timing")

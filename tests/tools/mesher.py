@@ -126,7 +126,7 @@ class Mesher(TestCase):
                     self.wait_for(lambda: self.working())
                     process.send_signal(number)
                 code = process.wait(timeout=20)
-            self.assertEqual(code, 128 + number if THERE else 4)
+            self.assertEqual(code, -number if THERE else 4)
             self.assertEqual(self.working(), [])
             self.assertEqual(os.listdir(self.temporary), [])
             self.assertNotIn("out.mesh", os.listdir(self.folder))

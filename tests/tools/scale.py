@@ -4,6 +4,7 @@ import itertools
 import math
 import os
 import random
+from fractions import Fraction
 
 import command
 from command import TestCase, parse
@@ -13,12 +14,12 @@ EXACT = [2.0**-500, 2.0**-332, 2.0**-26, 2.0**26, 2.0**332, 2.0**500]
 ROUND = [1e-150, 1e-100, 1e-8, 1e8, 1e100, 1e150]
 
 
-def cubes(n, side):
-    """n-cubes of size 1 / side, each split at its diagonal, with inner points moved a little."""
+def cubes(n, side, amount):
+    """n-cubes of size 1 / side, each split at its diagonal, with inner points moved by an amount."""
     shake = random.Random(n)
     corners = list(itertools.product(range(side + 1), repeat=n))
     number = {corner: i for i, corner in enumerate(corners)}
-    points = [[x / side + (shake.uniform(-.03, .03) if all(0 < y < side for y in corner) else 0)
+    points = [[x / side + (shake.uniform(-amount, amount) if all(0 < y < side for y in corner) else 0)
                for x in corner] for corner in corners]
     cells = []
     for corner in itertools.product(range(side), repeat=n):
@@ -55,8 +56,8 @@ SIDES = {1: 7, 2: 4, 3: 3, 4: 2, 5: 1}
 
 
 class Scale(TestCase):
-    def mesh(self, n, size, write=text_of, suffix="nsc"):
-        return self.write(f"{n}_{size!r}.{suffix}", write(*cubes(n, SIDES[n]), size))
+    def mesh(self, n, size, write=text_of, suffix="nsc", amount=.03):
+        return self.write(f"{n}_{size!r}.{suffix}", write(*cubes(n, SIDES[n], amount), size))
 
     def answer(self, *arguments, code=0):
         outcome = command.run(*arguments, "--json", folder=self.folder)
@@ -72,11 +73,11 @@ class Scale(TestCase):
             self.assertAlmostEqual(found / expected, 1, delta=digits)
 
     def power(self, value, size, power):
-        """value * size^power without overflow; None if that is none."""
-        if value == 0:
-            return 0
-        digits = math.log2(abs(value)) + power * math.log2(size)
-        return value * (size**(power / 4))**4 if abs(digits) < 1000 else None
+        """value * size^power; None if that is none of double precision."""
+        try:
+            return float(Fraction(value) * Fraction(size)**power)
+        except OverflowError:
+            return None
 
     def test_stars_and_volumes(self):
         for n in SIDES:
@@ -96,15 +97,18 @@ class Scale(TestCase):
     def test_spectra(self):
         for n in SIDES:
             for side, degree in (("primal", 0), ("dual", 0), ("primal", 1)):
+                if (n, side) == (5, "dual"):
+                    continue  # there is one merged cell
                 options = ["--side", side, "--degree", degree, "--count", 3]
-                unit = self.answer("spectrum", self.mesh(n, 1.0), *options)["eigenvalues"]
+                unit = self.answer("spectrum", self.mesh(n, 1.0, amount=0), *options)["eigenvalues"]
                 for size in EXACT[::2] + ROUND[::3]:
-                    found = self.answer("spectrum", self.mesh(n, size), *options)["eigenvalues"]
+                    mesh = self.mesh(n, size, amount=0)
+                    found = self.answer("spectrum", mesh, *options)["eigenvalues"]
                     for value, original in zip(found, unit):
-                        if abs(original) > 1e-6 * unit[-1]:
-                            self.check(value, original / size / size)
+                        if abs(original) > 1e-6 * abs(unit[-1]):
+                            self.check(value, self.power(original, size, -2))
                         else:
-                            self.assertLess(abs(value) * size * size, 1e-6 * unit[-1])
+                            self.assertLess(abs(value) * size * size, 1e-6 * max(unit))
 
     def test_poisson_problems(self):
         for n in SIDES:
@@ -142,11 +146,11 @@ class Scale(TestCase):
     def test_lengths_alone(self):
         for n in SIDES:
             options = ["--side", "primal", "--degree", 0, "--count", 3]
-            unit = self.answer("spectrum", self.mesh(n, 1.0), *options)["eigenvalues"]
+            unit = self.answer("spectrum", self.mesh(n, 1.0, amount=0), *options)["eigenvalues"]
             for size in EXACT + ROUND:
-                mesh = self.mesh(n, size, lengths_of, "nsl")
+                mesh = self.mesh(n, size, lengths_of, "nsl", 0)
                 found = self.answer("spectrum", mesh, *options)["eigenvalues"]
-                self.check(found[2], unit[2] / size / size, 1e-7)
+                self.check(found[2], self.power(unit[2], size, -2), 1e-7)
 
     def test_distances(self):
         unit = self.answer("distance", self.mesh(2, 1.0), "--from", 0)

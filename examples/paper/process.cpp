@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "examples/paper/process.h"
+
+#include "base/errors.h"
+#include "base/unfinished.h"
+#include "examples/paper/console.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <unistd.h>
+
+namespace polydec {
+
+namespace {
+
+constexpr const char* no_memory = "memory does not suffice for this mesh";
+
+const char* program = "";
+std::atomic<bool> is_working{false};
+
+int fail(ExitCode code, const char* text) noexcept {
+    console::tell(program);
+    console::tell(": ");
+    console::tell(text);
+    console::tell("\n");
+    return code;
+}
+
+// The handler is gone once it is called, so that the signal, given again, ends the program.
+extern "C" void end_by(int signal) {
+    remove_unfinished();
+    ::raise(signal);
+}
+
+void watch(int signal) noexcept {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL)
+        return; // ignored, or another's
+    action = {};
+    action.sa_handler = end_by;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);
+    sigfillset(&action.sa_mask);
+    ::sigaction(signal, &action, nullptr);
+}
+
+/// All signals that end a program by default and can be caught.
+void watch_signals() noexcept {
+    alignas(16) static char stack[1 << 16]; // that of the program may be what has run out
+    stack_t other{};
+    other.ss_sp = stack;
+    other.ss_size = sizeof stack;
+    ::sigaltstack(&other, nullptr);
+
+    for (const int signal : ending_signals)
+        watch(signal);
+    for (const int signal : {SIGABRT, SIGALRM, SIGBUS, SIGFPE, SIGILL, SIGPROF, SIGSEGV, SIGSYS,
+                             SIGTRAP, SIGUSR1, SIGUSR2, SIGVTALRM})
+        watch(signal);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+/// For libraries that end the program by exit() where memory is short, as that of OpenMP does.
+extern "C" void end_early() {
+    if (!is_working)
+        return;
+    remove_unfinished();
+    ::_exit(fail(resource_failure, "a library ended the program, as a resource did not suffice"));
+}
+
+/// An error in a function that must not throw, most likely that memory is short.
+[[noreturn]] void end_by_error() noexcept {
+    remove_unfinished();
+    try {
+        if (std::current_exception())
+            throw;
+    } catch (const std::bad_alloc&) {
+        ::_exit(fail(resource_failure, no_memory));
+    } catch (const std::exception& error) {
+        fail(resource_failure, error.what());
+    } catch (...) {
+    }
+    std::abort();
+}
+
+int guarded(int (*work)(int, char**), int argc, char** argv) noexcept {
+    try {
+        return work(argc, argv);
+    } catch (const InvalidInput& error) {
+        return fail(bad_input, error.what());
+    } catch (const SolverFailure& error) {
+        return fail(numerical_failure, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(resource_failure, no_memory);
+    } catch (const std::exception& error) {
+        return fail(resource_failure, error.what());
+    } catch (...) {
+        return fail(resource_failure, "an error of an unknown kind");
+    }
+}
+
+/// Output that could not be written is no success, and half an answer is none.
+int finish_output(int code) noexcept {
+    if (code != done) {
+        console::forget();
+        return code;
+    }
+    const int error = console::flush();
+    if (error == 0)
+        return done;
+    console::tell(program);
+    console::tell(": standard output is not writable: ");
+    console::tell(std::strerror(error));
+    console::tell("\n");
+    return resource_failure;
+}
+
+} // namespace
+
+int run_process(const char* name, int (*work)(int, char**), int argc, char** argv) noexcept {
+    program = name;
+    console::open_standard_streams();
+    watch_signals();
+    std::set_terminate(end_by_error);
+    static_cast<void>(std::atexit(end_early));
+
+    is_working = true;
+    const int code = finish_output(guarded(work, argc, argv));
+    is_working = false;
+    return code;
+}
+
+} // namespace polydec

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "tests/fuzz/laws.h"
+
+#include "complex/homology.h"
+#include "dec/facet_kinds.h"
+#include "dec/star.h"
+#include "dec/well_defined.h"
+#include "solvers/poisson.h"
+#include "tests/fuzz/target.h"
+#include "tests/fuzz/topology.h"
+
+#include <cmath>
+
+namespace polydec::fuzz {
+
+namespace {
+
+double binomial(int n, int k) {
+    return k == 0 ? 1.0 : binomial(n - 1, k - 1) * n / k;
+}
+
+void require_volumes(const CellComplex& complex, const CellVolumes& volumes) {
+    const int n = complex.dimension();
+    require(volumes.dimension() == n, "there are volumes of every degree");
+    for (int k = 0; k <= n; ++k) {
+        require(volumes.primal(k).size() == complex.size(k) &&
+                    volumes.dual(k).size() == complex.size(k),
+                "every cell has a volume");
+        require(volumes.primal(k).allFinite() && volumes.dual(k).allFinite(), "volumes are finite");
+        require(volumes.primal(k).minCoeff() > 0, "volumes are positive");
+        Vector values;
+        if (accepts([&] { values = star(volumes, k); }))
+            require(values.allFinite(), "stars are finite");
+        if (accepts([&] { values = inverse_star(volumes, k); }))
+            require(values.allFinite(), "inverse stars are finite");
+    }
+}
+
+/// sum |s||*s| = C(n,k) |K|, to what cancels in the duals.
+void require_duals_that_fill(const CellVolumes& volumes) {
+    const int n = volumes.dimension();
+    const double whole = volumes.primal(n).sum();
+    for (int k = 0; k <= n; ++k) {
+        const double sum = volumes.primal(k).dot(volumes.dual(k));
+        const double size = volumes.primal(k).dot(volumes.terms(k));
+        require(std::abs(sum - binomial(n, k) * whole) <= 1e-9 * size,
+                "duals and cells fill the mesh");
+    }
+}
+
+void require_verdicts(const Discretization& mesh, Stage stage) {
+    for (const auto& verdict : operator_verdicts(mesh, stage))
+        require(verdict.verdict == WellDefined::yes || verdict.cells >= 0,
+                "verdicts count their cells");
+}
+
+} // namespace
+
+void require_laws(const Discretization& mesh) {
+    for (const auto& warning : mesh.warnings)
+        require_message(warning);
+    require_topology(mesh.input());
+    require_topology(mesh.complex());
+    require(betti_numbers(mesh.input()) == betti_numbers(mesh.complex()),
+            "merging keeps the topology");
+    require_volumes(mesh.complex(), mesh.volumes);
+    require_verdicts(mesh, Stage::merged);
+    if (mesh.intrinsic)
+        return;
+    require_volumes(mesh.input(), mesh.input_volumes);
+    require_duals_that_fill(mesh.input_volumes);
+    require_verdicts(mesh, Stage::input);
+    facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options);
+}
+
+void require_poisson(const Discretization& mesh) {
+    for (const Side side : {Side::primal, Side::dual}) {
+        accepts<SolverFailure>([&] {
+            accepts([&] {
+                PoissonSolver solver(mesh, {.side = side});
+                const Vector u =
+                    solver.solve(Vector::Ones(solver.sites().rows()),
+                                 Vector::LinSpaced(solver.boundary_sites().rows(), 0.0, 1.0));
+                require(u.allFinite() && std::isfinite(solver.residual()), "solutions are finite");
+            });
+        });
+    }
+}
+
+} // namespace polydec::fuzz

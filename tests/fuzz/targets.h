@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "tests/fuzz/target.h"
+
+#include <array>
+
+namespace polydec::fuzz {
+
+void off(std::string_view bytes);
+void obj(std::string_view bytes);
+void ply(std::string_view bytes);
+void stl(std::string_view bytes);
+void medit(std::string_view bytes);
+void gmsh(std::string_view bytes);
+void tetgen(std::string_view bytes);
+void vtk(std::string_view bytes);
+void vtu(std::string_view bytes);
+void nsc(std::string_view bytes);
+void nsl(std::string_view bytes);
+void matrix_market(std::string_view bytes);
+void xml(std::string_view bytes);
+void inflate(std::string_view bytes);
+void base64(std::string_view bytes);
+void mesher_files(std::string_view bytes);
+void complex(std::string_view bytes);
+void mesh(std::string_view bytes);
+void lengths(std::string_view bytes);
+
+inline constexpr std::array targets{
+    Target{"off", off},         Target{"obj", obj},
+    Target{"ply", ply},         Target{"stl", stl},
+    Target{"medit", medit},     Target{"gmsh", gmsh},
+    Target{"tetgen", tetgen},   Target{"vtk", vtk},
+    Target{"vtu", vtu},         Target{"nsc", nsc},
+    Target{"nsl", nsl},         Target{"matrix_market", matrix_market},
+    Target{"xml", xml},         Target{"inflate", inflate},
+    Target{"base64", base64},   Target{"mesher_files", mesher_files},
+    Target{"complex", complex}, Target{"mesh", mesh},
+    Target{"lengths", lengths},
+};
+
+} // namespace polydec::fuzz

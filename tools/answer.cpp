@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "tools/answer.h"
+
+#include "base/printable.h"
+#include "examples/paper/console.h"
+
+#include <algorithm>
+
+namespace polydec::tools {
+
+namespace {
+
+void write_object(JsonWriter& json, const Answer& answer, const Log& log, bool timing) {
+    json.object([&] {
+        answer.write(json);
+        json.member("warnings", log.warnings);
+        if (!timing)
+            return;
+        json.object("timing", [&] {
+            for (const auto& [stage, seconds] : log.timing.seconds())
+                json.member(stage, seconds);
+        });
+    });
+}
+
+void write_text(Text& text, const Answer& answer, const Log& log, bool timing) {
+    answer.write(text);
+    if (!timing)
+        return;
+    text("\nseconds\n");
+    for (const auto& [stage, seconds] : log.timing.seconds())
+        text("  {:<12} {:8.3f}\n", stage, seconds);
+}
+
+} // namespace
+
+void Timing::begin(std::string_view stage) {
+    end();
+    const auto it = std::find_if(seconds_.begin(), seconds_.end(),
+                                 [&](const auto& entry) { return entry.first == stage; });
+    running_ = static_cast<std::size_t>(it - seconds_.begin());
+    if (it == seconds_.end())
+        seconds_.emplace_back(stage, 0.0);
+    since_ = Clock::now();
+}
+
+void Timing::end() {
+    if (running_)
+        seconds_[*running_].second += std::chrono::duration<double>(Clock::now() - since_).count();
+    running_.reset();
+}
+
+void Log::warn(const std::string& text) {
+    warnings.push_back(printable_message(text));
+    console::tell(fmt::format("polydec: warning: {}\n", warnings.back()));
+}
+
+void tell(const Answer& answer, Log& log, const TellOptions& options) {
+    log.timing.end();
+    // made in any case, since it is there that numbers which are none are found
+    JsonWriter json;
+    write_object(json, answer, log, options.timing);
+    Text text;
+    if (options.json)
+        text("{}\n", json.view());
+    else
+        write_text(text, answer, log, options.timing);
+    console::write(text.view());
+}
+
+} // namespace polydec::tools
