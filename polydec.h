@@ -31,6 +31,7 @@
 #include "dec/dual_parts.h"
 #include "dec/dual_wedge.h"
 #include "dec/facet_kinds.h"
+#include "dec/facets_without_dual.h"
 #include "dec/flat.h"
 #include "dec/flip_history.h"
 #include "dec/glued_volumes.h"

@@ -20,7 +20,10 @@ double bytes(const SimplicialComplex& complex) {
 }
 
 double bytes(const CellVolumes& volumes) {
-    return bytes(volumes.primal) + bytes(volumes.dual);
+    double sum = 0;
+    for (int k = 0; k <= volumes.dimension(); ++k)
+        sum += bytes(volumes.primal(k)) + bytes(volumes.dual(k)) + bytes(volumes.terms(k));
+    return sum;
 }
 
 double bytes(const CosphericalMerging& merged) {

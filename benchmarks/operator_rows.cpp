@@ -56,7 +56,7 @@ void laplacian_row(benchmark::State& state, const LazyMesh& mesh) {
     const SimplicialComplex complex(mesh.get().simplices);
     const CellVolumes volumes = circumcentric_volumes(complex, mesh.get().points);
     const double bytes_in =
-        bytes(complex.coboundary(0)) + bytes(volumes.primal[1]) + bytes(volumes.dual[1]);
+        bytes(complex.coboundary(0)) + bytes(volumes.primal(1)) + bytes(volumes.dual(1));
     measure(state, {mesh.amount().cells, bytes_in},
             [&] { return symmetric_laplacian(complex, volumes, 0); });
 }

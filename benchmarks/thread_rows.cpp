@@ -51,7 +51,10 @@ bool same_bits(const SimplicialComplex& a, const SimplicialComplex& b) {
 }
 
 bool same_bits(const CellVolumes& a, const CellVolumes& b) {
-    return same_bits(a.primal, b.primal) && same_bits(a.dual, b.dual);
+    bool same = a.dimension() == b.dimension();
+    for (int k = 0; same && k <= a.dimension(); ++k)
+        same = same_bits(a.primal(k), b.primal(k)) && same_bits(a.dual(k), b.dual(k));
+    return same;
 }
 
 bool same_bits(const Chain& a, const Chain& b) {

@@ -49,12 +49,13 @@ CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& 
 }
 
 CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes) {
-    CellVolumes result;
+    std::vector<Vector> primal, dual, terms;
     for (int k = 0; k <= relative.complex.dimension(); ++k) {
-        result.primal.push_back(relative.restrict(k, volumes.primal.at(k)));
-        result.dual.push_back(relative.restrict(k, volumes.dual.at(k)));
+        primal.push_back(relative.restrict(k, volumes.primal(k)));
+        dual.push_back(relative.restrict(k, volumes.dual(k)));
+        terms.push_back(relative.restrict(k, volumes.terms(k)));
     }
-    return result;
+    return {std::move(primal), std::move(dual), std::move(terms)};
 }
 
 SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {

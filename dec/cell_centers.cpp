@@ -13,8 +13,8 @@ namespace {
 Points mean_over_cells(const Merging& merging, const Points& rows, const CellVolumes& volumes,
                        int k) {
     const SparseMatrix pieces = merging.diamond(k).cast<double>().cwiseAbs();
-    const Vector volume = pieces * volumes.primal[k];
-    const Points weighted = volumes.primal[k].asDiagonal() * rows;
+    const Vector volume = pieces * volumes.primal(k);
+    const Points weighted = volumes.primal(k).asDiagonal() * rows;
     return volume.cwiseInverse().asDiagonal() * (pieces * weighted);
 }
 
@@ -33,7 +33,7 @@ Points triangle_centers(const IntrinsicTessellation& intrinsic, const Points& po
     Points centers = Points::Zero(surface.triangles(), points.cols());
     for (Index t = 0; t < surface.triangles(); ++t) {
         const auto side = side_lengths(surface, intrinsic.delaunay.lengths, t);
-        const double area = intrinsic.triangle_volumes.primal[2][t];
+        const double area = intrinsic.triangle_volumes.primal(2)[t];
         for (Index i = 0; i < 3; ++i) {
             const double a = side[i], b = side[(i + 1) % 3], c = side[(i + 2) % 3];
             const double weight = a * a * corner_cotangent(a, b, c, area) / (4 * area);
@@ -65,9 +65,9 @@ Points cell_centers(const Discretization& discretization, int k) {
     const Points centers =
         k == 1 ? edge_centers(intrinsic.surface(), points) : triangle_centers(intrinsic, points);
     const SparseMatrix pieces = intrinsic.merging.diamonds.at(k).cast<double>().cwiseAbs();
-    const Vector& volumes = intrinsic.triangle_volumes.primal[k];
+    const Vector& volumes = intrinsic.triangle_volumes.primal(k);
     const Points weighted = volumes.asDiagonal() * centers;
-    return discretization.volumes.primal[k].cwiseInverse().asDiagonal() * (pieces * weighted);
+    return discretization.volumes.primal(k).cwiseInverse().asDiagonal() * (pieces * weighted);
 }
 
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,

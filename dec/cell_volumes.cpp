@@ -9,6 +9,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace polydec {
@@ -67,16 +69,23 @@ bool is_moderate(double volume) {
         k, fmt::join(list, ", "), sphere.volume()));
 }
 
+/// Volumes that are not yet complete, by degree.
+struct Sums {
+    std::vector<Vector> primal, dual, terms;
+};
+
 /// From the top down: what a k-simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
 /// barycentric coordinate * k |t| / |s|; the division by |s| comes last. Spheres are looked at
 /// many at once, and their heights added one after the other.
-void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, int k,
-               CellVolumes& volumes) {
+void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, int k, Sums& sums) {
     const int n = complex.dimension();
     const Simplices& simplices = complex.simplices(k);
     const Points* const points = metric.points(); // asked once, not for every simplex
-    Vector &primal = volumes.primal[k], &dual = volumes.dual[k], &lower = volumes.dual[k - 1];
-    const auto measure = [&](Index first, Index last, double* height) {
+    Vector &primal = sums.primal[k], &dual = sums.dual[k], &terms = sums.terms[k];
+    struct Share {
+        double dual, terms;
+    };
+    const auto measure = [&](Index first, Index last, Share* share) {
         SimplexLayout layout(complex, metric);
         Circumsphere sphere;
         for (Index t = first; t < last; ++t) {
@@ -84,56 +93,118 @@ void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, in
             if (!is_moderate(sphere.volume()))
                 refuse(complex, metric, k, t);
             primal[t] = sphere.volume();
-            if (k < n)
+            if (k < n) {
                 dual[t] /= (n - k) * primal[t];
-            const double weight = k * primal[t] * dual[t];
-            for (int i = k; i >= 0; --i)
-                *height++ = sphere.barycentric(i) * weight;
+                terms[t] /= (n - k) * primal[t];
+            }
+            const double weight = k * primal[t];
+            for (int i = k; i >= 0; --i) {
+                const double height = sphere.barycentric(i) * weight;
+                *share++ = {height * dual[t], std::abs(height) * terms[t]};
+            }
         }
     };
 
     constexpr Index at_once = 1 << 15, part_size = 1 << 12;
     const Index* face = complex.coboundary(k - 1).innerIndexPtr();
-    std::vector<double> heights;
+    std::vector<Share> shares;
     for (Index first = 0; first < complex.size(k); first += at_once) {
         const Index count = std::min(at_once, complex.size(k) - first);
-        heights.resize(std::size_t(count) * (k + 1));
+        shares.resize(std::size_t(count) * (k + 1));
         for_each_part(count, part_size, [&](Index begin, Index end) {
-            measure(first + begin, first + end, &heights[std::size_t(begin) * (k + 1)]);
+            measure(first + begin, first + end, &shares[std::size_t(begin) * (k + 1)]);
         });
-        for (const double height : heights)
-            lower[*face++] += height;
+        for (const Share& share : shares) {
+            sums.dual[k - 1][*face] += share.dual;
+            sums.terms[k - 1][*face++] += share.terms;
+        }
     }
 }
 
 } // namespace
 
+CellVolumes::CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
+                         std::vector<Vector> terms)
+    : primal_(std::move(primal)), dual_(std::move(dual)), terms_(std::move(terms)) {
+    if (terms_.empty())
+        for (const Vector& values : dual_)
+            terms_.emplace_back(values.cwiseAbs());
+    if (primal_.size() != dual_.size() || primal_.size() != terms_.size())
+        throw InvalidInput(fmt::format("volumes are given in {} degrees, dual volumes in {} and "
+                                       "their terms in {}: expected the same number",
+                                       primal_.size(), dual_.size(), terms_.size()));
+    for (int k = 0; k <= dimension(); ++k)
+        check(k);
+}
+
+void CellVolumes::check(int k) const {
+    const Vector &primal = primal_[k], &dual = dual_[k], &terms = terms_[k];
+    if (primal.size() != dual.size() || primal.size() != terms.size())
+        throw InvalidInput(fmt::format("{} volumes, {} dual volumes and {} terms are given for the "
+                                       "{}-cells: expected one of each for every cell",
+                                       primal.size(), dual.size(), terms.size(), k));
+    for (Index s = 0; s < primal.size(); ++s) {
+        if (!(primal[s] > 0) || !std::isfinite(primal[s]))
+            throw InvalidInput(fmt::format("the {}-cell {} has volume {}: expected a finite number "
+                                           "above 0; remove the cell",
+                                           k, s, primal[s]));
+        if (!std::isfinite(dual[s]) || !std::isfinite(terms[s]))
+            throw InvalidInput(fmt::format("the {}-cell {} has dual volume {}, a sum of terms of "
+                                           "size {}: expected finite numbers",
+                                           k, s, dual[s], terms[s]));
+    }
+}
+
+CellVolumes CellVolumes::with_dual(int k, Vector dual) const {
+    auto duals = dual_, terms = terms_;
+    terms[checked(k)] = dual.cwiseAbs();
+    duals[checked(k)] = std::move(dual);
+    return {primal_, std::move(duals), std::move(terms)};
+}
+
+void CellVolumes::refuse_degree(int k) const {
+    if (primal_.empty())
+        throw InvalidInput(fmt::format("volumes of {}-cells are asked for: there are no cells", k));
+    throw InvalidInput(fmt::format("volumes of {}-cells are asked for: there are cells of degrees "
+                                   "0 to {}",
+                                   k, dimension()));
+}
+
 CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const SimplexMetric& metric) {
     check_metric(complex, metric);
     const int n = complex.dimension();
-    CellVolumes volumes;
+    Sums sums;
     for (int k = 0; k <= n; ++k) {
-        volumes.primal.emplace_back(complex.size(k));
-        volumes.dual.emplace_back(Vector::Zero(complex.size(k)));
+        sums.primal.emplace_back(complex.size(k));
+        sums.dual.emplace_back(Vector::Zero(complex.size(k)));
+        sums.terms.emplace_back(Vector::Zero(complex.size(k)));
     }
-    volumes.primal[0].setOnes();
-    volumes.dual[n].setOnes();
+    sums.primal[0].setOnes();
+    sums.dual[n].setOnes();
+    sums.terms[n].setOnes();
 
     for (int k = n; k >= 1; --k)
-        hand_down(complex, metric, k, volumes);
-    volumes.dual[0] /= n;
-    return volumes;
+        hand_down(complex, metric, k, sums);
+    sums.dual[0] /= n;
+    sums.terms[0] /= n;
+    return {std::move(sums.primal), std::move(sums.dual), std::move(sums.terms)};
 }
 
 CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input) {
-    CellVolumes volumes;
+    Sums sums;
     for (std::size_t k = 0; k < diamonds.size(); ++k) {
+        const int degree = static_cast<int>(k);
         const SparseMatrix pieces = diamonds[k].cast<double>().cwiseAbs();
-        volumes.primal.emplace_back(pieces * input.primal[k]);
-        const Vector products = pieces * input.primal[k].cwiseProduct(input.dual[k]);
-        volumes.dual.emplace_back(products.cwiseQuotient(volumes.primal[k]));
+        const Vector& volumes = input.primal(degree);
+        const auto mean = [&](const Vector& values) {
+            const Vector products = pieces * volumes.cwiseProduct(values);
+            return Vector(products.cwiseQuotient(sums.primal[k]));
+        };
+        sums.primal.emplace_back(pieces * volumes);
+        sums.dual.push_back(mean(input.dual(degree)));
+        sums.terms.push_back(mean(input.terms(degree)));
     }
-    return volumes;
+    return {std::move(sums.primal), std::move(sums.dual), std::move(sums.terms)};
 }
 
 CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {

@@ -9,10 +9,46 @@
 
 namespace polydec {
 
-/// The metric of a complex: all that a Hodge star needs.
-struct CellVolumes {
-    std::vector<Vector> primal; ///< primal[k]: k-volumes |s|, 1 for vertices; length^k
-    std::vector<Vector> dual;   ///< dual[k]: signed (n-k)-volumes |*s|, 1 for n-cells; length^(n-k)
+/// The metric of a complex: all that a Hodge star needs. Is whole from the start: every primal
+/// volume is a finite number above 0, every dual volume a finite one.
+class CellVolumes {
+public:
+    /// Of no cells; no degree can be asked for.
+    CellVolumes() = default;
+
+    /// One vector per degree 0..n, a number per cell. Without terms the duals are taken as they
+    /// are: their own sizes. Throws InvalidInput, naming degree and cell, for sizes that differ, a
+    /// primal volume that is not a finite number above 0, and duals or terms that are not finite.
+    CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
+                std::vector<Vector> terms = {});
+
+    /// Dimension n; -1 without cells.
+    int dimension() const { return static_cast<int>(primal_.size()) - 1; }
+
+    /// k-volumes |s| > 0, 1 for vertices; length^k. These accessors throw InvalidInput for another
+    /// degree than 0..n.
+    const Vector& primal(int k) const { return primal_[checked(k)]; }
+
+    /// Signed (n-k)-volumes |*s|, 1 for n-cells; length^(n-k).
+    const Vector& dual(int k) const { return dual_[checked(k)]; }
+
+    /// Sums of the sizes of the terms that the dual volumes are sums of: what cancels in them, and
+    /// what their rounding errors are in proportion to. length^(n-k).
+    const Vector& terms(int k) const { return terms_[checked(k)]; }
+
+    /// The same with other duals of the k-cells, taken as they are. Throws like the constructor.
+    CellVolumes with_dual(int k, Vector dual) const;
+
+private:
+    std::size_t checked(int k) const {
+        if (k < 0 || k > dimension())
+            refuse_degree(k);
+        return static_cast<std::size_t>(k);
+    }
+    [[noreturn]] void refuse_degree(int k) const;
+    void check(int k) const;
+
+    std::vector<Vector> primal_, dual_, terms_;
 };
 
 /// Volumes of the simplices and signed volumes of their circumcentric duals, by the recursion

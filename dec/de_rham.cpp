@@ -173,9 +173,9 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
     check_cells_in_space(mesh, "the de Rham map");
     const int k = cell_degree(mesh.input(), Side::dual, j);
     const Vector values = dual_de_rham(mesh.input(), mesh.points, j, form, quadrature_degree);
-    const Vector weighted = mesh.input_volumes.primal[k].cwiseProduct(values);
+    const Vector weighted = mesh.input_volumes.primal(k).cwiseProduct(values);
     const Vector sums = mesh.merging.diamond(k).cast<double>() * weighted;
-    return {Side::dual, j, sums.cwiseQuotient(mesh.volumes.primal[k])};
+    return {Side::dual, j, sums.cwiseQuotient(mesh.volumes.primal(k))};
 }
 
 } // namespace polydec

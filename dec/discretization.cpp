@@ -67,7 +67,7 @@ DegenerateFacets count_degenerate(const IntrinsicTessellation& tessellation, dou
     result.interior = static_cast<Index>(concyclic_edges(surface, volumes, tolerance).size());
     for (Index e = 0; e < surface.edges(); ++e)
         if (surface.is_boundary(e) &&
-            std::abs(volumes.dual[1][e]) <= tolerance * volumes.primal[1][e])
+            std::abs(volumes.dual(1)[e]) <= tolerance * volumes.primal(1)[e])
             ++result.boundary;
     return result;
 }

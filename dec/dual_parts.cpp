@@ -18,7 +18,7 @@ SparseMatrix heights(const SimplicialComplex& complex, const SimplexMetric& metr
         // faces stand in the row in the order of their numbers, which omits the last vertex first
         for (int i = 0; i <= k + 1; ++i) {
             const Index entry = t * (k + 2) + (k + 1 - i);
-            H.valuePtr()[entry] = sphere.height(i, volumes.primal[k][H.innerIndexPtr()[entry]]);
+            H.valuePtr()[entry] = sphere.height(i, volumes.primal(k)[H.innerIndexPtr()[entry]]);
         }
     }
     return H;

@@ -162,7 +162,7 @@ Vector product_of_stars(const SimplicialComplex& complex, const SimplexMetric& m
             corners.erase(corners.begin());
             const DenseMatrix edges =
                 chart.corners(corners, Eigen::all) - origin.replicate(corners.size(), 1);
-            const double size = std::tgamma(m + 1.0) * volumes.primal[m][s];
+            const double size = std::tgamma(m + 1.0) * volumes.primal(m)[s];
             values[s] +=
                 part.value() * orientation(complex, m, s) * covector.dot(edges_of(edges)) / size;
         }
@@ -216,8 +216,8 @@ Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift
     const Vector fine =
         product_of_stars(merging.input(), metric, input_volumes, lifted(a), lifted(b));
     const Vector sums =
-        merging.diamond(m).cast<double>() * fine.cwiseProduct(input_volumes.primal[m]);
-    return {Side::dual, a.degree + b.degree, sums.cwiseQuotient(volumes.primal[m])};
+        merging.diamond(m).cast<double>() * fine.cwiseProduct(input_volumes.primal(m));
+    return {Side::dual, a.degree + b.degree, sums.cwiseQuotient(volumes.primal(m))};
 }
 
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {

@@ -26,7 +26,7 @@ Vector apex_angles(const SimplicialComplex& complex, const SimplexMetric& metric
         sphere.look_at(layout.at(n, t));
         for (int i = 0; i <= n; ++i) {
             const Index f = complex.face(n, t, i);
-            angles[f] += std::atan2(radii[f], sphere.height(i, volumes.primal[n - 1][f]));
+            angles[f] += std::atan2(radii[f], sphere.height(i, volumes.primal(n - 1)[f]));
         }
     }
     return angles;
@@ -48,7 +48,7 @@ FacetDefects angle_defects(const SimplicialComplex& complex, const SimplexMetric
 FacetDefects length_defects(const SimplicialComplex& complex, const SimplexMetric& metric,
                             const CellVolumes& volumes, const Vector& radii, double tolerance) {
     const int n = complex.dimension();
-    FacetDefects result{volumes.dual[n - 1].cwiseAbs(), 2 * radii,
+    FacetDefects result{volumes.dual(n - 1).cwiseAbs(), 2 * radii,
                         std::vector<bool>(complex.size(n - 1), false)};
     Vector largest = Vector::Zero(complex.size(n - 1));
     const Vector top_radii = circumradii(complex, metric, n);

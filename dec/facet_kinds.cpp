@@ -23,7 +23,7 @@ std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const Simp
             const double l = 2 * radii[f];
             // a facet without extent, a vertex, has its edges' centers on their own sides
             const double rounding = l > 0 ? dual_length_rounding(sphere.radius(), l) : 0;
-            if (sphere.height(i, volumes.primal[n - 1][f]) >= -rounding)
+            if (sphere.height(i, volumes.primal(n - 1)[f]) >= -rounding)
                 ++counts[f];
         }
     }
@@ -43,7 +43,7 @@ FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& me
             continue;
         if (degenerate[f])
             ++kinds.cospherical;
-        else if (volumes.dual[n - 1][f] < 0)
+        else if (volumes.dual(n - 1)[f] < 0)
             ++kinds.non_delaunay;
         else if (centered[f] == 2)
             ++kinds.well_centered;

@@ -102,7 +102,7 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     constexpr int own = 1;
     const auto& carriers = mesh.merging.carriers(own);
     for (Index e = 0; e < result.size(); ++e)
-        result[e] = carriers[e].dimension == own ? result[e] / mesh.input_volumes.dual[own][e] : 0;
+        result[e] = carriers[e].dimension == own ? result[e] / mesh.input_volumes.dual(own)[e] : 0;
     return result;
 }
 
@@ -151,9 +151,9 @@ Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     }
     const int k = mesh.dimension() - 1;
     const Vector values = along_dual_edges(mesh, kind, field);
-    const Vector weighted = mesh.input_volumes.primal[k].cwiseProduct(values);
+    const Vector weighted = mesh.input_volumes.primal(k).cwiseProduct(values);
     const Vector sums = mesh.merging.diamond(k).cast<double>() * weighted;
-    return {Side::dual, 1, sums.cwiseQuotient(mesh.volumes.primal[k])};
+    return {Side::dual, 1, sums.cwiseQuotient(mesh.volumes.primal(k))};
 }
 
 } // namespace polydec

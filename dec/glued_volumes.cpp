@@ -40,24 +40,28 @@ std::array<double, 3> side_lengths(const GluedSurface& surface, const Vector& le
 
 CellVolumes circumcentric_volumes(const GluedSurface& surface, const Vector& lengths) {
     check_lengths(surface, lengths);
-    CellVolumes volumes{{Vector::Ones(surface.vertices()), lengths, Vector(surface.triangles())},
-                        {Vector::Zero(surface.vertices()), Vector::Zero(surface.edges()),
-                         Vector::Ones(surface.triangles())}};
+    Vector areas(surface.triangles());
+    Vector dual_edges = Vector::Zero(surface.edges()), edge_terms = dual_edges;
+    Vector dual_vertices = Vector::Zero(surface.vertices()), vertex_terms = dual_vertices;
     for (Index t = 0; t < surface.triangles(); ++t) {
         const auto side = side_lengths(surface, lengths, t);
-        const double area = triangle_area(side[0], side[1], side[2]);
-        volumes.primal[2][t] = area;
+        areas[t] = triangle_area(side[0], side[1], side[2]);
         for (Index i = 0; i < 3; ++i) {
             const double a = side[i], b = side[(i + 1) % 3], c = side[(i + 2) % 3];
-            volumes.dual[1][surface.edge(3 * t + i)] += a * corner_cotangent(a, b, c, area) / 2;
+            const double height = a * corner_cotangent(a, b, c, areas[t]) / 2;
+            dual_edges[surface.edge(3 * t + i)] += height;
+            edge_terms[surface.edge(3 * t + i)] += std::abs(height);
         }
     }
-    for (Index e = 0; e < surface.edges(); ++e) {
-        const double share = lengths[e] * volumes.dual[1][e] / 4;
-        volumes.dual[0][surface.first_vertex(e)] += share;
-        volumes.dual[0][surface.last_vertex(e)] += share;
-    }
-    return volumes;
+    for (Index e = 0; e < surface.edges(); ++e)
+        for (const Index v : {surface.first_vertex(e), surface.last_vertex(e)}) {
+            dual_vertices[v] += lengths[e] * dual_edges[e] / 4;
+            vertex_terms[v] += lengths[e] * edge_terms[e] / 4;
+        }
+    const Vector ones = Vector::Ones(surface.triangles());
+    return {{Vector::Ones(surface.vertices()), lengths, std::move(areas)},
+            {std::move(dual_vertices), std::move(dual_edges), ones},
+            {std::move(vertex_terms), std::move(edge_terms), ones}};
 }
 
 CellVolumes merged_volumes(const MergedSurface& merging, const CellVolumes& triangles) {

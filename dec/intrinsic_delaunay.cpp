@@ -304,7 +304,7 @@ IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
 
 std::vector<Index> concyclic_edges(const GluedSurface& surface, const CellVolumes& volumes,
                                    double tolerance) {
-    const Vector &length = volumes.primal[1], &dual = volumes.dual[1], &area = volumes.primal[2];
+    const Vector &length = volumes.primal(1), &dual = volumes.dual(1), &area = volumes.primal(2);
     std::vector<std::pair<double, Index>> found;
     for (Index e = 0; e < surface.edges(); ++e) {
         if (surface.is_boundary(e))

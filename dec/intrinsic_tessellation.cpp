@@ -139,7 +139,7 @@ std::vector<SparseMatrix> commuting_lift(const IntrinsicTessellation& tessellati
     std::vector<SparseMatrix> lift(3);
     lift[0].resize(tessellation.surface().vertices(), tessellation.surface().vertices());
     lift[0].setIdentity();
-    lift[2] = shares_of_area(tessellation.merging, tessellation.triangle_volumes.primal[2]);
+    lift[2] = shares_of_area(tessellation.merging, tessellation.triangle_volumes.primal(2));
     lift[1] = EdgeLift(tessellation, lift[2]).solve();
     return lift;
 }

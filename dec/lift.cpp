@@ -131,11 +131,11 @@ void Lift::fill_cell(int m, Index F) {
     const auto pieces = inside_[m][m][F];
     double volume = 0;
     for (const Index s : pieces)
-        volume += volumes_.primal[m][s];
+        volume += volumes_.primal(m)[s];
     for (Row s(merging_.diamond(m), F); s; ++s) {
         const auto piece = static_cast<Index>(s.col());
         rows_[m].begin(piece);
-        rows_[m].append(piece, F, s.value() * volumes_.primal[m][piece] / volume);
+        rows_[m].append(piece, F, s.value() * volumes_.primal(m)[piece] / volume);
     }
     for (int j = m - 1; j > 0 && pieces.size() > 1; --j)
         if (!inside_[m][j][F].empty())

@@ -74,7 +74,7 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
         for (int i = 1; i <= n; ++i)
             projection += (mesh.points.row(corners[i]) - mesh.points.row(corners[0])).transpose() *
                           gradients.row(i);
-        sum += mesh.input_volumes.primal[n][t] * projection;
+        sum += mesh.input_volumes.primal(n)[t] * projection;
     }
     return Eigen::SelfAdjointEigenSolver<DenseMatrix>(sum).eigenvectors().rightCols(n);
 }
@@ -86,7 +86,7 @@ SparseMatrix edge_weights(const Discretization& mesh) {
     const SparseMatrix cells = mesh.merging.diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging.diamond(1).cast<double>().cwiseAbs();
     // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
-    const Vector inverse_lengths = mesh.input_volumes.primal[1].cwiseInverse();
+    const Vector inverse_lengths = mesh.input_volumes.primal(1).cwiseInverse();
     const SparseMatrix weighted = parts * inverse_lengths.asDiagonal();
     const SparseMatrix on_cells = cells * weighted;
     return on_cells * SparseMatrix(edges.transpose());
@@ -108,7 +108,7 @@ DenseMatrix sharp_pp(const Discretization& mesh, const std::vector<SparseMatrix>
         const DenseMatrix seen = gradients_seen_from_vertices(mesh, a, t);
         for (int i = 0; i <= n; ++i) {
             const Index v = face_at(K, n, t, std::array{i});
-            const double share = parts.coeff(t, v) / mesh.input_volumes.dual[0][v];
+            const double share = parts.coeff(t, v) / mesh.input_volumes.dual(0)[v];
             result.row(K.simplices(0)(v, 0)) += share * seen.row(i);
         }
     }
@@ -154,7 +154,7 @@ DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
         for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(n - 1), cell); f; ++f)
             result.row(cell) +=
                 f.value() * form.values[f.col()] * (facets.row(f.col()) - centroids.row(cell));
-        result.row(cell) /= mesh.volumes.primal[n][cell];
+        result.row(cell) /= mesh.volumes.primal(n)[cell];
     }
     return result;
 }

@@ -21,13 +21,7 @@ double zero_threshold(const Vector& star) {
 } // namespace
 
 Vector star(const CellVolumes& volumes, int k) {
-    const Vector &primal = volumes.primal.at(k), &dual = volumes.dual.at(k);
-    for (Index s = 0; s < primal.size(); ++s)
-        if (!(primal[s] > 0))
-            throw InvalidInput(fmt::format("the {}-cell {} has volume {}: the Hodge star divides "
-                                           "by it; remove the cell",
-                                           k, s, primal[s]));
-    return dual.cwiseQuotient(primal);
+    return volumes.dual(k).cwiseQuotient(volumes.primal(k));
 }
 
 std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k) {
@@ -63,7 +57,7 @@ Vector inverse_star(const CellVolumes& volumes, int k) {
 }
 
 Vector dual_star(const CellVolumes& volumes, int k) {
-    const int n = static_cast<int>(volumes.primal.size()) - 1;
+    const int n = volumes.dimension();
     return (k * (n - k) % 2 == 0 ? 1.0 : -1.0) * inverse_star(volumes, k);
 }
 

@@ -7,7 +7,7 @@ namespace polydec {
 
 /// Hodge star on primal k-forms, to dual (n-k)-forms: diagonal, dual volume over primal volume.
 /// Size size(k); units length^(n-2k); positive iff every dual volume is.
-/// Source: Hirani 2003, Def. 4.1.1. Throws InvalidInput, naming the cell, for a primal volume 0.
+/// Source: Hirani 2003, Def. 4.1.1.
 Vector star(const CellVolumes& volumes, int k);
 
 /// The star of dual (n-k)-forms, to primal k-forms: (-1)^(k(n-k)) |s| / |*s|, so that star star is

@@ -25,7 +25,7 @@ StraightnessTest::Side StraightnessTest::look(int k, Index s, Index f) {
     while (complex_.face(k, f, apex) != s)
         ++apex;
     sphere_.look_at(layout_.at(k, f));
-    return {apex, sphere_.height(apex, volumes_.primal[k - 1][s]), sphere_.radius()};
+    return {apex, sphere_.height(apex, volumes_.primal(k - 1)[s]), sphere_.radius()};
 }
 
 StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, int apex) const {
@@ -55,7 +55,7 @@ bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
     if (std::abs(a.height + b.height) > tolerance_ * l + rounding)
         return false;
 
-    const double V = volumes_.dual[k][f], W = volumes_.dual[k][g];
+    const double V = volumes_.dual(k)[f], W = volumes_.dual(k)[g];
     const double size = std::max({std::abs(V), std::abs(W), std::pow(l, complex_.dimension() - k)});
     if (std::abs(V - W) > (tolerance_ + rounding / l) * size)
         return false;

@@ -98,8 +98,8 @@ SparseMatrix primal_to_input(const Merging& merging, const CellVolumes& volumes,
 SparseMatrix dual_to_merged(const Merging& merging, const CellVolumes& volumes, int j) {
     const int k = merging.merged().dimension() - j;
     const SparseMatrix dia = merging.diamond(k).cast<double>();
-    const Vector merged_volume = dia.cwiseAbs() * volumes.primal.at(k);
-    return merged_volume.cwiseInverse().asDiagonal() * dia * volumes.primal[k].asDiagonal();
+    const Vector merged_volume = dia.cwiseAbs() * volumes.primal(k);
+    return merged_volume.cwiseInverse().asDiagonal() * dia * volumes.primal(k).asDiagonal();
 }
 
 SparseMatrix dual_to_input(const Merging& merging, int j) {

@@ -136,7 +136,7 @@ Cochain circumcentric_wedge(const SimplicialComplex& complex, const SimplexMetri
     const SparseMatrix parts = dual_parts(complex, metric, volumes, 0, m);
     // row s holds the parts of its m+1 vertices in ascending order
     return product(complex, a, b, [&](Index s, int v) {
-        return parts.valuePtr()[s * (m + 1) + v] / volumes.primal[m][s];
+        return parts.valuePtr()[s * (m + 1) + v] / volumes.primal(m)[s];
     });
 }
 

@@ -30,7 +30,7 @@ Index without_dual(const Discretization& mesh, Stage stage, int k,
     const auto& carriers = mesh.merging.carriers(k);
     const bool input = stage == Stage::input;
     const auto& volumes = input ? mesh.input_volumes : mesh.volumes;
-    std::vector<bool> marks(volumes.dual[k].size(), false);
+    std::vector<bool> marks(volumes.dual(k).size(), false);
     for (const Index s : zero_star_cells(volumes, k))
         marks[s] = true;
     const int facet_degree = mesh.dimension() - 1;
@@ -65,7 +65,7 @@ void mark_concentric(const Discretization& mesh, Stage stage, const std::vector<
 /// The k-cells of the stage whose dual is that of another one: pieces of one merged cell.
 Index copies(const Discretization& mesh, Stage stage, int k, const std::vector<bool>& degenerate) {
     const auto& volumes = stage == Stage::input ? mesh.input_volumes : mesh.volumes;
-    std::vector<bool> marks(volumes.dual[k].size(), false);
+    std::vector<bool> marks(volumes.dual(k).size(), false);
     const IncidenceMatrix& dia = mesh.merging.diamond(k);
     for (Index cell = 0; stage == Stage::input && cell < dia.rows(); ++cell)
         if (dia.outerIndexPtr()[cell + 1] - dia.outerIndexPtr()[cell] > 1)
@@ -81,7 +81,7 @@ Faults intrinsic_faults(const Discretization& mesh, Stage stage) {
     const auto& volumes = stage == Stage::input ? mesh.input_volumes : mesh.volumes;
     const auto& complex = stage == Stage::input ? mesh.input() : mesh.complex();
     const int n = mesh.dimension();
-    const Vector &facet = volumes.primal[n - 1], &dual = volumes.dual[n - 1];
+    const Vector &facet = volumes.primal(n - 1), &dual = volumes.dual(n - 1);
     std::vector<bool> degenerate(facet.size()), concentric(complex.size(n), false);
     for (Index f = 0; f < facet.size(); ++f)
         degenerate[f] = std::abs(dual[f]) <= mesh.options.tolerance * facet[f];

@@ -15,7 +15,7 @@ int main() {
         const polydec::Vector star = polydec::star(mesh.volumes, k);
         std::cout << "star_" << k << " from " << star.minCoeff() << " to " << star.maxCoeff()
                   << "; sum |s||*s| / C(2," << k
-                  << ") = " << mesh.volumes.primal[k].dot(mesh.volumes.dual[k]) / binomial[k]
+                  << ") = " << mesh.volumes.primal(k).dot(mesh.volumes.dual(k)) / binomial[k]
                   << '\n';
     }
 

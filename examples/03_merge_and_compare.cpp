@@ -31,5 +31,5 @@ int main() {
 
     // all that was between cells is still there: topology, area, vertices
     std::cout << "Euler characteristic: " << polydec::euler_characteristic(after.complex())
-              << ", area: " << after.volumes.primal[2].sum() << '\n';
+              << ", area: " << after.volumes.primal(2).sum() << '\n';
 }

@@ -35,11 +35,10 @@ polydec::CellComplex periodic_squares(polydec::Index n) {
 
 int main() {
     const polydec::CellComplex torus = periodic_squares(16);
-    polydec::CellVolumes volumes;
-    for (int k = 0; k <= 2; ++k) {
-        volumes.primal.push_back(polydec::Vector::Ones(torus.size(k)));
-        volumes.dual.push_back(polydec::Vector::Ones(torus.size(k)));
-    }
+    std::vector<polydec::Vector> ones;
+    for (int k = 0; k <= 2; ++k)
+        ones.push_back(polydec::Vector::Ones(torus.size(k)));
+    const polydec::CellVolumes volumes(ones, ones);
 
     std::cout << "Betti numbers";
     for (const auto b : polydec::betti_numbers(torus))

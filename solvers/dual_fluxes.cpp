@@ -2,8 +2,8 @@
 #include "solvers/dual_fluxes.h"
 
 #include "base/errors.h"
-#include "dec/circumsphere.h"
 #include "dec/dual_parts.h"
+#include "dec/facets_without_dual.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,41 +38,30 @@ void check_two_sided(const Discretization& discretization) {
                       ", ")));
 }
 
-/// Twice the circumradius of each merged facet: the length its dual is compared with.
-Vector facet_scales(const Discretization& discretization) {
-    const int n = discretization.dimension();
-    if (discretization.intrinsic)
-        return discretization.volumes.primal[n - 1]; // edges
-    const Vector radii = circumradii(discretization.input(), discretization.metric(), n - 1);
-    Vector scales = Vector::Zero(discretization.complex().size(n - 1));
-    for (Index f = 0; f < scales.size(); ++f)
-        for (Row piece(discretization.merging.diamond(n - 1), f); piece; ++piece)
-            scales[f] = std::max(scales[f], 2 * radii[piece.col()]);
-    return scales;
-}
-
 /// The dual length of each merged facet divided by the conductivity it lies in, piece by piece, as
 /// resistances in series add up.
 Vector resistances(const Discretization& discretization, const Vector& conductivity) {
     const int n = discretization.dimension();
     if (conductivity.size() == 0)
-        return discretization.volumes.dual[n - 1];
+        return discretization.volumes.dual(n - 1);
     check_not_flipped(discretization, "a conductivity for each cell");
     const auto& volumes = discretization.input_volumes;
     const SparseMatrix parts =
         dual_parts(discretization.input(), discretization.metric(), volumes, n - 1, n);
     const SparseMatrix pieces = discretization.merging.diamond(n).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
-    const Vector products = volumes.primal[n - 1].cwiseProduct(parts.transpose() * of_pieces);
+    const Vector products = volumes.primal(n - 1).cwiseProduct(parts.transpose() * of_pieces);
     const SparseMatrix facets = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
-    return (facets * products).cwiseQuotient(discretization.volumes.primal[n - 1]);
+    return (facets * products).cwiseQuotient(discretization.volumes.primal(n - 1));
 }
 
-void check_flux_is_defined(const Discretization& discretization, Index facet, double relative) {
+void check_flux_is_defined(const Discretization& discretization, Index facet) {
     constexpr double rounding = 1e-12;
-    if (relative > rounding)
-        return;
     const int n = discretization.dimension();
+    const double dual = discretization.volumes.dual(n - 1)[facet];
+    const double area = discretization.volumes.primal(n - 1)[facet];
+    if (n == 1 || std::abs(dual) > rounding * std::pow(area, 1.0 / (n - 1)))
+        return;
     throw InvalidInput(fmt::format(
         "the dual of facet {} (vertices {}) has no length, so the flux through it is not defined: "
         "let cospherical cells be merged",
@@ -97,7 +86,7 @@ DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& es
     const auto& volumes = discretization.volumes;
     const int n = complex.dimension();
     const Index cells = complex.size(n), facets = complex.size(n - 1);
-    const Vector scales = facet_scales(discretization);
+    const auto without_dual = boundary_facets_without_dual(discretization);
     const Vector resistance = resistances(discretization, conductivity);
     const IncidenceMatrix cofaces = complex.boundary(n);
 
@@ -112,16 +101,14 @@ DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& es
         if (!coface || (!interior && !essential[n - 1][f]))
             continue;
         const auto cell = static_cast<Index>(coface.col());
-        const double dual = volumes.dual[n - 1][f];
-        const double relative = scales[f] > 0 ? std::abs(dual) / scales[f] : 1;
         if (interior)
-            check_flux_is_defined(discretization, f, relative);
-        if (!interior && relative <= discretization.options.tolerance) {
+            check_flux_is_defined(discretization, f);
+        if (without_dual[f]) {
             fix.emplace_back(cell, f, 1.0);
             result.fixed[cell] = true;
             continue;
         }
-        result.weights[f] = volumes.primal[n - 1][f] / resistance[f];
+        result.weights[f] = volumes.primal(n - 1)[f] / resistance[f];
         if (!interior) {
             load.emplace_back(cell, f, result.weights[f]);
             result.tied[cell] = true;

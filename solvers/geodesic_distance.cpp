@@ -173,7 +173,7 @@ GeodesicDistance::GeodesicDistance(const Discretization& discretization,
     : GeodesicDistance(discretization.intrinsic ? discretization.intrinsic->surface()
                                                 : GluedSurface(discretization.input()),
                        discretization.intrinsic ? discretization.intrinsic->delaunay.lengths
-                                                : discretization.input_volumes.primal[1],
+                                                : discretization.input_volumes.primal(1),
                        options) {}
 
 GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;

@@ -82,19 +82,19 @@ Vector edge_weights(const Discretization& discretization, const Vector& conducti
     const SparseMatrix pieces = merging.diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = merging.diamond(1).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity;
-    const Vector& lengths = discretization.volumes.primal[1];
+    const Vector& lengths = discretization.volumes.primal(1);
     const auto over_squares = [&](const Vector& of_input_edges) -> Vector {
         return (edges * of_input_edges).cwiseQuotient(lengths).cwiseQuotient(lengths);
     };
-    Vector weights = over_squares(volumes.primal[1].cwiseProduct(parts.transpose() * of_pieces));
+    Vector weights = over_squares(volumes.primal(1).cwiseProduct(parts.transpose() * of_pieces));
 
     // |e| times its part of t is of the size of t, or larger where such terms cancel
     const SparseMatrix around = parts.cwiseAbs();
     SparseMatrix where = parts;
     where.coeffs().setOnes();
     const Vector sizes =
-        over_squares(volumes.primal[1].cwiseProduct(around.transpose() * of_pieces) +
-                     where.transpose() * of_pieces.cwiseProduct(volumes.primal[n]));
+        over_squares(volumes.primal(1).cwiseProduct(around.transpose() * of_pieces) +
+                     where.transpose() * of_pieces.cwiseProduct(volumes.primal(n)));
     constexpr double rounding = 1e-12;
     return (weights.array().abs() <= rounding * sizes.array()).select(0, weights);
 }
@@ -102,7 +102,7 @@ Vector edge_weights(const Discretization& discretization, const Vector& conducti
 /// Half of the length of every edge that counts, for each of its ends.
 SparseMatrix halves_of_edges(const CellComplex& complex, const CellVolumes& volumes,
                              const Vector& counts) {
-    const Vector halves = counts.cwiseProduct(volumes.primal[1]) / 2;
+    const Vector halves = counts.cwiseProduct(volumes.primal(1)) / 2;
     const SparseMatrix ends = complex.coboundary(0).cast<double>().cwiseAbs();
     return ends.transpose() * halves.asDiagonal();
 }
@@ -164,13 +164,13 @@ void PoissonSolver::set_up_dual(const Discretization& discretization, const Cell
     const int n = complex.dimension();
     sites_ = cell_centers(discretization, n);
     boundary_sites_ = flux_sites_;
-    mass_ = discretization.volumes.primal[n];
+    mass_ = discretization.volumes.primal(n);
 
     auto fluxes = dual_fluxes(discretization, essential, options.conductivity);
     boundary_load_ = std::move(fluxes.load);
     boundary_fix_ = std::move(fluxes.fix);
     const Vector areas =
-        natural_facets(complex, essential).cwiseProduct(discretization.volumes.primal[n - 1]);
+        natural_facets(complex, essential).cwiseProduct(discretization.volumes.primal(n - 1));
     flux_load_ = complex.boundary(n).transpose().cast<double>().cwiseAbs() * areas.asDiagonal();
     ConstrainedSystem system{
         connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),

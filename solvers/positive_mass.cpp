@@ -27,7 +27,7 @@ void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int 
         return;
     // what flips and splits of edges can do, they do for surfaces
     const char* const surface_advice =
-        volumes.primal.size() == 3
+        volumes.dimension() == 2
             ? ": on a manifold intrinsic flips make it so (--delaunay=split-boundary, "
               "MergeOptions::delaunay)"
             : "";
@@ -36,7 +36,7 @@ void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int 
         "the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have {} volume "
         "(cells {})\nspectra and decompositions need a positive mass: take dual 0-forms, whose "
         "mass are the volumes of the cells, or a mesh that is nearer to Delaunay there{}",
-        name(side), degree, bad.size(), volumes.primal[k].size(), k,
+        name(side), degree, bad.size(), volumes.primal(k).size(), k,
         negative.empty() ? "zero" : "negative", first_few(bad), surface_advice));
 }
 

@@ -28,8 +28,7 @@ void check_degree(const CellComplex& complex, const SpectrumOptions& options, in
 /// The Laplacian is semidefinite for sure if the stars around it are positive.
 Definiteness definiteness(const CellVolumes& volumes, int k) {
     const auto positive = [&](int j) {
-        return j < 0 || j >= static_cast<int>(volumes.primal.size()) ||
-               (volumes.dual[j].array() >= 0).all();
+        return j < 0 || j > volumes.dimension() || (volumes.dual(j).array() >= 0).all();
     };
     return positive(k - 1) && positive(k + 1) ? Definiteness::semidefinite
                                               : Definiteness::indefinite;

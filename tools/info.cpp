@@ -42,8 +42,8 @@ Json star_numbers(const CellVolumes& volumes, int k) {
 
 Json stars(const CellVolumes& volumes) {
     Json list = Json::array();
-    for (std::size_t k = 0; k < volumes.primal.size(); ++k)
-        list.push_back(star_numbers(volumes, static_cast<int>(k)));
+    for (int k = 0; k <= volumes.dimension(); ++k)
+        list.push_back(star_numbers(volumes, k));
     return list;
 }
 
@@ -142,7 +142,7 @@ Json describe(const Discretization& mesh, Timing& timing) {
     answer["boundary_components"] = boundary_components(K).count;
     answer["orientable"] = K.orientable();
     timing.begin("operators");
-    answer["volume"] = mesh.volumes.primal[mesh.dimension()].sum();
+    answer["volume"] = mesh.volumes.primal(mesh.dimension()).sum();
     answer["facets"] = {{"degenerate", mesh.degenerate.interior},
                         {"boundary_degenerate", mesh.degenerate.boundary},
                         {"branching_degenerate", mesh.degenerate.branching}};

@@ -66,8 +66,8 @@ public:
             if (k < mesh_.dimension())
                 write_matrix_market(file("d", k), P_.coboundary(k));
             write_matrix_market(file("star", k), star(mesh_.volumes, k));
-            write_matrix_market(file("volume", k), mesh_.volumes.primal[k]);
-            write_matrix_market(file("dual_volume", k), mesh_.volumes.dual[k]);
+            write_matrix_market(file("volume", k), mesh_.volumes.primal(k));
+            write_matrix_market(file("dual_volume", k), mesh_.volumes.dual(k));
             write_matrix_market(file("diamond", k), diamonds[k]);
             write_matrix_market(file("lift", k), lifts[k]);
             write_laplacians(k);

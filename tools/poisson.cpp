@@ -48,8 +48,9 @@ Json describe(const Arguments& arguments, const PoissonSolver& solver, const Vec
 Json errors(const Discretization& mesh, const Arguments& arguments, const PoissonSolver& solver,
             const Vector& u) {
     const Vector difference = u - values_at("--exact", arguments.exact, solver.sites());
-    const Vector& volumes = arguments.poisson.side == Side::primal ? mesh.volumes.dual.front()
-                                                                   : mesh.volumes.primal.back();
+    const Vector& volumes = arguments.poisson.side == Side::primal
+                                ? mesh.volumes.dual(0)
+                                : mesh.volumes.primal(mesh.dimension());
     const double squared = volumes.cwiseAbs().dot(difference.cwiseAbs2());
     return {{"l2", std::sqrt(squared)}, {"max", difference.cwiseAbs().maxCoeff()}};
 }

@@ -37,7 +37,7 @@ void draw_duals(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint&
             ends.push_back(place(centers, static_cast<Index>(face.col()), shift));
         if (ends.size() == 1)
             ends.push_back(place(middles, e, shift));
-        const bool flipped = mesh.volumes.dual[1][e] < -1e-12;
+        const bool flipped = mesh.volumes.dual(1)[e] < -1e-12;
         drawing.shapes.push_back(
             SvgPolyline{ends, {.stroke = flipped ? negative_color : positive_color, .width = 1.3}});
     }

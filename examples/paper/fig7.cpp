@@ -195,7 +195,8 @@ void add_conditions(Report& report) {
              condition(discretize(perturbed(grid(cells, cells), std::pow(10.0, -exponent), 1),
                                   nothing))});
     auto lengthened = discretize(grid(cells, cells), nothing);
-    lengthened.volumes.dual[1] = lengthened.volumes.dual[1].cwiseMax(least);
+    lengthened.volumes =
+        lengthened.volumes.with_dual(1, lengthened.volumes.dual(1).cwiseMax(least));
     table.rows.push_back({"least dual length 1e-5", condition(lengthened)});
     report.tables.push_back(std::move(table));
 }

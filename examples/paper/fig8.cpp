@@ -54,7 +54,7 @@ std::vector<Method> methods() {
 }
 
 double resolution(const Discretization& mesh) {
-    return 1 / mesh.volumes.primal[1].mean();
+    return 1 / mesh.volumes.primal(1).mean();
 }
 
 /// A row for each method and level, and a plot.

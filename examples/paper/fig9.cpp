@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace polydec::paper {
 
@@ -17,9 +18,11 @@ namespace {
 Discretization with_least_dual_length(const Mesh& mesh, double epsilon) {
     // the tolerance tells boundary edges without dual from others; here none is without
     auto bundle = discretize(mesh, {.criterion = MergeCriterion::none, .tolerance = 0});
-    for (double& length : bundle.volumes.dual[1])
+    Vector lengths = bundle.volumes.dual(1);
+    for (double& length : lengths)
         if (std::abs(length) < epsilon)
             length = std::copysign(epsilon, length);
+    bundle.volumes = bundle.volumes.with_dual(1, std::move(lengths));
     return bundle;
 }
 

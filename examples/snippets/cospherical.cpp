@@ -16,7 +16,7 @@ void print_zeros(const char* name, const polydec::CellComplex& complex,
     const auto boundary = polydec::boundary_cells(complex);
     std::cout << name;
     for (int k = 0; k <= complex.dimension(); ++k) {
-        const polydec::Vector& dual = volumes.dual[k];
+        const polydec::Vector& dual = volumes.dual(k);
         polydec::Index inside = 0, outside = 0;
         for (polydec::Index s = 0; s < complex.size(k); ++s)
             if (std::abs(dual[s]) < 1e-9 * dual.maxCoeff())
@@ -45,9 +45,9 @@ void shared_square() {
         const polydec::Points places = cubes.points({ends[0], ends[1]}, Eigen::all);
         if (carrier.dimension == 2 && (places.col(0).array() == 1).all())
             std::cout << "the diagonal " << ends << " has a dual of area "
-                      << std::abs(cubes.input_volumes.dual[1][e]) << "; it lies in square "
+                      << std::abs(cubes.input_volumes.dual(1)[e]) << "; it lies in square "
                       << carrier.cell << ", whose dual has the length "
-                      << cubes.volumes.dual[2][carrier.cell] << '\n';
+                      << cubes.volumes.dual(2)[carrier.cell] << '\n';
     }
 }
 

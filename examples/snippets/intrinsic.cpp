@@ -58,7 +58,7 @@ void pieces() {
     const auto mesh = polydec::discretize(pebble(8), {.delaunay = polydec::Delaunay::flips});
     const polydec::Overlay pieces = polydec::overlay(mesh);
     std::cout << mesh.input().size(2) << " triangles in " << pieces.size() << " pieces of area "
-              << pieces.areas.sum() << " = " << mesh.input_volumes.primal[2].sum() << '\n';
+              << pieces.areas.sum() << " = " << mesh.input_volumes.primal(2).sum() << '\n';
     polydec::write_vtu("pieces.vtu", polydec::draw_overlay(mesh));
 }
 

@@ -13,7 +13,7 @@ void law_of_volumes() {
     const polydec::SimplicialComplex K(box.simplices);
     const auto volumes = polydec::circumcentric_volumes(K, box.points);
     for (int k = 0; k <= 3; ++k)
-        std::cout << volumes.primal[k].dot(volumes.dual[k]) << ' ';
+        std::cout << volumes.primal(k).dot(volumes.dual(k)) << ' ';
     std::cout << "= binomials times volume 1\n";
 }
 
@@ -26,7 +26,7 @@ void signs_of_dual_edges() {
         pair.points << -1, 0, 1, 0, 0, height, 0, -height;
         const polydec::SimplicialComplex K(pair.simplices);
         const auto volumes = polydec::circumcentric_volumes(K, pair.points);
-        std::cout << "height " << height << ": dual edge " << volumes.dual[1][0] << ", star_1 "
+        std::cout << "height " << height << ": dual edge " << volumes.dual(1)[0] << ", star_1 "
                   << polydec::star(volumes, 1)[0] << '\n';
     }
 }
@@ -36,7 +36,7 @@ void flat_torus() {
     flat.lengths.setOnes(); // six equilateral triangles around every vertex
     const auto mesh = polydec::discretize(flat);
     const polydec::Vector star = polydec::star(mesh.volumes, 0);
-    std::cout << "area " << mesh.volumes.primal[2].sum() << ", star_0 from " << star.minCoeff()
+    std::cout << "area " << mesh.volumes.primal(2).sum() << ", star_0 from " << star.minCoeff()
               << " to " << star.maxCoeff() << '\n';
 }
 

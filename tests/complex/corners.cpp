@@ -87,7 +87,7 @@ TEST(Corners, of_a_plane_polygon_give_its_area) {
                        q = mesh.points.row(walk[(i + 1) % walk.size()]);
             area += (p[0] * q[1] - p[1] * q[0]) / 2;
         }
-        EXPECT_NEAR(area, mesh.volumes.primal[2][F], 1e-14);
+        EXPECT_NEAR(area, mesh.volumes.primal(2)[F], 1e-14);
     }
 }
 

@@ -96,7 +96,7 @@ TEST_P(BoundaryData, mixed_conditions_drop_closed_sets) {
     const auto relative = relative_complex(P, essential_cells(P, conditions));
     const auto volumes = relative_volumes(relative, mesh().volumes);
     for (int k = 0; k <= n; ++k) {
-        EXPECT_EQ(volumes.primal[k].size(), relative.complex.size(k));
+        EXPECT_EQ(volumes.primal(k).size(), relative.complex.size(k));
         EXPECT_LE(relative.complex.size(k), P.size(k));
         EXPECT_GE(relative.complex.size(k), relative_to_boundary(P).complex.size(k));
     }

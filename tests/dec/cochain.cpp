@@ -142,14 +142,14 @@ TEST_P(Cochains, parts_of_duals_sum_to_the_duals_and_weighted_to_the_simplices) 
         double binomial = 1; // m over k
         for (int k = 0; k <= m; ++k) {
             const SparseMatrix parts = dual_parts(K, mesh().points, mesh().input_volumes, k, m);
-            const Vector rows = parts * mesh().input_volumes.primal[k];
+            const Vector rows = parts * mesh().input_volumes.primal(k);
             const double scale = parts.cwiseAbs().sum();
-            EXPECT_LE((rows - binomial * mesh().input_volumes.primal[m]).cwiseAbs().maxCoeff(),
-                      rounding * (scale + 1) * mesh().input_volumes.primal[k].maxCoeff());
+            EXPECT_LE((rows - binomial * mesh().input_volumes.primal(m)).cwiseAbs().maxCoeff(),
+                      rounding * (scale + 1) * mesh().input_volumes.primal(k).maxCoeff());
             binomial *= double(m - k) / (k + 1);
             if (m == n) {
                 const Vector columns = SparseMatrix(parts.transpose()) * Vector::Ones(K.size(n));
-                EXPECT_LE((columns - mesh().input_volumes.dual[k]).cwiseAbs().maxCoeff(),
+                EXPECT_LE((columns - mesh().input_volumes.dual(k)).cwiseAbs().maxCoeff(),
                           rounding * scale)
                     << "k = " << k;
             }

@@ -224,7 +224,7 @@ TEST_P(DeRham, of_a_flux_form_counts_what_flows_out) {
             return;
         const auto position = [](const Vector& x) { return x; };
         const Cochain flux = de_rham(mesh, n - 1, flux_form(position));
-        const double volume = mesh.volumes.primal[n].sum();
+        const double volume = mesh.volumes.primal(n).sum();
         EXPECT_NEAR(flux.values.dot(boundary_facets(mesh)), n * volume, 1e-12 * n * volume);
         const auto divergence = [&](const Vector&) { return double(n); };
         EXPECT_LE(relative_difference(d(mesh.complex(), flux).values,

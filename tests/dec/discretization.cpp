@@ -26,9 +26,9 @@ TEST_P(Discretizations, are_what_their_steps_make) {
     for (int k = 0; k <= mesh().n(); ++k) {
         EXPECT_TRUE(
             equal(integers(whole.merging.diamond(k)), integers(mesh().merging().diamond(k))));
-        EXPECT_EQ(whole.volumes.primal[k], mesh().volumes.primal[k]);
-        EXPECT_EQ(whole.volumes.dual[k], mesh().volumes.dual[k]);
-        EXPECT_EQ(whole.input_volumes.dual[k], mesh().input_volumes.dual[k]);
+        EXPECT_EQ(whole.volumes.primal(k), mesh().volumes.primal(k));
+        EXPECT_EQ(whole.volumes.dual(k), mesh().volumes.dual(k));
+        EXPECT_EQ(whole.input_volumes.dual(k), mesh().input_volumes.dual(k));
     }
 }
 

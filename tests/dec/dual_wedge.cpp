@@ -35,8 +35,8 @@ struct DualProduct {
 /// The mean by volume over the pieces of a merged cell.
 Vector mean_over_pieces(const Merged& mesh, int j, const Vector& values) {
     const int k = mesh.n() - j;
-    const Vector sums = on_merged_cells(mesh, k, values.cwiseProduct(mesh.input_volumes.primal[k]));
-    return sums.cwiseQuotient(mesh.volumes.primal[k]);
+    const Vector sums = on_merged_cells(mesh, k, values.cwiseProduct(mesh.input_volumes.primal(k)));
+    return sums.cwiseQuotient(mesh.volumes.primal(k));
 }
 
 std::vector<DualProduct> products(const Merged& mesh, const std::vector<SparseMatrix>& lift) {
@@ -165,7 +165,7 @@ double smooth_error(const Mesh& input) {
     double sum = 0, area = 0;
     for (Index v = 0; v < mesh.P().size(0); ++v)
         if ((mesh.points.row(v).array() - 0.5).abs().maxCoeff() < 0.3) {
-            const double dual = mesh.volumes.dual[0][v];
+            const double dual = mesh.volumes.dual(0)[v];
             const double error = (found.values[v] - exact.values[v]) / dual;
             sum += dual * error * error;
             area += dual;
@@ -201,15 +201,15 @@ TEST(DualWedgesBroken, without_the_lift_are_not_exact_on_merged_cells) {
     std::vector<SparseMatrix> by_fraction;
     for (int k = 0; k <= 2; ++k)
         by_fraction.emplace_back(
-            mesh.input_volumes.primal[k].asDiagonal() *
+            mesh.input_volumes.primal(k).asDiagonal() *
             SparseMatrix(mesh.merging().diamond(k).cast<double>().transpose()) *
-            mesh.volumes.primal[k].cwiseInverse().asDiagonal());
+            mesh.volumes.primal(k).cwiseInverse().asDiagonal());
     const auto form = [&](const Vector& coefficients) -> Cochain {
         const auto smooth = [&](const Vector&) { return coefficients; };
         return {Side::dual, 1, mean_over_pieces(mesh, 1, dual_de_rham(K, mesh.points, 1, smooth))};
     };
     const auto dx = form(Eigen::Vector2d(1, 0)), dy = form(Eigen::Vector2d(0, 1));
-    const auto& areas = mesh.volumes.dual[0];
+    const auto& areas = mesh.volumes.dual(0);
     const auto exact = products(mesh, lift_of("grid4"))[1].product(dx, dy);
     const auto wrong = products(mesh, by_fraction)[1].product(dx, dy);
     EXPECT_LE(relative_difference(exact.values, areas), rounding);

@@ -58,7 +58,7 @@ double amplification(const Discretization& mesh) {
     double result = 1;
     for (Index e = 0; e < sizes.size(); ++e)
         if (mesh.merging.carriers(1)[e].dimension == 1)
-            result = std::max(result, sizes[e] / std::abs(mesh.input_volumes.dual[1][e]));
+            result = std::max(result, sizes[e] / std::abs(mesh.input_volumes.dual(1)[e]));
     return result;
 }
 

@@ -62,7 +62,7 @@ Errors errors_of(const Lifted& lifted, int k, Sampling sampling) {
         k - 1, [&](const Vector& x) { return contraction(smooth_field(x), k, smooth_form(x, k)); });
     const SparseMatrix X =
         interior_product(mesh.merging(), lifted.lift, mesh.points, field, k, sampling);
-    const Vector difference = (X * a - exact).cwiseQuotient(mesh.volumes.primal[k - 1]);
+    const Vector difference = (X * a - exact).cwiseQuotient(mesh.volumes.primal(k - 1));
 
     Errors errors;
     const auto boundary = boundary_cells(mesh.P());

@@ -82,9 +82,9 @@ TEST_P(Flipped, keep_topology_area_and_points) {
     const auto mesh = flipped(this->mesh(), Delaunay::flips);
     EXPECT_EQ(betti_numbers(mesh.complex()), betti_numbers(mesh.input()));
     EXPECT_EQ(mesh.complex().size(0), mesh.input().size(0));
-    const double area = mesh.input_volumes.primal[2].sum();
-    EXPECT_NEAR(mesh.volumes.primal[2].sum(), area, rounding * area);
-    EXPECT_NEAR(mesh.volumes.dual[0].sum(), area, 1e-9 * area);
+    const double area = mesh.input_volumes.primal(2).sum();
+    EXPECT_NEAR(mesh.volumes.primal(2).sum(), area, rounding * area);
+    EXPECT_NEAR(mesh.volumes.dual(0).sum(), area, 1e-9 * area);
 }
 
 TEST_P(Flipped, make_the_laplacian_an_m_matrix_inside) {
@@ -168,7 +168,7 @@ TEST_P(Flipped, do_not_depend_on_the_order_of_vertices_and_triangles) {
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto a = flipped(input, delaunay), b = flipped(other, delaunay);
         for (int k = 0; k <= 2; ++k)
-            expect_near(sorted(b.volumes.primal[k]), sorted(a.volumes.primal[k]), 1e-9);
+            expect_near(sorted(b.volumes.primal(k)), sorted(a.volumes.primal(k)), 1e-9);
         for (const Index cofaces : {1, 2})
             expect_near(stars_of_edges(b, cofaces), stars_of_edges(a, cofaces), 1e-9);
     }
@@ -194,18 +194,18 @@ TEST_P(Flipped, have_volumes_of_their_simplices_before_any_flip) {
     const SimplicialComplex K(input.simplices);
     const auto expected = circumcentric_volumes(K, input.points);
     const GluedSurface surface(K);
-    const auto found = circumcentric_volumes(surface, expected.primal[1]);
+    const auto found = circumcentric_volumes(surface, expected.primal(1));
     // an error of the lengths in the last digit is multiplied by the square of the sum of
     // cotangents
     double shape = 0;
     for (Index t = 0; t < K.size(2); ++t) {
-        const auto [a, b, c] = side_lengths(surface, expected.primal[1], t);
-        shape = std::max(shape, (a * a + b * b + c * c) / (4 * expected.primal[2][t]));
+        const auto [a, b, c] = side_lengths(surface, expected.primal(1), t);
+        shape = std::max(shape, (a * a + b * b + c * c) / (4 * expected.primal(2)[t]));
     }
     const double bound = 16 * std::numeric_limits<double>::epsilon() * shape * shape;
     for (int k = 0; k <= 2; ++k) {
-        EXPECT_LE(relative_difference(found.primal[k], expected.primal[k]), bound);
-        EXPECT_LE(relative_difference(found.dual[k], expected.dual[k]), bound);
+        EXPECT_LE(relative_difference(found.primal(k), expected.primal(k)), bound);
+        EXPECT_LE(relative_difference(found.dual(k), expected.dual(k)), bound);
     }
 }
 

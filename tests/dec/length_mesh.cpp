@@ -48,8 +48,8 @@ TEST_P(LengthMeshes, are_made_ready_for_calculus_as_curved_meshes_with_points_ar
     EXPECT_EQ(theirs.lengths.size(), 0);
     for (int k = 0; k <= theirs.dimension(); ++k) {
         EXPECT_TRUE(equal(integers(ours.merging.diamond(k)), integers(theirs.merging.diamond(k))));
-        EXPECT_LE(relative_difference(ours.volumes.primal[k], theirs.volumes.primal[k]), 1e-10);
-        EXPECT_LE(relative_difference(ours.volumes.dual[k], theirs.volumes.dual[k]), 1e-10);
+        EXPECT_LE(relative_difference(ours.volumes.primal(k), theirs.volumes.primal(k)), 1e-10);
+        EXPECT_LE(relative_difference(ours.volumes.dual(k), theirs.volumes.dual(k)), 1e-10);
     }
     EXPECT_EQ(ours.degenerate.interior, theirs.degenerate.interior);
     EXPECT_EQ(ours.warnings, theirs.warnings);
@@ -79,11 +79,11 @@ TEST(LengthMesh, may_list_its_edges_in_any_order_and_direction) {
     mesh.edges.col(0).swap(mesh.edges.col(1));
     const auto found = discretize(mesh).input_volumes;
     for (int k = 0; k <= 2; ++k) {
-        EXPECT_EQ(found.primal[k], expected.primal[k]);
-        EXPECT_EQ(found.dual[k], expected.dual[k]);
+        EXPECT_EQ(found.primal(k), expected.primal(k));
+        EXPECT_EQ(found.dual(k), expected.dual(k));
     }
     mesh.lengths.reverseInPlace();
-    EXPECT_NE(discretize(mesh).input_volumes.primal[1], expected.primal[1]);
+    EXPECT_NE(discretize(mesh).input_volumes.primal(1), expected.primal(1));
 }
 
 TEST(LengthMesh, has_every_edge_exactly_once) {

@@ -50,9 +50,9 @@ double worst_shape(const SimplicialComplex& K, const SimplexMetric& metric) {
 /// Largest difference in any degree of primal or dual volumes, relative to the largest volume.
 double difference(const CellVolumes& a, const CellVolumes& b) {
     double worst = 0;
-    for (std::size_t k = 0; k < b.primal.size(); ++k)
-        worst = std::max({worst, relative_difference(a.primal[k], b.primal[k]),
-                          relative_difference(a.dual[k], b.dual[k])});
+    for (int k = 0; k <= b.dimension(); ++k)
+        worst = std::max({worst, relative_difference(a.primal(k), b.primal(k)),
+                          relative_difference(a.dual(k), b.dual(k))});
     return worst;
 }
 
@@ -138,7 +138,7 @@ TEST_P(Lengths, give_the_parts_of_duals_and_the_products_that_points_give) {
     const Cochain b{Side::dual, n - 1, random_vector(K().size(1), 4)};
     EXPECT_LE(relative_difference(dual_wedge(K(), metric(), volumes, a, b).values,
                                   dual_wedge(K(), mesh().points, volumes, a, b).values),
-              1e-13 * shape * shape * condition(volumes.dual[1]) * condition(volumes.dual[n - 1]));
+              1e-13 * shape * shape * condition(volumes.dual(1)) * condition(volumes.dual(n - 1)));
 }
 
 double binomial(int n, int k) {
@@ -147,10 +147,10 @@ double binomial(int n, int k) {
 
 /// Relative defect of sum |s||*s| = C(n,k) |K|, against what is added.
 double identity_defect(const Vector& primal, const CellVolumes& volumes, int k) {
-    const int n = static_cast<int>(volumes.primal.size()) - 1;
-    const double expected = binomial(n, k) * volumes.primal[n].sum();
-    const double added = primal.cwiseProduct(volumes.dual[k]).cwiseAbs().sum();
-    return std::abs(primal.dot(volumes.dual[k]) - expected) / (added + expected);
+    const int n = volumes.dimension();
+    const double expected = binomial(n, k) * volumes.primal(n).sum();
+    const double added = primal.cwiseProduct(volumes.dual(k)).cwiseAbs().sum();
+    return std::abs(primal.dot(volumes.dual(k)) - expected) / (added + expected);
 }
 
 /// The lengths changed at random, by one percent unless some simplex cannot bear it.
@@ -169,14 +169,14 @@ TEST_P(Lengths, that_come_from_no_points_give_duals_that_fill_the_complex_binomi
     const Vector lengths = disturbed(K(), *metric().lengths());
     const auto volumes = circumcentric_volumes(K(), {K(), lengths});
     for (int k = 0; k <= mesh().n(); ++k)
-        EXPECT_LE(identity_defect(volumes.primal[k], volumes, k), 1e-13) << k;
+        EXPECT_LE(identity_defect(volumes.primal(k), volumes, k), 1e-13) << k;
 }
 
 TEST_P(Lengths, disturbed_give_other_duals_that_do_not_go_with_the_volumes_before) {
     const Vector lengths = disturbed(K(), *metric().lengths());
     const auto volumes = circumcentric_volumes(K(), {K(), lengths});
     EXPECT_GT(difference(volumes, mesh().input_volumes), 1e-5);
-    EXPECT_GT(identity_defect(mesh().input_volumes.primal[1], volumes, 1), 1e-7);
+    EXPECT_GT(identity_defect(mesh().input_volumes.primal(1), volumes, 1), 1e-7);
 }
 
 POLYDEC_OVER_MESHES(Lengths);

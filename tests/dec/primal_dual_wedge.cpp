@@ -60,7 +60,7 @@ double integral_error(const Merged& mesh, const Metric& metric, int k) {
     };
     const Vector terms =
         primal_dual_wedge(metric.complex, form(a), star(metric.complex, metric.volumes, form(b)));
-    const double volume = metric.volumes.primal[mesh.n()].sum();
+    const double volume = metric.volumes.primal(mesh.n()).sum();
     return std::abs(terms.sum() - a.dot(b) * volume) / (a.norm() * b.norm() * volume);
 }
 

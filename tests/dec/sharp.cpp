@@ -62,8 +62,8 @@ double difference(const DenseMatrix& a, const DenseMatrix& b) {
 DenseMatrix mean_over_cells(const Discretization& mesh, const DenseMatrix& rows) {
     const int n = mesh.dimension();
     const SparseMatrix pieces = mesh.merging.diamond(n).cast<double>().cwiseAbs();
-    const DenseMatrix sums = pieces * (mesh.input_volumes.primal[n].asDiagonal() * rows);
-    return mesh.volumes.primal[n].cwiseInverse().asDiagonal() * sums;
+    const DenseMatrix sums = pieces * (mesh.input_volumes.primal(n).asDiagonal() * rows);
+    return mesh.volumes.primal(n).cwiseInverse().asDiagonal() * sums;
 }
 
 /// Whether the cell lies in one n-plane.
@@ -152,7 +152,7 @@ TEST_P(Sharps, at_polygons_are_adjoint_to_the_dpp_flat) {
     const DenseMatrix X = random_vector(mesh.complex().size(n) * space(mesh), 8)
                               .reshaped(mesh.complex().size(n), space(mesh));
     const Vector products = sharp_pd(mesh, a).cwiseProduct(X).rowwise().sum();
-    const Vector by_cell = products.cwiseProduct(mesh.volumes.primal[n]);
+    const Vector by_cell = products.cwiseProduct(mesh.volumes.primal(n));
     const Cochain flattened = flat(mesh, Flat::dpp, X);
     EXPECT_NEAR(inner_product(mesh.complex(), mesh.volumes, a, flattened), by_cell.sum(),
                 rounding * by_cell.cwiseAbs().sum());
@@ -163,10 +163,10 @@ double integral_defect(const Discretization& mesh, const DenseMatrix& X) {
     const int n = mesh.dimension();
     const DenseMatrix gradients =
         whitney_at_centroids(mesh.input(), mesh.points, on_simplices(mesh));
-    const Vector& volumes = mesh.input_volumes.primal[n];
+    const Vector& volumes = mesh.input_volumes.primal(n);
     Vector defect = -(gradients.transpose() * volumes);
     for (Index v = 0; v < mesh.input().size(0); ++v)
-        defect += mesh.volumes.dual[0][v] * X.row(mesh.input().simplices(0)(v, 0)).transpose();
+        defect += mesh.volumes.dual(0)[v] * X.row(mesh.input().simplices(0)(v, 0)).transpose();
     return defect.cwiseAbs().maxCoeff() / (gradients.cwiseAbs().transpose() * volumes).maxCoeff();
 }
 
@@ -199,7 +199,7 @@ double moment_defect(const Discretization& mesh, const Points& places) {
     const auto linear = [&](const Vector& x) { return slope.dot(x); };
     const Vector moments = de_rham(mesh, n, function_form(linear), 1).values.cwiseAbs();
     const Vector values = (places * slope).cwiseAbs();
-    return relative_difference(values.cwiseProduct(mesh.volumes.primal[n]), moments);
+    return relative_difference(values.cwiseProduct(mesh.volumes.primal(n)), moments);
 }
 
 TEST_P(Sharps, belong_to_centroids_where_linear_functions_have_their_means) {
@@ -296,7 +296,7 @@ TEST(SharpsBroken, of_fluxes_about_circumcenters_of_facets_are_wrong_in_space) {
     for (Index P = 0; P < result.rows(); ++P)
         for (IncidenceMatrix::InnerIterator e(mesh.complex().coboundary(2), P); e; ++e)
             result.row(P) += e.value() * flux.values[e.col()] *
-                             (facets.row(e.col()) - cells.row(P)) / mesh.volumes.primal[3][P];
+                             (facets.row(e.col()) - cells.row(P)) / mesh.volumes.primal(3)[P];
     EXPECT_GT(difference(result, X), 0.1);
 }
 
@@ -330,7 +330,7 @@ double determinant(const Discretization& mesh) {
     for (SparseMatrix::InnerIterator e(parts, 0); e; ++e) {
         const auto ends = mesh.input().simplices(1).row(e.col());
         const Vector edge = mesh.points.row(ends[1]) - mesh.points.row(ends[0]);
-        M += e.value() / mesh.input_volumes.primal[1][e.col()] * edge * edge.transpose();
+        M += e.value() / mesh.input_volumes.primal(1)[e.col()] * edge * edge.transpose();
     }
     return M.determinant();
 }

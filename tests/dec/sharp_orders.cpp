@@ -29,7 +29,7 @@ double error(const Discretization& mesh, const Points& places, Counted counted) 
     double sum = 0;
     for (Index cell = 0; cell < X.rows(); ++cell)
         if (counted(cell))
-            sum += mesh.volumes.primal[mesh.dimension()][cell] *
+            sum += mesh.volumes.primal(mesh.dimension())[cell] *
                    (X.row(cell).transpose() - gradient(places.row(cell))).squaredNorm();
     return std::sqrt(sum);
 }

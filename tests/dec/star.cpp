@@ -108,13 +108,6 @@ TEST(StarErrors, name_the_cells_whose_duals_are_zero) {
                           boundary[0], boundary[1], boundary[2], boundary[3], boundary[4]));
 }
 
-TEST(StarErrors, name_the_cell_without_volume) {
-    CellVolumes volumes = merged("grid4").volumes;
-    volumes.primal[1][3] = 0;
-    EXPECT_EQ(refusal([&] { star(volumes, 1); }),
-              "the 1-cell 3 has volume 0: the Hodge star divides by it; remove the cell");
-}
-
 TEST(StarErrors, negative_stars_are_counted_where_they_are) {
     const auto& mesh = merged("star_negative");
     EXPECT_EQ(negative_star_cells(mesh.volumes, 0), (std::vector<Index>{0}));

@@ -55,9 +55,9 @@ bool same_entries(const Matrix& A, const Matrix& B) {
 void expect_same(const Results& a, const Results& b, int n) {
     for (int k = 0; k <= n; ++k) {
         EXPECT_EQ(a.K.simplices(k), b.K.simplices(k));
-        EXPECT_TRUE(same_bits(a.volumes.primal[k], b.volumes.primal[k])) << k;
-        EXPECT_TRUE(same_bits(a.volumes.dual[k], b.volumes.dual[k])) << k;
-        EXPECT_TRUE(same_bits(a.merged.dual[k], b.merged.dual[k])) << k;
+        EXPECT_TRUE(same_bits(a.volumes.primal(k), b.volumes.primal(k))) << k;
+        EXPECT_TRUE(same_bits(a.volumes.dual(k), b.volumes.dual(k))) << k;
+        EXPECT_TRUE(same_bits(a.merged.dual(k), b.merged.dual(k))) << k;
         EXPECT_TRUE(same_entries(SparseMatrix(a.K.coboundary(k).cast<double>()),
                                  SparseMatrix(b.K.coboundary(k).cast<double>())));
         EXPECT_EQ(a.K.coface_counts(k), b.K.coface_counts(k));
@@ -80,7 +80,7 @@ TEST(threads, their_number_changes_no_bit) {
 TEST(threads, another_mesh_has_other_bits) {
     const Results a = with_threads(1, perturbed(torus(24, 12), 1e-3, 3));
     const Results b = with_threads(1, perturbed(torus(24, 12), 1e-3, 4));
-    EXPECT_FALSE(same_bits(a.volumes.dual[1], b.volumes.dual[1]));
+    EXPECT_FALSE(same_bits(a.volumes.dual(1), b.volumes.dual(1)));
     EXPECT_FALSE(same_bits(a.applied, b.applied));
 }
 

@@ -299,9 +299,9 @@ TEST(WedgesBroken, zeros_instead_of_the_lift_give_a_third_of_dx_dy_on_the_square
     std::vector<SparseMatrix> by_fraction;
     for (int k = 0; k <= 2; ++k)
         by_fraction.emplace_back(
-            mesh.input_volumes.primal[k].asDiagonal() *
+            mesh.input_volumes.primal(k).asDiagonal() *
             SparseMatrix(mesh.merging().diamond(k).cast<double>().transpose()) *
-            mesh.volumes.primal[k].cwiseInverse().asDiagonal());
+            mesh.volumes.primal(k).cwiseInverse().asDiagonal());
     const auto form = [&](Vector coefficients) -> Cochain {
         const Vector values =
             integrate(mesh.K(), mesh.points, 1, constant_form(std::move(coefficients)));

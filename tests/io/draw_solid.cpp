@@ -76,7 +76,7 @@ double enclosed_volume(const SolidFaces& faces) {
 
 Vector kept_volumes(const Discretization& mesh, const Keep& keep) {
     const Points centroids = cell_centroids(mesh.merging, mesh.points, mesh.input_volumes, 3);
-    Vector volumes = mesh.volumes.primal[3];
+    Vector volumes = mesh.volumes.primal(3);
     for (Index cell = 0; cell < volumes.size(); ++cell)
         volumes[cell] *= keep(centroids.row(cell).transpose());
     return volumes;

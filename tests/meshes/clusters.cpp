@@ -37,7 +37,7 @@ double least_inner_star(const Mesh& input, MergeCriterion criterion) {
     double least = std::numeric_limits<double>::infinity();
     for (Index f = 0; f < mesh.complex().size(n - 1); ++f)
         if (mesh.complex().coface_counts(n - 1)[f] == 2)
-            least = std::min(least, mesh.volumes.dual[n - 1][f]);
+            least = std::min(least, mesh.volumes.dual(n - 1)[f]);
     return least;
 }
 

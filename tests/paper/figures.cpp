@@ -160,7 +160,7 @@ TEST(PaperBroken, adding_the_entries_of_star_2_does_not_converge) {
         PoissonSolver solver(mesh, {.side = Side::dual});
         const Vector exact = values(franke, solver.sites());
         const Vector f = values(franke_laplacian, solver.sites());
-        const Vector wrong = f.cwiseQuotient(sums.cwiseProduct(mesh.volumes.primal[2]));
+        const Vector wrong = f.cwiseQuotient(sums.cwiseProduct(mesh.volumes.primal(2)));
         const Vector u = solver.solve(wrong, values(franke, solver.boundary_sites()));
         return relative_error(masses(mesh, Side::dual), u, exact);
     };

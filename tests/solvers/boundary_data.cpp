@@ -117,7 +117,7 @@ double wave_error(Side side, int cells) {
     }
     const Vector u = solver.solve(f, values, slopes);
     const Vector& volume =
-        side == Side::primal ? mesh.volumes.dual.front() : mesh.volumes.primal.back();
+        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
     double square = 0;
     for (Index i = 0; i < u.size(); ++i)
         square += volume[i] * std::pow(u[i] - wave(solver.sites().row(i)), 2);

@@ -195,7 +195,7 @@ TEST(HodgeBroken, in_the_plain_inner_product_parts_are_not_orthogonal_in_the_sta
     const auto& m = merged("torus9x5");
     CellVolumes ones = m.volumes;
     for (int k = 0; k <= 2; ++k)
-        ones.dual[k] = ones.primal[k];
+        ones = ones.with_dual(k, ones.primal(k));
     const Cochain w{Side::primal, 1, random_vector(m.P().size(1), 6)};
     const auto parts = hodge_decomposition(m.P(), ones, w);
     EXPECT_GT(std::abs(inner_product(m.P(), m.volumes, parts.exact, parts.coexact)),

@@ -32,7 +32,7 @@ Vector values(const Function& function, const Points& sites) {
 /// Root of the integral of the squared difference, every value weighted by its cell's volume.
 double l2(const Discretization& mesh, Side side, const Vector& difference) {
     const Vector& volume =
-        side == Side::primal ? mesh.volumes.dual.front() : mesh.volumes.primal.back();
+        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
     return std::sqrt(volume.dot(difference.cwiseAbs2()));
 }
 
@@ -154,7 +154,7 @@ std::vector<Index> components_of_sites(const Discretization& mesh, Side side) {
 Vector means(const Discretization& mesh, Side side, const Vector& u) {
     const auto component = components_of_sites(mesh, side);
     const Vector& volume =
-        side == Side::primal ? mesh.volumes.dual.front() : mesh.volumes.primal.back();
+        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
     Vector sum = Vector::Zero(components(mesh.complex()).count), weight = sum;
     for (Index i = 0; i < u.size(); ++i) {
         sum[component[i]] += volume[i] * u[i];

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// Marks the (n-1)-cells on the boundary whose dual, the half of an edge from the circumcenter of
+/// the one n-cell beside them, counts as nothing within the tolerance of the merging: the center
+/// lies on the boundary, as that of a right angle opposite to it. A dual 0-form has its boundary
+/// value there. Size size(n-1) of complex(); cells with another number of cofaces are not marked.
+std::vector<bool> boundary_facets_without_dual(const Discretization& discretization);
+
+} // namespace polydec
