@@ -2,6 +2,8 @@
 #include "solvers/spectrum.h"
 
 #include "base/errors.h"
+#include "dec/cochain.h"
+#include "dec/conditioned_complex.h"
 #include "dec/laplacian.h"
 #include "dec/star.h"
 #include "solvers/positive_mass.h"
@@ -65,7 +67,24 @@ Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
 }
 
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {
-    return spectrum(discretization.complex(), discretization.volumes, options);
+    return spectrum(discretization, built_in_conditions(options.side), options);
+}
+
+Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
+                  const SpectrumOptions& options) {
+    // primal n-forms are dual 0-forms, which do without the duals of boundary facets
+    const bool densities =
+        options.side == Side::primal && options.degree == discretization.dimension();
+    const auto space = densities
+                           ? conditioned_complex(discretization, Side::dual, exchanged(conditions))
+                           : conditioned_complex(discretization, options.side, conditions);
+    auto result = spectrum(space.relative.complex, space.volumes, options);
+    const int k = cell_degree(discretization.complex(), options.side, options.degree);
+    DenseMatrix modes(discretization.complex().size(k), result.modes.cols());
+    for (Eigen::Index i = 0; i < modes.cols(); ++i)
+        modes.col(i) = space.relative.extend(k, result.modes.col(i));
+    result.modes = std::move(modes);
+    return result;
 }
 
 } // namespace polydec

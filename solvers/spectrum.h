@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/boundary_conditions.h"
 #include "dec/discretization.h"
 #include "dec/side.h"
 #include "solvers/certified_eigensolver.h"
@@ -29,14 +30,22 @@ struct Spectrum {
     std::string eigen_solver;
 };
 
-/// The `count` smallest eigenpairs of the Laplacian of primal or dual forms of a degree, natural
-/// boundary conditions, proved complete. Dual j-forms are treated as primal (n-j)-forms, which have
-/// the same eigenvalues, with the star between their modes.
-/// Throws InvalidInput if there is no such degree or count, or, naming the cells, if the star that
-/// is the mass of these forms is not positive or a star that must be inverted has a zero;
-/// SolverFailure if the eigenpairs cannot be had or proved.
+/// The `count` smallest eigenpairs of the Laplacian of primal or dual forms of a degree, proved
+/// complete, under the conditions that hold where nothing is done about the boundary (see
+/// built_in_conditions): for 0-forms no flow through the boundary (Neumann) if they are primal,
+/// values 0 on it (Dirichlet) if they are dual. Dual j-forms are treated as primal (n-j)-forms,
+/// which have the same eigenvalues, with the star between their modes. Throws InvalidInput if there
+/// is no such degree or count, or, naming the cells, if the star that is the mass of these forms is
+/// not positive or a star that must be inverted has a zero; SolverFailure if the eigenpairs cannot
+/// be had or proved.
 Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
                   const SpectrumOptions& options = {});
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options = {});
+
+/// The same under homogeneous conditions on the boundary, those of conditioned_complex; modes have
+/// a value for every cell, 0 where the conditions fix them. Dual forms need no boundary facet to
+/// have a dual. Throws also if there are conditions but not one for each facet.
+Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
+                  const SpectrumOptions& options = {});
 
 } // namespace polydec

@@ -4,6 +4,7 @@
 #include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/draw_modes.h"
+#include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 
@@ -87,6 +88,18 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                        negative, duals, flip_advice(mesh));
 }
 
+/// What is measured in length^-2, in the units of the file: together, so that residuals that are
+/// rounding beside the eigenvalues may vanish.
+void use_input_units(Spectrum& spectrum, double unit) {
+    const Eigen::Index count = spectrum.eigenvalues.size();
+    Vector all(2 * count + 1);
+    all << spectrum.eigenvalues, spectrum.residuals, spectrum.certificate.shift;
+    all = in_input_units(all, unit, -2, "eigenvalues");
+    spectrum.eigenvalues = all.head(count);
+    spectrum.residuals = all.segment(count, count);
+    spectrum.certificate.shift = all[2 * count];
+}
+
 void run(Arguments arguments) {
     Log log;
     const Discretization mesh = load(arguments.mesh, log);
@@ -94,7 +107,7 @@ void run(Arguments arguments) {
         check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
     log.timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
-    const auto result = [&] {
+    auto result = [&] {
         const Progress progress;
         arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
         if (!arguments.certify)
@@ -109,6 +122,7 @@ void run(Arguments arguments) {
         log.timing.begin("write");
         write_vtu(arguments.out, mesh, result);
     }
+    use_input_units(result, mesh.unit);
     tell(Eigenvalues(result, seconds.count()), log, arguments.mesh.tell);
 }
 
