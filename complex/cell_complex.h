@@ -67,7 +67,11 @@ public:
     /// sides of the face cancel: a loop and its vertex, a cone and the edge along which it is
     /// closed. Whatever asks for all faces of a cell needs these beside the rows of d_k, 0 <= k <
     /// n.
-    const std::vector<Incidence>& canceled(int k) const { return canceled_.at(k); }
+    const std::vector<Incidence>& canceled(int k) const& {
+        check_number("the incidences that cancel in the coboundary", k, 0, dimension() - 1);
+        return canceled_[k];
+    }
+    std::vector<Incidence> canceled(int k) && { return canceled(k); }
 
 protected:
     CellComplex() = default;

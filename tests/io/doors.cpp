@@ -31,6 +31,7 @@ std::vector<Door> doors_of_complexes(const Sample& s) {
     return {
         {"coboundary", -1, n, [&](int k) { s.P().coboundary(k); }},
         {"CellComplex::boundary", 0, n + 1, [&](int k) { s.P().boundary(k); }},
+        {"canceled", 0, n - 1, [&](int k) { s.P().canceled(k); }},
         {"coface_counts", 0, n, [&](int k) { s.P().coface_counts(k); }},
         {"simplices", 0, n, [&](int k) { s.K().simplices(k); }},
         {"face", 1, n, [&](int k) { s.K().face(k, 0, 0); }},
