@@ -23,6 +23,7 @@ struct Spectrum {
     Side side;
     int degree;
     Vector eigenvalues; ///< ascending, with multiplicity; length^-2
+    Vector radii;       ///< |eigenvalue - exact| <= radius, see spectrum()
     DenseMatrix modes;  ///< columns: cochains of that side and degree, of norm 1 in the star
     Vector residuals;   ///< |A x - lambda M x| / |M x|
     Certificate certificate;
