@@ -33,6 +33,7 @@ Json describe(const Spectrum& spectrum, double seconds) {
     return {{"side", name(spectrum.side)},
             {"degree", spectrum.degree},
             {"eigenvalues", list(spectrum.eigenvalues)},
+            {"radii", list(spectrum.radii)},
             {"residuals", list(spectrum.residuals)},
             {"certificate",
              {{"shift", certificate.shift},
@@ -46,16 +47,18 @@ Json describe(const Spectrum& spectrum, double seconds) {
 
 void print(const Spectrum& spectrum, double seconds) {
     fmt::print("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
-               "{:>10}\n",
+               "{:>10}  {:>10}\n",
                name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
-               "residual");
+               "radius", "residual");
     for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-        fmt::print("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
-                   spectrum.residuals[i]);
+        fmt::print("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
+                   spectrum.radii[i], spectrum.residuals[i]);
     const auto& certificate = spectrum.certificate;
     if (certificate.complete)
-        fmt::print("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
-                   certificate.below_shift, certificate.shift, certificate.returned_below_shift);
+        fmt::print(
+            "\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed, each "
+            "within its radius of the value\n",
+            certificate.below_shift, certificate.shift, certificate.returned_below_shift);
     else
         fmt::print("\nnot certified: copies of multiple eigenvalues may be missing\n");
     fmt::print("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
