@@ -111,16 +111,12 @@ double FoundPairs::distance_to_others(Index i) const {
     return distance < none ? distance : 0;
 }
 
-bool FoundPairs::has_small_radius(Index i, double share, double floor) const {
-    return radii_[i] <= share * std::max({std::abs(values_[i]), floor, distance_to_others(i)});
-}
-
 bool FoundPairs::is_accurate(Index i, double share) const {
-    return has_small_radius(i, share, 0);
+    return radii_[i] <= share * std::max(std::abs(values_[i]), distance_to_others(i));
 }
 
 bool FoundPairs::is_fine(Index i) const {
-    return has_small_radius(i, fine_share, small_);
+    return radii_[i] <= fine_share * std::max(std::abs(values_[i]), small_);
 }
 
 std::vector<Index> FoundPairs::all(bool fine) const {

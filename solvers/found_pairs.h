@@ -45,7 +45,7 @@ public:
     /// next ones that can be told from it.
     bool is_accurate(Index i, double share) const;
 
-    /// Whether nothing is to be gained from striving for more accuracy of pair i.
+    /// Whether more accuracy of pair i need not be striven for.
     bool is_fine(Index i) const;
 
     /// Those that are fine, or the others.
@@ -60,7 +60,6 @@ public:
 
 private:
     double distance_to_others(Index i) const;
-    bool has_small_radius(Index i, double share, double floor) const;
 
     Vector values_, lone_radii_, radii_, residuals_;
     DenseMatrix vectors_;

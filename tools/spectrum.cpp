@@ -36,6 +36,7 @@ struct Eigenvalues : Answer {
         json.member("side", name(spectrum.side));
         json.member("degree", spectrum.degree);
         json.member("eigenvalues", spectrum.eigenvalues);
+        json.member("radii", spectrum.radii);
         json.member("residuals", spectrum.residuals);
         json.object("certificate", [&] {
             json.member("shift", certificate.shift);
@@ -50,15 +51,16 @@ struct Eigenvalues : Answer {
 
     void write(Text& text) const override {
         text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
-             "{:>10}\n",
+             "{:>10}  {:>10}\n",
              name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
-             "residual");
+             "radius", "residual");
         for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-            text("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
-                 spectrum.residuals[i]);
+            text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
+                 spectrum.radii[i], spectrum.residuals[i]);
         const auto& certificate = spectrum.certificate;
         if (certificate.complete)
-            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
+            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed, each "
+                 "within its radius of the value\n",
                  certificate.below_shift, certificate.shift, certificate.returned_below_shift);
         else
             text("\nnot certified: copies of multiple eigenvalues may be missing\n");
