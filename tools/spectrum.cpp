@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -91,15 +93,19 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
 }
 
 /// What is measured in length^-2, in the units of the file: together, so that residuals that are
-/// rounding beside the eigenvalues may vanish.
+/// rounding beside the eigenvalues may vanish. Radii never do: what they lose is added again.
 void use_input_units(Spectrum& spectrum, double unit) {
     const Eigen::Index count = spectrum.eigenvalues.size();
-    Vector all(2 * count + 1);
-    all << spectrum.eigenvalues, spectrum.residuals, spectrum.certificate.shift;
+    Vector all(3 * count + 1);
+    all << spectrum.eigenvalues, spectrum.residuals, spectrum.radii, spectrum.certificate.shift;
     all = in_input_units(all, unit, -2, "eigenvalues");
     spectrum.eigenvalues = all.head(count);
     spectrum.residuals = all.segment(count, count);
-    spectrum.certificate.shift = all[2 * count];
+    spectrum.certificate.shift = all[3 * count];
+    const Vector radii = all.segment(2 * count, count);
+    if (radii != spectrum.radii)
+        for (Eigen::Index i = 0; i < count; ++i)
+            spectrum.radii[i] = std::nextafter(radii[i], std::numeric_limits<double>::infinity());
 }
 
 void run(Arguments arguments) {
