@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/poisson.h"
 
-#include "dec/cell_centers.h"
 #include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/conditions.h"
 #include "tools/expression.h"
 
 #include <fmt/format.h>
@@ -23,16 +23,23 @@ namespace {
 struct Arguments {
     MeshArguments mesh;
     PoissonOptions poisson;
-    std::string rhs, boundary, exact, flux, essential_where;
-    bool natural = false;
+    ConditionArguments conditions;
+    std::string rhs, boundary, exact, flux;
     std::filesystem::path out;
 };
 
+/// What is known on the boundary, in words.
+std::string known(const Discretization& mesh, const Arguments& arguments) {
+    const auto given = [](const std::string& values) { return values != "0"; };
+    return in_words(arguments.poisson.boundary, mesh.complex(), 0,
+                    {.values = given(arguments.boundary), .flow = given(arguments.flux)});
+}
+
 Json describe(const Arguments& arguments, const PoissonSolver& solver, const Vector& u) {
     Json answer{{"side", name(arguments.poisson.side)},
-                {"boundary", arguments.natural                   ? "natural"
-                             : arguments.essential_where.empty() ? "dirichlet"
-                                                                 : "mixed"},
+                {"boundary", arguments.conditions.natural                   ? "natural"
+                             : arguments.conditions.essential_where.empty() ? "dirichlet"
+                                                                            : "mixed"},
                 {"unknowns", u.size()},
                 {"min", u.minCoeff()},
                 {"max", u.maxCoeff()},
@@ -67,6 +74,7 @@ void print(const Json& answer) {
     fmt::print("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n",
                answer["side"].get<std::string>(), answer["boundary"].get<std::string>(),
                answer["unknowns"].get<Index>());
+    fmt::print("  {}\n", answer["conditions"].get<std::string>());
     fmt::print("  solution from {:.10g} to {:.10g}\n", answer["min"].get<double>(),
                answer["max"].get<double>());
     fmt::print("  residual {:.2e} with {} (tried: {})\n", answer["residual"].get<double>(),
@@ -99,24 +107,11 @@ std::optional<std::string> negative_duals(const Discretization& mesh, Side side)
                        flip_advice(mesh));
 }
 
-BoundaryConditions conditions(const Discretization& mesh, const Arguments& arguments) {
-    if (arguments.natural)
-        return {BoundaryCondition::natural};
-    if (arguments.essential_where.empty())
-        return {};
-    const Points sites = cell_centers(mesh, mesh.dimension() - 1);
-    const Vector holds = values_at("--essential-where", arguments.essential_where, sites);
-    BoundaryConditions result;
-    for (const double value : holds)
-        result.facets.push_back(value != 0 ? BoundaryCondition::essential
-                                           : BoundaryCondition::natural);
-    return result;
-}
-
 void run(Arguments arguments) {
     Timing timing;
     const Discretization mesh = load(arguments.mesh, timing);
-    arguments.poisson.boundary = conditions(mesh, arguments);
+    arguments.poisson.boundary =
+        conditions(mesh, arguments.conditions).value_or(BoundaryConditions{});
     if (!arguments.out.empty())
         check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
     timing.begin("solve");
@@ -139,6 +134,7 @@ void run(Arguments arguments) {
     }
 
     Json answer = describe(arguments, solver, u);
+    answer["conditions"] = known(mesh, arguments);
     if (!arguments.exact.empty())
         answer["error"] = errors(mesh, arguments, solver, u);
     answer["warnings"] = mesh.warnings;
@@ -163,17 +159,17 @@ void add_poisson(CLI::App& app) {
     command->add_option("--rhs", arguments->rhs, "f: an expression in x, y, z, or a file")
         ->required();
     auto* boundary = command->add_option("--boundary", arguments->boundary,
-                                         "boundary values: expression or file (default 0)");
+                                         "values of u on the boundary (Dirichlet): expression or\n"
+                                         "file (default 0)");
     arguments->boundary = "0";
-    auto* natural =
-        command->add_flag("--natural", arguments->natural, "no Dirichlet data; u has mean 0")
-            ->excludes(boundary);
-    command
-        ->add_option("--essential-where", arguments->essential_where,
-                     "Dirichlet data only at boundary facets where this is not 0")
-        ->excludes(natural);
+    add_conditions(*command, arguments->conditions,
+                   "no values given on the boundary, only --flux (Neumann);\nu has mean 0",
+                   "values given (Dirichlet) only at boundary facets where this is not 0,\n"
+                   "--flux (Neumann) at the others")
+        ->excludes(boundary);
     command->add_option("--flux", arguments->flux,
-                        "outward derivative of u on the rest of the boundary (default 0)");
+                        "outward derivative of u on the rest of the boundary (default 0:\n"
+                        "no flow through it)");
     arguments->flux = "0";
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
     command->add_option("-o,--out", arguments->out, "write u to this .vtu file");

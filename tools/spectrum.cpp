@@ -6,6 +6,7 @@
 #include "io/draw_modes.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/conditions.h"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ namespace {
 struct Arguments {
     MeshArguments mesh;
     SpectrumOptions spectrum;
+    ConditionArguments conditions;
     bool certify = true;
     std::filesystem::path out;
 };
@@ -44,11 +46,11 @@ Json describe(const Spectrum& spectrum, double seconds) {
             {"seconds", seconds}};
 }
 
-void print(const Spectrum& spectrum, double seconds) {
-    fmt::print("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
-               "{:>10}\n",
-               name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
-               "residual");
+void print(const Spectrum& spectrum, const std::string& conditions, double seconds) {
+    fmt::print("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n{}\n\n"
+               "{:>5}  {:>20}  {:>10}\n",
+               name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), conditions, "",
+               "eigenvalue", "residual");
     for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
         fmt::print("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
                    spectrum.residuals[i]);
@@ -88,6 +90,8 @@ void run(Arguments arguments) {
     const Discretization mesh = load(arguments.mesh, timing);
     if (!arguments.out.empty())
         check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
+    const auto boundary = conditions(mesh, arguments.conditions)
+                              .value_or(built_in_conditions(arguments.spectrum.side));
     timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
     const auto result = [&] {
@@ -95,7 +99,7 @@ void run(Arguments arguments) {
         arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
         if (!arguments.certify)
             arguments.spectrum.certification = Certification::waived;
-        return spectrum(mesh, arguments.spectrum);
+        return spectrum(mesh, boundary, arguments.spectrum);
     }();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
 
@@ -104,6 +108,8 @@ void run(Arguments arguments) {
         write_vtu(arguments.out, mesh, result);
     }
     Json answer = describe(result, seconds.count());
+    const auto words = in_words(boundary, mesh.complex(), result.degree);
+    answer["conditions"] = words;
     answer["warnings"] = mesh.warnings;
     if (const auto spurious = spurious_eigenvalues(mesh, result)) {
         warn(*spurious);
@@ -114,7 +120,7 @@ void run(Arguments arguments) {
         fmt::print("{}\n", answer.dump());
         return;
     }
-    print(result, seconds.count());
+    print(result, words, seconds.count());
     print_timing(arguments.mesh, timing);
 }
 
@@ -129,6 +135,12 @@ void add_spectrum(CLI::App& app) {
     command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();
     command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
         ->capture_default_str();
+    add_conditions(*command, arguments->conditions,
+                   "no flow through the boundary (Neumann); of forms of degree\n"
+                   "1 .. n-1 the normal part is 0 there",
+                   "values 0 (Dirichlet) at boundary facets where this is not 0, of\n"
+                   "forms of degree 1 .. n-1 the tangential part; no flow through\n"
+                   "the others");
     command->add_option("-o,--out", arguments->out, "write the modes to this .vtu file");
     command->add_flag("!--no-certificate", arguments->certify, "do without the proof");
     command->add_option("--engine", arguments->spectrum.linear_solver, "linear solver")
@@ -136,9 +148,12 @@ void add_spectrum(CLI::App& app) {
     command->add_option("--eigen-engine", arguments->spectrum.eigen_solver, "eigensolver")
         ->capture_default_str();
     command->footer(
-        "Dual K-forms live on the (n-K)-cells.\n\nExamples:\n"
+        "Dual K-forms live on the (n-K)-cells. On the boundary, primal forms have what --natural\n"
+        "asks for unless told otherwise; dual forms have values 0 (Dirichlet), as by\n"
+        "--essential-where 1. The answer says which condition held.\n\nExamples:\n"
         "  polydec spectrum fandisk.off --side primal --degree 0 --count 20 -o modes.vtu\n"
-        "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json");
+        "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json\n"
+        "  polydec spectrum plate.msh --side dual --degree 0 --natural");
     command->callback([arguments] { run(*arguments); });
 }
 
