@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -88,16 +89,15 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                        negative, duals, flip_advice(mesh));
 }
 
-/// What is measured in length^-2, in the units of the file: together, so that residuals that are
-/// rounding beside the eigenvalues may vanish.
+/// What is measured in length^-2, in the units of the file. What is rounding beside the largest
+/// eigenvalue may vanish.
 void use_input_units(Spectrum& spectrum, double unit) {
-    const Eigen::Index count = spectrum.eigenvalues.size();
-    Vector all(2 * count + 1);
-    all << spectrum.eigenvalues, spectrum.residuals, spectrum.certificate.shift;
-    all = in_input_units(all, unit, -2, "eigenvalues");
-    spectrum.eigenvalues = all.head(count);
-    spectrum.residuals = all.segment(count, count);
-    spectrum.certificate.shift = all[2 * count];
+    const double largest = spectrum.eigenvalues.cwiseAbs().maxCoeff();
+    in_input_units(Vector::Constant(1, largest), unit, -2, "eigenvalues");
+    const auto convert = [&](double& value) { value = std::ldexp(value, -2 * std::ilogb(unit)); };
+    std::for_each(spectrum.eigenvalues.begin(), spectrum.eigenvalues.end(), convert);
+    std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
+    convert(spectrum.certificate.shift);
 }
 
 void run(Arguments arguments) {
