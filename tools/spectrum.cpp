@@ -92,20 +92,21 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                        negative, duals, flip_advice(mesh));
 }
 
-/// What is measured in length^-2, in the units of the file: together, so that residuals that are
-/// rounding beside the eigenvalues may vanish. Radii never do: what they lose is added again.
+/// What is measured in length^-2, in the units of the file. What is rounding beside the largest
+/// eigenvalue may vanish; but radii do not become smaller by it.
 void use_input_units(Spectrum& spectrum, double unit) {
-    const Eigen::Index count = spectrum.eigenvalues.size();
-    Vector all(3 * count + 1);
-    all << spectrum.eigenvalues, spectrum.residuals, spectrum.radii, spectrum.certificate.shift;
-    all = in_input_units(all, unit, -2, "eigenvalues");
-    spectrum.eigenvalues = all.head(count);
-    spectrum.residuals = all.segment(count, count);
-    spectrum.certificate.shift = all[3 * count];
-    const Vector radii = all.segment(2 * count, count);
-    if (radii != spectrum.radii)
-        for (Eigen::Index i = 0; i < count; ++i)
-            spectrum.radii[i] = std::nextafter(radii[i], std::numeric_limits<double>::infinity());
+    if (unit == 1)
+        return;
+    const double largest = spectrum.eigenvalues.cwiseAbs().maxCoeff();
+    in_input_units(Vector::Constant(1, largest), unit, -2, "eigenvalues");
+    const auto convert = [&](double& value) { value = std::ldexp(value, -2 * std::ilogb(unit)); };
+    std::for_each(spectrum.eigenvalues.begin(), spectrum.eigenvalues.end(), convert);
+    std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
+    convert(spectrum.certificate.shift);
+    for (double& radius : spectrum.radii) {
+        convert(radius);
+        radius = std::nextafter(radius, std::numeric_limits<double>::infinity());
+    }
 }
 
 void run(Arguments arguments) {
