@@ -8,6 +8,7 @@
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/expression.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -86,12 +87,9 @@ Solution describe(const Arguments& arguments, const PoissonSolver& solver, const
     return answer;
 }
 
-Errors errors(const Discretization& mesh, const Arguments& arguments, const PoissonSolver& solver,
-              const Vector& u) {
-    const Vector difference = u - values_at("--exact", arguments.exact, solver.sites());
-    const Vector& volumes = arguments.poisson.side == Side::primal
-                                ? mesh.volumes.dual(0)
-                                : mesh.volumes.primal(mesh.dimension());
+Errors errors(const Discretization& mesh, Side side, const Vector& difference) {
+    const Vector& volumes =
+        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
     const double squared = volumes.cwiseAbs().dot(difference.cwiseAbs2());
     return {std::sqrt(squared), difference.cwiseAbs().maxCoeff()};
 }
@@ -126,42 +124,75 @@ std::optional<std::string> negative_duals(const Discretization& mesh, Side side)
                        flip_advice(mesh));
 }
 
-BoundaryConditions conditions(const Discretization& mesh, const Arguments& arguments) {
-    if (arguments.natural)
+/// What the options give at sites; made before the mesh is read.
+struct Data {
+    explicit Data(const Arguments& arguments)
+        : rhs("--rhs", arguments.rhs),
+          boundary("--boundary", arguments.boundary.empty() ? "(0)" : arguments.boundary),
+          flux("--flux", arguments.flux.empty() ? "(0)" : arguments.flux) {
+        if (!arguments.exact.empty())
+            exact.emplace("--exact", arguments.exact);
+        if (!arguments.essential_where.empty())
+            essential_where.emplace("--essential-where", arguments.essential_where);
+    }
+
+    Paths files() const {
+        Paths list;
+        for (const auto* values : {&rhs, &boundary, &flux, exact ? &*exact : nullptr,
+                                   essential_where ? &*essential_where : nullptr})
+            if (values && values->file())
+                list.push_back(*values->file());
+        return list;
+    }
+
+    SiteValues rhs, boundary, flux;
+    std::optional<SiteValues> exact, essential_where;
+};
+
+BoundaryConditions conditions(const Discretization& mesh, bool natural, const Data& data) {
+    if (natural)
         return {BoundaryCondition::natural};
-    if (arguments.essential_where.empty())
+    if (!data.essential_where)
         return {};
-    const Points sites = cell_centers(mesh, mesh.dimension() - 1);
-    const Vector holds = values_at("--essential-where", arguments.essential_where, sites);
     BoundaryConditions result;
-    for (const double value : holds)
+    for (const double value : data.essential_where->at(cell_centers(mesh, mesh.dimension() - 1)))
         result.facets.push_back(value != 0 ? BoundaryCondition::essential
                                            : BoundaryCondition::natural);
     return result;
 }
 
+void check_output(const Arguments& arguments, const Data& data) {
+    if (arguments.out.empty())
+        return;
+    Paths inputs = mesh_files(arguments.mesh.mesh);
+    for (const auto& file : data.files())
+        inputs.push_back(file);
+    check_output_file(arguments.out, {".vtu"}, inputs);
+}
+
 void run(Arguments arguments) {
     Log log;
+    const Data data(arguments);
+    check_output(arguments, data);
     const Discretization mesh = load(arguments.mesh, log);
-    arguments.poisson.boundary = conditions(mesh, arguments);
+    arguments.poisson.boundary = conditions(mesh, arguments.natural, data);
     if (!arguments.out.empty())
-        check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
+        check_drawable(mesh);
     log.timing.begin("solve");
     PoissonSolver solver = [&] {
         const Progress progress;
         progress("solve");
         return PoissonSolver(mesh, arguments.poisson);
     }();
-    const Vector f = values_at("--rhs", arguments.rhs, solver.sites());
-    const Vector g = values_at("--boundary", arguments.boundary, solver.boundary_sites());
-    const Vector h = values_at("--flux", arguments.flux, solver.flux_sites());
-    const Vector u = solver.solve(f, g, h);
+    const Vector u =
+        solver.solve(data.rhs.at(solver.sites()), data.boundary.at(solver.boundary_sites()),
+                     data.flux.at(solver.flux_sites()));
     warn_of_compatibility(solver, log);
     if (const auto negative = negative_duals(mesh, arguments.poisson.side))
         log.warn(*negative);
     Solution answer = describe(arguments, solver, u);
-    if (!arguments.exact.empty())
-        answer.errors = errors(mesh, arguments, solver, u);
+    if (data.exact)
+        answer.errors = errors(mesh, arguments.poisson.side, u - data.exact->at(solver.sites()));
     if (!arguments.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, u);
@@ -180,7 +211,6 @@ void add_poisson(CLI::App& app) {
         ->required();
     auto* boundary = command->add_option("--boundary", arguments->boundary,
                                          "boundary values: expression or file (default 0)");
-    arguments->boundary = "0";
     auto* natural =
         command->add_flag("--natural", arguments->natural, "no Dirichlet data; u has mean 0")
             ->excludes(boundary);
@@ -190,7 +220,6 @@ void add_poisson(CLI::App& app) {
         ->excludes(natural);
     command->add_option("--flux", arguments->flux,
                         "outward derivative of u on the rest of the boundary (default 0)");
-    arguments->flux = "0";
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
     command->add_option("-o,--out", arguments->out, "write u to this .vtu file");
     command->add_option("--engine", arguments->poisson.linear_solver, "linear solver")

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/spectrum.h"
 
+#include "base/memory.h"
 #include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/draw_modes.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +30,7 @@ struct Eigenvalues : Answer {
     const Spectrum& spectrum;
     double seconds;
 
-    Eigenvalues(const Spectrum& spectrum, double seconds) : spectrum(spectrum), seconds(seconds) {}
+    Eigenvalues(const Spectrum& found, double took) : spectrum(found), seconds(took) {}
 
     void write(JsonWriter& json) const override {
         const auto& certificate = spectrum.certificate;
@@ -87,11 +89,25 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                        negative, duals, flip_advice(mesh));
 }
 
+/// Eigensolvers keep a few vectors for each eigenpair. More than there are is another's to tell.
+void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
+    const int k = options.side == Side::primal ? options.degree : mesh.dimension() - options.degree;
+    if (k < 0 || k > mesh.dimension() || options.count > mesh.complex().size(k))
+        return;
+    constexpr double vectors_each = 3;
+    const double rows = mesh.complex().size(k);
+    check_memory(vectors_each * options.count * rows * sizeof(double),
+                 fmt::format("a spectrum of {} eigenpairs of {} values", options.count, rows));
+}
+
 void run(Arguments arguments) {
     Log log;
+    if (!arguments.out.empty())
+        check_output_file(arguments.out, {".vtu"}, mesh_files(arguments.mesh.mesh));
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.out.empty())
-        check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
+        check_drawable(mesh);
+    check_cost(mesh, arguments.spectrum);
     log.timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
     const auto result = [&] {
