@@ -2,7 +2,6 @@
 #include "tools/conditions.h"
 
 #include "dec/cell_centers.h"
-#include "tools/expression.h"
 
 namespace polydec::tools {
 
@@ -14,19 +13,27 @@ CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
     return natural;
 }
 
-std::optional<BoundaryConditions> conditions(const Discretization& mesh,
-                                             const ConditionArguments& arguments) {
-    if (arguments.natural)
+ConditionValues::ConditionValues(const ConditionArguments& arguments)
+    : natural_(arguments.natural) {
+    if (!arguments.essential_where.empty())
+        essential_where_.emplace("--essential-where", arguments.essential_where);
+}
+
+std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh) const {
+    if (natural_)
         return BoundaryConditions{BoundaryCondition::natural};
-    if (arguments.essential_where.empty())
+    if (!essential_where_)
         return std::nullopt;
-    const Points sites = cell_centers(mesh, mesh.dimension() - 1);
-    const Vector holds = values_at("--essential-where", arguments.essential_where, sites);
+    const Points sites = mesh.unit * cell_centers(mesh, mesh.dimension() - 1);
     BoundaryConditions result;
-    for (const double value : holds)
+    for (const double value : essential_where_->at(sites))
         result.facets.push_back(value != 0 ? BoundaryCondition::essential
                                            : BoundaryCondition::natural);
     return result;
+}
+
+std::optional<std::filesystem::path> ConditionValues::file() const {
+    return essential_where_ ? essential_where_->file() : std::nullopt;
 }
 
 } // namespace polydec::tools

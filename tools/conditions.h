@@ -3,6 +3,7 @@
 
 #include "dec/boundary_conditions.h"
 #include "dec/discretization.h"
+#include "tools/expression.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,8 +22,21 @@ struct ConditionArguments {
 CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
                             const std::string& natural_help, const std::string& essential_help);
 
-/// The conditions asked for; none if none were.
-std::optional<BoundaryConditions> conditions(const Discretization& mesh,
-                                             const ConditionArguments& arguments);
+/// The conditions asked for, on any mesh. Made before any work, like SiteValues.
+class ConditionValues {
+public:
+    /// Throws like SiteValues.
+    explicit ConditionValues(const ConditionArguments& arguments);
+
+    /// On the facets of this mesh; none if none were asked for. Throws like SiteValues::at.
+    std::optional<BoundaryConditions> on(const Discretization& mesh) const;
+
+    /// The file that says where, if one does.
+    std::optional<std::filesystem::path> file() const;
+
+private:
+    bool natural_;
+    std::optional<SiteValues> essential_where_;
+};
 
 } // namespace polydec::tools

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "base/printable.h"
 #include "examples/paper/process.h"
 #include "examples/paper/usage.h"
 #include "tools/commands.h"
+#include "tools/messages.h"
+#include "tools/options.h"
 #ifdef POLYDEC_HAS_CHOLMOD
 #include "backends/cholmod.h"
 #endif
@@ -21,10 +24,18 @@ namespace {
 
 /// An argument that nobody knows is the cause even where something is missing too.
 std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
+    using polydec::tools::told;
     const auto unknown = app->remaining(true);
-    const auto what = unknown.empty() ? std::string(error.what())
-                                      : fmt::format("there is no '{}' here", unknown.front());
-    return fmt::format("polydec: {}\nRun with --help for more information.\n", what);
+    if (unknown.empty())
+        return fmt::format("polydec: {}\nRun with --help for more information.\n",
+                           told(error.what()));
+    const auto& first = unknown.front();
+    const bool dash = first.size() > 1 && first[0] == '-' && first[1] != '-';
+    return fmt::format("polydec: there is no '{}' here{}\nRun with --help for more information.\n",
+                       polydec::printable(first),
+                       dash ? "; a file of that name is written with ./ before it, and a value "
+                              "that begins with a minus as in --rhs=-x"
+                            : "");
 }
 
 int run(int argc, char** argv) {
@@ -53,8 +64,9 @@ int run(int argc, char** argv) {
     polydec::tools::add_generate(app);
     polydec::tools::add_reproduce(app);
     polydec::tools::add_backends(app);
+    polydec::tools::expect_values(app);
     try {
-        app.parse(argc, argv);
+        polydec::tools::reworded(polydec::tools::told, [&] { app.parse(argc, argv); });
     } catch (const CLI::ParseError& error) {
         return polydec::tell_usage(app, error);
     }

@@ -313,7 +313,7 @@ class Usage(TestCase):
             done = subprocess.run([command.COMMAND, "info", golden("uv8.off")], stdout=full,
                                   stderr=subprocess.PIPE, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr),
-                         (4, "polydec: standard output is not writable\n"))
+                         (4, "polydec: standard output is not writable: No space left on device\n"))
 
     def interrupt(self, seconds, *arguments):
         """Starts the command and interrupts it after a while; its exit code."""
@@ -330,7 +330,7 @@ class Usage(TestCase):
         self.succeed("generate", "kuhn", "--dimension", "3", "--cells", "24", "-o", "big.nsc")
         code = self.interrupt(0.5, "spectrum", "big.nsc", "--side", "primal", "--degree", "1",
                               "--count", "200", "-o", "modes.vtu")
-        self.assertEqual(code, 128 + signal.SIGINT)
+        self.assertEqual(code, -signal.SIGINT)
         self.assertEqual(os.listdir(self.folder), ["big.nsc"])
 
     def test_an_interrupt_while_writing_leaves_whole_files_only(self):
@@ -406,8 +406,8 @@ class Files(TestCase):
         self.assertEqual(self.fail_with(2, *common, "few.txt"),
                          "polydec: few.txt: 3 numbers, expected 16, one for each place")
         self.assertEqual(self.fail_with(2, *common, "bad.txt"),
-                         "polydec: bad.txt: entry 1 is no finite number: expected 16 numbers "
-                         "separated by white space")
+                         "polydec: bad.txt: entry 1 is no finite number: expected numbers "
+                         "separated by white space, one for each place")
 
     def test_merging_is_told_how(self):
         mesh = golden("uv8.off")
