@@ -7,8 +7,10 @@
 #include <cholmod.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <dlfcn.h>
+#include <tuple>
 
 namespace polydec {
 
@@ -122,6 +124,7 @@ protected:
 private:
     void analyze(cholmod_sparse& A, bool by_nested_dissection);
     void require_success(const char* step) const;
+    void reserve(std::size_t columns);
     void require_pivots(bool is_definite) const;
     Index count_negative_pivots() const;
 
@@ -204,8 +207,21 @@ void Cholmod::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern p
     negative_pivots_ = is_definite ? 0 : count_negative_pivots();
 }
 
+// cholmod_solve2 would allocate these itself, but does not look whether all of them are there.
+void Cholmod::reserve(std::size_t columns) {
+    const auto n = work_.factor->n;
+    const auto largest = std::max<std::size_t>(work_.factor->maxesize, 1);
+    constexpr std::size_t block = 4; // columns of simplicial factors are solved for by so many
+    const auto most = std::max(columns, block);
+    for (const auto& [place, rows, count] :
+         {std::tuple{&work_.x, n, columns}, {&work_.y, n, most}, {&work_.e, largest, most}})
+        if (!cholmod_ensure_dense(place, rows, count, rows, CHOLMOD_REAL, &work_.common))
+            require_success("solution");
+}
+
 CheckedSolver::Solution Cholmod::apply_inverse(const DenseMatrix& B) {
     const BlasThreads threads(options().blas_threads);
+    reserve(static_cast<std::size_t>(B.cols()));
     cholmod_dense right_hand_sides = view(B);
     cholmod_solve2(CHOLMOD_A, work_.factor, &right_hand_sides, nullptr, &work_.x, nullptr, &work_.y,
                    &work_.e, &work_.common);

@@ -13,6 +13,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -29,6 +30,16 @@ constexpr int most_coordinates = 16;
                          const mu::Parser::exception_type& error) {
     throw CLI::ValidationError(
         option, fmt::format("'{}' is neither a file nor an expression: {}", text, error.GetMsg()));
+}
+
+/// The parser's own way goes through a stream, which takes a lack of memory for a wrong number.
+int read_number(const char* text, int* position, double* value) {
+    const bool begins_number = std::isdigit(static_cast<unsigned char>(*text)) != 0 || *text == '.';
+    const auto [end, error] = std::from_chars(text, text + std::strlen(text), *value);
+    if (!begins_number || error != std::errc())
+        return 0;
+    *position += static_cast<int>(end - text);
+    return 1;
 }
 
 Vector read_values(const std::string& path, Index count) {
@@ -80,6 +91,7 @@ Expression::Expression(const std::string& option, const std::string& text)
                 parser.DefineVar(names[i], &state_->position[i]);
             parser.DefineVar(fmt::format("x{}", i + 1), &state_->position[i]);
         }
+        parser.AddValIdent(read_number);
         parser.SetExpr(text);
         parser.Eval();
     } catch (const mu::Parser::exception_type& error) {
