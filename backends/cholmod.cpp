@@ -207,14 +207,13 @@ void Cholmod::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern p
     negative_pivots_ = is_definite ? 0 : count_negative_pivots();
 }
 
-// cholmod_solve2 would allocate these itself, but does not look whether all of them are there.
+// Of the two that cholmod_solve2 would allocate for supernodal factors it looks at the second only.
 void Cholmod::reserve(std::size_t columns) {
-    const auto n = work_.factor->n;
-    const auto largest = std::max<std::size_t>(work_.factor->maxesize, 1);
-    constexpr std::size_t block = 4; // columns of simplicial factors are solved for by so many
-    const auto most = std::max(columns, block);
+    const auto& factor = *work_.factor;
+    if (!factor.is_super)
+        return;
     for (const auto& [place, rows, count] :
-         {std::tuple{&work_.x, n, columns}, {&work_.y, n, most}, {&work_.e, largest, most}})
+         {std::tuple{&work_.y, factor.n, columns}, {&work_.e, columns, factor.maxesize}})
         if (!cholmod_ensure_dense(place, rows, count, rows, CHOLMOD_REAL, &work_.common))
             require_success("solution");
 }
