@@ -17,6 +17,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <vector>
 
@@ -30,6 +31,16 @@ constexpr int most_coordinates = 64;
                          const std::string& reason) {
     throw CLI::ValidationError(option, fmt::format("'{}' is neither a file nor an expression: {}",
                                                    printable(text), reason));
+}
+
+/// The parser's own way goes through a stream, which takes a lack of memory for a wrong number.
+int read_number(const char* text, int* position, double* value) {
+    const bool begins_number = std::isdigit(static_cast<unsigned char>(*text)) != 0 || *text == '.';
+    const auto [end, error] = std::from_chars(text, text + std::strlen(text), *value);
+    if (!begins_number || error != std::errc())
+        return 0;
+    *position += static_cast<int>(end - text);
+    return 1;
 }
 
 std::vector<double> read_numbers(const std::string& path) {
@@ -80,6 +91,7 @@ Expression::Expression(const std::string& option, const std::string& text)
                 parser.DefineVar(names[i], &state_->position[i]);
             parser.DefineVar(fmt::format("x{}", i + 1), &state_->position[i]);
         }
+        parser.AddValIdent(read_number);
         parser.SetExpr(text);
         parser.Eval();
         for (const auto& [name, place] : parser.GetUsedVar())
