@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace polydec {
 
@@ -57,6 +59,27 @@ template <typename Column>
 double length(const Column& x, double largest) {
     constexpr double safe = 1e100;
     return largest < safe && largest > 1.0 / safe ? x.norm() : x.stableNorm();
+}
+
+// Squares and a few products of numbers within 2^-200 .. 2^200 are ordinary ones; beyond, the power
+// of two that brings the largest of them near 1.
+int exponent_to_remove(double largest) {
+    constexpr int harmless = 200;
+    if (!(largest > 0.0) || !std::isfinite(largest))
+        return 0;
+    const int exponent = std::ilogb(largest);
+    return std::abs(exponent) <= harmless ? 0 : exponent;
+}
+
+template <typename Numbers>
+void scale(Numbers&& numbers, int exponent) {
+    for (double& number : numbers)
+        number = std::ldexp(number, exponent);
+}
+
+// A residual that is not a number is larger than any.
+double worse(double a, double b) {
+    return b <= a ? a : b;
 }
 
 // What no matrix hits is what a forgotten kernel leaves behind.
@@ -141,6 +164,12 @@ void CheckedSolver::factorize(std::shared_ptr<const SparseMatrix> A, const Matri
         compressed->makeCompressed();
         A = std::move(compressed);
     }
+    exponent_ = exponent_to_remove(A->nonZeros() > 0 ? A->coeffs().abs().maxCoeff() : 0.0);
+    if (exponent_ != 0) {
+        auto scaled = std::make_shared<SparseMatrix>(*A);
+        scale(scaled->coeffs(), -exponent_);
+        A = std::move(scaled);
+    }
 
     MatrixFacts treated_facts = facts;
     auto treated = treat(A, treated_facts);
@@ -193,8 +222,8 @@ CheckedSolver::Quality CheckedSolver::measure(const DenseMatrix& X, const DenseM
         const double b = B.col(j).lpNorm<Eigen::Infinity>();
         const double x = X.col(j).lpNorm<Eigen::Infinity>();
         const double residual = ratio(length(R.col(j), r), length(B.col(j), b));
-        worst.residual = std::max(worst.residual, residual);
-        worst.backward_error = std::max(worst.backward_error, ratio(r, matrix_norm_ * x + b));
+        worst.residual = worse(worst.residual, residual);
+        worst.backward_error = worse(worst.backward_error, ratio(r, matrix_norm_ * x + b));
     }
     return worst;
 }
@@ -231,6 +260,24 @@ DenseMatrix CheckedSolver::solve_columns(const Eigen::Ref<const DenseMatrix>& B)
     report_ = {name_, 0, 0.0, 0.0, {name_}};
     if (B.size() == 0)
         return B;
+    std::vector<int> exponents;
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        exponents.push_back(exponent_to_remove(B.col(j).lpNorm<Eigen::Infinity>()));
+    if (exponent_ == 0 && std::all_of(exponents.begin(), exponents.end(), std::logical_not<>()))
+        return solve_scaled(B);
+
+    DenseMatrix scaled = B;
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        scale(scaled.col(j), -exponents[j]);
+    DenseMatrix X = solve_scaled(scaled);
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        scale(X.col(j), exponents[j] - exponent_);
+    if (!X.allFinite())
+        fail("the solution overflows: scale the right-hand side down");
+    return X;
+}
+
+DenseMatrix CheckedSolver::solve_scaled(const Eigen::Ref<const DenseMatrix>& B) {
     if (!kernel_)
         return solve_checked(B).columns;
 
@@ -239,7 +286,7 @@ DenseMatrix CheckedSolver::solve_columns(const Eigen::Ref<const DenseMatrix>& B)
     for (Eigen::Index j = 0; j < B.cols(); ++j) {
         const double part =
             ratio((B.col(j) - consistent.col(j)).stableNorm(), B.col(j).stableNorm());
-        if (part > kernel_limit)
+        if (!(part <= kernel_limit))
             throw InvalidInput(fmt::format(
                 "{}: right-hand side {} has a part in the kernel of the matrix, {:.2g} of its "
                 "norm\nNo solution exists; take that part away (for Neumann data: make the mean "

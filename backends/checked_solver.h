@@ -8,7 +8,8 @@ namespace polydec {
 
 /// What every engine has in common: derive from it and write compute() and apply_inverse().
 /// It refuses bad input, takes known kernels out, and checks the true residual of every solve, with
-/// one step of iterative refinement where that is too large.
+/// one step of iterative refinement where that is too large. Engines see numbers whose squares are
+/// numbers too: matrices and right-hand sides of extreme size are scaled by powers of two.
 class CheckedSolver : public LinearSolver {
 public:
     std::string name() const final { return name_; }
@@ -62,13 +63,15 @@ private:
     Quality measure(const DenseMatrix& X, const DenseMatrix& B, const DenseMatrix& R) const;
     bool is_good(const Quality& quality) const;
     Solution solve_checked(const DenseMatrix& B);
+    DenseMatrix solve_scaled(const Eigen::Ref<const DenseMatrix>& B);
 
     std::string name_;
     EngineTraits traits_;
     LinearSolverOptions options_;
 
-    std::shared_ptr<const SparseMatrix> matrix_;  // as given; null until factorized
+    std::shared_ptr<const SparseMatrix> matrix_;  // as given, or scaled; null until factorized
     std::shared_ptr<const SparseMatrix> treated_; // what the engine holds: grounded or as given
+    int exponent_ = 0;                            // matrix_ is the one given times 2^-exponent_
     std::optional<Kernel> kernel_;
     Inertia inertia_ = Inertia::unneeded;
     double matrix_norm_ = 0.0;

@@ -49,7 +49,7 @@ void check_annihilated(const SparseMatrix& A, const DenseMatrix& basis) {
     const DenseMatrix image = A * basis;
     for (Eigen::Index j = 0; j < basis.cols(); ++j) {
         const double limit = kernel_tolerance * scale * basis.col(j).cwiseAbs().maxCoeff();
-        if (image.col(j).cwiseAbs().maxCoeff() > limit)
+        if (!(image.col(j).cwiseAbs().maxCoeff() <= limit))
             throw InvalidInput(fmt::format("kernel: the span holds a vector v with |A v| = {:.2g} "
                                            "|A|, so it is not the kernel",
                                            image.col(j).cwiseAbs().maxCoeff() / scale));

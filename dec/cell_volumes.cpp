@@ -65,7 +65,8 @@ bool is_moderate(double volume) {
             fmt::format("the {}-simplex with vertices {} has no volume: remove it or move a vertex",
                         k, fmt::join(list, ", ")));
     throw InvalidInput(fmt::format(
-        "the {}-simplex with vertices {} has volume {:.3g}: scale the mesh to a size nearer to 1",
+        "the {}-simplex with vertices {} has volume {:.3g}: products of such volumes are no "
+        "numbers; scale the mesh to a size nearer to 1, or leave out what is so much smaller",
         k, fmt::join(list, ", "), sphere.volume()));
 }
 

@@ -2,10 +2,14 @@
 #include "dec/discretization.h"
 
 #include "base/errors.h"
+#include "base/listed.h"
 #include "dec/glued_volumes.h"
+#include "dec/overlaps.h"
 #include "meshes/tidy.h"
+#include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +37,34 @@ void warn_of_branching(const SimplicialComplex& complex, std::vector<std::string
     if (branching > 0)
         warnings.push_back(fmt::format("not a manifold: {} facet{} with three or more cells",
                                        branching, branching == 1 ? "" : "s"));
+}
+
+void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
+                      std::vector<std::string>& warnings) {
+    const int n = complex.dimension();
+    const auto [folded, wound] = find_overlaps(complex, points);
+    if (!folded.empty())
+        warnings.push_back(fmt::format(
+            "the mesh is folded: {} of {} cells lie{} over {} neighbors (vertices {}): what is "
+            "computed is for the folded mesh, not for the region that it covers",
+            folded.size(), complex.size(n), folded.size() == 1 ? "s" : "",
+            folded.size() == 1 ? "its" : "their", listed(folded, [&](Index t) {
+                return fmt::format("{}", fmt::join(vertices(complex.simplices(n), t), " "));
+            })));
+    if (!wound.empty())
+        warnings.push_back(fmt::format(
+            "the mesh overlaps itself: cells around {} lie over each other without a fold (vertex "
+            "{}): what is computed is for the mesh as it is glued, not for the region that it "
+            "covers",
+            wound.size() == 1 ? "1 vertex" : fmt::format("{} vertices", wound.size()),
+            listed(wound, [](Index v) { return fmt::format("{}", v); })));
+}
+
+void warn_of_unit(double unit, std::vector<std::string>& warnings) {
+    if (unit != 1)
+        warnings.push_back(fmt::format("the lengths of the mesh are far from 1: it is measured in "
+                                       "units of 2^{} = {:.3g}",
+                                       std::ilogb(unit), unit));
 }
 
 /// Tags of the merged n-cells; one that joins simplices with different tags has none.
@@ -72,11 +104,12 @@ DegenerateFacets count_degenerate(const IntrinsicTessellation& tessellation, dou
     return result;
 }
 
-void warn_of_flips(const IntrinsicStatistics& flips, std::vector<std::string>& warnings) {
+void warn_of_flips(const IntrinsicStatistics& flips, double unit,
+                   std::vector<std::string>& warnings) {
     if (flips.added_length > 0)
         warnings.push_back(fmt::format("a triangle has nearly no area: {:.3g} was added to the "
                                        "length of every edge before flips (area: +{:.2g} %)",
-                                       flips.added_length, 100 * flips.added_area));
+                                       unit * flips.added_length, 100 * flips.added_area));
     if (flips.negative_interior > 0)
         warnings.push_back(fmt::format("{} interior edges kept a negative dual: rounding is larger "
                                        "than the triangles there",
@@ -84,7 +117,7 @@ void warn_of_flips(const IntrinsicStatistics& flips, std::vector<std::string>& w
 }
 
 /// The way by intrinsic flips: K is kept for looking, and nothing of it is merged.
-Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengths,
+Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengths, double unit,
                               const MergeOptions& options) {
     const GluedSurface surface(complex);
     const bool has_points = mesh.points.cols() > 0;
@@ -95,7 +128,7 @@ Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengt
         surface, given.array() + tessellation->delaunay.statistics.added_length);
     if (!mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
-    warn_of_flips(tessellation->delaunay.statistics, mesh.warnings);
+    warn_of_flips(tessellation->delaunay.statistics, unit, mesh.warnings);
     auto volumes = merged_volumes(tessellation->merging, tessellation->triangle_volumes);
     const auto degenerate = count_degenerate(*tessellation, options.tolerance);
     return {std::move(mesh.points),
@@ -107,7 +140,8 @@ Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengt
             std::move(mesh.warnings),
             {},
             std::move(lengths),
-            std::move(tessellation)};
+            std::move(tessellation),
+            unit};
 }
 
 using Stage = std::function<void(std::string_view)>;
@@ -119,13 +153,15 @@ void begin(const Stage& stage, std::string_view what) {
 
 /// Measures and merges; mesh holds whatever goes with the simplices, lengths are empty if it has
 /// points.
-Discretization measured(SimplicialComplex complex, Mesh mesh, Vector lengths,
+Discretization measured(SimplicialComplex complex, Mesh mesh, Vector lengths, double unit,
                         const MergeOptions& options, const Stage& stage) {
     warn_of_orientation(complex, mesh.warnings);
     warn_of_branching(complex, mesh.warnings);
+    warn_of_overlaps(complex, mesh.points, mesh.warnings);
     if (options.delaunay != Delaunay::off) {
         begin(stage, "merge");
-        return flip_and_merge(std::move(complex), std::move(mesh), std::move(lengths), options);
+        return flip_and_merge(std::move(complex), std::move(mesh), std::move(lengths), unit,
+                              options);
     }
     begin(stage, "volumes");
     const SimplexMetric metric =
@@ -143,7 +179,9 @@ Discretization measured(SimplicialComplex complex, Mesh mesh, Vector lengths,
             merged.degenerate,
             std::move(mesh.warnings),
             std::move(tags),
-            std::move(lengths)};
+            std::move(lengths),
+            {},
+            unit};
 }
 
 } // namespace
@@ -152,8 +190,12 @@ Discretization discretize(Mesh mesh, const MergeOptions& options, const Stage& s
     begin(stage, "complex");
     const bool flips = options.delaunay != Delaunay::off;
     mesh = tidy(std::move(mesh), flips ? CellsWithoutVolume::keep : CellsWithoutVolume::leave_out);
+    const double unit = unit_of_length(mesh);
+    warn_of_unit(unit, mesh.warnings);
+    if (unit != 1)
+        mesh = in_units(std::move(mesh), unit);
     SimplicialComplex complex(mesh.simplices);
-    return measured(std::move(complex), std::move(mesh), {}, options, stage);
+    return measured(std::move(complex), std::move(mesh), {}, unit, options, stage);
 }
 
 Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, const Stage& stage) {
@@ -162,9 +204,12 @@ Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, c
     SimplicialComplex complex(mesh.simplices);
     Mesh without_points{Points(mesh.vertices, 0), mesh.simplices, {}};
     warn_of_isolated_vertices(without_points);
+    const double unit = unit_of_length(mesh);
+    warn_of_unit(unit, without_points.warnings);
     // the complex numbers its edges in lexicographic order
-    return measured(std::move(complex), std::move(without_points),
-                    mesh.lengths(edges_in_order(mesh)), options, stage);
+    Vector lengths = mesh.lengths(edges_in_order(mesh)) / unit;
+    return measured(std::move(complex), std::move(without_points), std::move(lengths), unit,
+                    options, stage);
 }
 
 Points vertex_points(const Discretization& discretization) {

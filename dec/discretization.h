@@ -31,6 +31,11 @@ struct Discretization {
                                        ///< they have different ones; or empty
     Vector lengths = {};               ///< of the input's edges if only these are known; or empty
     std::shared_ptr<const IntrinsicTessellation> intrinsic = {}; ///< after flips; else none
+    /// What points, lengths and volumes are measured in, as a length of the input: 1, or a power of
+    /// 4 where the input is so large or small that products of its lengths would be no numbers. So
+    /// distances are to be multiplied by it, solutions of Delta u = f by its square, eigenvalues
+    /// of Delta to be divided by its square (in_input_units).
+    double unit = 1;
 
     const SimplicialComplex& input() const { return merging.input(); }
     const CellComplex& complex() const {
@@ -45,8 +50,10 @@ struct Discretization {
 };
 
 /// The whole way from a mesh to its merged complex and volumes. Untidy input is tidied with a
-/// warning (see tidy). Each stage (complex, volumes, merge) is told as it begins, if anyone
-/// listens. Throws InvalidInput, naming the cell or vertex, for what cannot be used.
+/// warning (see tidy); a mesh far from size 1 is measured in other units, with a warning; warnings
+/// tell of cells that overlap (see find_overlaps). Each stage (complex, volumes, merge) is told as
+/// it begins, if anyone listens. Throws InvalidInput, naming the cell or vertex, for what cannot be
+/// used.
 Discretization discretize(Mesh mesh, const MergeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 

@@ -38,8 +38,25 @@ std::array<double, 3> side_lengths(const GluedSurface& surface, const Vector& le
             lengths[surface.edge(3 * triangle + 2)]};
 }
 
+namespace {
+
+/// Squares of areas, which are products of four lengths, must be ordinary numbers.
+void check_scale(const GluedSurface& surface, const Vector& lengths) {
+    constexpr double largest = 1e70;
+    for (Index e = 0; e < surface.edges(); ++e)
+        if (lengths[e] > largest || lengths[e] < 1 / largest)
+            throw InvalidInput(fmt::format("edge {} from vertex {} to {} has length {:.3g}: "
+                                           "measure the surface in units nearer to it, or leave "
+                                           "out what is so much smaller than the rest",
+                                           e, surface.first_vertex(e), surface.last_vertex(e),
+                                           lengths[e]));
+}
+
+} // namespace
+
 CellVolumes circumcentric_volumes(const GluedSurface& surface, const Vector& lengths) {
     check_lengths(surface, lengths);
+    check_scale(surface, lengths);
     Vector areas(surface.triangles());
     Vector dual_edges = Vector::Zero(surface.edges()), edge_terms = dual_edges;
     Vector dual_vertices = Vector::Zero(surface.vertices()), vertex_terms = dual_vertices;

@@ -71,6 +71,8 @@ public:
             }
         }
         statistics_.negative_before = static_cast<Index>(queue_.size());
+        if (options_.boundary == BoundaryEdges::split)
+            refuse_sharp_corners();
         flip_all();
         while (options_.boundary == BoundaryEdges::split && split_boundary())
             flip_all();
@@ -123,7 +125,10 @@ private:
     bool split_boundary();
     void split(Index edge, double fraction);
     double place_of_split(Index edge) const;
+    double boundary_corner(Index halfedge, FanEnd end) const;
     bool has_acute_corner(Index halfedge, FanEnd end) const;
+    double split_goal() const;
+    void refuse_sharp_corners() const;
 
     GluedSurface surface_;
     std::vector<double> lengths_, areas_;
@@ -229,15 +234,20 @@ void Flipping::flip(Index edge) {
     }
 }
 
-/// Whether the boundary turns by a right angle or more at one end of a boundary half-edge.
-bool Flipping::has_acute_corner(Index halfedge, FanEnd end) const {
-    constexpr double rounding = 1e-9;
+/// The angle inside the surface at one end of a boundary half-edge.
+double Flipping::boundary_corner(Index halfedge, FanEnd end) const {
     double angle = 0;
     for_each_corner(surface_, halfedge, end, [&](Index corner) {
         const auto opposite = beside(GluedSurface::next(corner));
         angle += corner_angle(opposite.a, opposite.b, opposite.c, opposite.area);
     });
-    return angle <= std::numbers::pi / 2 + rounding;
+    return angle;
+}
+
+/// Whether the boundary turns by a right angle or more there.
+bool Flipping::has_acute_corner(Index halfedge, FanEnd end) const {
+    constexpr double rounding = 1e-9;
+    return boundary_corner(halfedge, end) <= std::numbers::pi / 2 + rounding;
 }
 
 /// Where to divide a boundary edge, as a part of it from its half-edge's tail. Splits on both sides
@@ -257,9 +267,32 @@ double Flipping::place_of_split(Index edge) const {
 /// like the whole.
 constexpr double most_a_split_can_promise = 1e-2;
 
+double Flipping::split_goal() const {
+    return std::min(options_.tolerance, most_a_split_can_promise);
+}
+
+/// In every Delaunay triangulation the angles opposite to the two edges at a corner of angle t add
+/// up to pi - t at least, so one of these edges has a star of tan(t/2) / 2 at most.
+void Flipping::refuse_sharp_corners() const {
+    for (Index e = 0; e < surface_.edges(); ++e) {
+        if (!surface_.is_boundary(e))
+            continue;
+        const Index h = surface_.halfedges(e)[0];
+        for (const FanEnd end : {FanEnd::tail, FanEnd::head}) {
+            const double angle = boundary_corner(h, end);
+            if (std::tan(std::min(angle, std::numbers::pi / 2) / 2) / 2 <= split_goal())
+                throw InvalidInput(fmt::format(
+                    "the boundary has a corner of angle {:.2g} at vertex {}: however its edges are "
+                    "divided, one keeps a dual below {:.2g} of its length; do without the splits",
+                    angle, end == FanEnd::tail ? surface_.tail(h) : surface_.head(h),
+                    split_goal()));
+        }
+    }
+}
+
 /// Splits all boundary edges that need it, together, so that their order does not matter.
 bool Flipping::split_boundary() {
-    const double goal = std::min(options_.tolerance, most_a_split_can_promise);
+    const double goal = split_goal();
     std::vector<std::pair<Index, double>> places;
     for (Index e = 0; e < surface_.edges(); ++e)
         if (surface_.is_boundary(e) && beside(surface_.halfedges(e)[0]).cotangent() / 2 <= goal)
@@ -297,9 +330,15 @@ IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
                                      const IntrinsicDelaunayOptions& options) {
     if (lengths.size() != surface.edges() || !lengths.allFinite())
         check_lengths(surface, lengths); // says what is wrong
-    Flipping flipping(std::move(surface), std::move(lengths), options);
+    // a power of two: products of lengths are numbers at every scale, and no digit changes
+    const double longest = lengths.size() > 0 ? lengths.cwiseAbs().maxCoeff() : 0;
+    const double unit = longest > 0 ? std::exp2(std::ilogb(longest)) : 1;
+    Flipping flipping(std::move(surface), lengths / unit, options);
     flipping.run();
-    return flipping.finish();
+    auto result = flipping.finish();
+    result.lengths *= unit;
+    result.statistics.added_length *= unit;
+    return result;
 }
 
 std::vector<Index> concyclic_edges(const GluedSurface& surface, const CellVolumes& volumes,

@@ -51,8 +51,10 @@ struct IntrinsicDelaunay {
 /// near-linear in the number of edges, flips and splits. Source: Bobenko, Springborn 2007, A
 /// discrete Laplace-Beltrami operator for simplicial surfaces; Fisher, Springborn, Bobenko,
 /// Schroeder 2006, An algorithm for the construction of intrinsic Delaunay triangulations. Throws
-/// InvalidInput, naming edge or triangle, for lengths that are no lengths of triangles;
-/// SolverFailure if flips or splits do not come to an end.
+/// InvalidInput, naming edge or triangle, for lengths that are no lengths of triangles, and, naming
+/// the vertex, for splits at a boundary corner whose angle t has tan(t/2) / 2 below the tolerance:
+/// one edge there keeps a smaller star in any triangulation; SolverFailure if flips or splits do
+/// not come to an end.
 IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
                                      const IntrinsicDelaunayOptions& options = {});
 

@@ -89,7 +89,9 @@ void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
 }
 
 VtuGrid draw_cells(const Discretization& discretization, int k) {
-    return draw_cells(discretization.merging, discretization.points, k);
+    auto grid = draw_cells(discretization.merging, discretization.points, k);
+    grid.points *= discretization.unit;
+    return grid;
 }
 
 void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,

@@ -26,7 +26,8 @@ VtuGrid draw_cells(const Merging& merging, const Points& points, int k);
 void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
                  const Vector& values);
 
-/// The same for the cells of a bundle and a form on them. After intrinsic flips, whose cells cross
+/// The same for the cells of a bundle, at the places of the input (discretization.unit), and a form
+/// on them, whose values are taken as they are. After intrinsic flips, whose cells cross
 /// the input's, it is the input that is shown, with the form as to_input brings it there; dual
 /// 1-forms are shown by the primal ones that they are stars of.
 VtuGrid draw_cells(const Discretization& discretization, int k);

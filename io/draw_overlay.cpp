@@ -27,7 +27,7 @@ VtuGrid draw_overlay(const Discretization& discretization) {
     Overlay pieces = overlay(discretization);
     const auto cells = cells_of_triangles(discretization.intrinsic->merging);
     VtuGrid grid;
-    grid.points = std::move(pieces.points);
+    grid.points = discretization.unit * pieces.points;
     std::vector<Index> cell;
     for (Index p = 0; p < pieces.size(); ++p) {
         add_cell(grid, VtuCell::polygon,
@@ -42,10 +42,10 @@ VtuGrid draw_overlay(const Discretization& discretization) {
 
 PolygonMesh polygon_mesh(const Discretization& discretization) {
     if (!discretization.intrinsic)
-        return polygon_mesh(discretization.merging, discretization.points);
+        return polygon_mesh(discretization.merging, discretization.unit * discretization.points);
     Overlay pieces = overlay(discretization);
     PolygonMesh mesh;
-    mesh.points = std::move(pieces.points);
+    mesh.points = discretization.unit * pieces.points;
     mesh.corners = std::move(pieces.corners);
     mesh.offsets = std::move(pieces.offsets);
     return mesh;

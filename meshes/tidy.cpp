@@ -2,6 +2,7 @@
 #include "meshes/tidy.h"
 
 #include "base/errors.h"
+#include "base/listed.h"
 #include "meshes/flat_cells.h"
 
 #include <fmt/format.h>
@@ -24,18 +25,6 @@ struct Sieve {
     Mesh mesh;
     std::vector<Index> numbers;
 };
-
-/// The first few items in words, and how many more there are.
-template <typename Name>
-std::string listed(const std::vector<Index>& items, Name name) {
-    constexpr std::size_t most = 5;
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min(items.size(), most); ++i)
-        names.push_back(name(items[i]));
-    if (items.size() > most)
-        names.push_back(fmt::format("and {} more", items.size() - most));
-    return fmt::format("{}", fmt::join(names, ", "));
-}
 
 std::string vertices_of(const Mesh& mesh, Index cell) {
     const auto vertices = mesh.simplices.row(cell);

@@ -25,6 +25,14 @@ void check_sizes(const ConstrainedSystem& system) {
                                        system.weights.size()));
 }
 
+/// Only ratios of weights matter: a power of two makes the largest 1 to 2.
+void normalize(Vector& weights) {
+    const double largest = weights.size() > 0 ? weights.maxCoeff() : 0;
+    if (largest > 0 && std::isfinite(largest))
+        for (double& weight : weights)
+            weight = std::ldexp(weight, -std::ilogb(largest));
+}
+
 /// The rows and columns of A in the list.
 SparseMatrix part(const SparseMatrix& A, const std::vector<Index>& list) {
     std::vector<Index> place(A.rows(), -1);
@@ -51,6 +59,7 @@ ConstrainedSolver::ConstrainedSolver(ConstrainedSystem system, const std::string
     system_ = std::move(system);
     system_.A.swap(A);
     check_sizes(system_);
+    normalize(system_.weights);
     find_components();
 
     // one unknown of each free component is set to zero for the time being
@@ -112,6 +121,9 @@ Vector ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) {
         throw InvalidInput(fmt::format("right-hand side of {} and fixed values of {} entries: "
                                        "expected {}",
                                        b.size(), fixed_values.size(), n));
+    if (!b.allFinite() || !fixed_values.allFinite())
+        throw InvalidInput("right-hand side or fixed values of a constrained system are not "
+                           "finite: scale the data");
     Vector sum = Vector::Zero(free_components_), size = sum, weight = sum, mean = sum;
     for (Index i = 0; i < n; ++i)
         if (const Index c = component_[i]; c >= 0) {
@@ -144,6 +156,9 @@ Vector ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) {
     for (Index i = 0; i < n; ++i)
         if (const Index c = component_[i]; c >= 0)
             u[i] -= mean[c];
+    if (!u.allFinite())
+        throw SolverFailure("the solution has values that are not finite: data or weights leave "
+                            "the range of numbers; scale them");
     return u;
 }
 

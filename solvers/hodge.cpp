@@ -39,6 +39,13 @@ Vector spread(const Vector& values, const std::vector<Index>& cells, Index size)
     return whole;
 }
 
+/// 1, or the power of 4 that brings the largest of the numbers near 1 if they are extreme.
+double unit_of(const Vector& masses) {
+    constexpr int harmless = 200;
+    const int exponent = masses.size() > 0 ? std::ilogb(masses.maxCoeff()) : 0;
+    return std::abs(exponent) <= harmless ? 1 : std::ldexp(1.0, exponent - (exponent & 1));
+}
+
 /// Makes the columns orthonormal in the inner product with weights, by Gram and Schmidt twice.
 void orthonormalize(DenseMatrix& columns, const Vector& weights) {
     for (Index i = 0; i < columns.cols(); ++i) {
@@ -86,7 +93,7 @@ Vector HodgeSolver::Projection::solve(const Vector& w) {
     for (int pass = 0; pass < 2; ++pass) {
         const Vector left = w - D_ * x;
         const Vector force = weighted_transpose_ * left;
-        if (force.norm() == 0)
+        if (force.isZero(0))
             break;
         x += solver_->solve(force);
     }
@@ -101,6 +108,8 @@ HodgeSolver::HodgeSolver(const CellComplex& complex, const CellVolumes& volumes,
       k_(cell_degree(complex, side, degree)),
       mass_(star(volumes, k_)) {
     check_positive_mass(volumes, side, degree, k_);
+    unit_ = unit_of(mass_);
+    mass_ /= unit_;
     const int n = complex.dimension();
     if (k_ > 0)
         faces_ = regular_minor(complex, k_ - 1).columns;
@@ -134,17 +143,19 @@ HodgeParts HodgeSolver::decompose(const Cochain& form) {
     const double star_star = k_ * (n - k_) % 2 == 0 ? 1 : -1;
     const Vector potential = spread(a, faces_, complex_.size(k_ - 1));
     const Vector copotential = dual_sign * spread(c, cofaces_, complex_.size(k_ + 1));
+    // in the mass over the unit, a dual form is as if w were the unit times as large, and then c is
+    // what it should be; of a primal one c lacks the unit
     if (primal)
         return {{side_, degree_, da},
                 {side_, degree_, delta},
                 {side_, degree_, w - da - delta},
                 {Side::primal, k_ - 1, potential},
-                {Side::dual, n - k_ - 1, copotential}};
+                {Side::dual, n - k_ - 1, unit_ * copotential}};
     return {{side_, degree_, mass_.cwiseProduct(delta)},
             {side_, degree_, mass_.cwiseProduct(da)},
             {side_, degree_, mass_.cwiseProduct(w - da - delta)},
             {Side::dual, n - k_ - 1, copotential},
-            {Side::primal, k_ - 1, star_star * potential}};
+            {Side::primal, k_ - 1, star_star * potential / unit_}};
 }
 
 DenseMatrix HodgeSolver::harmonic_forms() {
@@ -156,7 +167,10 @@ DenseMatrix HodgeSolver::harmonic_forms() {
         forms.col(i) = w - coexact_->D() * coexact_->solve(w);
     }
     orthonormalize(forms, mass_);
-    return side_ == Side::primal ? forms : DenseMatrix(mass_.asDiagonal() * forms);
+    // so far of norm 1 in the mass over the unit
+    const double root = std::sqrt(unit_);
+    return side_ == Side::primal ? DenseMatrix(forms / root)
+                                 : DenseMatrix(root * (mass_.asDiagonal() * forms));
 }
 
 HodgeParts hodge_decomposition(const CellComplex& complex, const CellVolumes& volumes,

@@ -21,8 +21,9 @@ struct HodgeParts {
 /// regular_minor), where they are positive definite; so all that is needed is that the star of
 /// these forms is positive, and no Betti number need be known.
 ///
-/// On the whole complex the exact part is orthogonal to coclosed forms with natural boundary; for
-/// the decomposition with essential conditions hand over a relative complex and its volumes.
+/// On the whole complex the exact part of a primal form is orthogonal to coclosed forms that do not
+/// flow through the boundary, that of a dual form to all coclosed ones. For other conditions hand
+/// over the complex and the volumes of conditioned_complex.
 class HodgeSolver {
 public:
     /// Throws InvalidInput if there is no such degree or, naming the cells, if the star of these
@@ -46,7 +47,8 @@ private:
     CellComplex complex_;
     Side side_;
     int degree_, k_;
-    Vector mass_;                        // star_k
+    Vector mass_;                        // star_k / unit_
+    double unit_ = 1;                    // a power of 4 by which squares of the mass are numbers
     std::vector<Index> faces_, cofaces_; // the cells of the regular minors
     std::unique_ptr<Projection> exact_, coexact_;
 };

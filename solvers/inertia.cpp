@@ -32,7 +32,7 @@ std::optional<Index> InertiaCounter::below(double shift, double gap) {
         return std::nullopt;
     }
     constexpr double far_below = 1e-2;
-    if (solver_->report().backward_error * (norm_ + std::abs(shift)) > far_below * gap)
+    if (!(solver_->report().backward_error * (norm_ + std::abs(shift)) <= far_below * gap))
         return std::nullopt;
     return solver_->negative_pivots();
 }

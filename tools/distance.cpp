@@ -2,6 +2,7 @@
 #include "base/errors.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/geodesic_distance.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -81,7 +82,7 @@ void run(const Arguments& arguments) {
         const Progress progress;
         progress("solve");
         GeodesicDistance solver(mesh, arguments.geodesic);
-        Vector result = solver.to(sources);
+        Vector result = in_input_units(solver.to(sources), mesh.unit, 1, "distances");
         raised = solver.raised();
         return result;
     }();

@@ -113,12 +113,16 @@ void write(JsonWriter& json, const MeshFacts& facts) {
     json.member("advice", facts.advice);
 }
 
+std::string shown(const std::optional<double>& number, int digits) {
+    return number ? fmt::format("{:.{}g}", *number, digits) : "out of range";
+}
+
 void write_cells(Text& text, const MeshFacts& facts) {
     const int n = facts.dimension;
-    text("dimension {} {}, volume {:.10g}\n", n,
+    text("dimension {} {}, volume {}\n", n,
          facts.ambient_dimension ? fmt::format("in {} coordinates", *facts.ambient_dimension)
                                  : "by lengths of edges alone",
-         facts.volume);
+         shown(facts.volume, 10));
     text("cells of degree 0 .. {}\n", n);
     text("  input    {}\n  merged   {}\n", fmt::join(facts.cells.input, ", "),
          fmt::join(facts.cells.merged, ", "));
@@ -167,8 +171,8 @@ void write_stars(Text& text, const MeshFacts& facts) {
     };
     for (std::size_t k = 0; k < facts.stars.size(); ++k) {
         const auto& star = facts.stars[k];
-        text("  {:<7}{:>14.6g}{:>14.6g}{:>14.6g}{:>10}{:>8}{:>12}{:>14}\n", k, star.min, star.max,
-             star.min_abs, star.negative, star.zero, condition(star),
+        text("  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n", k, shown(star.min, 6),
+             shown(star.max, 6), shown(star.min_abs, 6), star.negative, star.zero, condition(star),
              condition(facts.input_stars[k]));
     }
 }
@@ -252,6 +256,9 @@ void run(const MeshArguments& arguments) {
     Info answer;
     answer.mesh = arguments.mesh.string();
     answer.facts = examine(mesh, log.timing);
+    if (answer.facts.lacks_numbers())
+        log.warn("volumes that are no numbers of double precision in the units of the file are "
+                 "left out");
     tell(answer, log, arguments.tell);
 }
 

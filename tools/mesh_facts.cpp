@@ -4,6 +4,7 @@
 #include "complex/components.h"
 #include "complex/homology.h"
 #include "dec/star.h"
+#include "meshes/unit_of_length.h"
 #include "tools/common.h"
 
 #include <algorithm>
@@ -20,23 +21,24 @@ std::vector<Index> cell_counts(const CellComplex& complex) {
     return counts;
 }
 
-StarNumbers star_numbers(const CellVolumes& volumes, int k) {
+StarNumbers star_numbers(const CellVolumes& volumes, double unit, int k) {
     const Vector values = star(volumes, k);
-    StarNumbers numbers{values.minCoeff(),
-                        values.maxCoeff(),
-                        values.cwiseAbs().minCoeff(),
+    const int power = volumes.dimension() - 2 * k;
+    StarNumbers numbers{in_input_units(values.minCoeff(), unit, power),
+                        in_input_units(values.maxCoeff(), unit, power),
+                        in_input_units(values.cwiseAbs().minCoeff(), unit, power),
                         negative_star_cells(volumes, k).size(),
                         zero_star_cells(volumes, k).size(),
                         {}};
     if (numbers.zero == 0)
-        numbers.condition = values.cwiseAbs().maxCoeff() / numbers.min_abs;
+        numbers.condition = values.cwiseAbs().maxCoeff() / values.cwiseAbs().minCoeff();
     return numbers;
 }
 
-std::vector<StarNumbers> star_numbers(const CellVolumes& volumes) {
+std::vector<StarNumbers> star_numbers(const CellVolumes& volumes, double unit) {
     std::vector<StarNumbers> list;
     for (int k = 0; k <= volumes.dimension(); ++k)
-        list.push_back(star_numbers(volumes, k));
+        list.push_back(star_numbers(volumes, unit, k));
     return list;
 }
 
@@ -64,10 +66,12 @@ std::map<std::size_t, Index> vertices_per_cell(const Discretization& mesh) {
     return histogram;
 }
 
-FlipNumbers flip_numbers(const IntrinsicTessellation& tessellation) {
+FlipNumbers flip_numbers(const IntrinsicTessellation& tessellation, double unit) {
     const auto& surface = tessellation.surface();
-    return {tessellation.delaunay.statistics,
-            {surface.vertices(), surface.edges(), surface.triangles()}};
+    FlipNumbers numbers{tessellation.delaunay.statistics,
+                        {surface.vertices(), surface.edges(), surface.triangles()}};
+    numbers.statistics.added_length *= unit;
+    return numbers;
 }
 
 /// What would make negative duals positive, if there are any and something would.
@@ -102,14 +106,15 @@ void examine_topology(const Discretization& mesh, MeshFacts& facts) {
 }
 
 void examine_metric(const Discretization& mesh, MeshFacts& facts) {
-    facts.volume = mesh.volumes.primal(mesh.dimension()).sum();
+    facts.volume =
+        in_input_units(mesh.volumes.primal(mesh.dimension()).sum(), mesh.unit, mesh.dimension());
     facts.facets = mesh.degenerate;
     if (mesh.intrinsic)
-        facts.flips = flip_numbers(*mesh.intrinsic);
+        facts.flips = flip_numbers(*mesh.intrinsic, mesh.unit);
     else
         facts.pairs = facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options);
-    facts.stars = star_numbers(mesh.volumes);
-    facts.input_stars = star_numbers(mesh.input_volumes);
+    facts.stars = star_numbers(mesh.volumes, mesh.unit);
+    facts.input_stars = star_numbers(mesh.input_volumes, mesh.unit);
     facts.operators = operators(mesh);
     if (mesh.dimension() == 2)
         facts.concyclic =
@@ -118,6 +123,14 @@ void examine_metric(const Discretization& mesh, MeshFacts& facts) {
 }
 
 } // namespace
+
+bool MeshFacts::lacks_numbers() const {
+    const auto lacks = [](const StarNumbers& star) {
+        return !star.min || !star.max || !star.min_abs;
+    };
+    return !volume || std::any_of(stars.begin(), stars.end(), lacks) ||
+           std::any_of(input_stars.begin(), input_stars.end(), lacks);
+}
 
 MeshFacts examine(const Discretization& mesh, Timing& timing) {
     MeshFacts facts;

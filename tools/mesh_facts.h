@@ -21,9 +21,9 @@ struct BeforeAndAfter {
     Value merged = {};
 };
 
-/// The entries of a Hodge star.
+/// The entries of a Hodge star; none that are no numbers in the units of the file.
 struct StarNumbers {
-    double min = 0, max = 0, min_abs = 0;
+    std::optional<double> min, max, min_abs;
     std::size_t negative = 0, zero = 0;
     std::optional<double> condition; ///< as a diagonal matrix; none if an entry is zero
 };
@@ -51,7 +51,7 @@ struct MeshFacts {
     BeforeAndAfter<std::vector<Index>> betti;
     Index components = 0, boundary_components = 0;
     bool orientable = true;
-    double volume = 0;
+    std::optional<double> volume; ///< none if it is no number in the units of the file
     DegenerateFacets facets;
     std::optional<FlipNumbers> flips; ///< of those, or else
     FacetKinds pairs;
@@ -60,6 +60,9 @@ struct MeshFacts {
     std::map<std::size_t, Index> vertices_per_cell; ///< how many merged n-cells have that many
     std::optional<MergedPairs> concyclic;           ///< of a surface
     std::vector<std::string> advice;
+
+    /// Whether numbers are left out that double precision does not have.
+    bool lacks_numbers() const;
 };
 
 /// Measures all of that.

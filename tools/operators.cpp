@@ -5,6 +5,7 @@
 #include "dec/star.h"
 #include "io/atomic_file.h"
 #include "io/matrix_market.h"
+#include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 
@@ -69,9 +70,10 @@ public:
         for (int k = 0; k <= mesh_.dimension(); ++k) {
             if (k < mesh_.dimension())
                 write_matrix_market(file("d", k), P_.coboundary(k));
-            write_matrix_market(file("star", k), star(mesh_.volumes, k));
-            write_matrix_market(file("volume", k), mesh_.volumes.primal(k));
-            write_matrix_market(file("dual_volume", k), mesh_.volumes.dual(k));
+            const int n = mesh_.dimension();
+            write_scaled("star", k, star(mesh_.volumes, k), n - 2 * k);
+            write_scaled("volume", k, mesh_.volumes.primal(k), k);
+            write_scaled("dual_volume", k, mesh_.volumes.dual(k), n - k);
             write_matrix_market(file("diamond", k), diamonds[k]);
             write_matrix_market(file("lift", k), lifts[k]);
             write_laplacians(k);
@@ -84,13 +86,27 @@ private:
         return folder_ / fmt::format("{}_{}.{}", name, k, extension);
     }
 
+    /// Values that are a length to some power, in the units of the file.
+    void write_scaled(const char* name, int k, const Vector& values, int power) const {
+        const auto path = file(name, k);
+        write_matrix_market(path,
+                            in_input_units(values, mesh_.unit, power, path.filename().string()));
+    }
+    void write_scaled(const std::filesystem::path& path, SparseMatrix laplacian) const {
+        laplacian.makeCompressed();
+        laplacian.coeffs() =
+            in_input_units(laplacian.coeffs().matrix(), mesh_.unit, -2, path.filename().string())
+                .array();
+        write_matrix_market(path, laplacian);
+    }
+
     /// A Laplacian that would divide by zero is left out, and one of an earlier run removed.
     void write_laplacians(int k) const {
         const int j = mesh_.dimension() - k;
         const auto primal = file("laplacian_primal", k), dual = file("laplacian_dual", j);
         try {
-            write_matrix_market(primal, laplacian(P_, mesh_.volumes, k));
-            write_matrix_market(dual, dual_laplacian(P_, mesh_.volumes, j));
+            write_scaled(primal, laplacian(P_, mesh_.volumes, k));
+            write_scaled(dual, dual_laplacian(P_, mesh_.volumes, j));
         } catch (const InvalidInput& error) {
             log_.warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
                                   dual.filename().string(), error.what()));

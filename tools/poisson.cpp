@@ -5,6 +5,7 @@
 #include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
+#include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/expression.h"
@@ -30,7 +31,8 @@ struct Arguments {
 
 /// Errors against the exact solution: L2 with the cells' volumes as weights, and the largest.
 struct Errors {
-    double l2, max;
+    std::optional<double> l2; ///< none if it is no number in the units of the file
+    double max;
 };
 
 struct Solution : Answer {
@@ -67,7 +69,8 @@ struct Solution : Answer {
         text("  residual {:.2e} with {} (tried: {})\n", residual, report.engine,
              fmt::join(report.tried, "; "));
         if (errors)
-            text("  error: L2 {:.6e}, largest {:.6e}\n", errors->l2, errors->max);
+            text("  error: L2 {}, largest {:.6e}\n",
+                 errors->l2 ? fmt::format("{:.6e}", *errors->l2) : "out of range", errors->max);
     }
 };
 
@@ -88,12 +91,15 @@ Solution describe(const Arguments& arguments, const PoissonSolver& solver, const
 
 Errors errors(const Discretization& mesh, const Arguments& arguments, const PoissonSolver& solver,
               const Vector& u) {
-    const Vector difference = u - values_at("--exact", arguments.exact, solver.sites());
+    const Vector difference = u - values_at("--exact", arguments.exact, mesh.unit * solver.sites());
     const Vector& volumes = arguments.poisson.side == Side::primal
                                 ? mesh.volumes.dual(0)
                                 : mesh.volumes.primal(mesh.dimension());
-    const double squared = volumes.cwiseAbs().dot(difference.cwiseAbs2());
-    return {std::sqrt(squared), difference.cwiseAbs().maxCoeff()};
+    // squares of the differences of a solution of extreme size would be no numbers
+    const double largest = difference.cwiseAbs().maxCoeff();
+    const double size = largest > 0 ? std::exp2(std::ilogb(largest)) : 1;
+    const double squared = volumes.cwiseAbs().dot((difference / size).cwiseAbs2());
+    return {in_input_units(size * std::sqrt(squared), mesh.unit, mesh.dimension() / 2.0), largest};
 }
 
 void draw(const Discretization& mesh, const Arguments& arguments, const Vector& u) {
@@ -131,7 +137,7 @@ BoundaryConditions conditions(const Discretization& mesh, const Arguments& argum
         return {BoundaryCondition::natural};
     if (arguments.essential_where.empty())
         return {};
-    const Points sites = cell_centers(mesh, mesh.dimension() - 1);
+    const Points sites = mesh.unit * cell_centers(mesh, mesh.dimension() - 1);
     const Vector holds = values_at("--essential-where", arguments.essential_where, sites);
     BoundaryConditions result;
     for (const double value : holds)
@@ -152,9 +158,14 @@ void run(Arguments arguments) {
         progress("solve");
         return PoissonSolver(mesh, arguments.poisson);
     }();
-    const Vector f = values_at("--rhs", arguments.rhs, solver.sites());
-    const Vector g = values_at("--boundary", arguments.boundary, solver.boundary_sites());
-    const Vector h = values_at("--flux", arguments.flux, solver.flux_sites());
+    // at places of the file; derivatives of second and first order become those of the mesh
+    const Vector f = in_input_units(values_at("--rhs", arguments.rhs, mesh.unit * solver.sites()),
+                                    mesh.unit, 2, "--rhs");
+    const Vector g =
+        values_at("--boundary", arguments.boundary, mesh.unit * solver.boundary_sites());
+    const Vector h =
+        in_input_units(values_at("--flux", arguments.flux, mesh.unit * solver.flux_sites()),
+                       mesh.unit, 1, "--flux");
     const Vector u = solver.solve(f, g, h);
     warn_of_compatibility(solver, log);
     if (const auto negative = negative_duals(mesh, arguments.poisson.side))

@@ -4,12 +4,15 @@
 #include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/draw_modes.h"
+#include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -35,6 +38,7 @@ struct Eigenvalues : Answer {
         json.member("side", name(spectrum.side));
         json.member("degree", spectrum.degree);
         json.member("eigenvalues", spectrum.eigenvalues);
+        json.member("radii", spectrum.radii);
         json.member("residuals", spectrum.residuals);
         json.object("certificate", [&] {
             json.member("shift", certificate.shift);
@@ -49,15 +53,16 @@ struct Eigenvalues : Answer {
 
     void write(Text& text) const override {
         text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
-             "{:>10}\n",
+             "{:>10}  {:>10}\n",
              name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
-             "residual");
+             "radius", "residual");
         for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-            text("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
-                 spectrum.residuals[i]);
+            text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
+                 spectrum.radii[i], spectrum.residuals[i]);
         const auto& certificate = spectrum.certificate;
         if (certificate.complete)
-            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
+            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed, each "
+                 "within its radius of the value\n",
                  certificate.below_shift, certificate.shift, certificate.returned_below_shift);
         else
             text("\nnot certified: copies of multiple eigenvalues may be missing\n");
@@ -87,6 +92,22 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                        negative, duals, flip_advice(mesh));
 }
 
+/// What is measured in length^-2, in the units of the file: together, so that residuals that are
+/// rounding beside the eigenvalues may vanish. Radii never do: what they lose is added again.
+void use_input_units(Spectrum& spectrum, double unit) {
+    const Eigen::Index count = spectrum.eigenvalues.size();
+    Vector all(3 * count + 1);
+    all << spectrum.eigenvalues, spectrum.residuals, spectrum.radii, spectrum.certificate.shift;
+    all = in_input_units(all, unit, -2, "eigenvalues");
+    spectrum.eigenvalues = all.head(count);
+    spectrum.residuals = all.segment(count, count);
+    spectrum.certificate.shift = all[3 * count];
+    const Vector radii = all.segment(2 * count, count);
+    if (radii != spectrum.radii)
+        for (Eigen::Index i = 0; i < count; ++i)
+            spectrum.radii[i] = std::nextafter(radii[i], std::numeric_limits<double>::infinity());
+}
+
 void run(Arguments arguments) {
     Log log;
     const Discretization mesh = load(arguments.mesh, log);
@@ -94,7 +115,7 @@ void run(Arguments arguments) {
         check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
     log.timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
-    const auto result = [&] {
+    auto result = [&] {
         const Progress progress;
         arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
         if (!arguments.certify)
@@ -109,6 +130,7 @@ void run(Arguments arguments) {
         log.timing.begin("write");
         write_vtu(arguments.out, mesh, result);
     }
+    use_input_units(result, mesh.unit);
     tell(Eigenvalues(result, seconds.count()), log, arguments.mesh.tell);
 }
 

@@ -64,6 +64,30 @@ TEST_P(LinearContract, several_right_hand_sides_are_solved_at_once) {
     EXPECT_EQ(solver->solve(DenseMatrix(144, 0)).cols(), 0);
 }
 
+TEST_P(LinearContract, systems_of_every_size_have_the_same_digits) {
+    const auto A = grid_laplacian(12);
+    const DenseMatrix B = random_matrix(144, 2, 5);
+    const auto solver = make();
+    solver->factorize(A, positive());
+    const DenseMatrix X = solver->solve(B);
+    for (const int of_matrix : {-900, -600, 0, 600, 900})
+        for (const int of_side : {-900, -600, 0, 600, 900}) {
+            if (std::abs(of_side - of_matrix) > 1000)
+                continue; // the solution is no number
+            solver->factorize(SparseMatrix(std::exp2(of_matrix) * A), positive());
+            const DenseMatrix found = solver->solve(std::exp2(of_side) * B);
+            EXPECT_LE((std::exp2(of_matrix - of_side) * found - X).norm(), 1e-9 * X.norm())
+                << "2^" << of_matrix << ", 2^" << of_side;
+            EXPECT_LE(solver->report().residual, 1e-9);
+        }
+}
+
+TEST_P(LinearContract, solutions_beyond_the_range_of_numbers_are_refused) {
+    const auto solver = make();
+    solver->factorize(SparseMatrix(std::exp2(-700) * grid_laplacian(4)), positive());
+    EXPECT_THROW(solver->solve(std::exp2(700) * Vector::Ones(16)), SolverFailure);
+}
+
 TEST_P(LinearContract, vectors_blocks_and_expressions_are_right_hand_sides) {
     const auto A = grid_laplacian(6);
     const auto solver = make();

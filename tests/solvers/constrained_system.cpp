@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polydec::test {
@@ -52,6 +54,36 @@ TEST(ConstrainedSystem, with_everything_fixed_returns_what_it_is_given) {
     ConstrainedSolver solver(system_of(paths({3}), {true, true, true}), "auto");
     EXPECT_EQ(solver.solve(vector({5, 5, 5}), vector({1, 2, 4})), vector({1, 2, 4}));
     EXPECT_EQ(solver.residual(), 0);
+}
+
+TEST(ConstrainedSystem, of_every_size_has_the_same_solution) {
+    auto system = system_of(paths({4, 3}), {true, false, false, true, false, false, false});
+    system.weights = vector({1, 1, 1, 1, 1, 2, 5});
+    const Vector b = vector({0, 1, 2, 0, 3, 1, -2}), fixed = vector({1, 0, 0, 7, 0, 0, 0});
+    const Vector u = ConstrainedSolver(system, "auto").solve(b, fixed);
+    for (const double size : {0x1p-700, 0x1p-400, 0x1p400, 0x1p700}) {
+        auto other = system;
+        other.A *= size;
+        other.weights *= size;
+        ConstrainedSolver solver(other, "auto");
+        EXPECT_EQ(solver.solve(size * b, fixed), u);
+        EXPECT_LE(solver.residual(), 1e-14);
+    }
+}
+
+TEST(ConstrainedSystem, refuses_data_that_are_no_numbers) {
+    ConstrainedSolver solver(system_of(paths({2}), {true, true}), "auto");
+    const double huge = std::numeric_limits<double>::infinity();
+    for (const auto& [b, fixed] : {std::pair{vector({huge, 0}), vector({0, 0})},
+                                   std::pair{vector({0, 0}), vector({huge, 0})}}) {
+        try {
+            solver.solve(b, fixed);
+            FAIL() << "accepted";
+        } catch (const InvalidInput& error) {
+            EXPECT_STREQ(error.what(), "right-hand side or fixed values of a constrained system "
+                                       "are not finite: scale the data");
+        }
+    }
 }
 
 TEST(ConstrainedSystem, with_nothing_fixed_has_weighted_mean_zero) {

@@ -115,6 +115,51 @@ TEST_P(HodgeParted, exact_forms_have_no_other_part_and_harmonic_ones_stay) {
     });
 }
 
+/// The volumes of the same cells measured in another unit.
+CellVolumes in_other_units(const CellVolumes& volumes, double size) {
+    std::vector<Vector> primal, dual;
+    const int n = volumes.dimension();
+    for (int k = 0; k <= n; ++k) {
+        primal.emplace_back(std::pow(size, k) * volumes.primal(k));
+        dual.emplace_back(std::pow(size, n - k) * volumes.dual(k));
+    }
+    return {std::move(primal), std::move(dual)};
+}
+
+TEST_P(HodgeParted, forms_of_meshes_of_every_size_have_the_same_parts) {
+    const int n = mesh().n();
+    if (n > 3)
+        return;
+    for_positive([&](const CellComplex& complex, const CellVolumes& volumes, int k) {
+        for (const double size : {0x1p-300, 0x1p300})
+            for (const Side side : {Side::primal, Side::dual}) {
+                const int degree = side == Side::primal ? k : n - k;
+                const Cochain w{side, degree, random_vector(complex.size(k), 1)};
+                const auto here = hodge_decomposition(complex, volumes, w);
+                const auto there = hodge_decomposition(complex, in_other_units(volumes, size), w);
+                const double star = std::pow(size, n - 2 * k);
+                for (const auto part : {&HodgeParts::exact, &HodgeParts::coexact})
+                    EXPECT_LE(((there.*part).values - (here.*part).values).norm(),
+                              1e-9 * w.values.norm());
+                const double factor = side == Side::primal ? star : 1 / star;
+                const auto expect_equal = [](const Vector& found, const Vector& expected) {
+                    EXPECT_LE((found - expected).norm(), 1e-8 * expected.norm());
+                };
+                expect_equal(there.potential.values, here.potential.values);
+                expect_equal(there.copotential.values / factor, here.copotential.values);
+                const auto before = harmonic_forms(complex, volumes, side, degree);
+                const auto after =
+                    harmonic_forms(complex, in_other_units(volumes, size), side, degree);
+                ASSERT_EQ(after.cols(), before.cols());
+                const double root = std::pow(size, (side == Side::primal ? -1 : 1) * (n / 2.0 - k));
+                if (before.size() > 0) {
+                    EXPECT_LE((after / root - before).lpNorm<Eigen::Infinity>(),
+                              1e-9 * before.lpNorm<Eigen::Infinity>());
+                }
+            }
+    });
+}
+
 POLYDEC_OVER_MESHES(HodgeParted);
 
 struct Hole {

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/simplicial_complex.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// Where a mesh of n-simplices in R^n covers a place twice, so that it is no part of space: volumes
+/// and duals are still those of its cells, but not those of the region that they look like.
+struct Overlaps {
+    /// n-simplices on the wrong side: of parts connected across facets with two cofaces, those that
+    /// lie on the same side of such a facet as their neighbor, the smaller number of each part; and
+    /// those on one side of a branching facet together with another. Ascending.
+    std::vector<Index> folded;
+    /// Vertices whose cells overlap without a fold, as they do where they wind around it twice.
+    /// Vertices numbers of the points, ascending.
+    std::vector<Index> wound;
+};
+
+/// Looks at every facet, and from every vertex in some fixed directions: of the cells around a
+/// vertex one at most contains what lies there. So around inner vertices every overlap without
+/// folds is found; at the boundary those that these directions meet. What is no more than rounding
+/// (a cell that is flat to the last digits) speaks neither for nor against. Linear time; products
+/// of n lengths must be ordinary numbers. Empty unless points have n coordinates.
+Overlaps find_overlaps(const SimplicialComplex& complex, const Points& points);
+
+} // namespace polydec

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/unit_of_length.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// Of lengths within 2^-40 .. 2^40 six factors make 2^-240 .. 2^240: the square of that, and of
+/// a volume in six dimensions, is far from the ends of the range.
+constexpr int moderate = 40, moderate_product = 240;
+
+/// The largest exponent that leaves all coordinates finite.
+constexpr int finite_exponent = std::numeric_limits<double>::max_exponent - 1;
+
+double unit_for(double half_of_longest, int dimension, int least) {
+    if (!(half_of_longest > 0) || !std::isfinite(half_of_longest))
+        return 1; // nothing to be measured
+    const int exponent = std::ilogb(half_of_longest) + 1;
+    if (std::abs(exponent) <= std::min(moderate, moderate_product / std::max(dimension, 1)))
+        return 1;
+    const int even = exponent - (exponent & 1);
+    return std::ldexp(1.0, std::clamp(even, least + (least & 1), finite_exponent - 1));
+}
+
+} // namespace
+
+double unit_of_length(const Mesh& mesh) {
+    double longest = 0; // halves, which cannot overflow
+    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
+        for (Index i = 0; i < mesh.simplices.cols(); ++i)
+            for (Index j = 0; j < i; ++j) {
+                const auto a = mesh.points.row(mesh.simplices(cell, i));
+                const auto b = mesh.points.row(mesh.simplices(cell, j));
+                for (Eigen::Index c = 0; c < mesh.points.cols(); ++c)
+                    longest = std::max(longest, std::abs(0.5 * a[c] - 0.5 * b[c]));
+            }
+    // a vertex of no cell may lie far out
+    const double farthest = mesh.points.size() > 0 ? mesh.points.cwiseAbs().maxCoeff() : 0;
+    const int least = farthest > 0 && std::isfinite(farthest)
+                          ? std::ilogb(farthest) - finite_exponent
+                          : -finite_exponent;
+    return unit_for(longest, mesh.dimension(), std::max(least, -finite_exponent + 1));
+}
+
+double unit_of_length(const LengthMesh& mesh) {
+    const double longest = mesh.lengths.size() > 0 ? mesh.lengths.maxCoeff() : 0;
+    return unit_for(longest / 2, mesh.dimension(), -finite_exponent + 1);
+}
+
+Mesh in_units(Mesh mesh, double unit) {
+    const int exponent = std::ilogb(unit);
+    for (double& coordinate : mesh.points.reshaped())
+        coordinate = std::ldexp(coordinate, -exponent);
+    return mesh;
+}
+
+std::optional<double> in_input_units(double value, double unit, double power) {
+    if (unit == 1 || value == 0)
+        return value;
+    const double result = std::ldexp(value, static_cast<int>(power * std::ilogb(unit)));
+    if (!std::isnormal(result))
+        return std::nullopt;
+    return result;
+}
+
+Vector in_input_units(const Vector& values, double unit, double power, std::string_view what) {
+    Vector result = values;
+    const double rounding =
+        values.size() > 0 ? std::numeric_limits<double>::epsilon() * values.cwiseAbs().maxCoeff()
+                          : 0;
+    for (double& value : result) {
+        auto scaled = in_input_units(value, unit, power);
+        if (!scaled && std::abs(value) <= rounding)
+            scaled = 0;
+        if (!scaled)
+            throw InvalidInput(
+                fmt::format("{}: {:.3g} times the power {} of {:.3g} is no number of "
+                            "double precision; scale the mesh to a size nearer to 1",
+                            what, value, power, unit));
+        value = *scaled;
+    }
+    return result;
+}
+
+} // namespace polydec

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "dec/overlaps.h"
+
+#include "dec/discretization.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/over_meshes.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace polydec::test {
+namespace {
+
+using Cells = std::vector<Index>;
+
+Overlaps overlaps(const Mesh& mesh) {
+    return find_overlaps(SimplicialComplex(mesh.simplices), mesh.points);
+}
+
+class Overlapping : public OverMeshes {};
+
+TEST_P(Overlapping, no_mesh_of_the_family_does) {
+    const auto found = overlaps(mesh_named(GetParam()));
+    EXPECT_EQ(found.folded, Cells{});
+    EXPECT_EQ(found.wound, Cells{});
+}
+
+POLYDEC_OVER_MESHES(Overlapping);
+
+/// n-cubes, two on a side, with the vertex in the middle drawn out of them.
+Mesh turned_inside_out(int n) {
+    Mesh mesh = kuhn(n, 2);
+    Vector middle = Vector::Constant(n, 0.5);
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        if ((mesh.points.row(v).transpose() - middle).norm() < 1e-9)
+            for (int axis = 0; axis < n; ++axis)
+                mesh.points(v, axis) += 0.9 + 0.01 * axis;
+    return mesh;
+}
+
+/// Cells whose determinant has the other sign than those of most.
+Cells by_determinant(const SimplicialComplex& K, const Points& points) {
+    const int n = K.dimension();
+    Cells positive, negative;
+    for (Index t = 0; t < K.size(n); ++t) {
+        DenseMatrix edges(n, n);
+        for (int i = 0; i < n; ++i)
+            edges.row(i) = points.row(K.simplices(n)(t, i + 1)) - points.row(K.simplices(n)(t, 0));
+        (edges.determinant() * K.orientation(t) > 0 ? positive : negative).push_back(t);
+    }
+    return positive.size() < negative.size() ? positive : negative;
+}
+
+class Folds : public testing::TestWithParam<int> {};
+
+TEST_P(Folds, are_the_cells_that_a_moved_vertex_turns_over) {
+    const Mesh mesh = turned_inside_out(GetParam());
+    const auto expected = by_determinant(SimplicialComplex(mesh.simplices), mesh.points);
+    ASSERT_FALSE(expected.empty());
+    for (const double size : {1.0, 1e-150, 1e150}) {
+        Mesh scaled = mesh;
+        scaled.points *= size;
+        const auto found = overlaps(scaled);
+        EXPECT_EQ(found.folded, expected);
+        EXPECT_EQ(found.wound, Cells{});
+    }
+    EXPECT_TRUE(overlaps(kuhn(GetParam(), 2)).folded.empty()) << "before it was moved";
+}
+
+TEST_P(Folds, do_not_depend_on_the_order_of_cells_and_corners) {
+    const Mesh mesh = turned_inside_out(GetParam());
+    Mesh other = mesh;
+    for (Index t = 0; t < mesh.simplices.rows(); ++t) {
+        other.simplices.row(t) = mesh.simplices.row(mesh.simplices.rows() - 1 - t);
+        if (t % 3 == 0)
+            other.simplices.row(t).reverseInPlace();
+    }
+    EXPECT_EQ(overlaps(other).folded, overlaps(mesh).folded);
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, Folds, testing::Values(1, 2, 3, 4, 5));
+
+/// Simplices around the origin in R^n, n >= 2: a circle of `corners` points that is run through
+/// `turns` times, joined with the origin and with the unit points of the other axes, both ways.
+Mesh winding(int n, int corners, int turns) {
+    const int others = n - 2, ring = corners * turns;
+    Mesh mesh{Points::Zero(1 + ring + 2 * others, n), Simplices(ring << others, n + 1), {}};
+    for (int i = 0; i < ring; ++i) {
+        mesh.points(1 + i, 0) = std::cos(2 * std::numbers::pi * i / corners);
+        mesh.points(1 + i, 1) = std::sin(2 * std::numbers::pi * i / corners);
+    }
+    for (int axis = 0; axis < others; ++axis) {
+        mesh.points(1 + ring + 2 * axis, 2 + axis) = 1;
+        mesh.points(2 + ring + 2 * axis, 2 + axis) = -1;
+    }
+    Index row = 0;
+    for (int i = 0; i < ring; ++i)
+        for (int side = 0; side < 1 << others; ++side, ++row) {
+            mesh.simplices.row(row).head(3) << 0, 1 + i, 1 + (i + 1) % ring;
+            for (int axis = 0; axis < others; ++axis)
+                mesh.simplices(row, 3 + axis) = 1 + ring + 2 * axis + (side >> axis & 1);
+        }
+    return mesh;
+}
+
+class Windings : public testing::TestWithParam<int> {};
+
+TEST_P(Windings, are_found_around_inner_vertices_where_nothing_is_folded) {
+    const int n = GetParam();
+    for (const int turns : {2, 3}) {
+        const auto found = overlaps(winding(n, 5, turns));
+        EXPECT_EQ(found.folded, Cells{});
+        ASSERT_FALSE(found.wound.empty());
+        EXPECT_EQ(found.wound.front(), 0);
+    }
+    const auto once = overlaps(winding(n, 5, 1));
+    EXPECT_EQ(once.folded, Cells{});
+    EXPECT_EQ(once.wound, Cells{}) << "wound once";
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, Windings, testing::Values(2, 3, 4, 5));
+
+TEST(Overlapping, of_a_path_that_turns_back_is_a_fold) {
+    EXPECT_EQ(overlaps(made_of({{0}, {1}, {0.5}}, {{0, 1}, {1, 2}})).folded, Cells{1});
+    EXPECT_EQ(overlaps(made_of({{0}, {1}, {1.5}}, {{0, 1}, {1, 2}})).folded, Cells{});
+}
+
+TEST(Overlapping, of_three_triangles_at_one_edge_of_the_plane_cannot_be_avoided) {
+    const auto mesh =
+        made_of({{0, 0}, {1, 0}, {0.5, 1}, {0.5, -1}, {0.5, 2}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+    EXPECT_EQ(overlaps(mesh).folded, Cells{2});
+}
+
+TEST(Overlapping, is_not_asked_of_surfaces_in_space) {
+    Mesh mesh = turned_inside_out(2);
+    mesh.points.conservativeResize(Eigen::NoChange, 3);
+    mesh.points.col(2).setZero();
+    EXPECT_EQ(overlaps(mesh).folded, Cells{});
+}
+
+TEST(Overlapping, is_not_concluded_from_a_cell_that_is_flat_but_for_rounding) {
+    // 0.1 + 0.2 is 0.3 but for the last digit, on one side or the other
+    const double above = 0.1 + 0.2, below = 2 * 0.3 - above;
+    for (const double height : {above, below})
+        EXPECT_EQ(overlaps(made_of({{0, 0.3}, {1, 0.3}, {0.5, height}, {0.5, 1}, {0.5, -1}},
+                                   {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {1, 0, 4}}))
+                      .folded,
+                  Cells{});
+}
+
+TEST(Discretize, tells_of_folds_and_windings) {
+    Mesh mesh = grid(2, 2);
+    mesh.points.row(4) << 0.9, 1.3;
+    const auto folded = discretize(mesh).warnings;
+    ASSERT_EQ(folded.size(), 1U);
+    EXPECT_EQ(folded[0].substr(0, folded[0].find(" (vertices")),
+              "the mesh is folded: 1 of 8 cells lies over its neighbors");
+    EXPECT_EQ(discretize(winding(2, 5, 2)).warnings,
+              (std::vector<std::string>{
+                  "the mesh overlaps itself: cells around 1 vertex lie over each other without a "
+                  "fold (vertex 0): what is computed is for the mesh as it is glued, not for the "
+                  "region that it covers"}));
+    EXPECT_EQ(discretize(made_of({{0}, {1}, {0.5}}, {{0, 1}, {1, 2}})).warnings,
+              (std::vector<std::string>{
+                  "the mesh is folded: 1 of 2 cells lies over its neighbors (vertices 1 2): what "
+                  "is computed is for the folded mesh, not for the region that it covers"}));
+}
+
+} // namespace
+} // namespace polydec::test

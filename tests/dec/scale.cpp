@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "dec/discretization.h"
+#include "dec/glued_volumes.h"
+#include "dec/star.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "tests/support/glued.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+/// 1e-150 .. 1e150 as even powers of two, and two that need no other unit.
+constexpr int exponents[] = {-500, -332, -26, 26, 332, 500};
+
+Mesh scaled(Mesh mesh, double size) {
+    mesh.points *= size;
+    return mesh;
+}
+
+LengthMesh scaled(LengthMesh mesh, double size) {
+    mesh.lengths *= size;
+    return mesh;
+}
+
+/// The volumes of both, equal bit by bit once each number has its power of `size`.
+void expect_scaled(const CellVolumes& volumes, const CellVolumes& original, double size) {
+    const int n = original.dimension();
+    ASSERT_EQ(volumes.dimension(), n);
+    for (int k = 0; k <= n; ++k) {
+        ASSERT_EQ(volumes.primal(k).size(), original.primal(k).size());
+        EXPECT_EQ(volumes.primal(k), std::pow(size, k) * original.primal(k)) << "degree " << k;
+        EXPECT_EQ(volumes.dual(k), std::pow(size, n - k) * original.dual(k)) << "degree " << k;
+    }
+}
+
+/// What `mesh` becomes at every size is what it is at size 1, in other units.
+template <class AnyMesh>
+void expect_equal_at_all_sizes(const AnyMesh& mesh, const MergeOptions& options) {
+    const auto original = discretize(mesh, options);
+    ASSERT_EQ(original.unit, 1);
+    for (const int exponent : exponents) {
+        const double size = std::exp2(exponent);
+        const auto found = discretize(scaled(mesh, size), options);
+        const double rest = size / found.unit;
+        EXPECT_EQ(found.unit != 1, std::abs(exponent) > 40);
+        EXPECT_EQ(found.warnings.size(), original.warnings.size() + (found.unit != 1 ? 1 : 0));
+        EXPECT_EQ(found.points, rest * original.points);
+        expect_scaled(found.volumes, original.volumes, rest);
+        expect_scaled(found.input_volumes, original.input_volumes, rest);
+        EXPECT_EQ(found.degenerate.interior, original.degenerate.interior);
+    }
+}
+
+class AtAllSizes : public OverMeshes {};
+
+TEST_P(AtAllSizes, meshes_have_the_same_cells_and_volumes_in_their_units) {
+    expect_equal_at_all_sizes(mesh_named(GetParam()), {});
+}
+
+TEST_P(AtAllSizes, lengths_alone_give_them_too) {
+    expect_equal_at_all_sizes(length_mesh(mesh_named(GetParam())), {});
+}
+
+POLYDEC_OVER_MESHES(AtAllSizes);
+
+class FlippedAtAllSizes : public testing::TestWithParam<std::string> {};
+
+TEST_P(FlippedAtAllSizes, surfaces_are_flipped_and_split_alike) {
+    const Mesh mesh = shaken(mesh_named(GetParam()), 0.25, 7);
+    for (const Delaunay delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
+        expect_equal_at_all_sizes(mesh, {.delaunay = delaunay});
+        expect_equal_at_all_sizes(length_mesh(mesh), {.delaunay = delaunay});
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Family, FlippedAtAllSizes,
+                         testing::Values("uv_sphere7x5", "torus9x5", "annulus9", "moebius12x2",
+                                         "grid4", "hexagons5"),
+                         parameter_name);
+
+TEST(AtAllSizes, flips_by_themselves_lead_to_the_same_surface) {
+    const Mesh mesh = shaken(icosphere(4), 0.25, 7);
+    const SimplicialComplex K(mesh.simplices);
+    const Vector lengths = edge_lengths(K, mesh.points);
+    const auto original = intrinsic_delaunay(GluedSurface(K), lengths);
+    ASSERT_GT(original.statistics.flips, 0);
+    for (const int exponent : exponents) {
+        const double size = std::exp2(exponent);
+        const auto found = intrinsic_delaunay(GluedSurface(K), size * lengths);
+        EXPECT_EQ(found.lengths, size * original.lengths);
+        EXPECT_EQ(found.statistics.flips, original.statistics.flips);
+    }
+}
+
+TEST(Units, are_told_in_a_warning) {
+    EXPECT_EQ(discretize(scaled(grid(1, 1), std::exp2(500))).warnings,
+              (std::vector<std::string>{"the lengths of the mesh are far from 1: it is measured in "
+                                        "units of 2^500 = 3.27e+150"}));
+    EXPECT_EQ(discretize(scaled(length_mesh(grid(1, 1)), std::exp2(-333))).warnings,
+              (std::vector<std::string>{"the lengths of the mesh are far from 1: it is measured in "
+                                        "units of 2^-334 = 2.86e-101"}));
+}
+
+TEST(MixedSizes, are_right_or_refused_by_name) {
+    // a square of size 1 and one that is far smaller
+    const auto both = [](double size) {
+        return united(grid(2, 2), transformed(grid(2, 2), DenseMatrix::Identity(2, 2), size, 3));
+    };
+    const auto flat = discretize(both(1e-3));
+    EXPECT_EQ(flat.unit, 1);
+    const auto apart = [](double size) {
+        Mesh mesh = kuhn(1, 1);
+        mesh.points.conservativeResize(4, Eigen::NoChange);
+        mesh.points.col(0) << 2, 3, 0, size;
+        mesh.simplices.resize(2, 2);
+        mesh.simplices << 0, 1, 2, 3;
+        return mesh;
+    };
+    EXPECT_EQ(star(discretize(apart(1e-90)).volumes, 1)[1], 1 / 1e-90);
+    EXPECT_EQ(refusal([&] { discretize(apart(1e-150)); }),
+              "the 1-simplex with vertices 2, 3 has volume 1e-150: products of such volumes are no "
+              "numbers; scale the mesh to a size nearer to 1, or leave out what is so much "
+              "smaller");
+}
+
+TEST(MixedSizes, of_glued_triangles_are_refused_by_name) {
+    const GluedSurface surface(SimplicialComplex(grid(1, 1).simplices));
+    EXPECT_EQ(refusal([&] { circumcentric_volumes(surface, Vector::Constant(5, 1e-90)); }),
+              "edge 0 from vertex 0 to 1 has length 1e-90: measure the surface in units nearer to "
+              "it, or leave out what is so much smaller than the rest");
+}
+
+} // namespace
+} // namespace polydec::test
