@@ -55,9 +55,10 @@ class Json(TestCase):
         self.assertGreater(proof["shift"], answer["eigenvalues"][-1])
 
     def test_spectra_and_poisson_say_which_condition_held_on_the_boundary(self):
-        values, flow = "values 0 on the boundary (Dirichlet)", "no flow through the boundary (Neumann)"
-        mixed = "values 0 on 4 of 16 boundary facets (Dirichlet), no flow through 12 of 16 boundary " \
-            "facets (Neumann)"
+        values = "values 0 on the boundary (Dirichlet)"
+        flow = "no flow through the boundary (Neumann)"
+        mixed = "values 0 on 4 of 16 boundary facets (Dirichlet), " \
+            "no flow through 12 of 16 boundary facets (Neumann)"
         # exact: 0, 2 pi^2, pi^2 / 4
         asked = (([], None), (["--natural"], flow), (["--essential-where", "1"], values),
                  (["--essential-where", "x<0.001"], mixed))
@@ -71,12 +72,13 @@ class Json(TestCase):
                                        delta=0.06 * known[words or built_in] + 1e-9)
         for side in ("primal", "dual"):
             for options, words in asked[1:] + (([], values),):
-                answer = self.ask("poisson", golden("grid4.nsc"), "--side", side, "--rhs=0", *options)
+                answer = self.ask("poisson", golden("grid4.nsc"), "--side", side, "--rhs=0",
+                                  *options)
                 self.assertEqual(answer["conditions"], words)
-            given = self.ask("poisson", golden("grid4.nsc"), "--side", side, "--rhs=0", "--boundary",
-                             "x", "--flux", "y", "--essential-where", "x<0.001")
-            self.assertEqual(given["conditions"],
-                             mixed.replace("values 0", "values given").replace("no flow", "flow given"))
+            given = self.ask("poisson", golden("grid4.nsc"), "--side", side, "--rhs=0",
+                             "--boundary", "x", "--flux", "y", "--essential-where", "x<0.001")
+            words = mixed.replace("values 0", "values given").replace("no flow", "flow given")
+            self.assertEqual(given["conditions"], words)
         told = run("spectrum", golden("grid4.nsc"), "--side", "dual", "--degree", 0)
         self.assertIn("\n" + values + "\n", told.out)
         both = run("spectrum", golden("grid4.nsc"), "--side", "dual", "--degree", 0, "--natural",
@@ -93,7 +95,8 @@ class Json(TestCase):
                         file.write(f"{i / 10 + jitter * math.sin(7 * i + 3 * j)} {j / 10} 0\n")
                 for i in range(10):
                     for j in range(10):
-                        file.write(f"{(i + .5) / 10} {(j + .5) / 10 + jitter * math.cos(i + j)} 0\n")
+                        y = (j + .5) / 10 + jitter * math.cos(i + j)
+                        file.write(f"{(i + .5) / 10} {y} 0\n")
                 for i in range(10):
                     for j in range(10):
                         a, b, middle = 11 * i + j, 11 * i + j + 11, 121 + 10 * i + j
