@@ -67,7 +67,7 @@ TEST(SizeEstimate, is_looked_at_before_a_complex_is_built) {
     set_memory_limit(100000000);
     EXPECT_NO_THROW(SimplicialComplex(apart(12, 1)));
     EXPECT_THROW(SimplicialComplex(apart(20, 1)), IoError);
-    EXPECT_THROW(SimplicialComplex(apart(200, 1)), IoError);
+    EXPECT_THROW(SimplicialComplex(apart(28, 1)), IoError);
     set_memory_limit(machine_memory());
 }
 
