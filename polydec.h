@@ -21,6 +21,7 @@
 #include "complex/simplicial_complex.h"
 #include "dec/apply.h"
 #include "dec/boundary_conditions.h"
+#include "dec/conditioned_complex.h"
 #include "dec/cell_centers.h"
 #include "dec/cell_volumes.h"
 #include "dec/circumsphere.h"

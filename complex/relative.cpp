@@ -13,27 +13,53 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 
-void check_closed(const CellComplex& complex, const CellMarks& dropped) {
-    const int n = complex.dimension();
-    for (int k = 0; k <= n; ++k)
+void check_marks(const CellComplex& complex, const CellMarks& dropped) {
+    for (int k = 0; k <= complex.dimension(); ++k)
         if (static_cast<int>(dropped.size()) <= k ||
             static_cast<Index>(dropped[k].size()) != complex.size(k))
             throw InvalidInput(fmt::format("a relative complex needs to be told of each of the {} "
                                            "{}-cells whether it is dropped",
                                            complex.size(k), k));
-    for (int k = 1; k <= n; ++k) {
-        const auto check = [&, k](Index t, Index s) {
-            if (dropped[k][t] && !dropped[k - 1][s])
-                throw InvalidInput(fmt::format("the {}-cell {} is to be dropped but not its "
-                                               "face, the {}-cell {}: drop both or none",
-                                               k, t, k - 1, s));
-        };
-        for (Index t = 0; t < complex.size(k); ++t)
-            for (Row s(complex.coboundary(k - 1), t); s; ++s)
-                check(t, static_cast<Index>(s.col()));
-        for (const auto& [t, s] : complex.canceled(k - 1))
-            check(t, s);
+}
+
+/// Calls visit(k, s, t) for every k-cell s that is a face of t.
+template <class Visit>
+void for_each_incidence(const CellComplex& complex, Visit visit) {
+    for (int k = 0; k < complex.dimension(); ++k) {
+        for (Index t = 0; t < complex.size(k + 1); ++t)
+            for (Row s(complex.coboundary(k), t); s; ++s)
+                visit(k, static_cast<Index>(s.col()), t);
+        for (const auto& [t, s] : complex.canceled(k))
+            visit(k, s, t);
     }
+}
+
+void check_closed(const CellComplex& complex, const CellMarks& dropped) {
+    check_marks(complex, dropped);
+    for_each_incidence(complex, [&](int k, Index s, Index t) {
+        if (dropped[k + 1][t] && !dropped[k][s])
+            throw InvalidInput(fmt::format("the {}-cell {} is to be dropped but not its "
+                                           "face, the {}-cell {}: drop both or none",
+                                           k + 1, t, k, s));
+    });
+}
+
+void check_open(const CellComplex& complex, const CellMarks& dropped) {
+    check_marks(complex, dropped);
+    for_each_incidence(complex, [&](int k, Index s, Index t) {
+        if (dropped[k][s] && !dropped[k + 1][t])
+            throw InvalidInput(fmt::format("the {}-cell {} is to be dropped as part of an open "
+                                           "set but not its coface, the {}-cell {}: drop both or "
+                                           "none",
+                                           k, s, k + 1, t));
+    });
+}
+
+CellMarks no_cells(const CellComplex& complex) {
+    CellMarks marks;
+    for (int k = 0; k <= complex.dimension(); ++k)
+        marks.emplace_back(complex.size(k), false);
+    return marks;
 }
 
 /// d_k between the kept cells, whose numbers are `cells`; number[s] is the new one of k-cell s.
@@ -60,7 +86,13 @@ Vector RelativeComplex::extend(int k, const Vector& kept) const {
 }
 
 RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dropped) {
-    check_closed(complex, dropped);
+    return relative_complex(complex, dropped, no_cells(complex));
+}
+
+RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& closed,
+                                 const CellMarks& open) {
+    check_closed(complex, closed);
+    check_open(complex, open);
     const int n = complex.dimension();
     std::vector<std::vector<Index>> cells(n + 1), numbers(n + 1), counts(n);
     std::vector<Index> sizes;
@@ -68,7 +100,7 @@ RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dr
         sizes.push_back(complex.size(k));
         numbers[k].assign(complex.size(k), -1);
         for (Index s = 0; s < complex.size(k); ++s)
-            if (!dropped[k][s]) {
+            if (!closed[k][s] && !open[k][s]) {
                 numbers[k][s] = static_cast<Index>(cells[k].size());
                 cells[k].push_back(s);
                 if (k < n)
@@ -79,7 +111,7 @@ RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dr
     std::vector<std::vector<Incidence>> canceled(n);
     for (int k = 0; k < n; ++k) {
         for (const auto& [t, s] : complex.canceled(k))
-            if (!dropped[k + 1][t] && !dropped[k][s])
+            if (numbers[k + 1][t] >= 0 && numbers[k][s] >= 0)
                 canceled[k].push_back({numbers[k + 1][t], numbers[k][s]});
         coboundaries.push_back(kept_part(complex.coboundary(k), cells[k + 1], numbers[k],
                                          static_cast<Index>(cells[k].size())));

@@ -24,6 +24,12 @@ struct RelativeComplex {
 /// Throws InvalidInput, naming the cells, if the set is not closed or does not fit the complex.
 RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dropped);
 
+/// The same without an open set of cells too (with each cell, all its cofaces): seen from the dual
+/// cells, which have their faces and cofaces the other way around, that is a closed one. d d = 0
+/// holds on what is left. Throws like the above, and if the second set is not open.
+RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& closed,
+                                 const CellMarks& open);
+
 /// The complex relative to its boundary.
 RelativeComplex relative_to_boundary(const CellComplex& complex);
 

@@ -5,7 +5,75 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace polydec {
+
+namespace {
+
+void check_number(const CellComplex& complex, const BoundaryConditions& conditions) {
+    const int n = complex.dimension();
+    if (!conditions.facets.empty() &&
+        static_cast<Index>(conditions.facets.size()) != complex.size(n - 1))
+        throw InvalidInput(fmt::format("{} boundary conditions are given: expected one for each of "
+                                       "the {} {}-cells, or one for all",
+                                       conditions.facets.size(), complex.size(n - 1), n - 1));
+}
+
+/// Of a form of this degree; where is "the boundary" or how many of its facets.
+std::string in_words(BoundaryCondition condition, int degree, int n, const BoundaryData& data,
+                     const std::string& where) {
+    const bool essential = condition == BoundaryCondition::essential;
+    if (degree > 0 && degree < n)
+        return fmt::format("{} part {} on {}", essential ? "tangential" : "normal",
+                           (essential ? data.values : data.flow) ? "given" : "0", where);
+    // the star takes an n-form to the 0-form that is its density
+    if (essential == (degree == 0))
+        return fmt::format("values {} on {} (Dirichlet)", data.values ? "given" : "0", where);
+    return fmt::format("{} through {} (Neumann)", data.flow ? "flow given" : "no flow", where);
+}
+
+} // namespace
+
+BoundaryConditions built_in_conditions(Side side) {
+    return {side == Side::primal ? BoundaryCondition::natural : BoundaryCondition::essential};
+}
+
+BoundaryConditions exchanged(BoundaryConditions conditions) {
+    const auto other = [](BoundaryCondition condition) {
+        return condition == BoundaryCondition::essential ? BoundaryCondition::natural
+                                                         : BoundaryCondition::essential;
+    };
+    conditions.everywhere = other(conditions.everywhere);
+    std::transform(conditions.facets.begin(), conditions.facets.end(), conditions.facets.begin(),
+                   other);
+    return conditions;
+}
+
+std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
+                     const BoundaryData& data) {
+    check_number(complex, conditions);
+    const int n = complex.dimension();
+    Index facets = 0, essential = 0;
+    for (Index f = 0; f < complex.size(n - 1); ++f)
+        if (complex.coface_counts(n - 1)[f] == 1) {
+            ++facets;
+            essential += conditions.at(f) == BoundaryCondition::essential ? 1 : 0;
+        }
+    if (facets == 0)
+        return "no boundary";
+    const auto words = [&](BoundaryCondition condition, Index count) {
+        return in_words(condition, degree, n, data,
+                        count == facets ? "the boundary"
+                                        : fmt::format("{} of {} boundary facets", count, facets));
+    };
+    if (essential == facets)
+        return words(BoundaryCondition::essential, facets);
+    if (essential == 0)
+        return words(BoundaryCondition::natural, facets);
+    return words(BoundaryCondition::essential, essential) + ", " +
+           words(BoundaryCondition::natural, facets - essential);
+}
 
 BoundaryConditions essential_where(const Points& sites,
                                    const std::function<bool(const Vector& site)>& predicate) {
@@ -18,12 +86,8 @@ BoundaryConditions essential_where(const Points& sites,
 }
 
 CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions) {
+    check_number(complex, conditions);
     const int n = complex.dimension();
-    if (!conditions.facets.empty() &&
-        static_cast<Index>(conditions.facets.size()) != complex.size(n - 1))
-        throw InvalidInput(fmt::format("{} boundary conditions are given: expected one for each of "
-                                       "the {} {}-cells, or one for all",
-                                       conditions.facets.size(), complex.size(n - 1), n - 1));
     CellMarks marks;
     for (int k = 0; k <= n; ++k)
         marks.emplace_back(complex.size(k), false);

@@ -3,15 +3,17 @@
 
 #include "complex/relative.h"
 #include "dec/cell_volumes.h"
+#include "dec/side.h"
 
 #include <functional>
+#include <string>
 
 namespace polydec {
 
-/// What is known at a facet of the boundary, for forms of any degree.
+/// What is known at a facet of the boundary, for forms of any degree and of either side.
 enum class BoundaryCondition {
-    essential, ///< the values of the form (its trace) are given: Dirichlet for functions
-    natural,   ///< what flows through is given, by default nothing: Neumann for functions
+    essential, ///< the values of the form (its trace) are given: Dirichlet for 0-forms
+    natural,   ///< what flows through is given, by default nothing: Neumann for 0-forms
 };
 
 /// The conditions on the boundary: one everywhere, or one for each facet.
@@ -22,6 +24,29 @@ struct BoundaryConditions {
 
     BoundaryCondition at(Index facet) const { return facets.empty() ? everywhere : facets[facet]; }
 };
+
+/// What holds where nothing is done about the boundary: natural everywhere for primal forms; for
+/// dual forms essential with values 0, because their derivative leaves out what lies on the
+/// boundary. So primal 0-forms have Neumann's condition by themselves, dual ones Dirichlet's.
+BoundaryConditions built_in_conditions(Side side);
+
+/// The conditions with essential and natural exchanged: those of the star of a form, which takes
+/// values at the boundary to what flows through it.
+BoundaryConditions exchanged(BoundaryConditions conditions);
+
+/// Whether what is known on the boundary can be other than 0.
+struct BoundaryData {
+    bool values = false;
+    bool flow = false;
+};
+
+/// What conditions mean for forms of this degree, in words: for 0-forms "values 0 on the boundary
+/// (Dirichlet)" or "no flow through the boundary (Neumann)", for n-forms the same of their density,
+/// in between "tangential part 0 on the boundary" or "normal part 0 on the boundary"; of mixed ones
+/// both with the numbers of facets; "no boundary" where there is none.
+/// Throws InvalidInput if there are conditions but not one for each facet.
+std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
+                     const BoundaryData& data = {});
 
 /// Mixed conditions: essential where the predicate holds of a facet's site, natural elsewhere.
 /// sites has a row of coordinates for each (n-1)-cell, e.g. their circumcenters (cell_centers).

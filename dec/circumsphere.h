@@ -2,16 +2,20 @@
 #pragma once
 
 #include "dec/simplex_metric.h"
+#include "dec/two_doubles.h"
 
 #include <array>
 #include <cmath>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace polydec {
 
 /// Volume and circumscribed sphere of one simplex after another, of any dimension k in R^N. Works
-/// by orthogonalizing the edge vectors, so flat simplices lose as few digits as can be.
+/// by orthogonalizing the edge vectors, of flat simplices with twice the digits of a double, so
+/// that volume, radius and barycentric coordinates (beside the largest of them) are right to the
+/// last few digits whatever the shape.
 class Circumsphere {
 public:
     /// For simplices whose corners a SimplexLayout places.
@@ -45,12 +49,12 @@ public:
     }
 
 private:
-    template <int k_fixed, int N_fixed>
+    template <class Number, int k_fixed, int N_fixed>
     bool look(std::span<const Index> vertices);
 
     const Points* points_ = nullptr;
     std::array<double, 32> barycentric_{}; // more vertices no simplex of a complex has
-    std::vector<double> scratch_;
+    std::tuple<std::vector<double>, std::vector<TwoDoubles>> scratch_;
     int dimension_ = 0;
     double volume_ = 0;
     double squared_radius_ = 0;

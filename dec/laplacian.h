@@ -17,12 +17,16 @@ SparseMatrix codifferential(const CellComplex& complex, const CellVolumes& volum
 SparseMatrix dual_codifferential(const CellComplex& complex, const CellVolumes& volumes, int j);
 
 /// Laplace-de Rham operator on primal k-forms, d delta + delta d: positive semidefinite where the
-/// stars are positive. size(k) x size(k); units length^-2. Boundary conditions are the natural
-/// ones. Throws InvalidInput, naming the cells, if star_(k-1), or star_k for k < n, has a zero.
+/// stars are positive. size(k) x size(k); units length^-2. Nothing flows through the boundary: for
+/// k = 0 Neumann's condition, for 0 < k < n the normal part is 0; the density of n-forms is 0 there
+/// (Dirichlet). Throws InvalidInput, naming the cells, if star_(k-1), or star_k for k < n, has a
+/// zero.
 SparseMatrix laplacian(const CellComplex& complex, const CellVolumes& volumes, int k);
 
 /// Laplace-de Rham operator on dual j-forms: star_k Delta_k star_k^-1 with k = n-j, on the k-cells.
-/// Throws like laplacian.
+/// Their values on the boundary are 0: for j = 0 Dirichlet's condition, for 0 < j < n the
+/// tangential part is 0; nothing flows out of the density of n-forms (Neumann). Throws like
+/// laplacian.
 SparseMatrix dual_laplacian(const CellComplex& complex, const CellVolumes& volumes, int j);
 
 /// star_k Delta_k = d_k^T star_(k+1) d_k + star_k d_(k-1) star_(k-1)^-1 d_(k-1)^T star_k:

@@ -3,6 +3,7 @@
 
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "dec/conditioned_complex.h"
 #include "dec/laplacian.h"
 #include "dec/star.h"
 #include "solvers/positive_mass.h"
@@ -11,10 +12,30 @@
 
 namespace polydec {
 
+namespace {
+
+RelativeComplex absolute(const CellComplex& complex) {
+    return relative_complex(complex, essential_cells(complex, built_in_conditions(Side::primal)));
+}
+
+} // namespace
+
 HeatSolver::HeatSolver(const CellComplex& complex, const CellVolumes& volumes, Side side,
                        int degree, const HeatOptions& options)
-    : complex_(complex), side_(side), degree_(degree) {
+    : HeatSolver(complex, ConditionedComplex{absolute(complex), volumes}, side, degree, options) {}
+
+HeatSolver::HeatSolver(const Discretization& discretization, const BoundaryConditions& conditions,
+                       Side side, int degree, const HeatOptions& options)
+    : HeatSolver(discretization.complex(), conditioned_complex(discretization, side, conditions),
+                 side, degree, options) {}
+
+HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space, Side side,
+                       int degree, const HeatOptions& options)
+    : complex_(whole), side_(side), degree_(degree) {
+    const CellComplex& complex = space.relative.complex;
+    const CellVolumes& volumes = space.volumes;
     const int k = cell_degree(complex, side, degree);
+    kept_ = space.relative.cells[k];
     check_positive_mass(volumes, side, degree, k);
     if (!(options.time_step > 0))
         throw InvalidInput(
@@ -43,10 +64,13 @@ Cochain HeatSolver::step(const Cochain& form) {
                                        name(form.side), form.degree, name(side_), degree_));
     // dual forms are stars of primal ones, and stars commute with the Laplacian
     const bool primal = side_ == Side::primal;
-    const Vector w = primal ? form.values : Vector(form.values.cwiseQuotient(mass_));
+    const Vector values = form.values(kept_);
+    const Vector w = primal ? values : Vector(values.cwiseQuotient(mass_));
     const Vector right_side = mass_.cwiseProduct(w) - explicit_part_ * (stiffness_ * w);
     const Vector next = solver_->solve(right_side);
-    return {side_, degree_, primal ? next : Vector(mass_.cwiseProduct(next))};
+    Vector result = Vector::Zero(form.values.size());
+    result(kept_) = primal ? next : Vector(mass_.cwiseProduct(next));
+    return {side_, degree_, std::move(result)};
 }
 
 } // namespace polydec

@@ -3,6 +3,7 @@
 
 #include "backends/linear_solver.h"
 #include "dec/cochain.h"
+#include "dec/conditioned_complex.h"
 
 #include <memory>
 #include <string>
@@ -22,8 +23,9 @@ struct HeatOptions {
 };
 
 /// The heat equation du/dt = -Delta u for primal or dual forms of any degree, with one
-/// factorization for all steps. Boundary conditions are the natural ones; forms that vanish on the
-/// boundary are had on the complex relative to it.
+/// factorization for all steps. Without conditions given, those hold that need nothing done about
+/// the boundary (see built_in_conditions): for 0-forms nothing flows through the boundary (Neumann)
+/// if they are primal; values are 0 on it (Dirichlet) if they are dual.
 class HeatSolver {
 public:
     /// Throws InvalidInput if there is no such degree, the mass of these forms is not positive or a
@@ -31,11 +33,21 @@ public:
     HeatSolver(const CellComplex& complex, const CellVolumes& volumes, Side side, int degree,
                const HeatOptions& options);
 
+    /// Under homogeneous conditions on the boundary, those of conditioned_complex: values that they
+    /// fix are 0 after every step, whatever they were before. Dual forms need no boundary facet to
+    /// have a dual. Throws also if there are conditions but not one for each facet.
+    HeatSolver(const Discretization& discretization, const BoundaryConditions& conditions,
+               Side side, int degree, const HeatOptions& options);
+
     /// The form one step later. Throws InvalidInput for a form of another kind.
     Cochain step(const Cochain& form);
 
 private:
+    HeatSolver(const CellComplex& whole, const ConditionedComplex& space, Side side, int degree,
+               const HeatOptions& options);
+
     CellComplex complex_;
+    std::vector<Index> kept_; // the cells whose values are not fixed at 0
     Side side_;
     int degree_;
     double explicit_part_; // of the time step

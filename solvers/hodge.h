@@ -21,8 +21,9 @@ struct HodgeParts {
 /// regular_minor), where they are positive definite; so all that is needed is that the star of
 /// these forms is positive, and no Betti number need be known.
 ///
-/// On the whole complex the exact part is orthogonal to coclosed forms with natural boundary; for
-/// the decomposition with essential conditions hand over a relative complex and its volumes.
+/// On the whole complex the exact part of a primal form is orthogonal to coclosed forms that do not
+/// flow through the boundary, that of a dual form to all coclosed ones. For other conditions hand
+/// over the complex and the volumes of conditioned_complex.
 class HodgeSolver {
 public:
     /// Throws InvalidInput if there is no such degree or, naming the cells, if the star of these

@@ -10,7 +10,8 @@ namespace polydec {
 /// derivative -delta d E. For k = 1 in space this is Maxwell's equations with the electric field on
 /// edges and the magnetic flux through faces; on a merged Kuhn grid it is exactly the scheme of Yee
 /// 1966. For k = 0 it is the scalar wave equation in any dimension. On a complex relative to its
-/// boundary E vanishes there (a perfect conductor, a clamped membrane), else nothing flows out.
+/// boundary E vanishes there (a perfect conductor, a clamped membrane: Dirichlet for k = 0), else
+/// nothing flows out (Neumann).
 class Leapfrog {
 public:
     /// Throws InvalidInput if there is no degree k < n, if star_k is not positive or star_(k+1) has

@@ -20,7 +20,7 @@ struct TransportOptions {
 /// Vectors at some vertices of a two-sided surface, carried in parallel along shortest ways to all
 /// others by the vector heat method, with two factorizations for all sources. Heat that is vectors
 /// gives the directions; magnitudes are those of the nearest source, by two flows of ordinary heat.
-/// The natural condition holds at the boundary. As for GeodesicDistance, the heat flows longer
+/// No heat flows through the boundary (Neumann). As for GeodesicDistance, the heat flows longer
 /// where it would be too faint.
 /// Source: Sharp, Soliman, Crane, The Vector Heat Method, ACM Trans. Graph. 38(3), 2019.
 class ParallelTransport {

@@ -10,7 +10,9 @@ namespace polydec {
 
 struct PoissonOptions {
     Side side = Side::primal;
-    BoundaryConditions boundary = {}; ///< essential: u is given; natural: its normal derivative
+    /// Essential: u is given (Dirichlet); natural: its normal derivative is (Neumann). The same on
+    /// both sides; without more, u is given everywhere.
+    BoundaryConditions boundary = {};
     std::string linear_solver = "auto";
     Vector conductivity = {}; ///< kappa > 0 of each merged n-cell; empty: 1 everywhere
 };

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -37,6 +38,7 @@ struct Eigenvalues : Answer {
         json.member("side", name(spectrum.side));
         json.member("degree", spectrum.degree);
         json.member("eigenvalues", spectrum.eigenvalues);
+        json.member("radii", spectrum.radii);
         json.member("residuals", spectrum.residuals);
         json.object("certificate", [&] {
             json.member("shift", certificate.shift);
@@ -51,15 +53,16 @@ struct Eigenvalues : Answer {
 
     void write(Text& text) const override {
         text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
-             "{:>10}\n",
+             "{:>10}  {:>10}\n",
              name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
-             "residual");
+             "radius", "residual");
         for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-            text("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
-                 spectrum.residuals[i]);
+            text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
+                 spectrum.radii[i], spectrum.residuals[i]);
         const auto& certificate = spectrum.certificate;
         if (certificate.complete)
-            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
+            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed, each "
+                 "within its radius of the value\n",
                  certificate.below_shift, certificate.shift, certificate.returned_below_shift);
         else
             text("\nnot certified: copies of multiple eigenvalues may be missing\n");
@@ -90,14 +93,22 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
 }
 
 /// What is measured in length^-2, in the units of the file. What is rounding beside the largest
-/// eigenvalue may vanish.
+/// number may vanish; radii then grow by what is lost there.
 void use_input_units(Spectrum& spectrum, double unit) {
-    const double largest = spectrum.eigenvalues.cwiseAbs().maxCoeff();
+    if (unit == 1)
+        return;
+    auto& shift = spectrum.certificate.shift; // behind them all, where they are rounding alone
+    const double largest = std::max(spectrum.eigenvalues.cwiseAbs().maxCoeff(), std::abs(shift));
     in_input_units(Vector::Constant(1, largest), unit, -2, "eigenvalues");
     const auto convert = [&](double& value) { value = std::ldexp(value, -2 * std::ilogb(unit)); };
     std::for_each(spectrum.eigenvalues.begin(), spectrum.eigenvalues.end(), convert);
     std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
-    convert(spectrum.certificate.shift);
+    std::for_each(spectrum.radii.begin(), spectrum.radii.end(), convert);
+    convert(shift);
+    // the value and the radius are each off by half of the least number there is
+    for (double& radius : spectrum.radii)
+        if (radius < std::numeric_limits<double>::min())
+            radius += std::numeric_limits<double>::denorm_min();
 }
 
 void run(Arguments arguments) {

@@ -31,10 +31,7 @@ void mixed_poisson() {
 void first_eigenvalues() {
     const auto mesh = polydec::discretize(polydec::grid(32, 32));
     const auto print = [&](const polydec::BoundaryConditions& conditions) {
-        const auto fixed = polydec::essential_cells(mesh.complex(), conditions);
-        const auto relative = polydec::relative_complex(mesh.complex(), fixed);
-        const auto volumes = polydec::relative_volumes(relative, mesh.volumes);
-        const auto modes = polydec::spectrum(relative.complex, volumes, {.count = 1});
+        const auto modes = polydec::spectrum(mesh, conditions, {.count = 1});
         constexpr double pi = std::numbers::pi;
         const double value = modes.eigenvalues[0] / (pi * pi);
         std::cout << (std::abs(value) < 1e-10 ? 0 : value) << ' ';

@@ -171,5 +171,43 @@ TEST(RelativeComplexes, refuse_a_set_that_is_not_closed) {
               "dropped");
 }
 
+/// Everything that touches a vertex.
+CellMarks star_of_vertex(const CellComplex& complex, Index vertex) {
+    CellMarks marks;
+    for (int k = 0; k <= complex.dimension(); ++k)
+        marks.emplace_back(complex.size(k), false);
+    marks[0][vertex] = true;
+    for (int k = 0; k < complex.dimension(); ++k)
+        for (Index t = 0; t < complex.size(k + 1); ++t)
+            for (IncidenceMatrix::InnerIterator s(complex.coboundary(k), t); s; ++s)
+                if (marks[k][s.col()])
+                    marks[k + 1][t] = true;
+    return marks;
+}
+
+TEST(RelativeComplexes, without_a_closed_and_an_open_set_have_dd_0) {
+    for (const char* name : {"grid4", "kuhn3", "bcc2", "kuhn4"}) {
+        const auto& P = merged(name).P();
+        const auto relative =
+            relative_complex(P, boundary_cells(P), star_of_vertex(P, P.size(0) / 2));
+        for (int k = 0; k + 2 <= P.dimension(); ++k)
+            EXPECT_TRUE(is_zero(integers(relative.complex.coboundary(k + 1)) *
+                                integers(relative.complex.coboundary(k))))
+                << name;
+        EXPECT_LT(relative.complex.size(P.dimension()), P.size(P.dimension()));
+    }
+}
+
+TEST(RelativeComplexes, refuse_a_set_that_is_not_open) {
+    const auto& P = merged("grid4").P();
+    const auto closed = boundary_cells(P);
+    auto marks = star_of_vertex(P, 12);
+    std::fill(marks[2].begin(), marks[2].end(), false);
+    const auto message = refusal([&] { relative_complex(P, closed, marks); });
+    EXPECT_EQ(message.substr(message.find("is to be")).substr(0, 52),
+              "is to be dropped as part of an open set but not its ");
+    EXPECT_EQ(message.substr(0, 8), "the 1-ce");
+}
+
 } // namespace
 } // namespace polydec::test

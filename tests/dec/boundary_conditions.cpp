@@ -118,6 +118,38 @@ TEST(BoundaryData, of_a_cone_reaches_the_vertex_of_its_loop) {
     EXPECT_EQ(std::count(marks[0].begin(), marks[0].end(), true), 1);
 }
 
+TEST(BoundaryWords, say_what_holds_for_forms_of_each_degree) {
+    const auto& P = merged("kuhn3").P();
+    const BoundaryConditions essential{BoundaryCondition::essential};
+    const BoundaryConditions natural{BoundaryCondition::natural};
+    EXPECT_EQ(in_words(essential, P, 0), "values 0 on the boundary (Dirichlet)");
+    EXPECT_EQ(in_words(natural, P, 0), "no flow through the boundary (Neumann)");
+    EXPECT_EQ(in_words(essential, P, 1), "tangential part 0 on the boundary");
+    EXPECT_EQ(in_words(natural, P, 2), "normal part 0 on the boundary");
+    EXPECT_EQ(in_words(essential, P, 3), "no flow through the boundary (Neumann)");
+    EXPECT_EQ(in_words(natural, P, 3), "values 0 on the boundary (Dirichlet)");
+    EXPECT_EQ(in_words(essential, P, 0, {.values = true}),
+              "values given on the boundary (Dirichlet)");
+    EXPECT_EQ(in_words(natural, P, 0, {.flow = true}), "flow given through the boundary (Neumann)");
+    EXPECT_EQ(in_words(essential, merged("uv8").P(), 0), "no boundary");
+
+    const auto& squares = merged("grid4").P();
+    BoundaryConditions mixed;
+    mixed.facets.assign(squares.size(1), BoundaryCondition::natural);
+    for (Index f = 0, left = 3; left > 0; ++f)
+        if (squares.coface_counts(1)[f] == 1) {
+            mixed.facets[f] = BoundaryCondition::essential;
+            --left;
+        }
+    EXPECT_EQ(in_words(mixed, squares, 0),
+              "values 0 on 3 of 16 boundary facets (Dirichlet), no flow through 13 of 16 boundary "
+              "facets (Neumann)");
+    EXPECT_EQ(in_words(exchanged(mixed), squares, 0),
+              "values 0 on 13 of 16 boundary facets (Dirichlet), no flow through 3 of 16 boundary "
+              "facets (Neumann)");
+    EXPECT_EQ(exchanged(exchanged(mixed)).facets, mixed.facets);
+}
+
 TEST(BoundaryErrors, count_the_conditions) {
     const auto& P = merged("grid4").P();
     EXPECT_EQ(refusal([&] {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/boundary_conditions.h"
+#include "dec/discretization.h"
+
+namespace polydec {
+
+/// The complex and the volumes on which the forms of one side obey homogeneous boundary conditions:
+/// what takes a complex and its volumes (operators, spectra, heat, Hodge decompositions) acts on
+/// these forms there.
+struct ConditionedComplex {
+    RelativeComplex relative;
+    CellVolumes volumes;
+};
+
+/// Primal forms vanish on the essential facets and their faces, so these are left out. The star
+/// takes a dual form's values on the boundary to what flows out of a primal one, so for dual forms
+/// the natural facets and their faces are. Of the essential ones those without dual (see
+/// boundary_facets_without_dual) are left out with the n-cell beside each: its center lies on the
+/// boundary, where dual forms are 0.
+/// Linear time. Throws InvalidInput if there are conditions but not one for each facet.
+ConditionedComplex conditioned_complex(const Discretization& discretization, Side side,
+                                       const BoundaryConditions& conditions);
+
+} // namespace polydec

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "dec/cell_centers.h"
+#include "dec/conditioned_complex.h"
+#include "dec/facets_without_dual.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "solvers/heat.h"
+#include "solvers/hodge.h"
+#include "solvers/poisson.h"
+#include "solvers/spectrum.h"
+#include "tests/support/families.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+constexpr Side sides[] = {Side::primal, Side::dual};
+const BoundaryConditions dirichlet{BoundaryCondition::essential};
+const BoundaryConditions neumann{BoundaryCondition::natural};
+
+/// Every square of an m x m grid of the unit square cut into four by its diagonals.
+Mesh crossed_squares(int m) {
+    Mesh mesh;
+    const Index corners = (m + 1) * (m + 1);
+    mesh.points.resize(corners + m * m, 2);
+    mesh.simplices.resize(4 * m * m, 3);
+    for (int i = 0; i <= m; ++i)
+        for (int j = 0; j <= m; ++j)
+            mesh.points.row(i * (m + 1) + j) << double(i) / m, double(j) / m;
+    for (int i = 0; i < m; ++i)
+        for (int j = 0; j < m; ++j) {
+            const Index a = i * (m + 1) + j, b = a + m + 1, middle = corners + i * m + j;
+            mesh.points.row(middle) << (i + 0.5) / m, (j + 0.5) / m;
+            mesh.simplices.middleRows(4 * (i * m + j), 4) << a, b, middle, b, b + 1, middle, b + 1,
+                a + 1, middle, a + 1, a, middle;
+        }
+    return mesh;
+}
+
+Mesh in_single_precision(Mesh mesh) {
+    mesh.points = mesh.points.cast<float>().cast<double>();
+    return mesh;
+}
+
+double first_eigenvalue(const Mesh& input, Side side, const BoundaryConditions& conditions) {
+    return spectrum(discretize(input), conditions, {.side = side, .degree = 0, .count = 1})
+        .eigenvalues[0];
+}
+
+/// On the left of the boundary values are 0; no facet is near the place where that ends.
+BoundaryConditions left_part(const Discretization& mesh) {
+    const Points sites = cell_centers(mesh, mesh.dimension() - 1);
+    const double first = sites.col(0).minCoeff(), last = sites.col(0).maxCoeff();
+    const double end = first + 0.371 * (last - first);
+    return essential_where(sites, [=](const Vector& site) { return site[0] < end; });
+}
+
+TEST(CrossedSquares, have_one_dual_spectrum_exact_jittered_and_in_single_precision) {
+    const Mesh exact = crossed_squares(10);
+    ASSERT_EQ(discretize(exact).degenerate.boundary, 40);
+    EXPECT_NEAR(first_eigenvalue(exact, Side::dual, dirichlet), 19.5774, 5e-5);
+    for (const auto& other : {perturbed(exact, 1e-7, 1), perturbed(exact, 1e-7, 2),
+                              in_single_precision(exact), perturbed(exact, 1e-12, 3)})
+        EXPECT_NEAR(first_eigenvalue(other, Side::dual, dirichlet), 19.5774, 5e-5);
+    // dual 0-forms have Dirichlet's condition by themselves
+    const auto mesh = discretize(exact);
+    EXPECT_NEAR(spectrum(mesh, {.side = Side::dual, .count = 1}).eigenvalues[0], 19.5774, 5e-5);
+}
+
+/// Right angles opposite to boundary facets, in several dimensions; well-shaped otherwise.
+std::vector<Mesh> with_centers_on_the_boundary() {
+    return {crossed_squares(6), hexagons(5), fcc(2), mesh_named("fcc1"), mesh_named("hex4")};
+}
+
+/// The solver of the Poisson problem knows eigenfunctions, and eigenvalues those of its matrix.
+TEST(DualSpectra, have_the_modes_of_the_Poisson_problem_under_the_same_conditions) {
+    for (const auto& input : with_centers_on_the_boundary()) {
+        const auto mesh = discretize(input);
+        ASSERT_GT(mesh.degenerate.boundary, 0);
+        for (const auto& conditions : {dirichlet, left_part(mesh)}) {
+            const auto found =
+                spectrum(mesh, conditions, {.side = Side::dual, .degree = 0, .count = 4});
+            PoissonSolver poisson(mesh, {.side = Side::dual, .boundary = conditions});
+            const Vector zero = Vector::Zero(poisson.boundary_sites().rows());
+            for (Index i = 0; i < 4; ++i) {
+                const Vector mode = found.modes.col(i);
+                EXPECT_LE(
+                    relative_difference(poisson.solve(found.eigenvalues[i] * mode, zero), mode),
+                    1e-8)
+                    << i;
+                EXPECT_GT(
+                    relative_difference(poisson.solve(2 * found.eigenvalues[i] * mode, zero), mode),
+                    0.5);
+            }
+            // cells whose centers lie on the essential boundary have the value 0
+            EXPECT_GT((found.modes.col(0).array() == 0).count(), 0);
+        }
+    }
+}
+
+TEST(DualSpectra, with_values_on_a_part_of_the_boundary_do_not_mind_jitter) {
+    for (const auto& input : with_centers_on_the_boundary()) {
+        const auto values = [](const Mesh& mesh) {
+            const auto bundle = discretize(mesh);
+            return spectrum(bundle, left_part(bundle),
+                            {.side = Side::dual, .degree = 0, .count = 3})
+                .eigenvalues;
+        };
+        const Vector exact = values(input);
+        EXPECT_GT(exact[0], 0);
+        EXPECT_LE(relative_difference(values(perturbed(input, 1e-8, 4)), exact), 1e-5);
+        EXPECT_LE(relative_difference(values(in_single_precision(input)), exact), 1e-5);
+    }
+}
+
+TEST(DualSpectra, without_flow_have_the_constants_at_0) {
+    for (const auto& input : with_centers_on_the_boundary()) {
+        const auto mesh = discretize(input);
+        const auto found = spectrum(mesh, neumann, {.side = Side::dual, .degree = 0, .count = 2});
+        EXPECT_NEAR(found.eigenvalues[0], 0, 1e-9 * found.eigenvalues[1]);
+        EXPECT_GT(found.eigenvalues[1], 0.1);
+        const Vector mode = found.modes.col(0);
+        const Vector& volumes = mesh.volumes.primal(mesh.dimension());
+        EXPECT_LE((mode.array() - mode[0]).abs().maxCoeff(), 1e-8 * std::abs(mode[0]));
+        EXPECT_NEAR(volumes.dot(mode.cwiseAbs2()), 1, 1e-9);
+    }
+}
+
+TEST(Conditions, of_both_sides_lead_to_the_same_eigenvalues) {
+    // exact: 2 pi^2, 0, and pi^2 / 4 for values on one side of the unit square
+    const double squared = M_PI * M_PI;
+    const Mesh square = grid(24, 24);
+    const auto mesh = discretize(square);
+    const auto one_side =
+        essential_where(cell_centers(mesh, 1), [](const Vector& site) { return site[0] < 1e-9; });
+    for (const Side side : sides) {
+        EXPECT_NEAR(first_eigenvalue(square, side, dirichlet), 2 * squared, 0.01 * squared);
+        EXPECT_NEAR(first_eigenvalue(square, side, neumann), 0, 1e-8);
+        EXPECT_NEAR(first_eigenvalue(square, side, one_side), squared / 4, 0.002 * squared);
+        EXPECT_EQ(spectrum(mesh, {.side = side, .count = 1}).eigenvalues[0],
+                  first_eigenvalue(square, side, built_in_conditions(side)));
+    }
+}
+
+TEST(Conditions, exchange_with_the_star) {
+    for (const char* name : {"grid4", "ring6", "kuhn3", "solid_torus3", "kuhn4"}) {
+        const auto mesh = discretize(mesh_named(name));
+        const int n = mesh.dimension();
+        for (int k = 0; k <= n; ++k)
+            for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
+                const auto space = conditioned_complex(mesh, Side::primal, conditions);
+                const Index count = std::min<Index>(2, space.relative.complex.size(k));
+                if (count == 0)
+                    continue;
+                const auto values = [&](Side side, int degree, const BoundaryConditions& those) {
+                    return spectrum(mesh, those, {.side = side, .degree = degree, .count = count})
+                        .eigenvalues;
+                };
+                const Vector primal = values(Side::primal, k, conditions);
+                const Vector dual = values(Side::dual, n - k, exchanged(conditions));
+                EXPECT_LE((primal - dual).cwiseAbs().maxCoeff(),
+                          1e-8 * (1 + primal.cwiseAbs().maxCoeff()))
+                    << name << ' ' << k;
+            }
+    }
+}
+
+TEST(HeatUnderConditions, makes_modes_decay_with_their_eigenvalues) {
+    for (const auto& input : with_centers_on_the_boundary()) {
+        const auto mesh = discretize(input);
+        for (const Side side : sides)
+            for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
+                const int k = side == Side::primal ? 0 : mesh.dimension();
+                if (conditioned_complex(mesh, side, conditions).relative.complex.size(k) < 2)
+                    continue; // fcc1 has one vertex inside, at most
+                const auto modes = spectrum(mesh, conditions, {.side = side, .count = 2});
+                const double dt = 1e-3;
+                HeatSolver solver(mesh, conditions, side, 0, {.time_step = dt});
+                const Cochain mode{side, 0, modes.modes.col(1)};
+                const Vector expected = mode.values / (1 + dt * modes.eigenvalues[1]);
+                EXPECT_LE(relative_difference(solver.step(mode).values, expected), 1e-8);
+                // values that the conditions fix are 0, whatever they were
+                const Cochain ones{side, 0, Vector::Ones(mode.values.size())};
+                const Vector next = solver.step(ones).values;
+                if (conditions.facets.empty() && conditions.everywhere == neumann.everywhere)
+                    EXPECT_LE((next.array() - 1).abs().maxCoeff(), 1e-10);
+                else
+                    EXPECT_LT(next.minCoeff(), 0.99);
+            }
+    }
+}
+
+/// Without the mechanism, what cannot be inverted is refused or, moved a little, means nothing.
+TEST(DualSpectraBroken, with_the_duals_of_centers_on_the_boundary_make_no_sense) {
+    const auto exact = discretize(crossed_squares(10));
+    EXPECT_EQ(refusal([&] {
+                  spectrum(exact.complex(), exact.volumes, {.side = Side::dual, .count = 1});
+              }).substr(0, 45),
+              "the inverse star of degree 1 divides by zero:");
+    const auto moved = discretize(perturbed(crossed_squares(10), 1e-7, 1));
+    EXPECT_LT(
+        spectrum(moved.complex(), moved.volumes, {.side = Side::dual, .count = 1}).eigenvalues[0],
+        -1e6);
+}
+
+TEST(HodgeUnderConditions, sees_the_homology_of_the_dual_complex) {
+    // values 0 on the boundary of a square: no harmonic dual function, one harmonic dual 2-form
+    const auto mesh = discretize(crossed_squares(4));
+    const auto space = conditioned_complex(mesh, Side::dual, dirichlet);
+    EXPECT_EQ(harmonic_forms(space.relative.complex, space.volumes, Side::dual, 0).cols(), 0);
+    EXPECT_EQ(harmonic_forms(space.relative.complex, space.volumes, Side::dual, 1).cols(), 0);
+    const auto free = conditioned_complex(mesh, Side::dual, neumann);
+    EXPECT_EQ(harmonic_forms(free.relative.complex, free.volumes, Side::dual, 0).cols(), 1);
+}
+
+} // namespace
+} // namespace polydec::test
