@@ -101,20 +101,22 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
 }
 
 /// What is measured in length^-2, in the units of the file. What is rounding beside the largest
-/// eigenvalue may vanish; but radii do not become smaller by it.
+/// number may vanish; radii then grow by what is lost there.
 void use_input_units(Spectrum& spectrum, double unit) {
     if (unit == 1)
         return;
-    const double largest = spectrum.eigenvalues.cwiseAbs().maxCoeff();
+    auto& shift = spectrum.certificate.shift; // behind them all, where they are rounding alone
+    const double largest = std::max(spectrum.eigenvalues.cwiseAbs().maxCoeff(), std::abs(shift));
     in_input_units(Vector::Constant(1, largest), unit, -2, "eigenvalues");
     const auto convert = [&](double& value) { value = std::ldexp(value, -2 * std::ilogb(unit)); };
     std::for_each(spectrum.eigenvalues.begin(), spectrum.eigenvalues.end(), convert);
     std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
-    convert(spectrum.certificate.shift);
-    for (double& radius : spectrum.radii) {
-        convert(radius);
-        radius = std::nextafter(radius, std::numeric_limits<double>::infinity());
-    }
+    std::for_each(spectrum.radii.begin(), spectrum.radii.end(), convert);
+    convert(shift);
+    // the value and the radius are each off by half of the least number there is
+    for (double& radius : spectrum.radii)
+        if (radius < std::numeric_limits<double>::min())
+            radius += std::numeric_limits<double>::denorm_min();
 }
 
 /// Eigensolvers keep a few vectors for each eigenpair. More than there are is another's to tell.
