@@ -38,8 +38,23 @@ double smallest_square(const DenseMatrix& gram, Index begin, Index end) {
     return smallest;
 }
 
+/// The first values of a semidefinite matrix, as long as the sum of their energies, which as many
+/// eigenvalues do not exceed, says more than their residuals.
+Group zeros(const Vector& energies, const Vector& radii, const DenseMatrix& gram) {
+    Group group{0, 0, 0};
+    double sum = 0;
+    for (Index i = 0; i < energies.size(); ++i) {
+        sum += energies[i];
+        if (!(sum < radii[i] / 2))
+            break;
+        group = {0, i + 1, 2 * sum};
+    }
+    return smallest_square(gram, 0, group.end) >= 0.5 ? group : Group{0, 0, 0};
+}
+
 /// The radii of all together from those of each alone.
-Vector joint_radii(const Vector& values, const Vector& radii, const DenseMatrix& vectors) {
+Vector joint_radii(const Vector& values, const Vector& radii, const Vector& energies,
+                   const DenseMatrix& vectors) {
     const DenseMatrix gram = vectors.transpose() * vectors;
     const auto radius = [&](Index begin, Index end) {
         if (end - begin == 1)
@@ -49,7 +64,10 @@ Vector joint_radii(const Vector& values, const Vector& radii, const DenseMatrix&
                           : std::numeric_limits<double>::infinity();
     };
     std::vector<Group> groups;
-    for (Index i = 0; i < values.size(); ++i) {
+    const Group first = zeros(energies, radii, gram);
+    if (first.end > 0)
+        groups.push_back(first);
+    for (Index i = first.end; i < values.size(); ++i) {
         groups.push_back({i, i + 1, radii[i]});
         while (groups.size() > 1) {
             const Group last = groups.back();
@@ -73,11 +91,12 @@ void FoundPairs::take(const DenseMatrix& vectors, const std::vector<Enclosure>& 
     const Index before = count(), after = before + static_cast<Index>(vectors.cols());
     vectors_.conservativeResize(Eigen::NoChange, after);
     vectors_.rightCols(vectors.cols()) = vectors;
-    for (Vector* const list : {&values_, &lone_radii_, &residuals_})
+    for (Vector* const list : {&values_, &lone_radii_, &energies_, &residuals_})
         list->conservativeResize(after);
     for (Index i = before; i < after; ++i) {
         values_[i] = enclosures[i - before].value;
         lone_radii_[i] = enclosures[i - before].radius;
+        energies_[i] = enclosures[i - before].energy;
         residuals_[i] = enclosures[i - before].residual;
     }
     std::vector<Index> order(after);
@@ -89,9 +108,9 @@ void FoundPairs::take(const DenseMatrix& vectors, const std::vector<Enclosure>& 
 
 void FoundPairs::keep(const std::vector<Index>& chosen) {
     vectors_ = DenseMatrix(vectors_(Eigen::all, chosen));
-    for (Vector* const list : {&values_, &lone_radii_, &residuals_})
+    for (Vector* const list : {&values_, &lone_radii_, &energies_, &residuals_})
         *list = Vector((*list)(chosen));
-    radii_ = joint_radii(values_, lone_radii_, vectors_);
+    radii_ = joint_radii(values_, lone_radii_, energies_, vectors_);
 }
 
 /// Distance from value i to the nearest one that its interval does not meet; 0 if there is none.

@@ -22,7 +22,8 @@ public:
     /// As many eigenvalues as there are values lie each within its radius, matched one to one:
     /// values whose intervals overlap make a group, in which all have the same radius, the norm of
     /// their residuals over the smallest singular value of their vectors, and the intervals of two
-    /// groups do not meet. Source: Kahan 1967; Parlett 1980, section 11.5.
+    /// groups do not meet. Source: Kahan 1967; Parlett 1980, section 11.5. Zeros of a semidefinite
+    /// matrix lie between 0 and the sum of their energies, where that says more.
     const Vector& radii() const { return radii_; }
 
     /// |A x - value M x| / |M x|, 2-norms, as in Enclosure.
@@ -61,7 +62,7 @@ public:
 private:
     double distance_to_others(Index i) const;
 
-    Vector values_, lone_radii_, radii_, residuals_;
+    Vector values_, lone_radii_, energies_, radii_, residuals_;
     DenseMatrix vectors_;
     double small_;
 };

@@ -178,6 +178,9 @@ void ScaledPencil::add_part(const Part& part, const Vector& x, Image& image) con
     for (Index e = 0; e < Fx.size(); ++e) {
         const double weight = std::abs(part.weights[e]), unsure = part.uncertainty[e];
         const double size = std::abs(static_cast<double>(Fx[e]));
+        image.energy += part.weights[e] < unsure && weight + unsure > 0
+                            ? std::numeric_limits<double>::infinity()
+                            : (weight + unsure) * (size + error[e]) * (size + error[e]);
         error[e] = (weight + unsure) * error[e] + (unsure + part.rounding * weight) * size;
         Fx[e] *= part.weights[e];
     }
@@ -190,8 +193,10 @@ void ScaledPencil::add_part(const Part& part, const Vector& x, Image& image) con
 
 ScaledPencil::Image ScaledPencil::apply(const Vector& x) const {
     Image image{LongVector::Zero(x.size()), Vector::Zero(x.size())};
-    if (C_.size() > 0)
+    if (C_.size() > 0) {
         multiply(C_, false, x, image.Ax, image.doubt);
+        image.energy = std::numeric_limits<double>::infinity();
+    }
     for (const Part& part : parts_)
         add_part(part, x, image);
     return image;
@@ -225,6 +230,8 @@ Enclosure ScaledPencil::enclose(const Vector& x, const Image& image) const {
         static_cast<double>((std::sqrt(residual) + std::sqrt(doubt)) / std::sqrt(square));
     result.radius = safety * (radius + mass_uncertainty_ / (1 - mass_uncertainty_) *
                                            (std::abs(result.value) + radius));
+    result.energy =
+        safety * (1 + 2 * mass_uncertainty_) * image.energy / static_cast<double>(square);
     result.residual = static_cast<double>(std::sqrt(given) / std::sqrt(given_mass));
     return result;
 }

@@ -13,6 +13,7 @@ namespace polydec {
 struct Enclosure {
     double value = 0;
     double radius = 0;
+    double energy = 0; ///< above x^T A x / x^T M x if A is semidefinite for sure, else infinite
     double residual =
         0; ///< |A x - value M x| / |M x| in 2-norms, x in the units of the pencil given
 };
@@ -57,6 +58,7 @@ private:
     struct Image {
         LongVector Ax;
         Vector doubt; // what rounding and uncertainties have done to it at most, entry by entry
+        double energy = 0; // above x^T A x
     };
 
     Part scaled(const GramPart& part) const;
