@@ -43,6 +43,7 @@
 #include "dec/merge.h"
 #include "dec/overlay.h"
 #include "dec/quadrature.h"
+#include "dec/rounding.h"
 #include "dec/sharp.h"
 #include "dec/side.h"
 #include "dec/simplex_metric.h"
