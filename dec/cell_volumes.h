@@ -32,8 +32,8 @@ public:
     /// Signed (n-k)-volumes |*s|, 1 for n-cells; length^(n-k).
     const Vector& dual(int k) const { return dual_[checked(k)]; }
 
-    /// Sums of the sizes of the terms that the dual volumes are sums of: what cancels in them, and
-    /// what their rounding errors are in proportion to. length^(n-k).
+    /// Sizes of what cancels in the dual volumes, in heights of circumcenters too: what their
+    /// rounding errors are in proportion to (see rounding_of). length^(n-k).
     const Vector& terms(int k) const { return terms_[checked(k)]; }
 
     /// The same with other duals of the k-cells, taken as they are. Throws like the constructor.
