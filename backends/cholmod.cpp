@@ -8,8 +8,10 @@
 #include <cholmod.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <dlfcn.h>
+#include <tuple>
 
 namespace polydec {
 
@@ -123,6 +125,7 @@ protected:
 private:
     void analyze(cholmod_sparse& A, bool by_nested_dissection);
     void require_success(const char* step) const;
+    void reserve(std::size_t columns);
     void require_pivots(bool is_definite) const;
     Index count_negative_pivots() const;
 
@@ -205,8 +208,20 @@ void Cholmod::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern p
     negative_pivots_ = is_definite ? 0 : count_negative_pivots();
 }
 
+// Of the two that cholmod_solve2 would allocate for supernodal factors it looks at the second only.
+void Cholmod::reserve(std::size_t columns) {
+    const auto& factor = *work_.factor;
+    if (!factor.is_super)
+        return;
+    for (const auto& [place, rows, count] :
+         {std::tuple{&work_.y, factor.n, columns}, {&work_.e, columns, factor.maxesize}})
+        if (!cholmod_ensure_dense(place, rows, count, rows, CHOLMOD_REAL, &work_.common))
+            require_success("solution");
+}
+
 CheckedSolver::Solution Cholmod::apply_inverse(const DenseMatrix& B) {
     const BlasThreads threads(options().blas_threads);
+    reserve(static_cast<std::size_t>(B.cols()));
     cholmod_dense right_hand_sides = view(B);
     cholmod_solve2(CHOLMOD_A, work_.factor, &right_hand_sides, nullptr, &work_.x, nullptr, &work_.y,
                    &work_.e, &work_.common);

@@ -127,6 +127,7 @@ std::vector<double> windings(const Points& points, std::span<const Index> corner
                              std::span<const Index> offsets, const ClosedSurfaces& surfaces,
                              const Place& place) {
     // The solid angle of a triangle: van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30 (1983).
+    constexpr double in_plane = 1e-12;
     const auto seen = [&](std::size_t corner) -> Place {
         return points.row(corners[corner]).transpose() - place;
     };
@@ -139,7 +140,10 @@ std::vector<double> windings(const Points& points, std::span<const Index> corner
             const Place b = seen(i), c = seen(i + 1);
             const double cosine = a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
                                   b.dot(c) * a.norm() + c.dot(a) * b.norm();
-            angle += 2.0 * std::atan2(a.dot(b.cross(c)), cosine);
+            const double volume = a.dot(b.cross(c));
+            if (std::abs(volume) > in_plane * a.norm() * b.norm() * c.norm()) {
+                angle += 2.0 * std::atan2(volume, cosine);
+            }
         }
         turns[static_cast<std::size_t>(surfaces.part[f])] +=
             (surfaces.outward[f] ? angle : -angle) / (4.0 * std::numbers::pi);

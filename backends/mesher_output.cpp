@@ -4,6 +4,7 @@
 #include "backends/closed_surfaces.h"
 #include "backends/mesher_input.h"
 #include "backends/polygon_sides.h"
+#include "backends/tetrahedron_sign.h"
 #include "base/errors.h"
 
 #include <Eigen/Geometry>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace polydec {
@@ -61,20 +61,17 @@ void check_points_kept(const MesherResult& result) {
 }
 
 double sum_of_positive_volumes(const MesherResult& result) {
-    constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
     const auto& [points, tetrahedra, faces, facets] = result.output;
     double sum = 0.0;
     for (Index cell = 0; cell < tetrahedra.rows(); ++cell) {
-        const auto edge = [&](int i) -> Place {
-            return points.row(tetrahedra(cell, i)) - points.row(tetrahedra(cell, 0));
-        };
-        const Place a = edge(1), b = edge(2), c = edge(3);
-        const double volume = a.cross(b).dot(c), most = a.norm() * b.norm() * c.norm();
-        if (!(volume > rounding * most)) {
+        const auto corner = [&](int i) -> Place { return points.row(tetrahedra(cell, i)); };
+        const int sign = tetrahedron_sign(corner(0), corner(1), corner(2), corner(3));
+        if (sign <= 0) {
             result.fail(fmt::format("{} is {}", result.cell_name(cell),
-                                    volume < -rounding * most ? "turned inside out" : "flat"));
+                                    sign < 0 ? "turned inside out" : "flat"));
         }
-        sum += volume / 6.0;
+        sum +=
+            (corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(corner(3) - corner(0)) / 6.0;
     }
     return sum;
 }

@@ -11,7 +11,7 @@
 namespace polydec {
 
 /// Holds what a mesher made against what it was given, and takes over the coordinates of the input.
-/// Every tetrahedron has a positive volume, beyond rounding, and each face is in two of them, one
+/// Every tetrahedron has a positive volume, by an exact sign, and each face is in two of them, one
 /// on each side, or on the boundary. Without facets the boundary is convex. With facets: the faces
 /// that are said to make them up close as they do, lie in their planes and have their areas; there
 /// are tetrahedra inside of each, up to the next one, unless a hole is there; the boundary consists

@@ -2,9 +2,11 @@
 #include "complex/simplicial_complex.h"
 
 #include "base/errors.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "complex/disjoint_sets.h"
 #include "complex/faces.h"
+#include "complex/size_estimate.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -90,6 +92,24 @@ SortedTops sort_tops(Simplices tops) {
     return sorted;
 }
 
+Index count_vertices(const Simplices& tops) {
+    std::vector<bool> used(static_cast<std::size_t>(tops.maxCoeff()) + 1, false);
+    for (const Index vertex : tops.reshaped())
+        used[vertex] = true;
+    return static_cast<Index>(std::count(used.begin(), used.end(), true));
+}
+
+/// A simplex has 2^(n+1) faces: a short file can ask for more than any machine has.
+void check_cost(const Simplices& tops) {
+    const auto n = static_cast<int>(tops.cols()) - 1;
+    const auto simplices = static_cast<Index>(tops.rows());
+    const auto size = estimate_size(n, simplices, count_vertices(tops));
+    check_memory(size.bytes(),
+                 fmt::format("a complex of {} simpl{} of dimension {}, of about "
+                             "{:.2g} cells of all degrees,",
+                             simplices, simplices == 1 ? "ex" : "ices", n, size.cells));
+}
+
 struct Orientation {
     std::vector<std::int8_t> signs;
     bool coherent = true;
@@ -159,6 +179,7 @@ Orientation orient(const IncidenceMatrix& D, const std::vector<Index>& coface_co
 
 SimplicialComplex::SimplicialComplex(const Simplices& tops) {
     auto sorted = sort_tops(tops);
+    check_cost(sorted.simplices);
     const auto n = static_cast<int>(tops.cols()) - 1;
     simplices_.resize(n + 1);
     simplices_[n] = std::move(sorted.simplices);

@@ -16,8 +16,8 @@ class SimplicialComplex : public CellComplex {
 public:
     /// Top simplices: one row of n+1 vertex numbers >= 0 each. Vertices that no simplex uses do not
     /// belong to the complex. Time O(cells log(largest vertex degree)), memory also of the order
-    /// of the largest vertex number.
-    /// Throws InvalidInput, naming the rows, for repeated corners or two rows on the same vertices.
+    /// of the largest vertex number. Throws InvalidInput, naming the rows, for repeated corners or
+    /// two rows on the same vertices; IoError if its estimated size is above memory_limit().
     explicit SimplicialComplex(const Simplices& tops);
 
     /// Ascending vertex lists: size(k) x (k+1). The rows of simplices(0) are the vertices used.

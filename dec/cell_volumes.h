@@ -34,8 +34,8 @@ public:
     const Vector& dual(int k) const& { return dual_[checked(k)]; }
     Vector dual(int k) && { return std::move(dual_[checked(k)]); }
 
-    /// Sums of the sizes of the terms that the dual volumes are sums of: what cancels in them, and
-    /// what their rounding errors are in proportion to. length^(n-k).
+    /// Sizes of what cancels in the dual volumes, in heights of circumcenters too: what their
+    /// rounding errors are in proportion to (see rounding_of). length^(n-k).
     const Vector& terms(int k) const& { return terms_[checked(k)]; }
     Vector terms(int k) && { return std::move(terms_[checked(k)]); }
 

@@ -7,7 +7,8 @@ namespace polydec {
 
 namespace {
 
-/// Facets without dual that are not left out anyway, and the n-cells beside them.
+/// The cells whose duals lie on the boundary: facets without dual that are not left out anyway, the
+/// n-cells beside them, and what has such cofaces alone.
 CellMarks on_the_boundary(const Discretization& discretization, const CellMarks& left_out) {
     const auto& complex = discretization.complex();
     const int n = complex.dimension();
@@ -22,6 +23,19 @@ CellMarks on_the_boundary(const Discretization& discretization, const CellMarks&
         for (IncidenceMatrix::InnerIterator f(complex.coboundary(n - 1), t); f; ++f)
             if (marks[n - 1][f.col()])
                 marks[n][t] = true;
+    for (int k = n - 2; k >= 0; --k) {
+        std::vector<bool> has_other(complex.size(k), false);
+        for (Index t = 0; t < complex.size(k + 1); ++t)
+            for (IncidenceMatrix::InnerIterator s(complex.coboundary(k), t); s; ++s) {
+                if (marks[k + 1][t])
+                    marks[k][s.col()] = true;
+                else
+                    has_other[s.col()] = true;
+            }
+        for (Index s = 0; s < complex.size(k); ++s)
+            if (has_other[s] || left_out[k][s])
+                marks[k][s] = false;
+    }
     return marks;
 }
 

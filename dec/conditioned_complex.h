@@ -17,8 +17,8 @@ struct ConditionedComplex {
 /// Primal forms vanish on the essential facets and their faces, so these are left out. The star
 /// takes a dual form's values on the boundary to what flows out of a primal one, so for dual forms
 /// the natural facets and their faces are. Of the essential ones those without dual (see
-/// boundary_facets_without_dual) are left out with the n-cell beside each: its center lies on the
-/// boundary, where dual forms are 0.
+/// boundary_facets_without_dual) are left out with the n-cell beside each and what has no other
+/// cofaces: the duals of these cells lie on the boundary, where dual forms are 0.
 /// Linear time. Throws InvalidInput if there are conditions but not one for each facet.
 ConditionedComplex conditioned_complex(const Discretization& discretization, Side side,
                                        const BoundaryConditions& conditions);

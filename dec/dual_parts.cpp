@@ -16,7 +16,7 @@ SparseMatrix heights(const SimplicialComplex& complex, const SimplexMetric& metr
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
     for (Index t = 0; t < complex.size(k + 1); ++t) {
-        sphere.look_at(layout.at(k + 1, t));
+        sphere.look_at(layout, k + 1, t);
         // faces stand in the row in the order of their numbers, which omits the last vertex first
         for (int i = 0; i <= k + 1; ++i) {
             const Index entry = t * (k + 2) + (k + 1 - i);

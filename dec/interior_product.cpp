@@ -2,6 +2,7 @@
 #include "dec/interior_product.h"
 
 #include "base/errors.h"
+#include "complex/components.h"
 #include "dec/check_lift.h"
 #include "dec/circumsphere.h"
 #include "dec/derivative.h"
@@ -168,6 +169,48 @@ private:
     std::vector<Index> best_;
 };
 
+/// What a form is on the far side of an inflow boundary.
+enum class Beyond {
+    the_same, ///< as if the nearest simplex went on
+    nothing,
+};
+
+SparseMatrix contraction(const SimplicialComplex& complex, const Points& points,
+                         const Points& field, int k, Sampling sampling, Beyond beyond) {
+    check_degree(k, complex.dimension() + 1);
+    check_field(complex, points, field);
+    SparseMatrix result(complex.size(k - 1), complex.size(k));
+    if (result.rows() == 0 || result.cols() == 0)
+        return result;
+
+    const bool cut = sampling == Sampling::upwind && beyond == Beyond::nothing;
+    Contraction contraction(complex, points, field, k);
+    const Weights weights(complex, points, contraction, k, sampling);
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (Index t = 0; t < complex.size(complex.dimension()); ++t)
+        contraction.visit_faces(t, [&](Index s, const Terms& terms) {
+            const double weight = weights(t, s);
+            if (weight == 0)
+                return;
+            for (const auto& term : terms)
+                if (!cut || term.slope <= 0)
+                    entries.emplace_back(s, term.coface, -k * weight * term.slope * term.incidence);
+        });
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+SparseMatrix contraction(const Merging& merging, const std::vector<SparseMatrix>& lift,
+                         const Points& points, const Points& field, int k, Sampling sampling,
+                         Beyond beyond) {
+    check_lift(merging, lift);
+    const SparseMatrix fine = contraction(merging.input(), points, field, k, sampling, beyond);
+    if (fine.rows() == 0 || fine.cols() == 0)
+        return SparseMatrix(merging.merged().size(k - 1), merging.merged().size(k));
+    const SparseMatrix contracted = fine * lift[k];
+    return merging.diamond(k - 1).cast<double>() * contracted;
+}
+
 /// i_X d + d i_X, with interior(k) the interior product of k-forms.
 template <class Interior>
 SparseMatrix cartan(const CellComplex& complex, int k, Interior interior) {
@@ -181,49 +224,62 @@ SparseMatrix cartan(const CellComplex& complex, int k, Interior interior) {
 
 SparseMatrix interior_product(const SimplicialComplex& complex, const Points& points,
                               const Points& field, int k, Sampling sampling) {
-    check_degree(k, complex.dimension() + 1);
-    check_field(complex, points, field);
-    SparseMatrix result(complex.size(k - 1), complex.size(k));
-    if (result.rows() == 0 || result.cols() == 0)
-        return result;
-
-    Contraction contraction(complex, points, field, k);
-    const Weights weights(complex, points, contraction, k, sampling);
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    for (Index t = 0; t < complex.size(complex.dimension()); ++t)
-        contraction.visit_faces(t, [&](Index s, const Terms& terms) {
-            const double weight = weights(t, s);
-            if (weight == 0)
-                return;
-            for (const auto& term : terms)
-                entries.emplace_back(s, term.coface, -k * weight * term.slope * term.incidence);
-        });
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-}
-
-SparseMatrix lie_derivative(const SimplicialComplex& complex, const Points& points,
-                            const Points& field, int k, Sampling sampling) {
-    return cartan(complex, k, [&](int degree) {
-        return interior_product(complex, points, field, degree, sampling);
-    });
+    return contraction(complex, points, field, k, sampling, Beyond::the_same);
 }
 
 SparseMatrix interior_product(const Merging& merging, const std::vector<SparseMatrix>& lift,
                               const Points& points, const Points& field, int k, Sampling sampling) {
-    check_lift(merging, lift);
-    const SparseMatrix fine = interior_product(merging.input(), points, field, k, sampling);
-    if (fine.rows() == 0 || fine.cols() == 0)
-        return SparseMatrix(merging.merged().size(k - 1), merging.merged().size(k));
-    const SparseMatrix contracted = fine * lift[k];
-    return merging.diamond(k - 1).cast<double>() * contracted;
+    return contraction(merging, lift, points, field, k, sampling, Beyond::the_same);
+}
+
+SparseMatrix lie_derivative(const SimplicialComplex& complex, const Points& points,
+                            const Points& field, int k, Sampling sampling) {
+    const SparseMatrix L = cartan(complex, k, [&](int degree) {
+        return contraction(complex, points, field, degree, sampling, Beyond::nothing);
+    });
+    return sampling == Sampling::upwind ? SparseMatrix(L + inflow(complex, points, field, k)) : L;
 }
 
 SparseMatrix lie_derivative(const Merging& merging, const std::vector<SparseMatrix>& lift,
                             const Points& points, const Points& field, int k, Sampling sampling) {
-    return cartan(merging.merged(), k, [&](int degree) {
-        return interior_product(merging, lift, points, field, degree, sampling);
+    const SparseMatrix L = cartan(merging.merged(), k, [&](int degree) {
+        return contraction(merging, lift, points, field, degree, sampling, Beyond::nothing);
     });
+    return sampling == Sampling::upwind ? SparseMatrix(L + inflow(merging, lift, points, field, k))
+                                        : L;
+}
+
+SparseMatrix inflow(const SimplicialComplex& complex, const Points& points, const Points& field,
+                    int k) {
+    const int n = complex.dimension();
+    check_degree(k, n);
+    check_field(complex, points, field);
+    SparseMatrix rates(complex.size(k), complex.size(k));
+    if (k == n) // an n-simplex has two sides inside
+        return rates;
+    const auto boundary = boundary_cells(complex);
+    Contraction contraction(complex, points, field, k + 1);
+    const Weights weights(complex, points, contraction, k + 1, Sampling::upwind);
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (Index t = 0; t < complex.size(n); ++t)
+        contraction.visit_faces(t, [&](Index s, const Terms& terms) {
+            if (!boundary[k][s] || weights(t, s) == 0)
+                return;
+            double rate = 0;
+            for (const auto& term : terms)
+                rate += (k + 1) * std::max(term.slope, 0.0);
+            if (rate > 0)
+                entries.emplace_back(s, s, rate);
+        });
+    rates.setFromTriplets(entries.begin(), entries.end());
+    return rates;
+}
+
+SparseMatrix inflow(const Merging& merging, const std::vector<SparseMatrix>& lift,
+                    const Points& points, const Points& field, int k) {
+    check_lift(merging, lift);
+    const SparseMatrix rates = inflow(merging.input(), points, field, k) * lift[k];
+    return merging.diamond(k).cast<double>() * rates;
 }
 
 } // namespace polydec

@@ -22,19 +22,27 @@ enum class Sampling {
 /// each t.
 ///
 /// Exact for constant forms where X is linear on the n-simplices, with either sampling; of first
-/// order for smooth ones, centered of second where simplices lie symmetric around s. With upwind
-/// sampling transport by -i_X d of functions is monotone under a CFL condition wherever some
-/// simplex lies upwind; at an inflow boundary there is none, and the nearest to it is taken:
-/// prescribe values there. i_X i_X = 0 and the rule i_X(a ^ b) = i_X a ^ b + (-1)^k a ^ i_X b do
-/// not hold exactly except for constants. Time linear in the number of incidences. Source: Bossavit
-/// 2003; Mullen et al. 2011 for upwinding. Throws InvalidInput for a field of another shape than
-/// points, for a vector that is not finite, naming the vertex, and for a degree outside 0..n+1.
+/// order for smooth ones, centered of second where simplices lie symmetric around s. Where the
+/// field flows in through the boundary no simplex lies upwind, and the nearest to it is taken: for
+/// what is carried there see lie_derivative. i_X i_X = 0 and the rule i_X(a ^ b) = i_X a ^ b +
+/// (-1)^k a ^ i_X b do not hold exactly except for constants. Time linear in the number of
+/// incidences. Source: Bossavit 2003; Mullen et al. 2011 for upwinding. Throws InvalidInput for a
+/// field of another shape than points, for a vector that is not finite, naming the vertex, and for
+/// a degree outside 0..n+1.
 SparseMatrix interior_product(const SimplicialComplex& complex, const Points& points,
                               const Points& field, int k, Sampling sampling);
 
 /// Lie derivative of primal k-forms by Cartan's formula i_X d + d i_X: size(k) x size(k), k = 0..n.
 /// Commutes with d; exact for constant forms where X is linear on the n-simplices. Units those of X
 /// over length. Throws like interior_product.
+///
+/// With upwind sampling it is made for transport, da/dt = -L_X a, which needs to be told what flows
+/// in through the boundary. This matrix lets nothing in: the form is 0 outside, and where no
+/// simplex lies upwind what lies downwind has no part. With values g of the form outside, transport
+/// is da/dt = -L_X a + inflow(..) g, for functions monotone under a CFL condition: after a step of
+/// size up to 1 over the largest diagonal entry they lie between the least and the largest of their
+/// values before and of g. On boundary simplices with inflow, and those that they are faces of, it
+/// is exact for neither constant nor linear forms; L_X - inflow(..) commutes with d.
 SparseMatrix lie_derivative(const SimplicialComplex& complex, const Points& points,
                             const Points& field, int k, Sampling sampling);
 
@@ -49,5 +57,18 @@ SparseMatrix interior_product(const Merging& merging, const std::vector<SparseMa
 /// equal to dia_k L_X S_k, since both maps commute with d. Throws like interior_product.
 SparseMatrix lie_derivative(const Merging& merging, const std::vector<SparseMatrix>& lift,
                             const Points& points, const Points& field, int k, Sampling sampling);
+
+/// The rate at which values of a k-form outside come in, for lie_derivative with upwind sampling:
+/// size(k) x size(k), k = 0..n, a value outside for every boundary k-simplex, of which those
+/// without inflow do not matter. Diagonal and >= 0; 0 for k = n, since n-forms come in through
+/// facets alone: of any degree, what i_X a is to be on the (k-1)-simplices with inflow is added as
+/// d_(k-1) of it. Outside, every simplex at the boundary is taken to be the mirror image of that
+/// inside. Throws like interior_product.
+SparseMatrix inflow(const SimplicialComplex& complex, const Points& points, const Points& field,
+                    int k);
+
+/// On merged cells: dia_k inflow S_k. Throws like interior_product.
+SparseMatrix inflow(const Merging& merging, const std::vector<SparseMatrix>& lift,
+                    const Points& points, const Points& field, int k);
 
 } // namespace polydec

@@ -97,7 +97,7 @@ double SimplexLayout::product(int origin, int i, int j) const {
 
 Corners SimplexLayout::lay_out(int k, Index s) {
     Points& table = tables_[k];
-    const Corners corners{table, {rows_.data(), static_cast<std::size_t>(k) + 1}};
+    const Corners corners{table, {rows_.data(), static_cast<std::size_t>(k) + 1}, true};
     table.setZero();
     measure_edges(k, s);
     const int origin = base(k);

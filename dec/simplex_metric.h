@@ -48,6 +48,7 @@ private:
 struct Corners {
     const Points& points;
     std::span<const Index> vertices; ///< the rows, in ascending order of the simplex's vertices
+    bool by_lengths = false;         ///< not points that were given: distances are what is known
 };
 
 /// Places the corners of one simplex of a complex after the other. Not for several threads at once.
@@ -66,6 +67,8 @@ public:
             return {*metric_.points(), vertices(complex_.simplices(k), s)};
         return lay_out(k, s);
     }
+
+    const SimplicialComplex& complex() const { return complex_; }
 
 private:
     Corners lay_out(int k, Index s);

@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/rounding.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,16 +11,6 @@
 #include <algorithm>
 
 namespace polydec {
-
-namespace {
-
-constexpr double zero_fraction = 1e-12;
-
-double zero_threshold(const Vector& star) {
-    return star.size() == 0 ? 0.0 : zero_fraction * star.cwiseAbs().maxCoeff();
-}
-
-} // namespace
 
 void check_fit(const CellComplex& complex, const CellVolumes& volumes) {
     const int n = complex.dimension();
@@ -35,21 +26,19 @@ Vector star(const CellVolumes& volumes, int k) {
 }
 
 std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k) {
-    const Vector values = star(volumes, k);
-    const double zero = zero_threshold(values);
+    const Vector &dual = volumes.dual(k), &terms = volumes.terms(k);
     std::vector<Index> cells;
-    for (Index s = 0; s < values.size(); ++s)
-        if (std::abs(values[s]) <= zero)
+    for (Index s = 0; s < dual.size(); ++s)
+        if (is_zero(dual[s], terms[s]))
             cells.push_back(s);
     return cells;
 }
 
 std::vector<Index> negative_star_cells(const CellVolumes& volumes, int k) {
-    const Vector values = star(volumes, k);
-    const double zero = zero_threshold(values);
+    const Vector &dual = volumes.dual(k), &terms = volumes.terms(k);
     std::vector<Index> cells;
-    for (Index s = 0; s < values.size(); ++s)
-        if (values[s] < -zero)
+    for (Index s = 0; s < dual.size(); ++s)
+        if (dual[s] < 0 && !is_zero(dual[s], terms[s]))
             cells.push_back(s);
     return cells;
 }

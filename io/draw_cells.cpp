@@ -62,7 +62,7 @@ void check_drawable(int dimension, int ambient_dimension) {
     require_points(ambient_dimension, "a drawing");
     if (dimension > 3 || ambient_dimension > 3)
         throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates cannot be drawn: a "
-                                       ".vtu file shows at most 3; leave out -o",
+                                       ".vtu file shows at most 3",
                                        dimension, ambient_dimension));
 }
 

@@ -196,11 +196,8 @@ DenseMatrix parse_matrix_market_array(const SourceFile& file) {
     }
 
     DenseMatrix matrix(rows, columns);
-    for (Eigen::Index column = 0; column < columns; ++column) {
-        for (Eigen::Index row = 0; row < rows; ++row) {
-            matrix(row, column) = read_value(scanner);
-        }
-    }
+    for (double& entry : matrix.reshaped())
+        entry = read_value(scanner);
     expect_end(scanner);
     return matrix;
 }

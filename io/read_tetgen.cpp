@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <system_error>
@@ -144,7 +145,13 @@ Mesh read_faces(Nodes nodes, const SourceFile& file) {
     return read_cells(scanner, std::move(nodes), count, 3, {.attributes = 1, .neighbors = 2});
 }
 
-std::filesystem::path with_extension(std::filesystem::path path, const char* extension) {
+/// In capital letters where the file's own extension has no others.
+std::filesystem::path with_extension(std::filesystem::path path, std::string extension) {
+    const auto own = path.extension().string();
+    if (std::none_of(own.begin(), own.end(), [](char c) { return c >= 'a' && c <= 'z'; })) {
+        std::transform(extension.begin(), extension.end(), extension.begin(),
+                       [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+    }
     return path.replace_extension(extension);
 }
 

@@ -2,6 +2,7 @@
 #include "io/source_file.h"
 
 #include "base/errors.h"
+#include "base/memory.h"
 
 #include <fmt/format.h>
 
@@ -69,6 +70,8 @@ SourceFile read_source_file(const std::filesystem::path& path) {
         refuse(name, system_reason());
     }
     const auto size = regular_size(file.number, name);
+    constexpr double with_mesh = 2; // what is read of it takes about as much as the text
+    check_memory(with_mesh * static_cast<double>(size), fmt::format("reading {}", name));
     try {
         return {name, read_all(file.number, size, name)};
     } catch (const std::bad_alloc&) {

@@ -39,7 +39,7 @@ void check_box(std::string_view generator, const std::vector<int>& cells,
                         lengths.size(), cells.size()));
     for (std::size_t k = 0; k < lengths.size(); ++k)
         check_length(generator, fmt::format("lengths[{}]", k), lengths[k]);
-    check_sizes(generator, vertices, simplices);
+    check_sizes(generator, vertices, simplices, static_cast<int>(cells.size()));
 }
 
 bool is_odd(const std::vector<int>& permutation) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -25,7 +26,9 @@ void check(const ClusterOptions& options) {
     check_count(name, "points_on_sphere", options.points_on_sphere, options.dimension + 1, 10000);
     check_length(name, "radius", options.radius);
     const double vertices = std::pow(options.cells_per_side + 1.0, options.dimension);
-    check_sizes(name, 2.0 * vertices, 1.0);
+    // mean numbers of simplices for each of many random points
+    constexpr std::array simplices{0.0, 1.0, 2.0, 6.8, 31.8, 187.0, 1300.0};
+    check_sizes(name, 2.0 * vertices, simplices[options.dimension] * vertices, options.dimension);
 }
 
 /// Centers of spheres that keep a distance from each other and from the cube's boundary.

@@ -2,6 +2,7 @@
 #include "meshes/generate_parts.h"
 
 #include "base/errors.h"
+#include "base/memory.h"
 
 #include <fmt/format.h>
 
@@ -24,12 +25,18 @@ void check_length(std::string_view generator, std::string_view name, double valu
             fmt::format("{}: {} = {} is not positive and finite", generator, name, value));
 }
 
-void check_sizes(std::string_view generator, double vertices, double cells) {
+void check_sizes(std::string_view generator, double vertices, double cells, int n) {
     constexpr double most = std::numeric_limits<Index>::max();
     for (const auto& [count, noun] : {std::pair{vertices, "vertices"}, std::pair{cells, "cells"}})
         if (count > most)
             throw InvalidInput(fmt::format("{}: {:.10g} {} are more than 2^31 - 1; ask for fewer",
                                            generator, count, noun));
+    // what is being made, and the mesh
+    constexpr double copies = 2;
+    const double row_bytes = (n + 1.0) * sizeof(Index), point_bytes = n * sizeof(double);
+    check_memory(copies * (cells * row_bytes + vertices * point_bytes),
+                 fmt::format("{}: a mesh of {:.10g} vertices and {:.10g} cells", generator,
+                             vertices, cells));
 }
 
 double check_cubes(std::string_view generator, const std::vector<int>& counts, int n, double edge) {

@@ -17,9 +17,10 @@ void check_count(std::string_view generator, std::string_view name, std::int64_t
 /// Throws InvalidInput unless the value is positive and finite.
 void check_length(std::string_view generator, std::string_view name, double value);
 
-/// Throws InvalidInput if the mesh to be made has more vertices or cells than an Index counts.
+/// Throws InvalidInput if the mesh of dimension n to be made has more vertices or cells than an
+/// Index counts, IoError if it takes more memory than memory_limit().
 /// Counts are doubles, so that no product of arguments overflows on its way here.
-void check_sizes(std::string_view generator, double vertices, double cells);
+void check_sizes(std::string_view generator, double vertices, double cells, int n = 3);
 
 /// The number of cubes in a box that holds counts[k] >= 1 of them along axis k = 0 .. n-1, as a
 /// double. Throws InvalidInput if there are not n counts, or one or the edge is not positive.

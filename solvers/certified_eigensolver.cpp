@@ -3,10 +3,11 @@
 
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "solvers/found_pairs.h"
 #include "solvers/inertia.h"
+#include "solvers/scaled_pencil.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,10 +21,6 @@ namespace polydec {
 
 namespace {
 
-/// Multiplets split by 1e-2 on real meshes and by 1e-14 on symmetric ones; two values further apart
-/// than this are no copies of one.
-constexpr double relative_gap = 1e-6;
-
 /// Rounds of asking for missing copies before giving up; each finds at least one.
 constexpr int patience = 60;
 
@@ -33,55 +30,43 @@ constexpr int most_bisections = 40;
 /// From so many on blocks pay: their steps cost less, and Spectra's orthogonalization outgrows all.
 constexpr Index many = 20;
 
+/// What a radius may be at most of its value, or of the distance to the next ones.
+constexpr double largest_radius = 1e-6;
+
 /// More eigenvalues than asked for that are looked at in search of a gap.
 constexpr Index largest_cluster = 5000;
 
-SparseMatrix scale_by_mass(const SparseMatrix& A, const Vector& M) {
-    if (A.rows() != A.cols() || A.rows() != M.size() || M.size() == 0)
-        throw InvalidInput(fmt::format("eigenproblem A x = lambda M x: A is {} x {}, M has {} "
-                                       "entries; expected equal sizes above 0",
-                                       A.rows(), A.cols(), M.size()));
-    for (Index i = 0; i < M.size(); ++i)
-        if (!(M[i] > 0) || !std::isfinite(M[i]))
-            throw InvalidInput(
-                fmt::format("eigenproblem A x = lambda M x: entry {} of M is {}, expected a "
-                            "positive number",
-                            i, M[i]));
-    const Vector root = M.cwiseSqrt().cwiseInverse();
-    const SparseMatrix left = root.asDiagonal() * A;
-    const SparseMatrix B = left * root.asDiagonal();
-    return (B + SparseMatrix(B.transpose())) / 2;
-}
-
-/// A small negative shift: a positive semidefinite B less it is positive, at any scale.
-double small_negative_shift(const SparseMatrix& B) {
+/// A length on the axis below eigenvalues that are not zero, but not so small that a shift by it
+/// is next to singular. On graded meshes the coarse cells decide.
+double small_length(const SparseMatrix& B) {
     Vector diagonal = B.diagonal().cwiseAbs();
-    std::nth_element(diagonal.begin(), diagonal.begin() + diagonal.size() / 2, diagonal.end());
-    double typical = diagonal[diagonal.size() / 2];
+    std::sort(diagonal.begin(), diagonal.end());
+    const double norm = row_sum_norm(B);
+    double typical = diagonal[diagonal.size() / 64];
     if (typical == 0)
-        typical = row_sum_norm(B);
+        typical = diagonal[diagonal.size() / 2];
     if (typical == 0)
-        typical = 1;
-    return -1e-3 * typical / std::sqrt(static_cast<double>(B.rows()));
+        typical = norm > 0 ? norm : 1;
+    return std::max(1e-3 * typical / std::sqrt(static_cast<double>(B.rows())), 1e-12 * norm);
 }
 
 } // namespace
 
 struct CertifiedEigensolver::State {
-    State(const SparseMatrix& A_, const Vector& M_, EigensolverOptions options_)
-        : A(A_),
-          M(M_),
+    State(const Pencil& given, EigensolverOptions options_)
+        : pencil(given),
           options(std::move(options_)),
-          B(std::make_shared<SparseMatrix>(scale_by_mass(A_, M_))),
+          B(pencil.matrix()),
           counter(B, options.linear_solver, options.domain_dimension),
           solver(make_linear_solver(options.linear_solver)),
           norm(row_sum_norm(*B)),
-          small(-small_negative_shift(*B)) {
+          small(small_length(*B)),
+          pairs(size(), small) {
         choose_engine(1);
     }
 
     Index size() const { return static_cast<Index>(B->rows()); }
-    Index found() const { return static_cast<Index>(values.size()); }
+    Index found() const { return pairs.count(); }
     void tell(std::string_view what) const {
         if (options.progress)
             options.progress(what);
@@ -92,14 +77,17 @@ struct CertifiedEigensolver::State {
     double shift_close_to(Index done, Index wanted, double low, double high);
     void set_shift(double sigma, Definiteness definiteness);
     Index ask(Index count);
-    void rayleigh_ritz(const DenseMatrix& more);
+    bool improve(Index count);
+    bool smooth();
+    void rotate();
+    bool approach(Index rough);
     Index gap_behind(Index count) const;
     bool certify(Index count);
     void move_shift(Index wanted);
+    void require_accuracy(Index count) const;
     CertifiedEigenpairs result(Index count) const;
 
-    SparseMatrix A;
-    Vector M;
+    ScaledPencil pencil;
     EigensolverOptions options;
     std::shared_ptr<const SparseMatrix> B; // M^-1/2 A M^-1/2
     InertiaCounter counter;
@@ -109,10 +97,10 @@ struct CertifiedEigensolver::State {
     double small;     // a length on the axis far below any eigenvalue that is not zero
     double shift = 0; // below every eigenvalue that is not found
     bool factorized = false;
+    bool smoothed = false; // with this shift
     std::mt19937_64 random{20};
 
-    Vector values;                                   // ascending
-    DenseMatrix vectors = DenseMatrix(B->rows(), 0); // orthonormal eigenvectors of B
+    FoundPairs pairs;
     Certificate certificate;
 };
 
@@ -164,9 +152,13 @@ void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiten
     facts.definiteness = definiteness;
     facts.domain_dimension = options.domain_dimension;
     facts.many_solves = true;
+    // next to eigenvalues so small beside the largest, residuals of solves are not
+    if (small < 1e-8 * norm)
+        facts.inertia = Inertia::wanted;
     solver->factorize(std::make_shared<const SparseMatrix>(shifted(*B, sigma)), facts);
     shift = sigma;
     factorized = true;
+    smoothed = false;
 }
 
 /// Asks for `count` eigenpairs above the shift and apart from those found; how many came.
@@ -174,67 +166,106 @@ Index CertifiedEigensolver::State::ask(Index count) {
     tell("iterating");
     count = std::min(count, size() - found());
     choose_engine(count);
-    const auto project = [&](auto& X) {
-        if (found() > 0)
-            X -= vectors * (vectors.transpose() * X);
-    };
     const auto apply = [&](const auto& X, auto& Y) {
         if (found() == 0) {
             Y = solver->solve(X);
             return;
         }
         auto right = X;
-        project(right);
+        pairs.project_out(right);
         Y = solver->solve(right);
-        project(Y);
+        pairs.project_out(Y);
     };
     EigenOptions eigen_options;
     eigen_options.max_restarts = 300;
     eigen_options.start.resize(size());
     for (double& entry : eigen_options.start)
         entry = static_cast<double>(random() >> 11) * 0x1p-53 - 0.5;
-    project(eigen_options.start);
+    pairs.project_out(eigen_options.start);
     if (eigen_options.start.norm() == 0)
         return 0;
 
-    const auto pairs = eigensolver->largest({size(), apply, apply}, count, eigen_options);
+    const auto came = eigensolver->largest({size(), apply, apply}, count, eigen_options);
     const double floor = 1e-3 / (norm + std::abs(shift)); // true ones are above 1 / (norm - shift)
     Index good = 0;
-    while (good < pairs.converged && pairs.values[good] > floor)
+    while (good < came.converged && came.values[good] > floor)
         ++good;
-    if (good > 0 && found() == 0) {
-        values = pairs.values.head(good).cwiseInverse().array() + shift;
-        vectors = pairs.vectors.leftCols(good);
-    } else if (good > 0) {
-        rayleigh_ritz(pairs.vectors.leftCols(good));
-    }
+    const DenseMatrix more = came.vectors.leftCols(good);
+    pairs.take(more, pencil.enclose(more));
+    smoothed = smoothed && good == 0;
     return good;
 }
 
-/// Eigenpairs in the span of those found and more, of the inverse: small eigenvalues would drown in
-/// the rounding of products with B itself.
-void CertifiedEigensolver::State::rayleigh_ritz(const DenseMatrix& more) {
-    DenseMatrix span(size(), found() + more.cols());
-    span << vectors, more;
-    const DenseMatrix thin = DenseMatrix::Identity(span.rows(), span.cols());
-    const DenseMatrix basis = span.householderQr().householderQ() * thin;
-    const DenseMatrix image = solver->solve(basis);
-    const DenseMatrix projected = basis.transpose() * image;
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> ritz((projected + projected.transpose()) / 2);
+/// Whether something could be done for the accuracy of the first `count`.
+bool CertifiedEigensolver::State::improve(Index count) {
+    const Index rough = pairs.fine_before(count);
+    return rough < count && (smooth() || approach(rough));
+}
 
-    // mu = 1 / (lambda - shift), so lambda ascends where mu descends, the negative ones first
-    std::vector<Index> order(span.cols());
-    std::iota(order.begin(), order.end(), Index{0});
-    const Vector lambda = ritz.eigenvalues().cwiseInverse().array() + shift;
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return lambda[a] < lambda[b]; });
-    values = lambda(order);
-    vectors = basis * ritz.eigenvectors()(Eigen::all, order);
+/// Rounding and the iteration leave noise of large eigenvalues in the vectors, which a solve takes
+/// away. Nothing that would bring it back comes after it: no projection, no reflections.
+bool CertifiedEigensolver::State::smooth() {
+    if (std::exchange(smoothed, true))
+        return false;
+    tell("refining");
+    const auto fine = pairs.all(true);
+    DenseMatrix Y = pairs.vectors()(Eigen::all, pairs.all(false));
+    pairs.keep(fine);
+    pairs.project_out(Y);
+    Y = solver->solve(Y);
+    Y.colwise().normalize();
+    pairs.take(Y, pencil.enclose(Y));
+    rotate();
+    return true;
+}
+
+/// Rayleigh-Ritz: of vectors that are not fine, the best in the space of all of them.
+void CertifiedEigensolver::State::rotate() {
+    const auto rough = pairs.all(false);
+    if (rough.size() < 2)
+        return;
+    const DenseMatrix Y = pairs.vectors()(Eigen::all, rough);
+    const DenseMatrix gram = Y.transpose() * Y;
+    const Eigen::LLT<DenseMatrix> factor(gram);
+    constexpr double dependent = 1e-5;
+    if (factor.info() != Eigen::Success || !(factor.matrixLLT().diagonal().minCoeff() > dependent))
+        return;
+    DenseMatrix images;
+    pencil.enclose(Y, &images);
+    const DenseMatrix projected = Y.transpose() * images;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> ritz(
+        (projected + projected.transpose()) / 2, gram);
+    if (ritz.info() != Eigen::Success)
+        return;
+    const DenseMatrix better = Y * ritz.eigenvectors();
+    pairs.keep(pairs.all(true));
+    pairs.take(better, pencil.enclose(better));
+}
+
+/// Eigenvalues far from the shift, seen from there, lie close together, and their vectors come out
+/// mixed. Moves the shift up to the first that is rough, as near as it is known, and gives up those
+/// that are; false if that is no gain.
+bool CertifiedEigensolver::State::approach(Index rough) {
+    const double value = pairs.values()[rough], radius = pairs.radii()[rough];
+    const double distance = std::max({64 * radius, std::abs(value) / 8, 1e-12 * norm, small});
+    const double next = value - distance;
+    if (distance > (value - shift) / 4)
+        return false;
+    if (rough > 0 && next <= pairs.values()[rough - 1] + pairs.radii()[rough - 1])
+        return false;
+    tell("counting");
+    if (counter.below(next, distance / 2) != rough)
+        return false;
+    pairs.keep(pairs.all(true));
+    set_shift(next, rough == 0 ? Definiteness::positive : Definiteness::indefinite);
+    return true;
 }
 
 /// Where the shift is far from what is still to be found, iterations stall: it moves up behind the
 /// longest part of what has been found that is proved complete. A part of a complete one is
 /// complete, so bisection finds it.
 void CertifiedEigensolver::State::move_shift(Index wanted) {
+    pairs.keep(pairs.all(true));
     std::vector<Index> parts;
     for (Index count = gap_behind(1); count > 0 && count < found(); count = gap_behind(count + 1))
         parts.push_back(count);
@@ -258,12 +289,8 @@ void CertifiedEigensolver::State::move_shift(Index wanted) {
 /// The first index i >= count such that a gap lies between values i-1 and i; -1 if none is seen.
 /// Behind all eigenvalues there is always one.
 Index CertifiedEigensolver::State::gap_behind(Index count) const {
-    for (Index i = count; i < found(); ++i) {
-        const double size_here = std::max({std::abs(values[i]), std::abs(values[i - 1]), small});
-        if (values[i] - values[i - 1] > relative_gap * size_here)
-            return i;
-    }
-    return found() == size() ? size() : -1;
+    const Index behind = pairs.gap_behind(count);
+    return behind < 0 && found() == size() ? size() : behind;
 }
 
 /// Proves that the first `count` (a gap behind them) are all there are below it; false if the
@@ -275,8 +302,10 @@ bool CertifiedEigensolver::State::certify(Index count) {
         return true;
     }
     tell("counting");
-    const double low = values[count - 1];
-    const double high = count < found() ? values[count] : low + std::max(std::abs(low), small);
+    const Vector &values = pairs.values(), &radii = pairs.radii();
+    const double low = values[count - 1] + radii[count - 1];
+    const double high =
+        count < found() ? values[count] - radii[count] : low + std::max(std::abs(low), small);
     for (const double place : {0.5, 0.38, 0.63, 0.27, 0.71}) {
         const double tau = low + place * (high - low);
         const auto below = counter.below(tau, std::min(place, 1 - place) * (high - low));
@@ -288,27 +317,39 @@ bool CertifiedEigensolver::State::certify(Index count) {
     throw SolverFailure(fmt::format(
         "the eigenvalues below {:.6g} cannot be counted: the factorizations of A - tau M near it "
         "are not accurate enough ({} found); ask for fewer or more eigenvalues, or waive the proof",
-        high, count));
+        pencil.eigenvalue(high), count));
+}
+
+void CertifiedEigensolver::State::require_accuracy(Index count) const {
+    for (Index i = 0; i < count; ++i)
+        if (!pairs.is_accurate(i, largest_radius))
+            throw SolverFailure(fmt::format(
+                "eigenvalue {}, {:.6g}, is known to within {:.2g} only, more than {:g} of it and "
+                "of its distance to the others: beside the largest, about {:.2g}, rounding hides "
+                "it\nimprove the cells of extreme shape, or waive the proof and mind the radii",
+                i, pencil.eigenvalue(pairs.values()[i]), pencil.eigenvalue(pairs.radii()[i]),
+                largest_radius, pencil.eigenvalue(norm)));
 }
 
 CertifiedEigenpairs CertifiedEigensolver::State::result(Index count) const {
-    CertifiedEigenpairs pairs;
-    pairs.values = values.head(count);
-    pairs.vectors = M.cwiseSqrt().cwiseInverse().asDiagonal() * vectors.leftCols(count);
-    pairs.residuals.resize(count);
-    for (Index i = 0; i < count; ++i) {
-        const Vector x = pairs.vectors.col(i), Mx = M.cwiseProduct(x);
-        pairs.residuals[i] = (A * x - pairs.values[i] * Mx).norm() / Mx.norm();
-    }
-    pairs.certificate = certificate;
-    pairs.linear_solver = solver->report().engine;
-    pairs.eigen_solver = eigensolver->name();
-    return pairs;
+    CertifiedEigenpairs result;
+    result.values = pencil.eigenvalues(pairs.values().head(count));
+    result.vectors = pencil.eigenvectors(pairs.vectors().leftCols(count));
+    result.radii = pencil.eigenvalues(pairs.radii().head(count));
+    result.residuals = pencil.eigenvalues(pairs.residuals().head(count));
+    result.certificate = certificate;
+    result.certificate.shift = pencil.eigenvalue(certificate.shift);
+    result.linear_solver = solver->report().engine;
+    result.eigen_solver = eigensolver->name();
+    return result;
 }
+
+CertifiedEigensolver::CertifiedEigensolver(const Pencil& pencil, EigensolverOptions options)
+    : state_(std::make_unique<State>(pencil, std::move(options))) {}
 
 CertifiedEigensolver::CertifiedEigensolver(const SparseMatrix& A, const Vector& M,
                                            EigensolverOptions options)
-    : state_(std::make_unique<State>(A, M, std::move(options))) {}
+    : CertifiedEigensolver(Pencil{.C = A, .M = M}, std::move(options)) {}
 
 CertifiedEigensolver::CertifiedEigensolver(CertifiedEigensolver&&) noexcept = default;
 CertifiedEigensolver::~CertifiedEigensolver() = default;
@@ -318,20 +359,23 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     if (count < 1 || count > s.size())
         throw InvalidInput(
             fmt::format("{} eigenvalues asked for: there are 1 to {} to be had", count, s.size()));
-    Index wanted = count + std::max<Index>(3, count / 10);
+    const Index least = std::max(count, std::min(s.options.zeros, s.size()));
+    Index wanted = least + std::max<Index>(3, least / 10);
     if (!s.factorized)
         s.set_shift(s.lowest_shift(wanted), Definiteness::positive);
     for (int round = 0; round < patience; ++round) {
         if (s.found() < std::min(wanted, s.size())) {
             const Index asked = std::min(wanted, s.size()) - s.found();
             const Index came = s.ask(asked);
-            if (s.options.certification == Certification::waived && s.found() >= count)
-                return s.result(count);
             if (came < asked && s.found() < count) {
                 s.move_shift(wanted);
                 continue;
             }
         }
+        if (s.found() >= count && s.improve(count))
+            continue;
+        if (s.found() >= count && s.options.certification == Certification::waived)
+            return s.result(count);
         const Index behind = s.found() < count ? -1 : s.gap_behind(count);
         if (behind < 0) {
             // a cluster without end, or not yet seen
@@ -343,15 +387,17 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
                     largest_cluster, count));
             continue;
         }
-        if (s.certify(behind))
+        if (s.certify(behind)) {
+            s.require_accuracy(count);
             return s.result(count);
+        }
         wanted = s.found() + s.certificate.below_shift - behind;
     }
     throw SolverFailure(fmt::format(
         "{} eigenvalues asked for, {} found and the proof not reached in {} rounds (last: {} by "
         "inertia, {} found below {:.6g}); ask for fewer",
         count, s.found(), patience, s.certificate.below_shift, s.certificate.returned_below_shift,
-        s.certificate.shift));
+        s.pencil.eigenvalue(s.certificate.shift)));
 }
 
 } // namespace polydec

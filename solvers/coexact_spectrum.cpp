@@ -2,13 +2,18 @@
 #include "solvers/coexact_spectrum.h"
 
 #include "base/errors.h"
+#include "complex/homology.h"
 #include "dec/derivative.h"
 #include "dec/star.h"
+#include "solvers/found_pairs.h"
+#include "solvers/laplacian_pencil.h"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace polydec {
 
@@ -16,34 +21,91 @@ namespace {
 
 constexpr double cluster_width = 1e-6; // relative; eigenvalues nearer than this belong together
 
-/// How many of the values, ascending, make whole clusters: the last one may have been cut.
-Index whole_clusters(const Vector& values, Index size) {
-    Index count = static_cast<Index>(values.size());
-    if (count == size)
-        return count;
-    while (count > 1 && values[count - 1] - values[count - 2] <= cluster_width * values[count - 1])
-        --count;
-    return count - 1;
-}
-
-struct CoexactPart {
-    Vector values;
-    DenseMatrix modes;
+/// Eigenvalues that belong together, begin .. end - 1.
+struct Cluster {
+    Index begin, end;
 };
 
-/// The coexact forms in the space that whole clusters of eigenforms span. It is invariant under
-/// delta d, which vanishes on the exact and harmonic ones.
-CoexactPart coexact_part(const CellComplex& complex, const CellVolumes& volumes, int k,
-                         const Vector& values, const DenseMatrix& modes) {
-    const DenseMatrix curls = derivative(complex, k) * modes;
-    const DenseMatrix C = curls.transpose() * star(volumes, k + 1).asDiagonal() * curls;
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen(C);
-    constexpr double rounding = 1e-7;
+/// All clusters but the last, which may have been cut, unless these are all eigenvalues.
+std::vector<Cluster> whole_clusters(const Spectrum& found, Index size) {
+    const Vector &values = found.eigenvalues, &radii = found.radii;
+    const auto count = static_cast<Index>(values.size());
+    std::vector<Cluster> clusters;
+    for (Index i = 0; i < count; ++i) {
+        const bool belongs =
+            i > 0 && values[i] - values[i - 1] <=
+                         std::max(cluster_width * std::abs(values[i]), radii[i] + radii[i - 1]);
+        if (belongs)
+            clusters.back().end = i + 1;
+        else
+            clusters.push_back({i, i + 1});
+    }
+    if (count < size)
+        clusters.pop_back();
+    return clusters;
+}
+
+bool may_be_zero(const Spectrum& found, Index i) {
+    return std::abs(found.eigenvalues[i]) <= found.radii[i];
+}
+
+/// Zeros are as many as there are harmonic forms; more cannot be told from small eigenvalues.
+void check_zeros(const Spectrum& found, Index harmonic) {
     Index zeros = 0;
-    while (zeros < C.rows() && eigen.eigenvalues()[zeros] <= rounding * values.maxCoeff())
-        ++zeros;
-    const Index count = static_cast<Index>(C.rows()) - zeros;
-    return {eigen.eigenvalues().tail(count), modes * eigen.eigenvectors().rightCols(count)};
+    for (Index i = 0; i < found.eigenvalues.size(); ++i)
+        zeros += may_be_zero(found, i) ? 1 : 0;
+    if (zeros > harmonic)
+        throw SolverFailure(fmt::format("{} eigenvalues cannot be told from zero, but there are {} "
+                                        "harmonic {}-forms: rounding hides whether forms are "
+                                        "coexact",
+                                        zeros, harmonic, found.degree));
+}
+
+/// The coexact forms in the space of a cluster. It is invariant under delta d, which on it has the
+/// cluster's eigenvalue on coexact forms and 0 on exact ones.
+DenseMatrix coexact_modes(const SparseMatrix& d, const Vector& upper_star, const DenseMatrix& modes,
+                          double eigenvalue) {
+    const DenseMatrix curls = d * modes;
+    const DenseMatrix energies = curls.transpose() * upper_star.asDiagonal() * curls;
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen(energies / eigenvalue);
+    const auto exact = static_cast<Index>((eigen.eigenvalues().array() < 0.5).count());
+    return modes * eigen.eigenvectors().rightCols(modes.cols() - exact);
+}
+
+/// All coexact modes in whole clusters, a column each.
+DenseMatrix coexact_modes(const CellComplex& complex, const CellVolumes& volumes,
+                          const Spectrum& found) {
+    const int k = found.degree;
+    const SparseMatrix d = derivative(complex, k);
+    const Vector upper_star = star(volumes, k + 1);
+    std::vector<DenseMatrix> parts;
+    Index count = 0;
+    for (const auto [begin, end] : whole_clusters(found, complex.size(k))) {
+        if (may_be_zero(found, begin))
+            continue;
+        parts.push_back(coexact_modes(d, upper_star, found.modes.middleCols(begin, end - begin),
+                                      found.eigenvalues[begin]));
+        count += static_cast<Index>(parts.back().cols());
+    }
+    DenseMatrix modes(complex.size(k), count);
+    Index next = 0;
+    for (const auto& part : parts) {
+        modes.middleCols(next, part.cols()) = part;
+        next += static_cast<Index>(part.cols());
+    }
+    return modes;
+}
+
+/// Values, radii and residuals of the first modes as eigenforms of delta d alone.
+void measure(const Pencil& given, const DenseMatrix& modes, Index count, Spectrum& spectrum) {
+    const ScaledPencil pencil(given);
+    const DenseMatrix Y = given.M.cwiseSqrt().asDiagonal() * modes;
+    FoundPairs pairs(pencil.size(), 0);
+    pairs.take(Y, pencil.enclose(Y));
+    spectrum.eigenvalues = pencil.eigenvalues(pairs.values().head(count));
+    spectrum.radii = pencil.eigenvalues(pairs.radii().head(count));
+    spectrum.residuals = pencil.eigenvalues(pairs.residuals().head(count));
+    spectrum.modes = pencil.eigenvectors(pairs.vectors().leftCols(count));
 }
 
 } // namespace
@@ -59,27 +121,16 @@ Spectrum coexact_spectrum(const CellComplex& complex, const CellVolumes& volumes
     all.count = std::min<Index>(size, 2 * options.count + 10);
     while (true) {
         Spectrum found = spectrum(complex, volumes, all);
-        const Index whole = whole_clusters(found.eigenvalues, size);
-        auto part = coexact_part(complex, volumes, k, found.eigenvalues.head(whole),
-                                 found.modes.leftCols(whole));
-        if (part.values.size() >= options.count) {
-            found.eigenvalues = part.values.head(options.count);
-            found.modes = part.modes.leftCols(options.count);
-            found.residuals.resize(options.count);
-            const Vector mass = star(volumes, k), upper = star(volumes, k + 1);
-            const SparseMatrix d = derivative(complex, k);
-            for (Index i = 0; i < options.count; ++i) {
-                const Vector x = found.modes.col(i);
-                const Vector image = d.transpose() * upper.cwiseProduct(d * x);
-                const Vector weighted = mass.cwiseProduct(x);
-                found.residuals[i] =
-                    (image - found.eigenvalues[i] * weighted).norm() / weighted.norm();
-            }
+        const DenseMatrix modes = k == complex.dimension() ? DenseMatrix(size, 0)
+                                                           : coexact_modes(complex, volumes, found);
+        if (modes.cols() >= options.count) {
+            check_zeros(found, betti_numbers(complex)[k]);
+            measure(coexact_pencil(complex, volumes, k), modes, options.count, found);
             return found;
         }
         if (all.count == size)
             throw InvalidInput(fmt::format("{} coexact {}-forms asked for: there are {}",
-                                           options.count, k, part.values.size()));
+                                           options.count, k, modes.cols()));
         all.count = std::min<Index>(size, 2 * all.count);
     }
 }

@@ -28,8 +28,7 @@ void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int 
     // what flips and splits of edges can do, they do for surfaces
     const char* const surface_advice =
         volumes.dimension() == 2
-            ? ": on a manifold intrinsic flips make it so (--delaunay=split-boundary, "
-              "MergeOptions::delaunay)"
+            ? ": on a manifold intrinsic flips make it so (Delaunay::flips_and_splits)"
             : "";
     const auto& bad = negative.empty() ? zero : negative;
     throw InvalidInput(fmt::format(

@@ -2,13 +2,16 @@
 #include "solvers/spectrum.h"
 
 #include "base/errors.h"
+#include "complex/homology.h"
 #include "dec/cochain.h"
 #include "dec/conditioned_complex.h"
-#include "dec/laplacian.h"
 #include "dec/star.h"
+#include "solvers/laplacian_pencil.h"
 #include "solvers/positive_mass.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace polydec {
 
@@ -45,20 +48,25 @@ Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
     check_degree(complex, options, k);
     check_positive_mass(volumes, options.side, options.degree, k);
 
-    const Vector mass = star(volumes, k);
-    CertifiedEigensolver solver(symmetric_laplacian(complex, volumes, k), mass,
+    const bool is_dual_function = k == complex.dimension();
+    CertifiedEigensolver solver(is_dual_function ? dual_function_pencil(complex, volumes, k)
+                                                 : laplacian_pencil(complex, volumes, k),
                                 {.linear_solver = options.linear_solver,
                                  .eigen_solver = options.eigen_solver,
                                  .certification = options.certification,
                                  .domain_dimension = complex.dimension(),
                                  .definiteness = definiteness(volumes, k),
+                                 .zeros = betti_numbers(complex)[k],
                                  .progress = options.progress});
     auto pairs = solver.smallest(options.count);
-    if (options.side == Side::dual)
-        pairs.vectors = mass.asDiagonal() * pairs.vectors;
+    if (options.side == Side::dual && !is_dual_function)
+        pairs.vectors = star(volumes, k).asDiagonal() * pairs.vectors;
+    if (options.side == Side::primal && is_dual_function)
+        pairs.vectors = inverse_star(volumes, k).asDiagonal() * pairs.vectors;
     return {options.side,
             options.degree,
             std::move(pairs.values),
+            std::move(pairs.radii),
             std::move(pairs.vectors),
             std::move(pairs.residuals),
             pairs.certificate,

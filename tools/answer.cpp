@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/answer.h"
 
-#include "base/printable.h"
 #include "examples/paper/console.h"
+#include "tools/messages.h"
 
 #include <algorithm>
 
@@ -51,7 +51,7 @@ void Timing::end() {
 }
 
 void Log::warn(const std::string& text) {
-    warnings.push_back(printable_message(text));
+    warnings.push_back(told(text));
     console::tell(fmt::format("polydec: warning: {}\n", warnings.back()));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/registry.h"
 #include "tools/commands.h"
-#include "tools/common.h"
+#include "tools/options.h"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ struct Backends : Answer {
 void add_backends(CLI::App& app) {
     auto* command = app.add_subcommand("backends", "engines: there, missing, how to get them");
     const auto options = std::make_shared<TellOptions>();
-    add_json(*command, *options);
+    add_common_options(*command, *options);
     command->footer("Example:\n  polydec backends");
     command->callback([options] {
         Log log;

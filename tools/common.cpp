@@ -5,6 +5,8 @@
 #include "examples/paper/console.h"
 #include "io/length_file.h"
 #include "io/read_mesh.h"
+#include "tools/messages.h"
+#include "tools/options.h"
 
 #include <fmt/format.h>
 
@@ -14,12 +16,6 @@
 namespace polydec::tools {
 
 namespace {
-
-/// CLI11's own check tells the largest double in 309 digits.
-std::string check_not_negative(const std::string& text) {
-    const bool good = CLI::NonNegativeNumber(text).empty();
-    return good ? "" : fmt::format("expected a number of at least 0, not '{}'", text);
-}
 
 /// What was read may have points or lengths alone.
 template <class Read>
@@ -59,12 +55,8 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
                   "=split-boundary divides boundary edges too")
         ->check(CLI::IsMember({"flips", "split-boundary"}))
         ->excludes(angle);
-    add_json(command, arguments.tell);
+    add_common_options(command, arguments.tell);
     command.add_flag("--timing", arguments.tell.timing, "tell the seconds each stage took");
-}
-
-void add_json(CLI::App& command, TellOptions& options) {
-    command.add_flag("--json", options.json, "print one JSON object");
 }
 
 CLI::Option* add_side(CLI::App& command, Side& side) {
@@ -99,9 +91,12 @@ Discretization load(const MeshArguments& arguments, Log& log) {
         options.criterion = MergeCriterion::none;
 
     stage("read");
-    auto result = is_length_file(arguments.mesh)
-                      ? discretize_checked(arguments, read_lengths(arguments.mesh), options, stage)
-                      : discretize_checked(arguments, read_mesh(arguments.mesh), options, stage);
+    const auto name = [&](const char* message) { return naming(arguments.mesh, message); };
+    auto result = reworded(name, [&] {
+        return is_length_file(arguments.mesh)
+                   ? discretize_checked(arguments, read_lengths(arguments.mesh), options, stage)
+                   : discretize_checked(arguments, read_mesh(arguments.mesh), options, stage);
+    });
     log.timing.end();
     for (const auto& warning : result.warnings)
         log.warn(warning);

@@ -27,9 +27,6 @@ struct MeshArguments {
 /// Adds MESH and the options of MeshArguments to a subcommand.
 void add_mesh_arguments(CLI::App& command, MeshArguments& arguments);
 
-/// The option --json.
-void add_json(CLI::App& command, TellOptions& options);
-
 /// The option --side primal|dual.
 CLI::Option* add_side(CLI::App& command, Side& side);
 

@@ -6,6 +6,7 @@
 #include "solvers/geodesic_distance.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
@@ -68,13 +69,15 @@ struct Distances : Answer {
 
 void run(const Arguments& arguments) {
     Log log;
+    if (!arguments.out.empty())
+        check_output_file(arguments.out, {".vtu"}, mesh_files(arguments.mesh.mesh));
     const Discretization mesh = load(arguments.mesh, log);
     if (mesh.dimension() != 2)
         throw InvalidInput(fmt::format("{} has cells of dimension {}: distances are found on "
                                        "surfaces",
                                        arguments.mesh.mesh.string(), mesh.dimension()));
     if (!arguments.out.empty())
-        check_drawable(2, static_cast<int>(mesh.points.cols()));
+        check_drawable(mesh);
     log.timing.begin("solve");
     const auto sources = cells_of(mesh, arguments.from);
     Index raised = 0;

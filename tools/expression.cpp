@@ -2,7 +2,10 @@
 #include "tools/expression.h"
 
 #include "base/errors.h"
+#include "base/printable.h"
 #include "dec/simplex_metric.h"
+#include "io/source_file.h"
+#include "tools/expression_syntax.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -10,12 +13,11 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <cstring>
 #include <numbers>
 #include <vector>
 
@@ -23,19 +25,26 @@ namespace polydec::tools {
 
 namespace {
 
-constexpr int most_coordinates = 16;
+constexpr int most_coordinates = 64;
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text,
-                         const mu::Parser::exception_type& error) {
-    throw CLI::ValidationError(
-        option, fmt::format("'{}' is neither a file nor an expression: {}", text, error.GetMsg()));
+                         const std::string& reason) {
+    throw CLI::ValidationError(option, fmt::format("'{}' is neither a file nor an expression: {}",
+                                                   printable(text), reason));
 }
 
-Vector read_values(const std::string& path, Index count) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file)
-        throw IoError(fmt::format("{}: cannot be read", path));
+/// The parser's own way goes through a stream, which takes a lack of memory for a wrong number.
+int read_number(const char* text, int* position, double* value) {
+    const bool begins_number = std::isdigit(static_cast<unsigned char>(*text)) != 0 || *text == '.';
+    const auto [end, error] = std::from_chars(text, text + std::strlen(text), *value);
+    if (!begins_number || error != std::errc())
+        return 0;
+    *position += static_cast<int>(end - text);
+    return 1;
+}
+
+std::vector<double> read_numbers(const std::string& path) {
+    const std::string text = read_source_file(path).text;
     std::vector<double> values;
     const char* at = text.data();
     const char* const end = at + text.size();
@@ -43,78 +52,112 @@ Vector read_values(const std::string& path, Index count) {
         while (at != end && std::isspace(static_cast<unsigned char>(*at)))
             ++at;
         if (at == end)
-            break;
+            return values;
         double value = 0;
         const auto [next, error] = std::from_chars(at, end, value);
-        if (error != std::errc() || !std::isfinite(value))
-            throw InvalidInput(fmt::format("{}: entry {} is no finite number: expected {} numbers "
-                                           "separated by white space",
-                                           path, values.size(), count));
+        const bool ends = next == end || std::isspace(static_cast<unsigned char>(*next));
+        if (error != std::errc() || !ends || !std::isfinite(value))
+            throw InvalidInput(fmt::format("{}: entry {} is no finite number: expected numbers "
+                                           "separated by white space, one for each place",
+                                           printable(path), values.size()));
         values.push_back(value);
         at = next;
     }
-    if (values.size() != static_cast<std::size_t>(count))
-        throw InvalidInput(fmt::format("{}: {} numbers, expected {}, one for each place", path,
-                                       values.size(), count));
-    return Eigen::Map<const Vector>(values.data(), count);
 }
 
 } // namespace
 
 struct Expression::State {
     std::string option, text;
-    mutable mu::Parser parser;
-    mutable std::vector<double> position = std::vector<double>(most_coordinates, 0.0);
+    mu::Parser parser;
+    std::array<double, most_coordinates> position{};
+    int used = 0; ///< the coordinates up to this one
 };
 
 Expression::Expression(const std::string& option, const std::string& text)
     : state_(std::make_unique<State>()) {
     state_->option = option;
     state_->text = text;
+    if (const auto flaw = misread_syntax(text); !flaw.empty())
+        refuse(option, text, flaw);
     try {
         auto& parser = state_->parser;
+        // which would change the order of operations
+        parser.EnableOptimizer(false);
         parser.DefineConst("pi", std::numbers::pi);
-        const char* const names[] = {"x", "y", "z"};
-        for (int i = 0; i < most_coordinates; ++i) {
-            if (i < 3)
+        constexpr std::array names{"x", "y", "z"};
+        for (std::size_t i = 0; i < state_->position.size(); ++i) {
+            if (i < names.size())
                 parser.DefineVar(names[i], &state_->position[i]);
             parser.DefineVar(fmt::format("x{}", i + 1), &state_->position[i]);
         }
+        parser.AddValIdent(read_number);
         parser.SetExpr(text);
         parser.Eval();
+        for (const auto& [name, place] : parser.GetUsedVar())
+            state_->used =
+                std::max(state_->used, static_cast<int>(place - state_->position.data()) + 1);
     } catch (const mu::Parser::exception_type& error) {
-        refuse(option, text, error);
+        refuse(option, text, error.GetMsg());
     }
 }
 
 Expression::~Expression() = default;
 
 Vector Expression::operator()(const Points& sites) const {
-    if (sites.cols() == 0 && !state_->parser.GetUsedVar().empty())
-        require_points(0, fmt::format("{} {}", state_->option, state_->text));
+    auto& [option, text, parser, position, used] = *state_;
+    const auto axes = static_cast<int>(sites.cols());
+    if (axes == 0 && used > 0)
+        require_points(0, fmt::format("{} {}", option, printable(text)));
+    if (used > axes)
+        throw InvalidInput(fmt::format("{}: '{}' uses coordinate {}, but the mesh has {}: change "
+                                       "the expression",
+                                       option, printable(text), used, axes));
     Vector values(sites.rows());
     for (Index i = 0; i < sites.rows(); ++i) {
-        for (Index c = 0; c < std::min<Index>(static_cast<Index>(sites.cols()), most_coordinates);
-             ++c)
-            state_->position[c] = sites(i, c);
+        for (int c = 0; c < used; ++c)
+            position[c] = sites(i, c);
         try {
-            values[i] = state_->parser.Eval();
+            values[i] = parser.Eval();
         } catch (const mu::Parser::exception_type& error) {
-            refuse(state_->option, state_->text, error);
+            refuse(option, text, error.GetMsg());
         }
         if (!std::isfinite(values[i]))
-            throw InvalidInput(fmt::format("{}: '{}' is {} at ({}): change the expression",
-                                           state_->option, state_->text, values[i],
+            throw InvalidInput(fmt::format("{}: '{}' is {} at ({}): change the expression", option,
+                                           printable(text), values[i],
                                            fmt::join(sites.row(i), ", ")));
     }
     return values;
 }
 
-Vector values_at(const std::string& option, const std::string& text, const Points& sites) {
+SiteValues::SiteValues(const std::string& option, const std::string& text) {
     std::error_code none;
-    if (std::filesystem::is_regular_file(text, none))
-        return read_values(text, static_cast<Index>(sites.rows()));
-    return Expression(option, text)(sites);
+    if (!std::filesystem::is_regular_file(text, none)) {
+        expression_ = std::make_unique<Expression>(option, text);
+        return;
+    }
+    file_ = text;
+    try {
+        const Expression also(option, text);
+    } catch (const CLI::ValidationError&) {
+        const auto numbers = read_numbers(text);
+        values_ = Eigen::Map<const Vector>(numbers.data(), static_cast<Index>(numbers.size()));
+        return;
+    }
+    throw CLI::ValidationError(
+        option, fmt::format("'{0}' is an expression, and a file too: write ({0}) or ./{0}",
+                            printable(text)));
+}
+
+SiteValues::~SiteValues() = default;
+
+Vector SiteValues::at(const Points& sites) const {
+    if (expression_)
+        return (*expression_)(sites);
+    if (values_.size() != sites.rows())
+        throw InvalidInput(fmt::format("{}: {} numbers, expected {}, one for each place",
+                                       printable(file_->string()), values_.size(), sites.rows()));
+    return values_;
 }
 
 } // namespace polydec::tools

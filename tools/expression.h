@@ -3,12 +3,15 @@
 
 #include "base/types.h"
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace polydec::tools {
 
-/// A function of the position, written in x, y, z (and x1, x2, .. in any dimension).
+/// A function of the position, written in x, y, z (and x1, x2, .. in any dimension). It has no
+/// memory: the value at a site depends on that site alone.
 class Expression {
 public:
     /// Throws CLI::ValidationError, with the place, for text that is no expression. `option` names
@@ -16,7 +19,8 @@ public:
     Expression(const std::string& option, const std::string& text);
     ~Expression();
 
-    /// Values at the rows of `sites`. Throws InvalidInput, naming the place, where there is none.
+    /// Values at the rows of `sites`. Throws InvalidInput, naming the place, where there is none,
+    /// and for a coordinate that sites do not have.
     Vector operator()(const Points& sites) const;
 
 private:
@@ -24,8 +28,26 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The values an option gives at the sites: numbers of a file, if there is one of that name, else
-/// those of the expression. A file holds one number for each site, separated by white space.
-Vector values_at(const std::string& option, const std::string& text, const Points& sites);
+/// What an option gives at sites: numbers of a file, if there is one of that name, or the values of
+/// an expression. A file holds one number for each site, separated by white space. Made before any
+/// work, so that what is no expression is told at once.
+class SiteValues {
+public:
+    /// Throws like Expression; also for text that is both a file and an expression. InvalidInput
+    /// for a file with anything but finite numbers, IoError for one that cannot be read.
+    SiteValues(const std::string& option, const std::string& text);
+    ~SiteValues();
+
+    /// Throws InvalidInput for a file with another number of values, else like Expression.
+    Vector at(const Points& sites) const;
+
+    /// The file, if it is one.
+    const std::optional<std::filesystem::path>& file() const { return file_; }
+
+private:
+    std::optional<std::filesystem::path> file_;
+    Vector values_;
+    std::unique_ptr<const Expression> expression_;
+};
 
 } // namespace polydec::tools

@@ -4,7 +4,8 @@
 #include "io/write_mesh.h"
 #include "meshes/generate.h"
 #include "tools/commands.h"
-#include "tools/common.h"
+#include "tools/options.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
@@ -109,8 +110,9 @@ CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
     const auto out = std::make_shared<std::filesystem::path>();
     const auto options = std::make_shared<TellOptions>();
     command->add_option("-o,--out", *out, "mesh file: .off .obj .ply .stl .mesh .nsc")->required();
-    add_json(*command, *options);
+    add_common_options(*command, *options);
     command->callback([out, options, make = std::move(make)] {
+        check_output_file(*out, {".off", ".obj", ".ply", ".stl", ".mesh", ".nsc"}, {});
         Log log;
         write_generated(*out, make(), log, *options);
     });

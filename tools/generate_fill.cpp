@@ -4,6 +4,8 @@
 #include "meshes/tetrahedralize.h"
 #include "tools/common.h"
 #include "tools/generate.h"
+#include "tools/options.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
@@ -23,6 +25,7 @@ struct FillArguments {
 };
 
 void fill(const FillArguments& arguments) {
+    check_output_file(arguments.out, {".mesh", ".nsc"}, mesh_files(arguments.surface));
     Points holes(static_cast<Eigen::Index>(arguments.holes.size()), 3);
     for (Eigen::Index i = 0; i < holes.rows(); ++i)
         holes.row(i) = Eigen::RowVector3d(arguments.holes[static_cast<std::size_t>(i)].data());
@@ -96,7 +99,8 @@ void add_fill(CLI::App& generate) {
         ->capture_default_str()
         ->needs(mesher);
     generate.add_option("-o,--out", arguments->out, "mesh file of tetrahedra: .mesh .nsc");
-    add_json(generate, arguments->tell);
+    add_common_options(generate, arguments->tell);
+    generate.get_option("--json")->needs(mesher);
     generate.callback([&generate, arguments] { fill_if_asked(generate, *arguments); });
 }
 

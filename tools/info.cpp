@@ -75,6 +75,15 @@ void write(JsonWriter& json, const OperatorFacts& row) {
     write(json, "merged", row.sides.merged);
 }
 
+void write(JsonWriter& json, const LaplacianFacts& facts) {
+    json.member("degree", facts.degree);
+    json.member("matrix", name(facts.matrix));
+    json.member("spectrum", facts.spectrum == LaplacianFacts::yes  ? "yes"
+                            : facts.spectrum == LaplacianFacts::no ? "no"
+                                                                   : "indefinite");
+    json.member("reason", facts.reason);
+}
+
 double percent_of_pairs(const MeshFacts& facts) {
     return 100.0 * facts.concyclic->simplices / facts.cells.input[2];
 }
@@ -99,6 +108,10 @@ void write(JsonWriter& json, const MeshFacts& facts) {
     json.array("operators", [&] {
         for (const auto& row : facts.operators)
             json.object([&] { write(json, row); });
+    });
+    json.array("laplacians", [&] {
+        for (const auto& each : facts.laplacians)
+            json.object([&] { write(json, each); });
     });
     json.object("vertices_per_cell", [&] {
         for (const auto& [vertices, cells] : facts.vertices_per_cell)
@@ -192,8 +205,8 @@ void write_operators(Text& text, const MeshFacts& facts) {
         return verdict ? name(verdict->verdict) : "-";
     };
     for (const auto& row : facts.operators) {
-        if (everywhere_yes(row))
-            continue;
+        if (row.name == "laplacian" || everywhere_yes(row))
+            continue; // Laplacians have a verdict of their own
         const bool graded = row.name.find(' ') == std::string::npos;
         const auto& [input, merged] = row.sides;
         lines.push_back(fmt::format("  {:<18}{:>14}{:>14}{:>16}{:>14}\n",
@@ -202,35 +215,37 @@ void write_operators(Text& text, const MeshFacts& facts) {
                                     cell(merged[1])));
     }
     if (lines.empty())
-        return text("operators\n  all are well defined, before and after merging\n");
-    text("operators that are not well defined everywhere\n  {:<18}{:>14}{:>14}{:>16}{:>14}\n{}", "",
-         "input primal", "dual", "merged primal", "dual", fmt::join(lines, ""));
+        return text("other operators\n  all are well defined, before and after merging\n");
+    text("other operators that are not well defined everywhere\n  "
+         "{:<18}{:>14}{:>14}{:>16}{:>14}\n{}",
+         "", "input primal", "dual", "merged primal", "dual", fmt::join(lines, ""));
 }
 
-/// What the stars allow for the Laplacian on forms that live on the k-cells.
-std::string verdict(const std::vector<StarNumbers>& stars, int k) {
-    const auto at = [&](int j) {
-        return j >= 0 && j < static_cast<int>(stars.size()) ? stars[j] : StarNumbers{};
+/// The one verdict on the Laplacian of a degree, with its reason.
+std::string verdict(const LaplacianFacts& facts) {
+    const bool exists = facts.matrix != WellDefined::no;
+    const auto solved = facts.spectrum;
+    const auto better = [&](const char* now) {
+        return facts.before == facts.matrix
+                   ? std::string(now)
+                   : fmt::format("{} ({} before merging)", now, name(facts.before));
     };
-    if (at(k).negative > 0 || at(k).zero > 0)
-        return "no, the mass is not positive";
-    if (at(k - 1).zero > 0)
-        return "no, an inverse star divides by zero";
-    const auto spurious = at(k - 1).negative + (k == 0 ? 0 : at(k + 1).negative);
-    if (spurious > 0)
-        return fmt::format("yes, but {} negative duals make about as many spurious negative "
-                           "eigenvalues",
-                           spurious);
-    return "yes";
+    if (!exists && solved == LaplacianFacts::no)
+        return fmt::format("no, {}", facts.reason);
+    if (!exists)
+        return fmt::format("a spectrum alone, since {}", facts.reason);
+    if (solved == LaplacianFacts::no)
+        return fmt::format("a matrix alone, without a spectrum: {}", facts.reason);
+    if (solved == LaplacianFacts::indefinite)
+        return fmt::format("yes, but {}", facts.reason);
+    return facts.reason.empty() ? better("yes") : fmt::format("restricted, {}", facts.reason);
 }
 
-void write_spectra(Text& text, const MeshFacts& facts) {
-    const int n = facts.dimension;
-    text("spectra\n");
-    for (int k = 0; k <= n; ++k)
-        text("  primal {}-forms, dual {}-forms: {}\n", k, n - k, verdict(facts.stars, k));
-    for (const auto& advice : facts.advice)
-        text("{}\n", advice);
+void write_laplacians(Text& text, const MeshFacts& facts) {
+    text("Laplacians and spectra\n");
+    for (const auto& each : facts.laplacians)
+        text("  primal {}-forms, dual {}-forms: {}\n", each.degree, facts.dimension - each.degree,
+             verdict(each));
 }
 
 struct Info : Answer {
@@ -245,8 +260,10 @@ struct Info : Answer {
         write_topology(text, facts);
         write_duals(text, facts);
         write_stars(text, facts);
+        write_laplacians(text, facts);
         write_operators(text, facts);
-        write_spectra(text, facts);
+        for (const auto& advice : facts.advice)
+            text("{}\n", advice);
     }
 };
 

@@ -1,44 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/process.h"
 #include "examples/paper/usage.h"
-#include "tools/commands.h"
-
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
-#include <string>
+#include "tools/command_line.h"
+#include "tools/messages.h"
 
 namespace {
 
-/// An argument that nobody knows is the cause even where something is missing too.
-std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
-    const auto unknown = app->remaining(true);
-    const auto what = unknown.empty() ? std::string(error.what())
-                                      : fmt::format("there is no '{}' here", unknown.front());
-    return fmt::format("polydec: {}\nRun with --help for more information.\n", what);
-}
-
 int run(int argc, char** argv) {
-    CLI::App app{"polydec: discrete exterior calculus on the mesh you have", "polydec"};
-    app.set_version_flag("--version", POLYDEC_VERSION);
-    app.require_subcommand(1);
-    app.failure_message(tell_misuse);
-    app.footer("polydec COMMAND --help tells more and shows examples.\n"
-               "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 numerical failure, 4 file or "
-               "resource failure.");
-    polydec::tools::add_info(app);
-    polydec::tools::add_operators(app);
-    polydec::tools::add_merge(app);
-    polydec::tools::add_spectrum(app);
-    polydec::tools::add_poisson(app);
-    polydec::tools::add_distance(app);
-    polydec::tools::add_generate(app);
-    polydec::tools::add_reproduce(app);
-    polydec::tools::add_backends(app);
+    const auto app = polydec::tools::command_line();
     try {
-        app.parse(argc, argv);
+        polydec::tools::reworded(polydec::tools::told, [&] { app->parse(argc, argv); });
     } catch (const CLI::ParseError& error) {
-        return polydec::tell_usage(app, error);
+        return polydec::tell_usage(*app, error);
     }
     return polydec::done;
 }

@@ -2,14 +2,17 @@
 #include "base/errors.h"
 #include "io/draw_cells.h"
 #include "io/draw_overlay.h"
+#include "io/source_file.h"
 #include "io/vtu.h"
 #include "io/write_mesh.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 namespace polydec::tools {
 
@@ -25,7 +28,7 @@ void write_merged(const std::filesystem::path& out, const Discretization& mesh) 
         throw InvalidInput(fmt::format("{}: no format holds merged cells of dimension {}; the "
                                        "subcommand operators writes them as matrices",
                                        out.string(), mesh.dimension()));
-    if (out.extension() == ".vtu") {
+    if (lower_extension(out) == ".vtu") {
         auto grid = mesh.intrinsic ? draw_overlay(mesh) : draw_cells(mesh, mesh.dimension());
         if (!mesh.tags.empty())
             grid.cell_data.push_back({"tag", mesh.tags});
@@ -64,6 +67,8 @@ private:
 
 void run(const Arguments& arguments) {
     Log log;
+    check_output_file(arguments.out, {".off", ".obj", ".ply", ".vtu"},
+                      mesh_files(arguments.mesh.mesh));
     const Discretization mesh = load(arguments.mesh, log);
     log.timing.begin("write");
     write_merged(arguments.out, mesh);

@@ -42,6 +42,16 @@ struct OperatorFacts {
     BeforeAndAfter<Sides> sides;
 };
 
+/// What can be done with the Laplacian of primal k-forms and dual (n-k)-forms, which live on the
+/// same cells, after merging.
+struct LaplacianFacts {
+    int degree = 0;                              ///< k
+    WellDefined before = WellDefined::yes;       ///< on the input complex
+    WellDefined matrix = WellDefined::yes;       ///< whether the operator itself makes sense
+    enum { yes, indefinite, no } spectrum = yes; ///< indefinite: with negative eigenvalues
+    std::string reason;                          ///< for what is not yes; or empty
+};
+
 /// What `polydec info` tells of a mesh.
 struct MeshFacts {
     int dimension = 0;
@@ -57,6 +67,7 @@ struct MeshFacts {
     FacetKinds pairs;
     std::vector<StarNumbers> stars, input_stars; ///< by degree, after merging and before
     std::vector<OperatorFacts> operators;
+    std::vector<LaplacianFacts> laplacians;         ///< by degree
     std::map<std::size_t, Index> vertices_per_cell; ///< how many merged n-cells have that many
     std::optional<MergedPairs> concyclic;           ///< of a surface
     std::vector<std::string> advice;

@@ -4,15 +4,23 @@
 #include "dec/lift.h"
 #include "dec/star.h"
 #include "io/atomic_file.h"
+#include "io/atomic_folder.h"
 #include "io/matrix_market.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/manifest.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace polydec::tools {
 
@@ -100,7 +108,7 @@ private:
         write_matrix_market(path, laplacian);
     }
 
-    /// A Laplacian that would divide by zero is left out, and one of an earlier run removed.
+    /// A Laplacian that would divide by zero is left out.
     void write_laplacians(int k) const {
         const int j = mesh_.dimension() - k;
         const auto primal = file("laplacian_primal", k), dual = file("laplacian_dual", j);
@@ -131,12 +139,27 @@ private:
     Log& log_;
 };
 
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder))
-        throw IoError(fmt::format("cannot make the folder {}: {}", folder.string(),
-                                  error ? error.message() : "a file of that name is in the way"));
+/// Whether a name is one that this command gives to its files: star_2.mtx, cells_0.txt.
+bool is_name_of_ours(std::string_view name) {
+    constexpr std::array stems{"d",         "star", "volume",           "dual_volume",
+                               "diamond",   "lift", "laplacian_primal", "laplacian_dual",
+                               "simplices", "cells"};
+    if (name == "manifest.json")
+        return true;
+    const auto line = name.rfind('_');
+    if (line == std::string_view::npos)
+        return false;
+    const auto stem = name.substr(0, line), rest = name.substr(line + 1);
+    const auto digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+    return digits > 0 && (rest.substr(digits) == ".mtx" || rest.substr(digits) == ".txt") &&
+           std::find(stems.begin(), stems.end(), stem) != stems.end();
+}
+
+/// Files of these names are ours where there is the manifest that goes with them.
+AtomicFolder::IsOurs earlier_result(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    const bool has_manifest = std::filesystem::is_regular_file(folder / "manifest.json", ignored);
+    return [has_manifest](std::string_view name) { return has_manifest && is_name_of_ours(name); };
 }
 
 class Operators : public Answer {
@@ -159,10 +182,16 @@ private:
 
 void run(const Arguments& arguments) {
     Log log;
+    const auto is_ours = earlier_result(arguments.out);
+    check_output_folder(arguments.out);
+    check_replaceable(arguments.out, is_ours);
     const Discretization mesh = load(arguments.mesh, log);
-    make_folder(arguments.out);
     log.timing.begin("write");
-    Writer(mesh, arguments.out, log).write_all();
+    AtomicFolder folder(arguments.out, is_ours);
+    Writer(mesh, folder.path(), log).write_all();
+    write_manifest(folder.path(), {"operators", fingerprints(arguments.mesh.mesh), arguments.mesh,
+                                   mesh.dimension(), log.warnings});
+    folder.commit();
     tell(Operators(arguments.out.string(), mesh.dimension()), log, arguments.mesh.tell);
 }
 
@@ -172,12 +201,15 @@ void add_operators(CLI::App& app) {
     auto* command = app.add_subcommand("operators", "writes every operator and map as files");
     const auto arguments = std::make_shared<Arguments>();
     add_mesh_arguments(*command, arguments->mesh);
-    command->add_option("--out", arguments->out, "folder for the files, made if needed")
+    command
+        ->add_option("--out", arguments->out, "folder for the files, made or replaced as a whole")
         ->required();
     command->footer(
         "Files (P merged, K input complex): d_k star_k volume_k dual_volume_k diamond_k (P x K)\n"
         "lift_k (K x P) laplacian_primal_k laplacian_dual_j as Matrix Market; simplices_k.txt (K)\n"
-        "and cells_k.txt (P): the vertices of each cell.\n\nExample:\n"
+        "and cells_k.txt (P): the vertices of each cell; manifest.json: what they were made "
+        "from.\n\n"
+        "Example:\n"
         "  polydec operators grid.nsc --out operators");
     command->callback([arguments] { run(*arguments); });
 }

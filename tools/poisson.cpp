@@ -8,7 +8,9 @@
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/conditions.h"
 #include "tools/expression.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,8 +26,8 @@ namespace {
 struct Arguments {
     MeshArguments mesh;
     PoissonOptions poisson;
-    std::string rhs, boundary, exact, flux, essential_where;
-    bool natural = false;
+    ConditionArguments conditions;
+    std::string rhs, boundary, exact, flux;
     std::filesystem::path out;
 };
 
@@ -38,6 +40,7 @@ struct Errors {
 struct Solution : Answer {
     Side side = Side::primal;
     const char* boundary = "";
+    std::string conditions; ///< in words
     Eigen::Index unknowns = 0;
     double min = 0, max = 0, residual = 0;
     SolveReport report;
@@ -55,6 +58,7 @@ struct Solution : Answer {
         json.member("tried", report.tried);
         json.member("iterations", report.iterations);
         json.member("free_components", free_components);
+        json.member("conditions", conditions);
         if (errors)
             json.object("error", [&] {
                 json.member("l2", errors->l2);
@@ -65,6 +69,7 @@ struct Solution : Answer {
     void write(Text& text) const override {
         text("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n", name(side), boundary,
              unknowns);
+        text("  {}\n", conditions);
         text("  solution from {:.10g} to {:.10g}\n", min, max);
         text("  residual {:.2e} with {} (tried: {})\n", residual, report.engine,
              fmt::join(report.tried, "; "));
@@ -77,9 +82,9 @@ struct Solution : Answer {
 Solution describe(const Arguments& arguments, const PoissonSolver& solver, const Vector& u) {
     Solution answer;
     answer.side = arguments.poisson.side;
-    answer.boundary = arguments.natural                   ? "natural"
-                      : arguments.essential_where.empty() ? "dirichlet"
-                                                          : "mixed";
+    answer.boundary = arguments.conditions.natural                   ? "natural"
+                      : arguments.conditions.essential_where.empty() ? "dirichlet"
+                                                                     : "mixed";
     answer.unknowns = u.size();
     answer.min = u.minCoeff();
     answer.max = u.maxCoeff();
@@ -89,12 +94,9 @@ Solution describe(const Arguments& arguments, const PoissonSolver& solver, const
     return answer;
 }
 
-Errors errors(const Discretization& mesh, const Arguments& arguments, const PoissonSolver& solver,
-              const Vector& u) {
-    const Vector difference = u - values_at("--exact", arguments.exact, mesh.unit * solver.sites());
-    const Vector& volumes = arguments.poisson.side == Side::primal
-                                ? mesh.volumes.dual(0)
-                                : mesh.volumes.primal(mesh.dimension());
+Errors errors(const Discretization& mesh, Side side, const Vector& difference) {
+    const Vector& volumes =
+        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
     // squares of the differences of a solution of extreme size would be no numbers
     const double largest = difference.cwiseAbs().maxCoeff();
     const double size = largest > 0 ? std::exp2(std::ilogb(largest)) : 1;
@@ -132,26 +134,54 @@ std::optional<std::string> negative_duals(const Discretization& mesh, Side side)
                        flip_advice(mesh));
 }
 
-BoundaryConditions conditions(const Discretization& mesh, const Arguments& arguments) {
-    if (arguments.natural)
-        return {BoundaryCondition::natural};
-    if (arguments.essential_where.empty())
-        return {};
-    const Points sites = mesh.unit * cell_centers(mesh, mesh.dimension() - 1);
-    const Vector holds = values_at("--essential-where", arguments.essential_where, sites);
-    BoundaryConditions result;
-    for (const double value : holds)
-        result.facets.push_back(value != 0 ? BoundaryCondition::essential
-                                           : BoundaryCondition::natural);
-    return result;
+/// What the options give at sites; made before the mesh is read.
+struct Data {
+    explicit Data(const Arguments& arguments)
+        : rhs("--rhs", arguments.rhs),
+          boundary("--boundary", arguments.boundary.empty() ? "(0)" : arguments.boundary),
+          flux("--flux", arguments.flux.empty() ? "(0)" : arguments.flux),
+          conditions(arguments.conditions) {
+        if (!arguments.exact.empty())
+            exact.emplace("--exact", arguments.exact);
+    }
+
+    Paths files() const {
+        Paths list;
+        for (const auto& file : {rhs.file(), boundary.file(), flux.file(), conditions.file(),
+                                 exact ? exact->file() : std::nullopt})
+            if (file)
+                list.push_back(*file);
+        return list;
+    }
+
+    SiteValues rhs, boundary, flux;
+    ConditionValues conditions;
+    std::optional<SiteValues> exact;
+};
+
+/// What is known on the boundary, in words.
+std::string known(const Discretization& mesh, const Arguments& arguments) {
+    return in_words(arguments.poisson.boundary, mesh.complex(), 0,
+                    {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
+}
+
+void check_output(const Arguments& arguments, const Data& data) {
+    if (arguments.out.empty())
+        return;
+    Paths inputs = mesh_files(arguments.mesh.mesh);
+    for (const auto& file : data.files())
+        inputs.push_back(file);
+    check_output_file(arguments.out, {".vtu"}, inputs);
 }
 
 void run(Arguments arguments) {
     Log log;
+    const Data data(arguments);
+    check_output(arguments, data);
     const Discretization mesh = load(arguments.mesh, log);
-    arguments.poisson.boundary = conditions(mesh, arguments);
+    arguments.poisson.boundary = data.conditions.on(mesh).value_or(BoundaryConditions{});
     if (!arguments.out.empty())
-        check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
+        check_drawable(mesh);
     log.timing.begin("solve");
     PoissonSolver solver = [&] {
         const Progress progress;
@@ -159,20 +189,19 @@ void run(Arguments arguments) {
         return PoissonSolver(mesh, arguments.poisson);
     }();
     // at places of the file; derivatives of second and first order become those of the mesh
-    const Vector f = in_input_units(values_at("--rhs", arguments.rhs, mesh.unit * solver.sites()),
-                                    mesh.unit, 2, "--rhs");
-    const Vector g =
-        values_at("--boundary", arguments.boundary, mesh.unit * solver.boundary_sites());
+    const Vector f = in_input_units(data.rhs.at(mesh.unit * solver.sites()), mesh.unit, 2, "--rhs");
+    const Vector g = data.boundary.at(mesh.unit * solver.boundary_sites());
     const Vector h =
-        in_input_units(values_at("--flux", arguments.flux, mesh.unit * solver.flux_sites()),
-                       mesh.unit, 1, "--flux");
+        in_input_units(data.flux.at(mesh.unit * solver.flux_sites()), mesh.unit, 1, "--flux");
     const Vector u = solver.solve(f, g, h);
     warn_of_compatibility(solver, log);
     if (const auto negative = negative_duals(mesh, arguments.poisson.side))
         log.warn(*negative);
     Solution answer = describe(arguments, solver, u);
-    if (!arguments.exact.empty())
-        answer.errors = errors(mesh, arguments, solver, u);
+    answer.conditions = known(mesh, arguments);
+    if (data.exact)
+        answer.errors =
+            errors(mesh, arguments.poisson.side, u - data.exact->at(mesh.unit * solver.sites()));
     if (!arguments.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, u);
@@ -190,18 +219,16 @@ void add_poisson(CLI::App& app) {
     command->add_option("--rhs", arguments->rhs, "f: an expression in x, y, z, or a file")
         ->required();
     auto* boundary = command->add_option("--boundary", arguments->boundary,
-                                         "boundary values: expression or file (default 0)");
-    arguments->boundary = "0";
-    auto* natural =
-        command->add_flag("--natural", arguments->natural, "no Dirichlet data; u has mean 0")
-            ->excludes(boundary);
-    command
-        ->add_option("--essential-where", arguments->essential_where,
-                     "Dirichlet data only at boundary facets where this is not 0")
-        ->excludes(natural);
+                                         "values of u on the boundary (Dirichlet): expression or\n"
+                                         "file (default 0)");
+    add_conditions(*command, arguments->conditions,
+                   "no values given on the boundary, only --flux (Neumann);\nu has mean 0",
+                   "values given (Dirichlet) only at boundary facets where this is not 0,\n"
+                   "--flux (Neumann) at the others")
+        ->excludes(boundary);
     command->add_option("--flux", arguments->flux,
-                        "outward derivative of u on the rest of the boundary (default 0)");
-    arguments->flux = "0";
+                        "outward derivative of u on the rest of the boundary (default 0:\n"
+                        "no flow through it)");
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
     command->add_option("-o,--out", arguments->out, "write u to this .vtu file");
     command->add_option("--engine", arguments->poisson.linear_solver, "linear solver")

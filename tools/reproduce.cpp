@@ -3,6 +3,8 @@
 #include "examples/paper/reproductions.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/options.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
@@ -96,6 +98,8 @@ void run(const Arguments& arguments) {
     Log log;
     if (arguments.list)
         return tell(List(), log, arguments.tell);
+    if (!arguments.out.empty())
+        check_output_folder(arguments.out);
     Reports answer;
     answer.all = arguments.name == "all";
     for (const auto& each : paper::reproductions()) {
@@ -127,7 +131,7 @@ void add_reproduce(CLI::App& app) {
                         "folder for .json, .csv and .svg files (default: print only)");
     command->add_option("--meshes", arguments->request.meshes,
                         "folder of mesh files for table2 (default: generated meshes)");
-    add_json(*command, arguments->tell);
+    add_common_options(*command, arguments->tell);
     command->footer("Examples:\n  polydec reproduce --list\n"
                     "  polydec reproduce fig7 --levels 4 --out figures\n"
                     "  polydec reproduce table2 --meshes models\n"

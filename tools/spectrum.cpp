@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/spectrum.h"
 
+#include "base/memory.h"
 #include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/draw_modes.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/conditions.h"
+#include "tools/outputs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -21,21 +26,25 @@ namespace {
 struct Arguments {
     MeshArguments mesh;
     SpectrumOptions spectrum;
+    ConditionArguments conditions;
     bool certify = true;
     std::filesystem::path out;
 };
 
 struct Eigenvalues : Answer {
     const Spectrum& spectrum;
+    std::string conditions; ///< on the boundary, in words
     double seconds;
 
-    Eigenvalues(const Spectrum& spectrum, double seconds) : spectrum(spectrum), seconds(seconds) {}
+    Eigenvalues(const Spectrum& found, std::string words, double took)
+        : spectrum(found), conditions(std::move(words)), seconds(took) {}
 
     void write(JsonWriter& json) const override {
         const auto& certificate = spectrum.certificate;
         json.member("side", name(spectrum.side));
         json.member("degree", spectrum.degree);
         json.member("eigenvalues", spectrum.eigenvalues);
+        json.member("radii", spectrum.radii);
         json.member("residuals", spectrum.residuals);
         json.object("certificate", [&] {
             json.member("shift", certificate.shift);
@@ -46,19 +55,22 @@ struct Eigenvalues : Answer {
         json.member("linear_solver", spectrum.linear_solver);
         json.member("eigen_solver", spectrum.eigen_solver);
         json.member("seconds", seconds);
+        json.member("conditions", conditions);
     }
 
     void write(Text& text) const override {
-        text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n\n{:>5}  {:>20}  "
-             "{:>10}\n",
-             name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), "", "eigenvalue",
-             "residual");
+        text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n{}\n\n{:>5}  "
+             "{:>20}  "
+             "{:>10}  {:>10}\n",
+             name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), conditions, "",
+             "eigenvalue", "radius", "residual");
         for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-            text("{:>5}  {:>20.12g}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
-                 spectrum.residuals[i]);
+            text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
+                 spectrum.radii[i], spectrum.residuals[i]);
         const auto& certificate = spectrum.certificate;
         if (certificate.complete)
-            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed\n",
+            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed, each "
+                 "within its radius of the value\n",
                  certificate.below_shift, certificate.shift, certificate.returned_below_shift);
         else
             text("\nnot certified: copies of multiple eigenvalues may be missing\n");
@@ -88,23 +100,54 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                        negative, duals, flip_advice(mesh));
 }
 
-/// What is measured in length^-2, in the units of the file: together, so that residuals that are
-/// rounding beside the eigenvalues may vanish.
+/// What is measured in length^-2, in the units of the file. What is rounding beside the largest
+/// number may vanish; radii then grow by what is lost there.
 void use_input_units(Spectrum& spectrum, double unit) {
-    const Eigen::Index count = spectrum.eigenvalues.size();
-    Vector all(2 * count + 1);
-    all << spectrum.eigenvalues, spectrum.residuals, spectrum.certificate.shift;
-    all = in_input_units(all, unit, -2, "eigenvalues");
-    spectrum.eigenvalues = all.head(count);
-    spectrum.residuals = all.segment(count, count);
-    spectrum.certificate.shift = all[2 * count];
+    if (unit == 1)
+        return;
+    auto& shift = spectrum.certificate.shift; // behind them all, where they are rounding alone
+    const double largest = std::max(spectrum.eigenvalues.cwiseAbs().maxCoeff(), std::abs(shift));
+    in_input_units(Vector::Constant(1, largest), unit, -2, "eigenvalues");
+    const auto convert = [&](double& value) { value = std::ldexp(value, -2 * std::ilogb(unit)); };
+    std::for_each(spectrum.eigenvalues.begin(), spectrum.eigenvalues.end(), convert);
+    std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
+    std::for_each(spectrum.radii.begin(), spectrum.radii.end(), convert);
+    convert(shift);
+    // the value and the radius are each off by half of the least number there is
+    for (double& radius : spectrum.radii)
+        if (radius < std::numeric_limits<double>::min())
+            radius += std::numeric_limits<double>::denorm_min();
+}
+
+/// Eigensolvers keep a few vectors for each eigenpair. More than there are is another's to tell.
+void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
+    const int k = options.side == Side::primal ? options.degree : mesh.dimension() - options.degree;
+    if (k < 0 || k > mesh.dimension() || options.count > mesh.complex().size(k))
+        return;
+    constexpr double vectors_each = 3;
+    const double rows = mesh.complex().size(k);
+    check_memory(vectors_each * options.count * rows * sizeof(double),
+                 fmt::format("a spectrum of {} eigenpairs of {} values", options.count, rows));
+}
+
+void check_output(const Arguments& arguments, const ConditionValues& conditions) {
+    if (arguments.out.empty())
+        return;
+    Paths inputs = mesh_files(arguments.mesh.mesh);
+    if (const auto file = conditions.file())
+        inputs.push_back(*file);
+    check_output_file(arguments.out, {".vtu"}, inputs);
 }
 
 void run(Arguments arguments) {
     Log log;
+    const ConditionValues asked(arguments.conditions);
+    check_output(arguments, asked);
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.out.empty())
-        check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
+        check_drawable(mesh);
+    check_cost(mesh, arguments.spectrum);
+    const auto boundary = asked.on(mesh).value_or(built_in_conditions(arguments.spectrum.side));
     log.timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
     auto result = [&] {
@@ -112,7 +155,7 @@ void run(Arguments arguments) {
         arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
         if (!arguments.certify)
             arguments.spectrum.certification = Certification::waived;
-        return spectrum(mesh, arguments.spectrum);
+        return spectrum(mesh, boundary, arguments.spectrum);
     }();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
 
@@ -123,7 +166,8 @@ void run(Arguments arguments) {
         write_vtu(arguments.out, mesh, result);
     }
     use_input_units(result, mesh.unit);
-    tell(Eigenvalues(result, seconds.count()), log, arguments.mesh.tell);
+    tell(Eigenvalues(result, in_words(boundary, mesh.complex(), result.degree), seconds.count()),
+         log, arguments.mesh.tell);
 }
 
 } // namespace
@@ -137,6 +181,12 @@ void add_spectrum(CLI::App& app) {
     command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();
     command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
         ->capture_default_str();
+    add_conditions(*command, arguments->conditions,
+                   "no flow through the boundary (Neumann); of forms of degree\n"
+                   "1 .. n-1 the normal part is 0 there",
+                   "values 0 (Dirichlet) at boundary facets where this is not 0, of\n"
+                   "forms of degree 1 .. n-1 the tangential part; no flow through\n"
+                   "the others");
     command->add_option("-o,--out", arguments->out, "write the modes to this .vtu file");
     command->add_flag("!--no-certificate", arguments->certify, "do without the proof");
     command->add_option("--engine", arguments->spectrum.linear_solver, "linear solver")
@@ -144,9 +194,12 @@ void add_spectrum(CLI::App& app) {
     command->add_option("--eigen-engine", arguments->spectrum.eigen_solver, "eigensolver")
         ->capture_default_str();
     command->footer(
-        "Dual K-forms live on the (n-K)-cells.\n\nExamples:\n"
+        "Dual K-forms live on the (n-K)-cells. On the boundary, primal forms have what --natural\n"
+        "asks for unless told otherwise; dual forms have values 0 (Dirichlet), as by\n"
+        "--essential-where 1. The answer says which condition held.\n\nExamples:\n"
         "  polydec spectrum fandisk.off --side primal --degree 0 --count 20 -o modes.vtu\n"
-        "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json");
+        "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json\n"
+        "  polydec spectrum plate.msh --side dual --degree 0 --natural");
     command->callback([arguments] { run(*arguments); });
 }
 

@@ -8,17 +8,35 @@
 
 #include <new>
 #include <sstream>
+#include <string>
 
 namespace polydec {
 
-int tell_usage(const CLI::App& app, const CLI::ParseError& error) {
+namespace {
+
+struct Usage {
+    std::string help, complaint;
+    bool is_asked_for;
+    bool operator==(const Usage&) const = default;
+};
+
+Usage usage(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream help, complaint;
-    const bool asked_for = app.exit(error, help, complaint) == 0;
+    const bool is_asked_for = app.exit(error, help, complaint) == 0;
     if (!help || !complaint)
         throw std::bad_alloc(); // a stream keeps it to itself
-    console::write(help.str());
-    console::tell(complaint.str());
-    return asked_for ? done : wrong_usage;
+    return {help.str(), complaint.str(), is_asked_for};
+}
+
+} // namespace
+
+int tell_usage(const CLI::App& app, const CLI::ParseError& error) {
+    const auto told = usage(app, error);
+    if (told != usage(app, error))
+        throw std::bad_alloc(); // so do streams inside of the library, whose text then has gaps
+    console::write(told.help);
+    console::tell(told.complaint);
+    return told.is_asked_for ? done : wrong_usage;
 }
 
 } // namespace polydec

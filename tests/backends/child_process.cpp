@@ -178,6 +178,12 @@ TEST_F(ChildProcess, its_own_signals_are_not_held) {
     EXPECT_FALSE(held.arrived());
 }
 
+TEST_F(ChildProcess, a_broken_pipe_ends_it_though_this_program_ignores_it) {
+    const auto before = std::signal(SIGPIPE, SIG_IGN);
+    EXPECT_EQ(shell("kill -PIPE $$; exit 5").code, SIGPIPE);
+    std::signal(SIGPIPE, before);
+}
+
 TEST_F(ChildProcess, programs_are_found_on_the_path) {
     EXPECT_TRUE(find_program("sh").has_value());
     EXPECT_FALSE(find_program("no-such-program").has_value());

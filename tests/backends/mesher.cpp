@@ -187,6 +187,8 @@ TEST_F(MesherTest, without_the_program_it_is_told_how_to_get_it) {
     EXPECT_EQ(message_of<BackendUnavailable>([] { tetrahedralize(cube()); }), missing);
 }
 
+const std::string no_file = "it cannot be read: No such file or directory";
+
 /// Another program of that name, which does what the script says.
 std::string failure_of(const std::string& script) {
     const TemporaryFolder folder;
@@ -226,14 +228,45 @@ TEST_F(MesherTest, output_that_is_none_is_refused) {
               lacks("ele", "tetrahedron 0 has the corner 4"));
     EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1"),
               lacks("ele", "a number is missing after 12 bytes"));
-    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1 2 3").substr(0, 25), "tetgen left out point 3 a");
+    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1 2 3 4"),
+              lacks("ele", "it does not end after 15 bytes, with its last row"));
+    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1 2 3"), lacks("face", no_file));
+    const std::string face = "; echo '1 1 0 0 1 2 1' > mesh.1.face";
+    EXPECT_EQ(failure_of("echo '" + tetrahedron +
+                         "' > mesh.1.node; echo '1 4 0 0 0 1 2 3' > "
+                         "mesh.1.ele" +
+                         face)
+                  .substr(0, 25),
+              "tetgen left out point 3 a");
+}
+
+TEST_F(MesherTest, only_regular_files_that_are_whole_are_read) {
+    const auto lacks = [](const std::string& what) {
+        return "tetgen wrote a file mesh.1.node that makes no sense: " + what +
+               "\nIs the program of that name on PATH the mesher?";
+    };
+    const auto wrote = [](const std::string& script) {
+        return failure_of("echo > mesh.1.ele; " + script);
+    };
+    EXPECT_EQ(wrote("mkfifo mesh.1.node"), lacks("it is no regular file"));
+    EXPECT_EQ(wrote("mkdir mesh.1.node"), lacks("it is no regular file"));
+    EXPECT_EQ(wrote("ln -s mesh.1.ele mesh.1.node"),
+              lacks("it cannot be read: Too many levels of symbolic links"));
+    EXPECT_EQ(wrote("true"), lacks(no_file));
+    EXPECT_EQ(wrote("printf '1 3 0 0 0 1.2 3.4 5.6' > mesh.1.node"),
+              lacks("it does not end after 21 bytes, with its last row"));
 }
 
 TEST_F(MesherTest, a_mesher_of_ones_own_can_be_registered) {
     register_mesher({.name = "mesher-of-test"}, [](const MesherInput& input, const MesherOptions&) {
-        return MesherOutput{input.points, Simplices::Zero(1, 4)};
+        MesherOutput corner{input.points, Simplices(1, 4)};
+        corner.tetrahedra << 0, 1, 2, 3;
+        return corner;
     });
-    EXPECT_EQ(tetrahedralize(cube(), {}, "mesher-of-test").points, cube().points);
+    MesherInput corner;
+    corner.points = Points::Identity(4, 3);
+    corner.points.row(3).setConstant(1.0);
+    EXPECT_EQ(tetrahedralize(corner, {}, "mesher-of-test").points, corner.points);
     EXPECT_EQ(engines().back().kind, EngineKind::mesher);
 }
 

@@ -148,8 +148,8 @@ int serve(int argc, char** argv, char** environment) {
         return real_main(argc, argv, environment);
     ::unsetenv("LD_PRELOAD");
     ::unsetenv("POLYDEC_FAULTS");
-    counts = static_cast<Counts*>(::mmap(nullptr, sizeof(Counts), PROT_READ | PROT_WRITE,
-                                         MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+    counts = static_cast<Counts*>(
+        ::mmap(nullptr, sizeof(Counts), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
     Request request{};
     while (transfer(in, &request, sizeof request, false)) {
         for (auto& count : counts->of)
@@ -293,8 +293,7 @@ int renameat(int folder, const char* from, int other, const char* to) noexcept {
     return no_space() ? -1 : original(folder, from, other, to);
 }
 
-int renameat2(int folder, const char* from, int other, const char* to,
-              unsigned flags) noexcept {
+int renameat2(int folder, const char* from, int other, const char* to, unsigned flags) noexcept {
     NEXT(renameat2);
     return no_space() ? -1 : original(folder, from, other, to, flags);
 }

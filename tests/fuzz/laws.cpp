@@ -2,12 +2,11 @@
 #include "tests/fuzz/laws.h"
 
 #include "complex/homology.h"
-#include "dec/facet_kinds.h"
 #include "dec/star.h"
-#include "dec/well_defined.h"
 #include "solvers/poisson.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/topology.h"
+#include "tools/mesh_facts.h"
 
 #include <cmath>
 
@@ -48,10 +47,19 @@ void require_duals_that_fill(const CellVolumes& volumes) {
     }
 }
 
-void require_verdicts(const Discretization& mesh, Stage stage) {
-    for (const auto& verdict : operator_verdicts(mesh, stage))
-        require(verdict.verdict == WellDefined::yes || verdict.cells >= 0,
-                "verdicts count their cells");
+/// What `polydec info` tells.
+void require_facts(const Discretization& mesh) {
+    tools::Timing timing;
+    const auto facts = tools::examine(mesh, timing);
+    require(facts.volume > 0 && std::isfinite(facts.volume), "the volume is a number above 0");
+    require(facts.components >= 1 && facts.boundary_components >= 0, "there are components");
+    for (const auto& numbers : {facts.stars, facts.input_stars})
+        for (const auto& star : numbers)
+            require(std::isfinite(star.min) && std::isfinite(star.max) &&
+                        std::isfinite(star.condition.value_or(0)),
+                    "stars are told as numbers");
+    for (const auto& advice : facts.advice)
+        require_message(advice);
 }
 
 } // namespace
@@ -64,13 +72,11 @@ void require_laws(const Discretization& mesh) {
     require(betti_numbers(mesh.input()) == betti_numbers(mesh.complex()),
             "merging keeps the topology");
     require_volumes(mesh.complex(), mesh.volumes);
-    require_verdicts(mesh, Stage::merged);
+    require_facts(mesh);
     if (mesh.intrinsic)
         return;
     require_volumes(mesh.input(), mesh.input_volumes);
     require_duals_that_fill(mesh.input_volumes);
-    require_verdicts(mesh, Stage::input);
-    facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options);
 }
 
 void require_poisson(const Discretization& mesh) {

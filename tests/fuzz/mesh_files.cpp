@@ -88,7 +88,7 @@ void nsl(std::string_view bytes) {
     if (!accepts([&] { mesh = parse_lengths(file); }))
         return;
     require(accepts([&] { check(mesh); }), "what was read passes the check");
-    require(mesh.lengths.allFinite() && mesh.lengths.minCoeff() > 0, "lengths are positive");
+    require(mesh.lengths.allFinite() && (mesh.lengths.array() > 0).all(), "lengths are positive");
 }
 
 void matrix_market(std::string_view bytes) {
@@ -102,7 +102,7 @@ void matrix_market(std::string_view bytes) {
     }
     DenseMatrix dense;
     if (accepts([&] { dense = parse_matrix_market_array(file); }))
-        require(dense.allFinite(), "entries are finite");
+        require(dense.reshaped().allFinite(), "entries are finite");
 }
 
 } // namespace polydec::fuzz

@@ -61,7 +61,7 @@ TEST_P(Corpus, BreaksNoPromise) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus, testing::ValuesIn(targets),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 TEST(Fuzz, ABrokenPromiseIsAFinding) {
     const Target broken{"off", [](std::string_view bytes) {

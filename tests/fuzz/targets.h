@@ -26,18 +26,31 @@ void mesher_files(std::string_view bytes);
 void complex(std::string_view bytes);
 void mesh(std::string_view bytes);
 void lengths(std::string_view bytes);
+void options(std::string_view bytes);
+void expression(std::string_view bytes);
 
 inline constexpr std::array targets{
-    Target{"off", off},         Target{"obj", obj},
-    Target{"ply", ply},         Target{"stl", stl},
-    Target{"medit", medit},     Target{"gmsh", gmsh},
-    Target{"tetgen", tetgen},   Target{"vtk", vtk},
-    Target{"vtu", vtu},         Target{"nsc", nsc},
-    Target{"nsl", nsl},         Target{"matrix_market", matrix_market},
-    Target{"xml", xml},         Target{"inflate", inflate},
-    Target{"base64", base64},   Target{"mesher_files", mesher_files},
-    Target{"complex", complex}, Target{"mesh", mesh},
+    Target{"off", off},
+    Target{"obj", obj},
+    Target{"ply", ply},
+    Target{"stl", stl},
+    Target{"medit", medit},
+    Target{"gmsh", gmsh},
+    Target{"tetgen", tetgen},
+    Target{"vtk", vtk},
+    Target{"vtu", vtu},
+    Target{"nsc", nsc},
+    Target{"nsl", nsl},
+    Target{"matrix_market", matrix_market},
+    Target{"xml", xml},
+    Target{"inflate", inflate},
+    Target{"base64", base64},
+    Target{"mesher_files", mesher_files},
+    Target{"complex", complex},
+    Target{"mesh", mesh},
     Target{"lengths", lengths},
+    Target{"options", options},
+    Target{"expression", expression},
 };
 
 } // namespace polydec::fuzz

@@ -14,6 +14,7 @@ CHAIN = ["base", "backends", "complex", "meshes", "dec", "solvers", "io", "polyd
          "examples", "tools"]
 LAST = {"tests", "benchmarks"}
 WITHOUT_DIMENSION = {"complex", "dec"}
+LIBRARY = set(CHAIN[:CHAIN.index("polydec.h")])
 MAX_LINES = 400
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -28,6 +29,10 @@ BRANCH = re.compile(
     rf"|\bswitch\s*\(\s*(?:\w+(?:\.|->))*{DIMENSION}"
     r"|\bn\s*==\s*[1-9]|\bswitch\s*\(\s*n\s*\)")
 COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)
+
+COMMENT = re.compile(r'("(?:\\.|[^"\\\n])*")|//[^\n]*|/\*.*?\*/', re.S)
+STRING = re.compile(r'"((?:\\.|[^"\\\n])*)"')
+OPTION = re.compile(r"(?<![\w}-])(?:--[a-z][a-z-]*|-[a-z](?![\w-]))")
 
 
 def place(path):
@@ -70,16 +75,32 @@ def without_comments(code):
     return COMMENT_OR_STRING.sub(lambda match: "\n" * match.group().count("\n"), code)
 
 
+def without_plain_comments(code):
+    """The same characters, with those of comments blank; strings stay."""
+    return COMMENT.sub(lambda match: match.group(1) or re.sub(r"[^\n]", " ", match.group()), code)
+
+
 def check_cpp(path, code, public):
     for number, line in enumerate(code.splitlines(), 1):
         include = INCLUDE.match(line)
         complaint = include and include_complaint(path, *include.groups(), public)
         if complaint:
             yield f"{path}:{number}: {complaint}"
+    if place(path) in LIBRARY:
+        yield from check_texts(path, code)
     if place(path) in WITHOUT_DIMENSION:
         for number, line in enumerate(without_comments(code).splitlines(), 1):
             if BRANCH.search(line):
                 yield f"{path}:{number}: a branch on the dimension; write it for every dimension"
+
+
+def check_texts(path, code):
+    """Texts of the library tell C++ names; options are the command's."""
+    for match in STRING.finditer(without_plain_comments(code)):
+        option = OPTION.search(match.group(1))
+        if option:
+            number = code.count("\n", 0, match.start()) + 1
+            yield f"{path}:{number}: `{option.group()}` is an option of the command"
 
 
 def check_source(path, code):

@@ -11,10 +11,11 @@ import words
 SPDX = "// SPDX-License-Identifier: MIT\n"
 SOUND = {
     "polydec.h": SPDX + '#include "dec/star.h"\n',
+    "base/text.cpp": SPDX + 'const char* text = "cut-off - well-known -1";\n',
     "base/types.h": SPDX + "#include <Eigen/Core>\n\n#include <cstdint>\n",
     "complex/cells.h": SPDX + '#include "base/types.h"\n',
     "complex/cells.cpp": SPDX + '#include "complex/cells.h"\n\n#include <fmt/format.h>\n'
-                         "// dimension == 3 is nothing special\n"
+                         "// dimension == 3 is nothing special, nor is \"--option\"\n"
                          'const char* text = "dimension == 3";\n',
     "backends/engine.cpp": SPDX + "#include <Spectra/SymEigsSolver.h>\n#include <cholmod.h>\n",
     "dec/star.h": SPDX + '#include "complex/cells.h"\n\n#include <vector>\n',
@@ -60,6 +61,8 @@ FLAWS = [
     ("dec/star.cpp", "switch (volumes.dimension()) {", "branch on the dimension"),
     ("complex/cells.cpp", "if (ambient_dimension == 3)", "branch on the dimension"),
     ("complex/cells.cpp", "/* why\n */ if (n == 2)", "branch on the dimension"),
+    ("dec/star.cpp", 'throw Error("give --side dual");', "an option of the command"),
+    ("dec/star.cpp", 'throw Error("leave out -o");', "an option of the command"),
     ("dec/star.cpp", "\n" * 400, "longer than 400 lines"),
 ]
 

@@ -88,6 +88,16 @@ TEST(MatrixMarket, VectorsAreArraysOfOneColumn) {
               "%%MatrixMarket matrix array real general\n2 1\n0.1\n-2e+300\n");
 }
 
+TEST(MatrixMarket, ArraysGoDownTheirColumnsAndNoRowsTakeNoTime) {
+    const auto array = [](const std::string& sizes_and_entries) {
+        const TemporaryFolder folder;
+        return read_matrix_market_array(folder.write(
+            "a.mtx", "%%MatrixMarket matrix array real general\n" + sizes_and_entries));
+    };
+    EXPECT_EQ(array("2 3\n1 2\n3 4\n5 6\n"), (DenseMatrix(2, 3) << 1, 3, 5, 2, 4, 6).finished());
+    EXPECT_EQ(array("0 2000000000\n").cols(), 2000000000);
+}
+
 TEST(MatrixMarket, SymmetricFilesGiveBothTriangles) {
     const std::string body = "% comment\n\n2 2 2\n1 1 5\n2 1 3\n";
     EXPECT_EQ(dense(matrix_from("%%MatrixMarket matrix coordinate real symmetric\n" + body)),

@@ -237,8 +237,8 @@ TEST(SpectrumRefuses, masses_that_are_not_positive) {
               "the mass of primal 0-forms is not positive: the duals of 1 of 7 0-cells have "
               "negative volume (cells 0)" +
                   advice +
-                  ": on a manifold intrinsic flips make it so (--delaunay=split-boundary, "
-                  "MergeOptions::delaunay)");
+                  ": on a manifold intrinsic flips make it so ("
+                  "Delaunay::flips_and_splits)");
     EXPECT_EQ(refusal("fcc1", {.degree = 2, .count = 2}),
               "the mass of primal 2-forms is not positive: the duals of 24 of 56 2-cells have zero "
               "volume (cells 0, 1, 2, 5, 7, ..)" +

@@ -197,6 +197,21 @@ TEST(HeatUnderConditions, makes_modes_decay_with_their_eigenvalues) {
     }
 }
 
+/// On the complex of the conditions the gradients of modes are modes of dual 1-forms.
+TEST(DualSpectra, of_1_forms_have_those_of_functions_among_them) {
+    for (const auto& input : with_centers_on_the_boundary()) {
+        const auto mesh = discretize(input);
+        const auto of_degree = [&](int degree, Index count) {
+            return spectrum(mesh, {.side = Side::dual, .degree = degree, .count = count})
+                .eigenvalues;
+        };
+        const double first = of_degree(0, 1)[0];
+        const Vector values = of_degree(1, 12);
+        EXPECT_LE((values.array() - first).abs().minCoeff(), 1e-8 * first);
+        EXPECT_GT(values[0], 1e-6 * first); // balls have no harmonic forms that vanish outside
+    }
+}
+
 /// Without the mechanism, what cannot be inverted is refused or, moved a little, means nothing.
 TEST(DualSpectraBroken, with_the_duals_of_centers_on_the_boundary_make_no_sense) {
     const auto exact = discretize(crossed_squares(10));

@@ -40,7 +40,7 @@ ANSWERS = {
         "polydec: binary.off:1: the file is a binary OFF; expected text; convert "
         "it to text or PLY\n")),
     "degenerate_mesh.obj": (2, (
-        "polydec: no cells of positive volume are left\n"
+        "polydec: degenerate_mesh.obj: no cells of positive volume are left\n"
         "left out 1 cell without area: 0 (2 1 0)\n")),
     "hand_duplicate_face.off": (0, (
         "polydec: warning: left out 1 cell on the vertices of an earlier one: 2 "
@@ -49,7 +49,7 @@ ANSWERS = {
         "polydec: hand_empty.off:1: the file ends here; expected the keyword "
         "OFF; export it again, it seems cut off\n")),
     "hand_flat_tet.mesh": (2, (
-        "polydec: no cells of positive volume are left\n"
+        "polydec: hand_flat_tet.mesh: no cells of positive volume are left\n"
         "left out 1 cell without volume: 0 (0 1 2 3)\n")),
     "hand_huge_count.off": (2, (
         "polydec: hand_huge_count.off:2: 4000000000 vertices are promised, but "

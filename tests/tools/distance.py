@@ -43,8 +43,8 @@ class Distance(TestCase):
         answer = run("distance", ribbon, "--from", 38, "--json")
         raised = parse(answer.out)["raised"]
         self.assertGreater(raised, 0)
-        text = f"{raised} of the distances fell below 0 and were raised to 0: triangles there are " \
-            "far from Delaunay; add --delaunay"
+        text = f"{raised} of the distances fell below 0 and were raised to 0: triangles there " \
+            "are far from Delaunay; add --delaunay"
         self.assertEqual(parse(answer.out)["warnings"], [text])
         self.assertIn(text, answer.err)
         flipped = parse(run("distance", ribbon, "--delaunay", "--from", 38, "--json").out)

@@ -78,7 +78,7 @@ class Lengths(TestCase):
         bad = self.write("bad.nsl", "2 3 1 3\n0 1 2\n0 1 1\n0 2 1\n1 2 2.5\n")
         self.assertEqual(
             self.refuse("info", bad),
-            "polydec: the lengths of 2-simplex 0 with vertices 0, 1, 2 violate the triangle "
+            f"polydec: {bad}: the lengths of 2-simplex 0 with vertices 0, 1, 2 violate the triangle "
             "inequality: 2.5 is more than 1 + 1; correct the lengths")
 
 

@@ -315,7 +315,7 @@ class Orientation(Tetrahedra):
 class Flat(Tetrahedra):
     """A flat cell between others is refused by its number and vertices, until it has volume."""
     CELLS = [[0, 1, 2, 4], [0, 2, 3, 4], [0, 1, 2, 3], [1, 0, 3, 5], [2, 1, 3, 5]]
-    MESSAGE = ("polydec: cell 2 (vertices 0 1 2 3) has no volume, and without it its neighbors "
+    MESSAGE = ("cell 2 (vertices 0 1 2 3) has no volume, and without it its neighbors "
                "would come apart.\nIts vertices lie in one plane: move one of them, or exchange "
                "the cell and its neighbors for others.")
 
@@ -333,7 +333,8 @@ class Flat(Tetrahedra):
                               ("spectrum", name, "--side", "primal", "--degree", 0, "--count", 1),
                               ("operators", name, "--out", "operators")):
                 with self.subTest(arguments):
-                    self.assertEqual(self.fail_with(2, *arguments), self.MESSAGE)
+                    self.assertEqual(self.fail_with(2, *arguments),
+                                     f"polydec: {name}: {self.MESSAGE}")
         self.assertNotIn("b.vtu", os.listdir(self.folder))
         self.assertNotIn("operators", os.listdir(self.folder))
 

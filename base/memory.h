@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace polydec {
+
+/// The bytes of memory that this program may have at most, as far as the system tells: the
+/// machine's, or less where the process or its control group is limited.
+std::uint64_t machine_memory();
+
+/// What check_memory compares with, machine_memory() at first. Holds for the whole program.
+std::uint64_t memory_limit();
+void set_memory_limit(std::uint64_t bytes);
+
+/// To be called before memory is asked for whose amount follows from a few numbers of the input.
+/// Throws IoError, naming `what` ("a complex of ..") and both amounts, if that is above the limit.
+void check_memory(double bytes, std::string_view what);
+
+} // namespace polydec

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "backends/mesher.h"
+#include "backends/registry.h"
+#include "backends/tetrahedron_sign.h"
+#include "base/errors.h"
+#include "tests/backends/mesher_support.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+namespace {
+
+using Spoil = std::function<void(MesherOutput&)>;
+
+MesherOutput prepared;
+
+/// What tetrahedralize says of an output, as an engine might make it.
+std::string verdict_on(const MesherInput& input, const MesherOutput& output) {
+    static const bool is_registered = [] {
+        register_mesher({.name = "prepared"},
+                        [](const MesherInput&, const MesherOptions&) { return prepared; });
+        return true;
+    }();
+    EXPECT_TRUE(is_registered);
+    prepared = output;
+    try {
+        tetrahedralize(input, {}, "prepared");
+    } catch (const SolverFailure& error) {
+        const std::string text = error.what();
+        const std::string begin = "what prepared made is not the mesh that was asked for: ";
+        return text.substr(0, begin.size()) == begin
+                   ? text.substr(begin.size(), text.find('\n') - begin.size())
+                   : text;
+    } catch (const InvalidInput& error) {
+        return error.what();
+    }
+    return "fine";
+}
+
+/// The faces of a cell with their facets: those whose corners have one coordinate in common.
+void add_faces(MesherOutput& mesh, const std::array<Index, 4>& cell, Index first, Index facets) {
+    for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+        std::vector<Index> face;
+        for (std::size_t i = 0; i < 4; ++i)
+            if (i != left_out)
+                face.push_back(cell[i] - first);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto side = [&](Index corner) { return corner >> axis & 1; };
+            if (side(face[0]) != side(face[1]) || side(face[0]) != side(face[2]))
+                continue;
+            const Index row = static_cast<Index>(mesh.faces.rows());
+            mesh.faces.conservativeResize(row + 1, 3);
+            mesh.faces.row(row) << first + face[0], first + face[1], first + face[2];
+            const Index order[] = {4, 2, 0}; // of the facets of a cube across x, y, z
+            mesh.facets.push_back(facets + order[axis] + side(face[0]));
+        }
+    }
+}
+
+/// A cube as six tetrahedra around its diagonal, with corners and facets that begin there.
+void add_cube(MesherOutput& mesh, Index first, Index facets) {
+    std::array<int, 3> axes{0, 1, 2};
+    for (bool even = true;; even = !even) {
+        const Index a = 1 << axes[0], b = a | 1 << axes[1];
+        std::array<Index, 4> cell{first, first + a, first + b, first + 7};
+        // the second and third permutation differ by a swap, and so on: 012 021 102 120 201 210
+        const bool is_odd = (axes[0] > axes[1]) != ((axes[0] > axes[2]) != (axes[1] > axes[2]));
+        if (is_odd)
+            std::swap(cell[2], cell[3]);
+        const Index row = static_cast<Index>(mesh.tetrahedra.rows());
+        mesh.tetrahedra.conservativeResize(row + 1, 4);
+        mesh.tetrahedra.row(row) << cell[0], cell[1], cell[2], cell[3];
+        add_faces(mesh, cell, first, facets);
+        if (!std::next_permutation(axes.begin(), axes.end()))
+            return;
+    }
+}
+
+MesherOutput filled_cube() {
+    MesherOutput mesh{cube().points, Simplices(0, 4)};
+    add_cube(mesh, 0, 0);
+    return mesh;
+}
+
+std::string verdict_on_cube(const Spoil& spoil) {
+    auto mesh = filled_cube();
+    spoil(mesh);
+    return verdict_on(cube(), mesh);
+}
+
+void remove_last_cell(MesherOutput& mesh) {
+    mesh.tetrahedra.conservativeResize(mesh.tetrahedra.rows() - 1, 4);
+}
+
+TEST(MesherOutput, a_filled_surface_is_fine_at_every_scale) {
+    EXPECT_EQ(verdict_on(cube(), filled_cube()), "fine");
+    for (const double scale : {1e-100, 3.0, 1e100}) {
+        auto mesh = filled_cube();
+        mesh.points *= scale;
+        EXPECT_EQ(verdict_on(cube(scale), mesh), "fine");
+    }
+}
+
+TEST(MesherOutput, every_tetrahedron_has_a_positive_volume) {
+    EXPECT_EQ(verdict_on_cube([](auto& mesh) {
+                  std::swap(mesh.tetrahedra(2, 0), mesh.tetrahedra(2, 1));
+              }).substr(0, 15),
+              "tetrahedron 2 (");
+    EXPECT_EQ(verdict_on_cube([](auto& mesh) { mesh.tetrahedra.row(3) << 0, 1, 2, 3; }),
+              "tetrahedron 3 (0 1 2 3) is flat");
+}
+
+TEST(MesherOutput, the_sign_of_a_volume_is_exact) {
+    const Eigen::Vector3d a(0.1, 0.2, 0.3), b(0.7, 0.1, 0.4), c(0.2, 0.9, 0.8);
+    const Eigen::Vector3d within = 0.5 * (b + c); // but for rounding
+    for (const double step : {-1.0, 1.0}) {
+        const Eigen::Vector3d d = within + step * 1e-16 * (b - a).cross(c - a).normalized();
+        EXPECT_EQ(tetrahedron_sign(a, b, c, d), -tetrahedron_sign(a, c, b, d));
+        EXPECT_EQ(tetrahedron_sign(a, b, c, d), -tetrahedron_sign(d, b, c, a));
+    }
+    const Eigen::Vector3d x(1, 0, 0), y(0, 1, 0), tilted(3, 5, std::ldexp(1.0, -1000));
+    EXPECT_EQ(tetrahedron_sign({0, 0, 0}, x, y, tilted), 1);
+    EXPECT_EQ(tetrahedron_sign({0, 0, 0}, y, x, tilted), -1);
+    EXPECT_EQ(tetrahedron_sign({0, 0, 0}, x, y, {3, 5, 0}), 0);
+}
+
+TEST(MesherOutput, numbers_exist) {
+    const std::string message =
+        "there are no tetrahedra, or numbers of points or facets that do not exist";
+    for (const Spoil& spoil : {Spoil([](auto& mesh) { mesh.tetrahedra(0, 0) = 8; }),
+                               Spoil([](auto& mesh) { mesh.tetrahedra(0, 0) = -1; }),
+                               Spoil([](auto& mesh) { mesh.tetrahedra.resize(0, 4); }),
+                               Spoil([](auto& mesh) { mesh.faces(0, 0) = 8; }),
+                               Spoil([](auto& mesh) { mesh.facets[0] = 6; }),
+                               Spoil([](auto& mesh) { mesh.facets.pop_back(); }),
+                               Spoil([](auto& mesh) { mesh.points(7, 2) = std::nan(""); })})
+        EXPECT_EQ(verdict_on_cube(spoil), message);
+}
+
+TEST(MesherOutput, points_stay_where_they_are) {
+    EXPECT_EQ(verdict_on_cube([](auto& mesh) { mesh.points(7, 2) += 1e-15; }),
+              "prepared left out point 7 at (1, 1, 1)\nProbable cause: it is nearer to another "
+              "point than 1e-8 of the whole, or within a hole; join it or move it.");
+}
+
+TEST(MesherOutput, nothing_is_covered_twice) {
+    EXPECT_EQ(verdict_on_cube([](auto& mesh) {
+                  mesh.tetrahedra.conservativeResize(7, 4);
+                  mesh.tetrahedra.row(6) = mesh.tetrahedra.row(0);
+              }).substr(0, 34),
+              "tetrahedron 0 (0 1 3 7) and tetrah");
+}
+
+TEST(MesherOutput, all_is_filled_up_to_the_facets) {
+    EXPECT_EQ(verdict_on_cube(remove_last_cell), "the inside at facet 1 (4 5 7 6) is left empty");
+    EXPECT_EQ(verdict_on_cube([](auto& mesh) {
+                  mesh.points.conservativeResize(9, 3);
+                  mesh.points.row(8) << 0.5, 0.5, 2.0;
+                  mesh.tetrahedra.conservativeResize(7, 4);
+                  mesh.tetrahedra.row(6) << 4, 5, 7, 8;
+              }),
+              "there are faces on the boundary that are on no facet");
+}
+
+TEST(MesherOutput, facets_are_unions_of_faces) {
+    EXPECT_EQ(verdict_on_cube([](auto& mesh) {
+                  mesh.facets[0] = mesh.facets[0] == 0 ? 1 : 0;
+              }).substr(0, 6),
+              "point ");
+    EXPECT_EQ(verdict_on_cube([](auto& mesh) {
+                  mesh.faces.conservativeResize(11, 3);
+                  mesh.facets.resize(11);
+              }).substr(0, 46),
+              "the faces on the facets do not close at point ");
+}
+
+TEST(MesherOutput, holes_and_only_holes_are_empty) {
+    auto input = cube();
+    input.holes = Points::Constant(1, 3, 0.5);
+    EXPECT_EQ(verdict_on(input, filled_cube()).substr(0, 20), "the inside at facet ");
+    input.holes = Points::Constant(1, 3, 2.0);
+    EXPECT_EQ(verdict_on(input, filled_cube()), "fine");
+    input.holes << 0.5, 0.25, 1.0;
+    EXPECT_EQ(verdict_on(input, filled_cube()),
+              "mesher: hole 0 is on a facet: move it to the inside");
+}
+
+TEST(MesherOutput, parts_beside_each_other_are_all_filled) {
+    auto input = cube();
+    input.points.conservativeResize(16, 3);
+    input.points.bottomRows(8) = input.points.topRows(8).array() + 3.0;
+    const auto corners = input.corners;
+    for (const Index corner : corners)
+        input.corners.push_back(corner + 8);
+    for (const Index offset : {28, 32, 36, 40, 44, 48})
+        input.offsets.push_back(offset);
+
+    MesherOutput mesh{input.points, Simplices(0, 4)};
+    add_cube(mesh, 0, 0);
+    const auto half = mesh;
+    add_cube(mesh, 8, 6);
+    EXPECT_EQ(verdict_on(input, mesh), "fine");
+    EXPECT_EQ(verdict_on(input, half), "facet 6 (8 10 11 9) is covered 0 times");
+    mesh.tetrahedra = half.tetrahedra;
+    EXPECT_EQ(verdict_on(input, mesh).substr(0, 20), "the inside at facet ");
+}
+
+TEST(MesherOutput, the_hull_of_points_is_convex) {
+    MesherInput points;
+    points.points = cube().points;
+    MesherOutput mesh{points.points, filled_cube().tetrahedra};
+    EXPECT_EQ(verdict_on(points, mesh), "fine");
+    remove_last_cell(mesh);
+    EXPECT_EQ(verdict_on(points, mesh).substr(0, 40), "the boundary is not convex between point");
+}
+
+} // namespace
+} // namespace polydec

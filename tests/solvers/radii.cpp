@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "complex/simplicial_complex.h"
+#include "dec/derivative.h"
+#include "dec/star.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "solvers/certified_eigensolver.h"
+#include "solvers/coexact_spectrum.h"
+#include "solvers/spectrum.h"
+#include "tests/support/hand_made.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polydec::test {
+namespace {
+
+using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
+/// All eigenvalues of the Laplacian on k-cells, ascending, in more digits than a double has.
+LongVector long_spectrum(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    const LongVector mass = star(volumes, k).cast<long double>();
+    LongMatrix A = LongMatrix::Zero(mass.size(), mass.size());
+    if (k < complex.dimension()) {
+        const LongMatrix d = DenseMatrix(derivative(complex, k)).cast<long double>();
+        A += d.transpose() * star(volumes, k + 1).cast<long double>().asDiagonal() * d;
+    }
+    if (k > 0) {
+        const LongMatrix d = DenseMatrix(derivative(complex, k - 1)).cast<long double>();
+        const LongMatrix lower = mass.asDiagonal() * d;
+        const LongVector weights = star(volumes, k - 1).cast<long double>().cwiseInverse();
+        A += lower * weights.asDiagonal() * lower.transpose();
+    }
+    const LongVector scale = mass.cwiseSqrt().cwiseInverse();
+    const LongMatrix B = scale.asDiagonal() * A * scale.asDiagonal();
+    return Eigen::SelfAdjointEigenSolver<LongMatrix>(B, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+struct Complex {
+    SimplicialComplex complex;
+    CellVolumes volumes;
+
+    explicit Complex(const Mesh& mesh)
+        : complex(mesh.simplices), volumes(circumcentric_volumes(complex, mesh.points)) {}
+
+    bool has_spectrum(int k) const {
+        return negative_star_cells(volumes, k).empty() && zero_star_cells(volumes, k).empty() &&
+               (k == 0 || zero_star_cells(volumes, k - 1).empty());
+    }
+};
+
+/// Meshes that nobody would wish for: obtuse, with slivers, of several components, graded.
+std::vector<Mesh> hostile_meshes() {
+    std::vector<Mesh> meshes{polygon_curve(),    theta_graph(),  two_components(),
+                             obtuse_planar(),    obtuse_solid(), tilted_tetrahedra(),
+                             projective_plane(), annulus(9),     triangle_soup(),
+                             clifford_torus()};
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        meshes.push_back(perturbed(grid(5, 5), 0.06, seed));
+        meshes.push_back(perturbed(kuhn(3, 2), 0.1, seed));
+        meshes.push_back(perturbed(kuhn(4, 1), 0.1, seed));
+        meshes.push_back(perturbed(well_centered(3), 0.02, seed));
+    }
+    DenseMatrix flat = DenseMatrix::Identity(2, 2);
+    flat(1, 1) = 1e-4;
+    meshes.push_back(transformed(perturbed(grid(3, 3), 0.05, 7), flat));
+    const Mesh one = well_centered(3);
+    meshes.push_back(united(one, transformed(one, DenseMatrix::Identity(2, 2), 1e-5, 3)));
+    return meshes;
+}
+
+/// Calls check(values, radii, exact, rounding of exact) for all degrees on both sides.
+template <class Check>
+void over_hostile_spectra(Check check) {
+    for (const Mesh& mesh : hostile_meshes()) {
+        const Complex cells(mesh);
+        const int n = cells.complex.dimension();
+        for (int k = 0; k <= n; ++k) {
+            if (!cells.has_spectrum(k))
+                continue;
+            const LongVector exact = long_spectrum(cells.complex, cells.volumes, k);
+            const long double rounding = 1e-17L * exact.cwiseAbs().maxCoeff();
+            for (const Side side : {Side::primal, Side::dual}) {
+                const Index count = std::min<Index>(12, cells.complex.size(k));
+                SCOPED_TRACE(testing::Message() << n << ' ' << k << ' ' << name(side));
+                const auto found = spectrum(
+                    cells.complex, cells.volumes,
+                    {.side = side, .degree = side == Side::primal ? k : n - k, .count = count});
+                check(found, exact, rounding);
+            }
+        }
+    }
+}
+
+TEST(Radii, hold_the_exact_eigenvalues_of_hostile_meshes) {
+    Index spectra = 0;
+    over_hostile_spectra([&](const Spectrum& found, const LongVector& exact, long double rounding) {
+        ++spectra;
+        const double gap = static_cast<double>(exact[exact.size() - 1] - exact[0]);
+        for (Index i = 0; i < found.eigenvalues.size(); ++i) {
+            EXPECT_LE(std::abs(found.eigenvalues[i] - exact[i]), found.radii[i] + rounding) << i;
+            EXPECT_LE(found.radii[i], 1e-6 * std::max(std::abs(found.eigenvalues[i]), gap)) << i;
+        }
+    });
+    EXPECT_GE(spectra, 50);
+}
+
+/// The broken twin: much smaller radii would not hold them.
+TEST(Radii, are_not_there_for_nothing) {
+    Index outside = 0;
+    over_hostile_spectra([&](const Spectrum& found, const LongVector& exact, long double rounding) {
+        for (Index i = 0; i < found.eigenvalues.size(); ++i)
+            outside += std::abs(found.eigenvalues[i] - exact[i]) > 1e-4 * found.radii[i] + rounding;
+    });
+    EXPECT_GT(outside, 0);
+}
+
+/// Two flat triangles on both sides of an edge, and one of ordinary shape. Values: 60 digits.
+TEST(ThreeTriangles, have_small_eigenvalues_beside_a_huge_one) {
+    const double h = std::ldexp(1.0, -19);
+    const Complex cells(made_of({{0, 0}, {1, 0}, {0.5, -h}, {0.5, h}, {0.5, -0.5}},
+                                {{0, 1, 3}, {0, 1, 2}, {0, 2, 4}}));
+    const auto found = spectrum(cells.complex, cells.volumes, {.side = Side::dual, .count = 3});
+    const double exact[] = {-4194304.0000610352727, -1.5258920029959102858e-5,
+                            15.999984741341903849};
+    for (Index i = 0; i < 3; ++i) {
+        EXPECT_NEAR(found.eigenvalues[i], exact[i], found.radii[i]) << i;
+        EXPECT_NEAR(found.eigenvalues[i], exact[i], 1e-9 * std::abs(exact[i])) << i;
+        EXPECT_LE(found.radii[i], 1e-6 * std::abs(exact[i])) << i;
+    }
+}
+
+TEST(CertifiedEigensolver, works_at_any_scale) {
+    for (const double a : {1e-300, 1e-150, 1.0, 1e150, 1e300})
+        for (const double m : {1e-300, 1.0, 1e300}) {
+            if (const double ratio = std::log10(a) - std::log10(m); std::abs(ratio) > 301)
+                continue;
+            SCOPED_TRACE(testing::Message() << a << ' ' << m);
+            SparseMatrix A(60, 60);
+            for (Index i = 0; i < 60; ++i)
+                A.insert(i, i) = a * (1 + i / 8);
+            const auto pairs = CertifiedEigensolver(A, Vector::Constant(60, m)).smallest(9);
+            for (Index i = 0; i < 9; ++i)
+                EXPECT_NEAR(pairs.values[i] / (a / m), 1 + i / 8, 1e-12);
+            EXPECT_LE(pairs.radii.maxCoeff(), 1e-9 * (a / m));
+            EXPECT_TRUE(pairs.certificate.complete);
+        }
+}
+
+TEST(CertifiedEigensolver, refuses_values_that_rounding_hides) {
+    const Vector v = (Vector(3) << 1, 2, 3).finished();
+    const DenseMatrix Q = DenseMatrix::Identity(3, 3) - v * v.transpose() / 7;
+    const Vector values = (Vector(3) << 1e9, 1.1e9, 1e20).finished();
+    const SparseMatrix A = DenseMatrix(Q * values.asDiagonal() * Q).sparseView();
+    try {
+        CertifiedEigensolver(A, Vector::Ones(3)).smallest(2);
+        ADD_FAILURE() << "accepted";
+    } catch (const SolverFailure& failure) {
+        const std::string text = failure.what();
+        EXPECT_EQ(text.substr(0, 12), "eigenvalue 1");
+        EXPECT_NE(text.find("is known to within"), std::string::npos) << text;
+        EXPECT_NE(text.find("rounding hides it\nimprove the cells of extreme shape, or waive the "
+                            "proof and mind the radii"),
+                  std::string::npos)
+            << text;
+    }
+    const auto pairs =
+        CertifiedEigensolver(A, Vector::Ones(3), {.certification = Certification::waived})
+            .smallest(2);
+    EXPECT_GT(pairs.radii[0], 1);
+}
+
+TEST(ManyComponents, have_all_their_zeros_at_once) {
+    Mesh spheres = icosphere(1);
+    for (int i = 1; i < 44; ++i)
+        spheres = united(spheres, icosphere(1));
+    const Complex cells(spheres);
+    Index rounds = 0;
+    const auto found = spectrum(cells.complex, cells.volumes,
+                                {.count = 10, .progress = [&](std::string_view what) {
+                                     rounds += what == "iterating" ? 1 : 0;
+                                 }});
+    EXPECT_EQ(found.certificate.below_shift, 44);
+    EXPECT_LE(found.eigenvalues.cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LE(rounds, 4);
+}
+
+TEST(SpectrumOfTwoSpheres, is_that_of_the_large_one_and_zeros_of_both) {
+    const Mesh sphere = icosphere(3);
+    const Complex one(sphere);
+    const Complex both(united(sphere, transformed(sphere, DenseMatrix::Identity(3, 3), 1e-5, 5)));
+    for (const int k : {0, 2}) {
+        const Vector single =
+            spectrum(one.complex, one.volumes, {.degree = k, .count = 9}).eigenvalues;
+        const auto found = spectrum(both.complex, both.volumes, {.degree = k, .count = 10});
+        EXPECT_LE(found.eigenvalues.head(2).cwiseAbs().maxCoeff(), 1e-9);
+        EXPECT_LE((found.eigenvalues.tail(8) - single.tail(8)).cwiseAbs().maxCoeff(), 1e-7);
+        EXPECT_LE(found.radii.maxCoeff(), 1e-6);
+        EXPECT_TRUE(found.certificate.complete);
+    }
+}
+
+/// Eigenvalues from 2 to 1e9 and more: the small ones must not count as zeros beside the large.
+TEST(CoexactSpectrum, spans_two_spheres_of_very_different_size) {
+    const Mesh sphere = icosphere(2);
+    const Complex one(sphere);
+    const Mesh small = transformed(sphere, DenseMatrix::Identity(3, 3), 1e-4, 5);
+    const Complex both(united(sphere, small));
+    const Index coexact = one.complex.size(2) - 1;
+    const SpectrumOptions all{.degree = 1, .count = coexact};
+    const auto single = coexact_spectrum(one.complex, one.volumes, all);
+    const auto twice =
+        coexact_spectrum(both.complex, both.volumes, {.degree = 1, .count = 2 * coexact});
+    ASSERT_EQ(twice.eigenvalues.size(), 2 * coexact);
+    for (Index i = 0; i < coexact; ++i) {
+        EXPECT_NEAR(twice.eigenvalues[i], single.eigenvalues[i], 1e-8 * single.eigenvalues[i]);
+        EXPECT_NEAR(twice.eigenvalues[coexact + i] * 1e-8, single.eigenvalues[i],
+                    1e-6 * single.eigenvalues[i]);
+    }
+    EXPECT_GT(twice.eigenvalues[2 * coexact - 1], 1e7 * twice.eigenvalues[0]);
+    EXPECT_EQ(twice.radii.size(), 2 * coexact);
+    EXPECT_LE((twice.radii.array() / twice.eigenvalues.array()).maxCoeff(), 1e-6);
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: MIT
+"""Where commands write is looked at first; what is there already is never lost."""
+import hashlib
+import json
+import os
+import shutil
+import stat
+
+import command
+from command import TestCase, golden
+
+SPECTRUM = ("--side", "primal", "--degree", 0, "--count", 2)
+# Of every command with a file as output: arguments without it, and the extensions it takes.
+WRITERS = {
+    "merge": ((), ".off .obj .ply .vtu"),
+    "spectrum": (SPECTRUM, ".vtu"),
+    "poisson": (("--side", "primal", "--rhs", "1"), ".vtu"),
+    "distance": (("--from", 0), ".vtu"),
+}
+
+
+class Files(TestCase):
+    def arguments(self, name, mesh, out):
+        return (name, mesh, *WRITERS[name][0], "-o", out)
+
+    def refuse(self, code, message, *arguments):
+        before = sorted(os.listdir(self.folder))
+        self.assertEqual(self.fail_with(code, *arguments), f"polydec: {message}")
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_an_unknown_format_is_refused_before_the_mesh_is_read(self):
+        for out in ("a.txt", "a", "a.vtu.gz", "vtu"):
+            for name, (_, known) in WRITERS.items():
+                self.refuse(2, f"cannot write {out}: the extension '{os.path.splitext(out)[1]}' "
+                            f"stands for no format that can be written here; use {known}",
+                            *self.arguments(name, "no-such.off", out))
+        self.refuse(2, "cannot write a.vtu: the extension '.vtu' stands for no format that can be "
+                    "written here; use .off .obj .ply .stl .mesh .nsc",
+                    "generate", "grid", "-o", "a.vtu")
+
+    def test_the_case_of_extensions_does_not_matter(self):
+        shutil.copy(golden("uv8.off"), self.path("MESH.OFF"))
+        for name in WRITERS:
+            self.succeed(*self.arguments(name, "MESH.OFF", f"{name}.VTU"))
+            self.assertIn("VTKFile", self.read(f"{name}.VTU")[:100])
+        self.succeed("generate", "grid", "-o", "GRID.Nsc")
+        self.succeed("info", "GRID.Nsc")
+        self.write("tri.NODE", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n")
+        self.write("tri.ELE", "1 3 0\n0 0 1 2\n")
+        for name in ("tri.NODE", "tri.ELE"):
+            self.assertEqual(self.ask("info", name)["cells"]["input"], [3, 3, 1])
+
+    def test_an_input_is_never_written_over(self):
+        shutil.copy(golden("uv8.off"), self.path("mesh.off"))
+        os.symlink("mesh.off", self.path("link.off"))
+        os.link(self.path("mesh.off"), self.path("hard.vtu"))
+        text = self.read("mesh.off")
+        for out in ("mesh.off", "./mesh.off", "link.off", self.path("mesh.off"), "hard.vtu"):
+            self.refuse(2, f"cannot write {out}: it is the input mesh.off, which would be lost; name "
+                        "another file", "merge", "mesh.off", "-o", out)
+        for name in WRITERS:
+            self.refuse(2, "cannot write hard.vtu: it is the input mesh.off, which would be lost; "
+                        "name another file", *self.arguments(name, "mesh.off", "hard.vtu"))
+        self.write("f.vtu", "1 " * 58)
+        self.refuse(2, "cannot write f.vtu: it is the input ./f.vtu, which would be lost; name "
+                    "another file", "poisson", "mesh.off", "--side", "primal", "--rhs", "./f.vtu",
+                    "-o", "f.vtu")
+        self.assertEqual(self.read("mesh.off"), text)
+
+    def test_the_folder_must_be_there(self):
+        for name in WRITERS:
+            self.refuse(4, "cannot write no/a.vtu: No such file or directory; make the folder no "
+                        "first", *self.arguments(name, "no-such.off", "no/a.vtu"))
+        self.write("file", "")
+        self.refuse(4, "cannot write file/a.off: file is no folder", "merge", "no-such.off", "-o",
+                    "file/a.off")
+
+    def test_a_folder_or_pipe_is_no_output(self):
+        os.mkdir(self.path("taken.vtu"))
+        os.mkfifo(self.path("pipe.vtu"))
+        for name in WRITERS:
+            for out in ("taken.vtu", "pipe.vtu"):
+                self.refuse(4, f"cannot write {out}: it is a folder, pipe or device; name a regular "
+                            "file", *self.arguments(name, "no-such.off", out))
+
+    def test_a_read_only_file_stays(self):
+        for name in WRITERS:
+            self.write("old.vtu", "precious")
+            os.chmod(self.path("old.vtu"), stat.S_IRUSR)
+            self.refuse(4, "cannot write old.vtu: it is read-only; name another file, or make it "
+                        "writable", *self.arguments(name, "no-such.off", "old.vtu"))
+            self.assertEqual(self.read("old.vtu"), "precious")
+
+    def test_a_read_only_folder_takes_nothing(self):
+        os.mkdir(self.path("closed"))
+        os.chmod(self.path("closed"), stat.S_IRUSR | stat.S_IXUSR)
+        for name in WRITERS:
+            message = self.fail_with(4, *self.arguments(name, "no-such.off", "closed/a.vtu"))
+            self.assertEqual(message, "polydec: cannot write closed/a.vtu: the folder closed is not "
+                             "writable")
+
+    def test_an_empty_name_is_no_name(self):
+        for name in WRITERS:
+            self.assertIn("--out: expected a value, not an empty text",
+                          self.fail_with(1, *self.arguments(name, golden("uv8.off"), "")))
+
+
+class Folders(TestCase):
+    def write_operators(self, *options):
+        self.succeed("operators", golden("grid4.nsc"), "--out", "out", *options)
+        return {name: self.read(f"out/{name}") for name in os.listdir(self.path("out"))}
+
+    def test_a_manifest_tells_what_the_files_are_made_from(self):
+        files = self.write_operators("--tolerance", "1e-5")
+        manifest = json.loads(files.pop("manifest.json"))
+        self.assertEqual(
+            list(manifest), ["program", "version", "command", "mesh", "options", "options_sha256",
+                             "dimension", "files", "warnings"])
+        self.assertEqual((manifest["program"], manifest["command"], manifest["dimension"]),
+                         ("polydec", "operators", 2))
+        with open(golden("grid4.nsc"), "rb") as file:
+            content = file.read()
+        self.assertEqual(manifest["mesh"], [{"file": "grid4.nsc", "bytes": len(content),
+                                             "sha256": hashlib.sha256(content).hexdigest()}])
+        self.assertEqual(manifest["options"], {"merge": True, "tolerance": 1e-5,
+                                               "angle_tolerance": None, "delaunay": None})
+        self.assertEqual(manifest["files"], [{"name": name, "bytes": len(text)}
+                                             for name, text in sorted(files.items())])
+        other = json.loads(self.write_operators()["manifest.json"])
+        self.assertNotEqual(other["options_sha256"], manifest["options_sha256"])
+        self.assertEqual(other["mesh"], manifest["mesh"])
+
+    def test_an_earlier_result_is_replaced_as_a_whole(self):
+        self.succeed("operators", golden("kuhn3.nsc"), "--out", "out")
+        self.assertIn("star_3.mtx", os.listdir(self.path("out")))
+        files = self.write_operators()
+        self.assertNotIn("star_3.mtx", files)
+        self.assertEqual(os.listdir(self.folder), ["out"])
+
+    def test_foreign_files_are_not_lost(self):
+        self.write_operators()
+        for name in ("notes.txt", "star_9.mtx.orig", "star_.mtx", "d_0.csv"):
+            self.write(f"out/{name}", "mine")
+            self.assertEqual(
+                self.fail_with(2, "operators", "no-such.off", "--out", "out"),
+                f"polydec: cannot write out: it holds '{name}', which is no part of an earlier "
+                "result, and would be lost; name another folder, or remove that one")
+            os.remove(self.path(f"out/{name}"))
+        os.remove(self.path("out/manifest.json"))
+        before = set(os.listdir(self.path("out")))
+        self.assertIn("no part of an earlier result",
+                      self.fail_with(2, "operators", "no-such.off", "--out", "out"))
+        self.assertEqual(set(os.listdir(self.path("out"))), before)
+
+    def test_an_empty_folder_and_folders_on_the_way_are_fine(self):
+        os.mkdir(self.path("empty"))
+        for out in ("empty", "a/b/c", "a/b/d/"):
+            self.succeed("operators", golden("grid4.nsc"), "--out", out)
+            self.assertTrue(os.path.exists(self.path(f"{out}/manifest.json")))
+
+    def test_the_folder_that_one_is_in_stays(self):
+        self.assertEqual(self.fail_with(2, "operators", golden("grid4.nsc"), "--out", "."),
+                         "polydec: cannot write .: it is the folder you are in, and would be "
+                         "replaced as a whole; name another one")
+
+    def test_a_link_to_a_folder_stays_a_link(self):
+        os.mkdir(self.path("real"))
+        os.symlink("real", self.path("out"))
+        self.write_operators()
+        self.write_operators()
+        self.assertTrue(os.path.islink(self.path("out")))
+        self.assertTrue(os.path.exists(self.path("real/manifest.json")))
+
+    def test_a_failure_leaves_the_old_result(self):
+        before = self.write_operators()
+        self.succeed("generate", "grid", "--nx", "60", "--ny", "60", "-o", "big.nsc")
+        # files may not grow beyond this size: the same as a full disk
+        limit = f"ulimit -f 64; exec {command.COMMAND} operators big.nsc --out out"
+        done = command.subprocess.run(["sh", "-c", f"trap '' XFSZ; {limit}"], cwd=self.folder,
+                                      capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["big.nsc", "out"])
+        self.assertEqual({name: self.read(f"out/{name}") for name in os.listdir(self.path("out"))},
+                         before)
+
+    def test_a_file_is_no_folder(self):
+        self.write("file", "")
+        for name, arguments in (("operators", (golden("grid4.nsc"),)), ("reproduce", ("fig6",))):
+            self.assertEqual(self.fail_with(4, name, *arguments, "--out", "file"),
+                             "polydec: cannot make the folder file: a file of that name is in the "
+                             "way")
+
+
+if __name__ == "__main__":
+    command.main()

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "tools/manifest.h"
+
+#include "base/errors.h"
+#include "base/printable.h"
+#include "io/atomic_file.h"
+#include "io/source_file.h"
+#include "tools/outputs.h"
+
+#include <fmt/format.h>
+#include <nettle/sha2.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <span>
+#include <system_error>
+
+namespace polydec::tools {
+
+namespace {
+
+class Sha256 {
+public:
+    Sha256() { sha256_init(&state_); }
+
+    void add(std::string_view bytes) {
+        sha256_update(&state_, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+    }
+
+    std::string digits() {
+        std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+        sha256_digest(&state_, digest.size(), digest.data());
+        std::string text;
+        for (const auto byte : digest)
+            text += fmt::format("{:02x}", byte);
+        return text;
+    }
+
+private:
+    sha256_ctx state_{};
+};
+
+Fingerprint fingerprint(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    Sha256 hash;
+    Fingerprint result{path, 0, {}};
+    std::array<char, 1 << 16> part{};
+    while (file) {
+        file.read(part.data(), part.size());
+        hash.add({part.data(), static_cast<std::size_t>(file.gcount())});
+        result.bytes += static_cast<std::uintmax_t>(file.gcount());
+    }
+    if (!file.eof())
+        throw IoError(fmt::format("cannot read {}: {}", printable(path.string()), system_reason()));
+    result.sha256 = hash.digits();
+    return result;
+}
+
+void write_options(JsonWriter& json, const MeshArguments& options) {
+    const bool by_angle = options.angle_tolerance.has_value();
+    json.member("merge", options.merge);
+    json.member("tolerance", by_angle ? std::nullopt : std::optional(options.tolerance));
+    json.member("angle_tolerance", options.angle_tolerance);
+    json.member("delaunay",
+                options.delaunay.empty() ? std::nullopt : std::optional(options.delaunay));
+}
+
+std::string hash_of_options(const MeshArguments& options) {
+    JsonWriter json;
+    json.object([&] { write_options(json, options); });
+    Sha256 hash;
+    hash.add(json.view());
+    return hash.digits();
+}
+
+/// Names and sizes, by name.
+std::vector<std::pair<std::string, std::uintmax_t>> files_in(const std::filesystem::path& folder) {
+    std::vector<std::pair<std::string, std::uintmax_t>> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        files.emplace_back(entry.path().filename().string(), entry.file_size());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void write(JsonWriter& json, const Manifest& manifest, const std::filesystem::path& folder) {
+    json.member("program", "polydec");
+    json.member("version", POLYDEC_VERSION);
+    json.member("command", manifest.command);
+    json.array("mesh", [&] {
+        for (const auto& [file, bytes, sha256] : manifest.mesh)
+            json.object([&] {
+                json.member("file", file.filename().string());
+                json.member("bytes", bytes);
+                json.member("sha256", sha256);
+            });
+    });
+    json.object("options", [&] { write_options(json, manifest.options); });
+    json.member("options_sha256", hash_of_options(manifest.options));
+    json.member("dimension", manifest.dimension);
+    json.array("files", [&] {
+        for (const auto& [name, bytes] : files_in(folder))
+            json.object([&] {
+                json.member("name", name);
+                json.member("bytes", bytes);
+            });
+    });
+    json.member("warnings", manifest.warnings);
+}
+
+} // namespace
+
+std::vector<Fingerprint> fingerprints(const std::filesystem::path& mesh) {
+    std::vector<Fingerprint> list;
+    std::error_code ignored;
+    for (const auto& file : mesh_files(mesh))
+        if (std::filesystem::is_regular_file(file, ignored) &&
+            std::none_of(list.begin(), list.end(),
+                         [&](const Fingerprint& other) { return other.file == file; }))
+            list.push_back(fingerprint(file));
+    return list;
+}
+
+void write_manifest(const std::filesystem::path& folder, const Manifest& manifest) {
+    JsonWriter json;
+    json.object([&] { write(json, manifest, folder); });
+    AtomicFile file(folder / "manifest.json");
+    file.write(json.view());
+    file.write("\n");
+    file.commit();
+}
+
+} // namespace polydec::tools

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "tools/messages.h"
+
+#include "base/printable.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+namespace polydec::tools {
+
+namespace {
+
+struct Wording {
+    std::string_view member, option;
+};
+
+constexpr std::array options{
+    Wording{"MergeOptions::delaunay", "--delaunay"},
+    Wording{"Delaunay::flips_and_splits", "--delaunay=split-boundary"},
+    Wording{"set_memory_limit", "--max-memory"},
+};
+
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+        text.replace(at, what.size(), by);
+}
+
+} // namespace
+
+std::string told(std::string message) {
+    for (const auto& [member, option] : options)
+        replace_all(message, member, option);
+    return printable_message(message);
+}
+
+std::string naming(const std::filesystem::path& file, std::string message) {
+    const std::string name = file.string();
+    if (message.find(name) == std::string::npos)
+        return fmt::format("{}: {}", printable(name), message);
+    if (const auto shown = printable(name); shown != name)
+        replace_all(message, name, shown);
+    return message;
+}
+
+} // namespace polydec::tools

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "tools/options.h"
+
+#include "base/memory.h"
+#include "base/printable.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace polydec::tools {
+
+namespace {
+
+/// All of the text as a number; none if it is not one.
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+    if (text.substr(0, 1) == "+")
+        text.remove_prefix(1);
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool good = error == std::errc() && end == text.data() + text.size();
+    return good ? std::optional(value) : std::nullopt;
+}
+
+std::string expected(std::string_view what, const std::string& text) {
+    return fmt::format("expected {}, not '{}'", what, printable(text));
+}
+
+std::string check_text(const std::string& text) {
+    return text.empty() ? "expected a value, not an empty text" : "";
+}
+
+std::string check_whole(const std::string& text) {
+    return number_of<int>(text) ? "" : expected("a whole number", text);
+}
+
+std::string check_not_negative_whole(const std::string& text) {
+    return number_of<std::uint64_t>(text) ? "" : expected("a whole number of at least 0", text);
+}
+
+std::string check_number(const std::string& text) {
+    const auto value = number_of<double>(text);
+    return value && std::isfinite(*value) ? "" : expected("a number", text);
+}
+
+/// 500M, 1.5G, 800000000.
+std::optional<double> bytes_of(const std::string& text) {
+    constexpr std::string_view units = "kMGT";
+    const auto unit = text.empty() ? std::string_view::npos : units.find(text.back());
+    const bool has_unit = unit != std::string_view::npos;
+    const auto value = number_of<double>(std::string_view(text).substr(0, text.size() - has_unit));
+    if (!value || !std::isfinite(*value))
+        return std::nullopt;
+    const double bytes = *value * std::pow(1000.0, has_unit ? static_cast<double>(unit) + 1 : 0);
+    return bytes >= 1 && bytes < 1e18 ? std::optional(bytes) : std::nullopt;
+}
+
+std::string check_bytes(const std::string& text) {
+    return bytes_of(text) ? "" : expected("an amount like 500M or 2G", text);
+}
+
+} // namespace
+
+std::string check_not_negative(const std::string& text) {
+    const auto value = number_of<double>(text);
+    const bool good = value && std::isfinite(*value) && *value >= 0;
+    return good ? "" : expected("a number of at least 0", text);
+}
+
+void add_common_options(CLI::App& command, TellOptions& options) {
+    command.add_flag("--json", options.json, "print one JSON object");
+    command
+        .add_option_function<std::string>(
+            "--max-memory",
+            [](const std::string& text) {
+                set_memory_limit(static_cast<std::uint64_t>(*bytes_of(text)));
+            },
+            "refuse what takes more memory, like 500M or 2G\n(default: what the machine has)")
+        ->check(check_bytes);
+}
+
+void expect_values(CLI::App& app) {
+    for (auto* option : app.get_options()) {
+        const auto type = option->get_type_name();
+        if (type.rfind("INT", 0) == 0)
+            option->check(check_whole, "");
+        else if (type.rfind("UINT", 0) == 0)
+            option->check(check_not_negative_whole, "");
+        else if (type.rfind("FLOAT", 0) == 0 || type.rfind("[FLOAT", 0) == 0)
+            option->check(check_number, "");
+        else if (type.rfind("TEXT", 0) == 0)
+            option->check(check_text, "");
+    }
+    for (auto* command : app.get_subcommands({}))
+        expect_values(*command);
+}
+
+} // namespace polydec::tools

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "tools/outputs.h"
+
+#include "base/errors.h"
+#include "base/printable.h"
+#include "io/draw_cells.h"
+#include "io/source_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace polydec::tools {
+
+namespace {
+
+using Path = std::filesystem::path;
+
+[[noreturn]] void refuse(const Path& out, const std::string& reason) {
+    throw IoError(fmt::format("cannot write {}: {}", printable(out.string()), reason));
+}
+
+/// With links followed; what is missing at its end stays.
+Path resolved(const Path& out) {
+    std::error_code error;
+    auto result = std::filesystem::weakly_canonical(std::filesystem::absolute(out, error), error);
+    if (error)
+        refuse(out, error.message());
+    return result;
+}
+
+/// Whether this process may do so; what is marked read-only stays so for a superuser as well.
+bool is_writable(const Path& path, const struct stat& status) {
+    constexpr mode_t anybody = S_IWUSR | S_IWGRP | S_IWOTH;
+    return (status.st_mode & anybody) != 0 && ::access(path.c_str(), W_OK) == 0;
+}
+
+void check_folder(const Path& out, const Path& folder) {
+    struct stat status {};
+    const auto name = printable(folder.string());
+    if (::stat(folder.c_str(), &status) != 0)
+        refuse(out, fmt::format("{}; make the folder {} first", system_reason(), name));
+    if (!S_ISDIR(status.st_mode))
+        refuse(out, fmt::format("{} is no folder", name));
+    if (!is_writable(folder, status) || ::access(folder.c_str(), X_OK) != 0)
+        refuse(out, fmt::format("the folder {} is not writable", name));
+}
+
+void check_extension(const Path& out, const std::vector<const char*>& extensions) {
+    const auto extension = lower_extension(out);
+    if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+        throw InvalidInput(fmt::format("cannot write {}: the extension '{}' stands for no format "
+                                       "that can be written here; use {}",
+                                       printable(out.string()), printable(extension),
+                                       fmt::join(extensions, " ")));
+}
+
+} // namespace
+
+Paths mesh_files(const Path& mesh) {
+    Paths files{mesh};
+    const auto extension = lower_extension(mesh);
+    if (extension == ".node" || extension == ".ele")
+        for (const char* other :
+             {".node", ".ele", ".face", ".edge", ".NODE", ".ELE", ".FACE", ".EDGE"})
+            files.push_back(Path(mesh).replace_extension(other));
+    return files;
+}
+
+void check_output_file(const Path& out, const std::vector<const char*>& extensions,
+                       const Paths& inputs) {
+    check_extension(out, extensions);
+    const Path target = resolved(out);
+    check_folder(out, out.has_parent_path() ? out.parent_path() : Path("."));
+    check_folder(out, target.parent_path());
+    struct stat status {};
+    if (::stat(target.c_str(), &status) != 0)
+        return;
+    if (!S_ISREG(status.st_mode))
+        refuse(out, "it is a folder, pipe or device; name a regular file");
+    for (const auto& input : inputs) {
+        struct stat other {};
+        if (::stat(input.c_str(), &other) == 0 && other.st_dev == status.st_dev &&
+            other.st_ino == status.st_ino)
+            throw InvalidInput(fmt::format("cannot write {}: it is the input {}, which would be "
+                                           "lost; name another file",
+                                           printable(out.string()), printable(input.string())));
+    }
+    if (!is_writable(target, status))
+        refuse(out, "it is read-only; name another file, or make it writable");
+}
+
+void check_output_folder(const Path& out) {
+    Path target = resolved(out);
+    struct stat status {};
+    while (::stat(target.c_str(), &status) != 0 && target.has_relative_path())
+        target = target.parent_path();
+    if (!S_ISDIR(status.st_mode))
+        throw IoError(fmt::format("cannot make the folder {}: a file of that name is in the way",
+                                  printable(out.string())));
+    check_folder(out, target);
+}
+
+void check_drawable(const Discretization& mesh) {
+    if (mesh.points.cols() == 0)
+        return polydec::check_drawable(mesh.dimension(), 0);
+    try {
+        polydec::check_drawable(mesh.dimension(), static_cast<int>(mesh.points.cols()));
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(fmt::format("{}; leave out -o", error.what()));
+    }
+}
+
+} // namespace polydec::tools
