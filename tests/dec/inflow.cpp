@@ -67,8 +67,9 @@ TEST_P(Inflow, never_makes_more_of_a_density) {
     const int n = mesh().n();
     const SparseMatrix L = lie_derivative(mesh().K(), mesh().points, field(), n, Sampling::upwind);
     const Vector gain = -(Eigen::RowVectorXd::Ones(L.rows()) * L).transpose();
-    if (mesh().K().orientable() && is_flat(mesh_named(GetParam())))
+    if (mesh().K().orientable() && is_flat(mesh_named(GetParam()))) {
         EXPECT_LE(gain.maxCoeff(), 1e-12 * largest(L));
+    }
 }
 
 POLYDEC_OVER_MESHES(Inflow);
