@@ -47,6 +47,7 @@
 #include "dec/overlaps.h"
 #include "dec/overlay.h"
 #include "dec/quadrature.h"
+#include "dec/rounding.h"
 #include "dec/sharp.h"
 #include "dec/side.h"
 #include "dec/simplex_metric.h"

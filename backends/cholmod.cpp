@@ -2,6 +2,7 @@
 #include "backends/cholmod.h"
 
 #include "backends/checked_solver.h"
+#include "backends/linked.h"
 #include "backends/registry.h"
 
 #include <cholmod.h>
@@ -245,3 +246,8 @@ void register_cholmod() {
 }
 
 } // namespace polydec
+
+extern "C" {
+extern const bool polydec_cholmod_is_linked;
+const bool polydec_cholmod_is_linked = polydec::registered(polydec::register_cholmod);
+}

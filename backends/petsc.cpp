@@ -2,6 +2,7 @@
 #include "backends/petsc.h"
 
 #include "backends/checked_solver.h"
+#include "backends/linked.h"
 #include "backends/petsc_session.h"
 #include "backends/registry.h"
 #include "base/errors.h"
@@ -368,3 +369,8 @@ void register_petsc() {
 }
 
 } // namespace polydec
+
+extern "C" {
+extern const bool polydec_petsc_is_linked;
+const bool polydec_petsc_is_linked = polydec::registered(polydec::register_petsc);
+}

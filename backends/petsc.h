@@ -6,7 +6,8 @@ namespace polydec {
 /// Makes the engines `petsc.cg-hypre` and `petsc.cg-gamg` known: PETSc's conjugate gradients with
 /// algebraic multigrid, hypre's BoomerAMG (Henson and Yang 2002) or PETSc's own smoothed
 /// aggregation, for symmetric positive (semi)definite matrices; their time and memory grow in
-/// proportion to the matrix, so they are for large solids. Calling it again does nothing.
+/// proportion to the matrix, so they are for large solids. Programs that link polydec::petsc with
+/// CMake have them without calling this, which does nothing then, as when called again.
 /// BoomerAMG is tuned for solids: HMIS coarsening, one aggressive level, extended+i interpolation
 /// from at most 4 points, strong threshold 0.5. LinearSolverOptions::engine_options takes what
 /// PETSc's command line takes and goes before all of that; factorize() throws InvalidInput for an

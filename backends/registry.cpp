@@ -45,7 +45,7 @@ void add_missing(Registry& registry) {
          "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts by "
          "inertia",
          "Debian package libsuitesparse-dev, CMake option POLYDEC_CHOLMOD=ON; link "
-         "polydec::cholmod and call polydec::register_cholmod()"},
+         "polydec::cholmod"},
         LinearSolverFactory());
     for (const auto& [name, description] :
          {std::pair{"petsc.cg-hypre",
@@ -55,13 +55,11 @@ void add_missing(Registry& registry) {
                                      "positive semidefinite, iterative"}})
         add(registry.linear,
             {name, EngineKind::linear, false, description,
-             "Debian package petsc-dev, CMake option POLYDEC_PETSC=ON; link polydec::petsc and "
-             "call polydec::register_petsc()"},
+             "Debian package petsc-dev, CMake option POLYDEC_PETSC=ON; link polydec::petsc"},
             LinearSolverFactory());
     add(registry.eigen,
         {"slepc", EngineKind::eigen, false, "SLEPc's Krylov-Schur method",
-         "Debian package slepc-dev, CMake option POLYDEC_SLEPC=ON; link polydec::slepc and call "
-         "polydec::register_slepc()"},
+         "Debian package slepc-dev, CMake option POLYDEC_SLEPC=ON; link polydec::slepc"},
         EigenSolverFactory());
 }
 

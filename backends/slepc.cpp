@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/slepc.h"
 
+#include "backends/linked.h"
 #include "backends/petsc_session.h"
 #include "backends/registry.h"
 #include "base/errors.h"
@@ -215,3 +216,8 @@ void register_slepc() {
 }
 
 } // namespace polydec
+
+extern "C" {
+extern const bool polydec_slepc_is_linked;
+const bool polydec_slepc_is_linked = polydec::registered(polydec::register_slepc);
+}

@@ -4,15 +4,80 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <concepts>
 #include <cstdint>
+#include <initializer_list>
+#include <utility>
 
 namespace polydec {
 
 /// Number of a cell, vertex or file record; 32 bits, so at most 2^31 - 1 cells of a degree.
 using Index = std::int32_t;
 
-using Vector = Eigen::VectorXd;
+namespace detail {
+
+[[noreturn]] void refuse_as_column(Eigen::Index rows, Eigen::Index columns);
+
+template <class Other>
+inline constexpr bool is_vector = Eigen::internal::traits<Other>::ColsAtCompileTime == 1 ||
+                                  Eigen::internal::traits<Other>::RowsAtCompileTime == 1;
+
+template <class Other>
+concept MaybeVector =
+    is_vector<Other> || Eigen::internal::traits<Other>::ColsAtCompileTime == Eigen::Dynamic;
+
+} // namespace detail
+
+/// Numbers below each other: Eigen's VectorX, and used as it is. But where that one keeps the first
+/// column of a matrix that it is made from, and does not say so, this one takes vectors alone: what
+/// by its type has several columns does not compile, and a matrix of any number of columns throws
+/// InvalidInput, naming its shape, unless it has one.
+template <class Scalar>
+class Column : public Eigen::VectorX<Scalar> {
+    using Plain = Eigen::VectorX<Scalar>;
+
+public:
+    Column() = default;
+    explicit Column(Eigen::Index size) : Plain(size) {}
+
+    /// Column{{1, 2, 3}}, as Eigen has it.
+    Column(std::initializer_list<std::initializer_list<Scalar>> numbers)
+        : Column(Eigen::MatrixX<Scalar>(numbers).transpose()) {}
+
+    template <std::same_as<Plain> Vector>
+    Column(Vector&& vector) noexcept : Plain(std::move(vector)) {}
+
+    template <detail::MaybeVector Other>
+    Column(const Eigen::EigenBase<Other>& other) : Plain(checked(other)) {}
+
+    template <std::same_as<Plain> Vector>
+    Column& operator=(Vector&& vector) noexcept {
+        Plain::operator=(std::move(vector));
+        return *this;
+    }
+
+    template <detail::MaybeVector Other>
+    Column& operator=(const Eigen::EigenBase<Other>& other) {
+        Plain::operator=(checked(other));
+        return *this;
+    }
+
+private:
+    template <class Other>
+    static const Other& checked(const Eigen::EigenBase<Other>& other) {
+        if constexpr (!detail::is_vector<Other>)
+            if (other.cols() != 1)
+                detail::refuse_as_column(other.rows(), other.cols());
+        return other.derived();
+    }
+};
+
+using Vector = Column<double>;
 using DenseMatrix = Eigen::MatrixXd;
+
+/// Types of which a value may have any number of columns: several vectors at once.
+template <class Matrix>
+concept SeveralColumns = Matrix::ColsAtCompileTime == Eigen::Dynamic;
 
 /// Operators: real, compressed sparse rows.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, Index>;
@@ -27,3 +92,11 @@ using Points = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 using Simplices = Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 } // namespace polydec
+
+/// Lets Map<Vector> and Ref<Vector> be what they are for VectorX.
+template <class Scalar>
+struct Eigen::internal::traits<polydec::Column<Scalar>> : traits<Eigen::VectorX<Scalar>> {};
+template <class Scalar>
+struct Eigen::internal::evaluator<polydec::Column<Scalar>> : evaluator<Eigen::VectorX<Scalar>> {
+    using evaluator<Eigen::VectorX<Scalar>>::evaluator;
+};

@@ -10,12 +10,6 @@
 #include "benchmarks/memory.h"
 #include "benchmarks/rows.h"
 #include "benchmarks/threads.h"
-#ifdef POLYDEC_HAS_CHOLMOD
-#include "backends/cholmod.h"
-#endif
-#ifdef POLYDEC_HAS_PETSC
-#include "backends/petsc.h"
-#endif
 
 #include <algorithm>
 #include <cstdio>
@@ -64,15 +58,6 @@ private:
     std::filesystem::path path_;
 };
 
-void register_engines() {
-#ifdef POLYDEC_HAS_CHOLMOD
-    register_cholmod();
-#endif
-#ifdef POLYDEC_HAS_PETSC
-    register_petsc();
-#endif
-}
-
 /// The rows of the bare engines must not have more threads than the library's.
 void take_one_blas_thread() {
     using Setter = void (*)(int);
@@ -109,7 +94,6 @@ int run(int argc, char** argv) {
     Settings settings = take_settings(argc, argv);
     const TemporaryFolder folder;
     settings.folder = folder.path();
-    register_engines();
     take_one_blas_thread();
     set_threads(1);
 

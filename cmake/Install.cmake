@@ -52,6 +52,7 @@ if(TARGET polydec_command)
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT polydec)
 endif()
 
+get_target_property(polydec_type polydec TYPE)
 # Before 1.0 a new minor version may break its users.
 configure_package_config_file(
     ${PROJECT_SOURCE_DIR}/cmake/polydecConfig.cmake.in

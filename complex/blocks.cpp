@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/blocks.h"
 
+#include "base/checks.h"
 #include "complex/disjoint_sets.h"
 
 #include <algorithm>
@@ -139,6 +140,8 @@ Blocks Joining::finish() {
 Blocks join_blocks(const SimplicialComplex& complex, const std::vector<bool>& removed_facets,
                    const Straightness& straight) {
     const int n = complex.dimension();
+    check_as_many("marks of facets", static_cast<std::int64_t>(removed_facets.size()),
+                  complex.size(n - 1));
     Joining joining(complex, straight);
     joining.join_tops(removed_facets);
     joining.count_active(n - 1);
@@ -153,6 +156,7 @@ Blocks join_blocks(const SimplicialComplex& complex, const std::vector<bool>& re
 std::vector<bool> facets_within_labels(const SimplicialComplex& complex,
                                        const std::vector<Index>& labels) {
     const int n = complex.dimension();
+    check_as_many("labels of simplices", static_cast<std::int64_t>(labels.size()), complex.size(n));
     const IncidenceMatrix cofaces = complex.boundary(n);
     std::vector<bool> removed(complex.size(n - 1), false);
     for (Index f = 0; f < complex.size(n - 1); ++f) {

@@ -28,12 +28,13 @@ struct Blocks {
 /// (k-1)-simplex with exactly two active cofaces that are straight across it and have as many
 /// cofaces each. A (k-1)-simplex without active coface is removed: it lies inside a larger block.
 /// Vertices are never removed. removed_facets has one entry per (n-1)-simplex and may be true only
-/// for facets with two cofaces. Near-linear in the number of incidences.
+/// for facets with two cofaces. Near-linear in the number of incidences. Throws InvalidInput for
+/// another number of entries.
 Blocks join_blocks(const SimplicialComplex& complex, const std::vector<bool>& removed_facets,
                    const Straightness& straight);
 
 /// The facets that a merging by label removes: two cofaces, both with the same label. labels has
-/// one entry per n-simplex.
+/// one entry per n-simplex. Throws InvalidInput for another number of them.
 std::vector<bool> facets_within_labels(const SimplicialComplex& complex,
                                        const std::vector<Index>& labels);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/checks.h"
 #include "base/types.h"
 
 #include <vector>
@@ -14,6 +15,8 @@ struct Incidence {
 
 /// A finite complex of oriented cells of degrees 0..n: simplices, merged polytopes, cubes or cells
 /// made by hand. It is its tower of signed incidence matrices and knows no lengths.
+/// Where a degree is asked for that there is not, InvalidInput is thrown, by all that takes one.
+/// What refers into a complex is handed out by value where the complex is a temporary.
 class CellComplex {
 public:
     /// For makers of complexes that satisfy d d = 0 by construction.
@@ -41,11 +44,12 @@ public:
 
     /// d_k, size(k+1) x size(k), entries -1, 0, 1 (2 on one-sided surfaces), for k = -1..n: the
     /// ends are 0-column and 0-row matrices.
-    const IncidenceMatrix& coboundary(int k) const {
+    const IncidenceMatrix& coboundary(int k) const& {
         if (k < -1 || k > dimension())
             refuse_degree(k);
         return coboundaries_[k + 1];
     }
+    IncidenceMatrix coboundary(int k) && { return coboundary(k); }
 
     /// Boundary matrix of the k-cells, size(k-1) x size(k): the transpose of d_(k-1). Row s lists
     /// the cofaces of s. Made anew at each call, in linear time.
@@ -53,13 +57,21 @@ public:
 
     /// Number of (k+1)-cells around each k-cell; not to be read off d_k, in which a cell that lies
     /// on both sides of s cancels. All zero for k = n.
-    const std::vector<Index>& coface_counts(int k) const { return coface_counts_.at(k); }
+    const std::vector<Index>& coface_counts(int k) const& {
+        check_number("the number of cofaces in degree", k, 0, dimension());
+        return coface_counts_[k];
+    }
+    std::vector<Index> coface_counts(int k) && { return coface_counts(k); }
 
     /// The (k+1)-cells and k-cells on their boundary between which d_k has no entry, because both
     /// sides of the face cancel: a loop and its vertex, a cone and the edge along which it is
     /// closed. Whatever asks for all faces of a cell needs these beside the rows of d_k, 0 <= k <
     /// n.
-    const std::vector<Incidence>& canceled(int k) const { return canceled_.at(k); }
+    const std::vector<Incidence>& canceled(int k) const& {
+        check_number("the incidences that cancel in the coboundary", k, 0, dimension() - 1);
+        return canceled_[k];
+    }
+    std::vector<Incidence> canceled(int k) && { return canceled(k); }
 
 protected:
     CellComplex() = default;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "complex/corners.h"
 
+#include "base/checks.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -54,6 +56,7 @@ Index follower(const std::vector<HalfEdge>& sides, Index h) {
 } // namespace
 
 std::vector<Index> corners(const Merging& merging, Index cell) {
+    check_number("2-cell", cell, 0, merging.diamond(2).rows() - 1);
     auto sides = half_edges(merging, cell);
     link_twins(merging, sides);
 

@@ -7,7 +7,7 @@ namespace polydec {
 
 /// The corners of a merged 2-cell in the order its boundary runs, by vertex number, starting with
 /// the smallest edge. A cell glued to itself passes some of its corners twice. Any dimension n >=
-/// 2; time O(p log p) for p pieces.
+/// 2; time O(p log p) for p pieces. Throws InvalidInput if there is no such cell.
 std::vector<Index> corners(const Merging& merging, Index cell);
 
 } // namespace polydec

@@ -15,6 +15,7 @@ namespace polydec {
 ///
 /// Half-edge 3 t + i runs along triangle t from its corner i to the next one. Every edge has a
 /// direction; the sign of a half-edge tells whether it runs along its edge (1) or against it (-1).
+/// What is asked for by number is read in the innermost loops, so numbers are not checked.
 class GluedSurface {
 public:
     /// One side of a triangle: which edge it is glued to, and the sign of the half-edge.

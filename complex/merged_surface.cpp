@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "complex/merged_surface.h"
 
+#include "base/checks.h"
 #include "complex/disjoint_sets.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
@@ -23,6 +26,7 @@ Removal remove_edges(const GluedSurface& surface, std::span<const Index> edges) 
     Removal result{DisjointSets(surface.triangles()),
                    std::vector<bool>(static_cast<std::size_t>(surface.edges()), false)};
     for (const Index e : edges) {
+        check_number("edge", e, 0, surface.edges() - 1);
         if (surface.is_boundary(e))
             continue;
         const auto& [h, g] = surface.halfedges(e);
@@ -190,8 +194,10 @@ CellComplex cell_complex(const GluedSurface& surface) {
 
 std::vector<Index> vertices(const GluedSurface& surface, const MergedSurface& merging, int k,
                             Index cell) {
+    check_number("a cell of degree", k, 0, 2);
+    check_number(fmt::format("{}-cell", k), cell, 0, merging.diamonds[k].rows() - 1);
     std::vector<Index> list;
-    for (Row piece(merging.diamonds.at(k), cell); piece; ++piece) {
+    for (Row piece(merging.diamonds[k], cell); piece; ++piece) {
         const auto s = static_cast<Index>(piece.col());
         if (k == 0)
             list.push_back(s);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "complex/merging.h"
 
+#include "base/checks.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -164,8 +168,10 @@ Merging::Merging(SimplicialComplex input, const Blocks& blocks)
       merged_(make_merged(input_, blocks, carriers_, diamonds_)) {}
 
 std::vector<Index> Merging::vertices(int k, Index cell) const {
+    const IncidenceMatrix& pieces = diamond(k);
+    check_number(fmt::format("{}-cell", k), cell, 0, pieces.rows() - 1);
     std::vector<Index> list;
-    for (Row s(diamond(k), cell); s; ++s) {
+    for (Row s(pieces, cell); s; ++s) {
         const auto simplex = input_.simplices(k).row(s.col());
         list.insert(list.end(), simplex.begin(), simplex.end());
     }

@@ -4,6 +4,8 @@
 #include "complex/blocks.h"
 #include "complex/simplicial_complex.h"
 
+#include <utility>
+
 namespace polydec {
 
 /// A simplicial complex K, the complex P of its merged cells, and how they belong together.
@@ -15,22 +17,34 @@ public:
     /// construction. Linear time.
     Merging(SimplicialComplex input, const Blocks& blocks);
 
-    const SimplicialComplex& input() const { return input_; }
-    const CellComplex& merged() const { return merged_; }
+    const SimplicialComplex& input() const& { return input_; }
+    const CellComplex& merged() const& { return merged_; }
+    SimplicialComplex input() && { return std::move(input_); }
+    CellComplex merged() && { return std::move(merged_); }
 
     /// Where an open simplex of K lies: in the interior of this cell of P.
     struct Carrier {
         int dimension;
         Index cell;
     };
-    const std::vector<Carrier>& carriers(int k) const { return carriers_.at(k); }
+    const std::vector<Carrier>& carriers(int k) const& {
+        check_number("the carriers of simplices of degree", k, 0, input_.dimension());
+        return carriers_[k];
+    }
+    std::vector<Carrier> carriers(int k) && { return carriers(k); }
 
     /// dia_k, size of P times size of K: the orientation 1 or -1 of each piece s in its cell F, 0
     /// for removed simplices. Primal k-forms on K are mapped to P by it; it is a cochain map.
-    const IncidenceMatrix& diamond(int k) const { return diamonds_.at(k); }
-    const std::vector<IncidenceMatrix>& diamonds() const { return diamonds_; }
+    const IncidenceMatrix& diamond(int k) const& {
+        check_number("the map to merged cells in degree", k, 0, input_.dimension());
+        return diamonds_[k];
+    }
+    IncidenceMatrix diamond(int k) && { return diamond(k); }
+    const std::vector<IncidenceMatrix>& diamonds() const& { return diamonds_; }
+    std::vector<IncidenceMatrix> diamonds() && { return std::move(diamonds_); }
 
-    /// The vertices of k-cell F of P: ascending vertex numbers of the input.
+    /// The vertices of k-cell F of P: ascending vertex numbers of the input. Throws InvalidInput
+    /// if there is no such cell.
     std::vector<Index> vertices(int k, Index cell) const;
 
 private:

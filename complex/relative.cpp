@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/relative.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -79,9 +80,17 @@ IncidenceMatrix kept_part(const IncidenceMatrix& d, const std::vector<Index>& ro
 
 } // namespace
 
-Vector RelativeComplex::extend(int k, const Vector& kept) const {
-    Vector whole = Vector::Zero(whole_sizes.at(k));
-    whole(cells[k]) = kept;
+DenseMatrix RelativeComplex::restrict_columns(int k, const DenseMatrix& whole) const {
+    check_number("values on cells of degree", k, 0, complex.dimension());
+    check_as_many(fmt::format("values on {}-cells of the whole", k), whole.rows(), whole_sizes[k]);
+    return whole(cells[k], Eigen::all);
+}
+
+DenseMatrix RelativeComplex::extend_columns(int k, const DenseMatrix& kept) const {
+    check_number("values on cells of degree", k, 0, complex.dimension());
+    check_as_many(fmt::format("values on kept {}-cells", k), kept.rows(), complex.size(k));
+    DenseMatrix whole = DenseMatrix::Zero(whole_sizes[k], kept.cols());
+    whole(cells[k], Eigen::all) = kept;
     return whole;
 }
 

@@ -13,11 +13,26 @@ struct RelativeComplex {
     std::vector<std::vector<Index>> cells; ///< cells[k]: the kept k-cells' numbers in the whole
     std::vector<Index> whole_sizes;        ///< numbers of cells of the whole
 
-    /// The values on the kept k-cells, of one value for every k-cell of the whole.
-    Vector restrict(int k, const Vector& whole) const { return whole(cells.at(k)); }
+    /// The values on the kept k-cells, of one value for every k-cell of the whole. Throws
+    /// InvalidInput for another number of values.
+    Vector restrict(int k, const Vector& whole) const { return restrict_columns(k, whole); }
 
-    /// The same values on the whole complex, 0 on the dropped cells.
-    Vector extend(int k, const Vector& kept) const;
+    /// The same values on the whole complex, 0 on the dropped cells. Throws likewise.
+    Vector extend(int k, const Vector& kept) const { return extend_columns(k, kept); }
+
+    /// The same for several forms at once, a column each.
+    template <SeveralColumns Matrix>
+    DenseMatrix restrict(int k, const Eigen::MatrixBase<Matrix>& whole) const {
+        return restrict_columns(k, whole);
+    }
+    template <SeveralColumns Matrix>
+    DenseMatrix extend(int k, const Eigen::MatrixBase<Matrix>& kept) const {
+        return extend_columns(k, kept);
+    }
+
+private:
+    DenseMatrix restrict_columns(int k, const DenseMatrix& whole) const;
+    DenseMatrix extend_columns(int k, const DenseMatrix& kept) const;
 };
 
 /// The complex relative to a closed set of cells (with each cell, all its faces). Linear time.

@@ -21,18 +21,30 @@ public:
     explicit SimplicialComplex(const Simplices& tops);
 
     /// Ascending vertex lists: size(k) x (k+1). The rows of simplices(0) are the vertices used.
-    const Simplices& simplices(int k) const { return simplices_.at(k); }
+    const Simplices& simplices(int k) const& {
+        check_number("the table of simplices of degree", k, 0, dimension());
+        return simplices_[k];
+    }
+    Simplices simplices(int k) && { return simplices(k); }
 
-    /// The face of k-simplex s that lacks its vertex number `omitted` (0..k in ascending order).
+    /// The face of k-simplex s, k >= 1, that lacks its vertex number `omitted` (0..k in ascending
+    /// order). Read in the innermost loops, so s and omitted are not checked.
     Index face(int k, Index s, int omitted) const {
+        check_number("a face of a simplex of degree", k, 1, dimension());
         return coboundary(k - 1).innerIndexPtr()[s * (k + 1) + (k - omitted)];
     }
 
     /// The row of the constructor's argument that n-simplex s was.
-    Index input_row(Index s) const { return input_rows_[s]; }
+    Index input_row(Index s) const {
+        check_number("the input row of simplex", s, 0, size(dimension()) - 1);
+        return input_rows_[s];
+    }
 
     /// Orientation of n-simplex s against the ascending order of its vertices: 1 or -1.
-    int orientation(Index s) const { return orientations_[s]; }
+    int orientation(Index s) const {
+        check_number("the orientation of simplex", s, 0, size(dimension()) - 1);
+        return orientations_[s];
+    }
 
     /// Whether the n-simplices could be oriented coherently across facets with two cofaces.
     bool orientable() const { return orientable_; }

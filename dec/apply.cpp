@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
+#include "dec/cochain.h"
 #include "dec/star.h"
 
 #include <fmt/format.h>
@@ -15,6 +16,15 @@ void check_size(const Vector& values, Index cells, int k) {
     if (values.size() != cells)
         throw InvalidInput(
             fmt::format("{} values are given for {} {}-cells", values.size(), cells, k));
+}
+
+/// The degree of the cells that carry the values, which there must be one of for each.
+int checked_degree(const CellComplex& complex, const CellVolumes& volumes, Side side, int degree,
+                   const Vector& values) {
+    const int k = cell_degree(complex, side, degree);
+    check_fit(complex, volumes);
+    check_size(values, complex.size(k), k);
+    return k;
 }
 
 /// What the upper half of a Laplacian divides by; for k = n there is no such half.
@@ -73,10 +83,9 @@ Vector apply_transposed_derivative(const CellComplex& complex, int k, const Vect
 
 Vector apply_codifferential(const CellComplex& complex, const CellVolumes& volumes, int k,
                             const Vector& x) {
-    if (k == 0) {
-        check_size(x, complex.size(k), k);
+    checked_degree(complex, volumes, Side::primal, k, x);
+    if (k == 0)
         return Vector(0);
-    }
     const Vector weighted = star(volumes, k).cwiseProduct(x);
     return inverse_star(volumes, k - 1)
         .cwiseProduct(apply_transposed_derivative(complex, k - 1, weighted));
@@ -84,8 +93,7 @@ Vector apply_codifferential(const CellComplex& complex, const CellVolumes& volum
 
 Vector apply_dual_codifferential(const CellComplex& complex, const CellVolumes& volumes, int j,
                                  const Vector& y) {
-    const int k = complex.dimension() - j;
-    check_size(y, complex.size(k), k);
+    const int k = checked_degree(complex, volumes, Side::dual, j, y);
     if (k == complex.dimension())
         return Vector(0);
     const Vector weighted = inverse_star(volumes, k).cwiseProduct(y);
@@ -95,7 +103,7 @@ Vector apply_dual_codifferential(const CellComplex& complex, const CellVolumes& 
 
 Vector apply_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k,
                        const Vector& x) {
-    check_size(x, complex.size(k), k);
+    checked_degree(complex, volumes, Side::primal, k, x);
     const Vector upper =
         inverse_below_top(complex, volumes, k).cwiseProduct(upper_half(complex, volumes, k, x));
     return upper + lower_half(complex, volumes, k, star(volumes, k).cwiseProduct(x));
@@ -103,7 +111,7 @@ Vector apply_laplacian(const CellComplex& complex, const CellVolumes& volumes, i
 
 Vector apply_symmetric_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k,
                                  const Vector& x) {
-    check_size(x, complex.size(k), k);
+    checked_degree(complex, volumes, Side::primal, k, x);
     const Vector upper = upper_half(complex, volumes, k, x);
     if (k == 0)
         return upper;
@@ -112,7 +120,8 @@ Vector apply_symmetric_laplacian(const CellComplex& complex, const CellVolumes& 
 }
 
 Vector symmetric_laplacian_diagonal(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    Vector diagonal = Vector::Zero(complex.size(k));
+    Vector diagonal = Vector::Zero(complex.size(cell_degree(complex, Side::primal, k)));
+    check_fit(complex, volumes);
     if (k < complex.dimension()) {
         const Vector weights = star(volumes, k + 1);
         const IncidenceMatrix& D = complex.coboundary(k);
@@ -132,8 +141,7 @@ Vector symmetric_laplacian_diagonal(const CellComplex& complex, const CellVolume
 
 Vector apply_dual_laplacian(const CellComplex& complex, const CellVolumes& volumes, int j,
                             const Vector& y) {
-    const int k = complex.dimension() - j;
-    check_size(y, complex.size(k), k);
+    const int k = checked_degree(complex, volumes, Side::dual, j, y);
     const Vector upper =
         upper_half(complex, volumes, k, inverse_below_top(complex, volumes, k).cwiseProduct(y));
     return upper + star(volumes, k).cwiseProduct(lower_half(complex, volumes, k, y));

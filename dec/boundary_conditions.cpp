@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/boundary_conditions.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -110,6 +111,7 @@ CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes&
 
 SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {
     const int n = complex.dimension(), k = n - j - 1;
+    check_number("boundary data of dual forms of degree", j, 0, n);
     const auto marks = boundary_cells(complex);
     const IncidenceMatrix cofaces = complex.boundary(n);
     SparseMatrix B(complex.size(k), complex.size(k));

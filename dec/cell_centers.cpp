@@ -2,7 +2,9 @@
 #include "dec/cell_centers.h"
 
 #include "dec/circumsphere.h"
+#include "dec/cochain.h"
 #include "dec/glued_volumes.h"
+#include "dec/star.h"
 #include "dec/triangle.h"
 
 namespace polydec {
@@ -12,6 +14,7 @@ namespace {
 /// Rows of the simplices averaged over each merged cell, by volume.
 Points mean_over_cells(const Merging& merging, const Points& rows, const CellVolumes& volumes,
                        int k) {
+    check_fit(merging.input(), volumes);
     const SparseMatrix pieces = merging.diamond(k).cast<double>().cwiseAbs();
     const Vector volume = pieces * volumes.primal(k);
     const Points weighted = volumes.primal(k).asDiagonal() * rows;
@@ -47,12 +50,13 @@ Points triangle_centers(const IntrinsicTessellation& intrinsic, const Points& po
 
 Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
                     int k) {
-    require_points(points.cols(), "a cell's center");
+    require_points(merging.input(), points, "a cell's center");
     const Points centers = circumcenters(points, merging.input().simplices(k));
     return mean_over_cells(merging, centers, volumes, k);
 }
 
 Points cell_centers(const Discretization& discretization, int k) {
+    cell_degree(discretization.complex(), Side::primal, k);
     if (discretization.points.cols() == 0)
         return Points(discretization.complex().size(k), 0);
     if (k == 0)
@@ -72,7 +76,7 @@ Points cell_centers(const Discretization& discretization, int k) {
 
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
                       int k) {
-    require_points(points.cols(), "a cell's centroid");
+    require_points(merging.input(), points, "a cell's centroid");
     const auto& simplices = merging.input().simplices(k);
     Points centroids = Points::Zero(simplices.rows(), points.cols());
     for (Index s = 0; s < simplices.rows(); ++s)

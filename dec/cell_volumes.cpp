@@ -51,16 +51,14 @@ bool is_moderate(double volume) {
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
     for (int m = 1; m < k; ++m)
-        for (Index s = 0; s < complex.size(m); ++s) {
-            sphere.look_at(layout.at(m, s));
-            if (!is_moderate(sphere.volume()))
+        for (Index s = 0; s < complex.size(m); ++s)
+            if (!sphere.look_at(layout.at(m, s)) || !is_moderate(sphere.volume()))
                 refuse(complex, metric, m, s);
-        }
     const auto list = vertices(complex.simplices(k), t);
-    sphere.look_at(layout.at(k, t));
-    if (sphere.volume() == 0 && metric.lengths() != nullptr)
+    const bool has_volume = sphere.look_at(layout.at(k, t));
+    if (!has_volume && metric.lengths() != nullptr)
         throw InvalidInput(flaw_of_lengths(complex, metric, k, t));
-    if (sphere.volume() == 0)
+    if (!has_volume)
         throw InvalidInput(
             fmt::format("the {}-simplex with vertices {} has no volume: remove it or move a vertex",
                         k, fmt::join(list, ", ")));
@@ -70,38 +68,54 @@ bool is_moderate(double volume) {
         k, fmt::join(list, ", "), sphere.volume()));
 }
 
-/// Volumes that are not yet complete, by degree.
+/// Volumes on the way down. What is still to be divided by a simplex's own volume, and what is not,
+/// stands in two vectors.
 struct Sums {
-    std::vector<Vector> primal, dual, terms;
+    explicit Sums(const SimplicialComplex& complex) {
+        for (int k = 0; k <= complex.dimension(); ++k) {
+            primal.emplace_back(Vector::Ones(complex.size(k)));
+            dual.emplace_back(Vector::Zero(complex.size(k)));
+        }
+        terms = shifts = dual;
+        dual.back().setOnes();
+    }
+
+    void divide(int k, Index t, int n) {
+        dual[k][t] /= (n - k) * primal[k][t];
+        terms[k][t] = (terms[k][t] / primal[k][t] + shifts[k][t]) / (n - k);
+    }
+
+    std::vector<Vector> primal, dual, terms, shifts;
 };
 
 /// From the top down: what a k-simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
-/// barycentric coordinate * k |t| / |s|; the division by |s| comes last. Spheres are looked at
-/// many at once, and their heights added one after the other.
+/// barycentric coordinate * k |t| / |s|; the division by |s| comes last. With it go the sizes of
+/// what cancels: in h(s, t), by height_terms, and in V(t). Spheres are looked at many at once, and
+/// their heights added one after the other.
 void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, int k, Sums& sums) {
     const int n = complex.dimension();
     const Simplices& simplices = complex.simplices(k);
     const Points* const points = metric.points(); // asked once, not for every simplex
     Vector &primal = sums.primal[k], &dual = sums.dual[k], &terms = sums.terms[k];
     struct Share {
-        double dual, terms;
+        double dual, terms, shift;
     };
     const auto measure = [&](Index first, Index last, Share* share) {
         SimplexLayout layout(complex, metric);
         Circumsphere sphere;
         for (Index t = first; t < last; ++t) {
-            sphere.look_at(points ? Corners{*points, vertices(simplices, t)} : layout.at(k, t));
-            if (!is_moderate(sphere.volume()))
+            const Corners corners =
+                points ? Corners{*points, vertices(simplices, t)} : layout.at(k, t);
+            if (!sphere.look_at(corners) || !is_moderate(sphere.volume()))
                 refuse(complex, metric, k, t);
             primal[t] = sphere.volume();
-            if (k < n) {
-                dual[t] /= (n - k) * primal[t];
-                terms[t] /= (n - k) * primal[t];
-            }
-            const double weight = k * primal[t];
+            if (k < n)
+                sums.divide(k, t, n);
+            const double weight = k * primal[t], shift = sphere.shift() * std::abs(dual[t]);
+            const double cancelled = sphere.growth() * std::abs(dual[t]) + terms[t];
             for (int i = k; i >= 0; --i) {
                 const double height = sphere.barycentric(i) * weight;
-                *share++ = {height * dual[t], std::abs(height) * terms[t]};
+                *share++ = {height * dual[t], std::abs(height) * cancelled, shift};
             }
         }
     };
@@ -117,7 +131,8 @@ void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, in
         });
         for (const Share& share : shares) {
             sums.dual[k - 1][*face] += share.dual;
-            sums.terms[k - 1][*face++] += share.terms;
+            sums.terms[k - 1][*face] += share.terms;
+            sums.shifts[k - 1][*face++] += share.shift;
         }
     }
 }
@@ -174,38 +189,30 @@ void CellVolumes::refuse_degree(int k) const {
 CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const SimplexMetric& metric) {
     check_metric(complex, metric);
     const int n = complex.dimension();
-    Sums sums;
-    for (int k = 0; k <= n; ++k) {
-        sums.primal.emplace_back(complex.size(k));
-        sums.dual.emplace_back(Vector::Zero(complex.size(k)));
-        sums.terms.emplace_back(Vector::Zero(complex.size(k)));
-    }
-    sums.primal[0].setOnes();
-    sums.dual[n].setOnes();
-    sums.terms[n].setOnes();
-
+    Sums sums(complex);
     for (int k = n; k >= 1; --k)
         hand_down(complex, metric, k, sums);
-    sums.dual[0] /= n;
-    sums.terms[0] /= n;
+    for (Index v = 0; v < complex.size(0); ++v)
+        sums.divide(0, v, n);
+    sums.terms[n].setOnes();
     return {std::move(sums.primal), std::move(sums.dual), std::move(sums.terms)};
 }
 
 CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input) {
-    Sums sums;
+    std::vector<Vector> primal, dual, terms;
     for (std::size_t k = 0; k < diamonds.size(); ++k) {
         const int degree = static_cast<int>(k);
         const SparseMatrix pieces = diamonds[k].cast<double>().cwiseAbs();
         const Vector& volumes = input.primal(degree);
         const auto mean = [&](const Vector& values) {
             const Vector products = pieces * volumes.cwiseProduct(values);
-            return Vector(products.cwiseQuotient(sums.primal[k]));
+            return Vector(products.cwiseQuotient(primal[k]));
         };
-        sums.primal.emplace_back(pieces * volumes);
-        sums.dual.push_back(mean(input.dual(degree)));
-        sums.terms.push_back(mean(input.terms(degree)));
+        primal.emplace_back(pieces * volumes);
+        dual.push_back(mean(input.dual(degree)));
+        terms.push_back(mean(input.terms(degree)));
     }
-    return {std::move(sums.primal), std::move(sums.dual), std::move(sums.terms)};
+    return {std::move(primal), std::move(dual), std::move(terms)};
 }
 
 CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {

@@ -27,14 +27,17 @@ public:
 
     /// k-volumes |s| > 0, 1 for vertices; length^k. These accessors throw InvalidInput for another
     /// degree than 0..n.
-    const Vector& primal(int k) const { return primal_[checked(k)]; }
+    const Vector& primal(int k) const& { return primal_[checked(k)]; }
+    Vector primal(int k) && { return std::move(primal_[checked(k)]); }
 
     /// Signed (n-k)-volumes |*s|, 1 for n-cells; length^(n-k).
-    const Vector& dual(int k) const { return dual_[checked(k)]; }
+    const Vector& dual(int k) const& { return dual_[checked(k)]; }
+    Vector dual(int k) && { return std::move(dual_[checked(k)]); }
 
-    /// Sums of the sizes of the terms that the dual volumes are sums of: what cancels in them, and
-    /// what their rounding errors are in proportion to. length^(n-k).
-    const Vector& terms(int k) const { return terms_[checked(k)]; }
+    /// Sizes of what cancels in the dual volumes, in heights of circumcenters too: what their
+    /// rounding errors are in proportion to (see rounding_of). length^(n-k).
+    const Vector& terms(int k) const& { return terms_[checked(k)]; }
+    Vector terms(int k) && { return std::move(terms_[checked(k)]); }
 
     /// The same with other duals of the k-cells, taken as they are. Throws like the constructor.
     CellVolumes with_dual(int k, Vector dual) const;

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "dec/circumsphere.h"
 
+#include "base/checks.h"
+#include "base/errors.h"
 #include "base/parallel.h"
 #include "dec/simplex_geometry.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -26,23 +32,73 @@ Number difference(double a, double b) {
         return Number::difference(a, b);
 }
 
-/// make() gives a function, for one thread, that places the corners of simplex s.
+/// make() gives a function, for one thread, that makes a sphere look at simplex s.
 template <class Make>
 Vector radii_of(Index count, Make make) {
     constexpr Index part_size = 1 << 13;
     Vector radii(count);
     for_each_part(count, part_size, [&](Index begin, Index end) {
-        auto corners = make();
+        auto look = make();
         Circumsphere sphere;
         for (Index s = begin; s < end; ++s) {
-            sphere.look_at(corners(s));
+            look(sphere, s);
             radii[s] = sphere.radius();
         }
     });
     return radii;
 }
 
+/// Throws InvalidInput for a vertex without point.
+void check_table(const Points& points, const Simplices& simplices) {
+    for (const Index vertex : simplices.reshaped())
+        check_number("the point", vertex, 0, points.rows() - 1);
+}
+
+[[noreturn]] void refuse(std::span<const Index> vertices) {
+    throw InvalidInput(fmt::format("the {}-simplex with vertices {} has no volume, and so no "
+                                   "circumsphere: remove it or move a vertex",
+                                   vertices.size() - 1, fmt::join(vertices, ", ")));
+}
+
+void look_at_row(Circumsphere& sphere, const Points& points, const Simplices& simplices, Index s) {
+    const auto row = vertices(simplices, s);
+    if (!sphere.look_at(Corners{points, row}))
+        refuse(row);
+}
+
 } // namespace
+
+/// Slope of coordinate i + 1 = sum of the inverse triangle's column i times row j / |row j|^2; all
+/// slopes sum to zero. There is room for two columns behind the pointer.
+template <class Number>
+void Circumsphere::measure_slopes(const Number* triangle, Number* column, double reach) {
+    const int k = dimension_;
+    Number* const sums = column + k;
+    std::fill(sums, sums + k, Number(0));
+    double all_slopes = 0;
+    const auto add = [&](int i, const Number& squared) {
+        squared_slopes_[i] = static_cast<double>(squared);
+        all_slopes += squared_slopes_[i];
+    };
+    for (int i = 0; i < k; ++i) {
+        Number squared = 0;
+        for (int j = i; j < k; ++j) {
+            Number value = j == i ? 1 : 0;
+            for (int m = i; m < j; ++m)
+                value = value - triangle[j * k + m] * column[m];
+            column[j] = value;
+            sums[j] = sums[j] + value;
+            squared = squared + value * value * triangle[j * k + j];
+        }
+        add(i + 1, squared);
+    }
+    Number squared = 0;
+    for (int j = 0; j < k; ++j)
+        squared = squared + sums[j] * sums[j] * triangle[j * k + j];
+    add(0, squared);
+    growth_ = 1;
+    shift_ = 2 * reach * std::sqrt(squared_radius_ * all_slopes);
+}
 
 /// Dimensions that are fixed let the compiler unroll all loops; -1 stands for any. Orthogonalizing
 /// loses as many digits as heights are smaller than edges, so flat simplices are looked at again
@@ -52,11 +108,11 @@ bool Circumsphere::look(std::span<const Index> vertices) {
     using std::sqrt;
     const int k = k_fixed >= 0 ? k_fixed : static_cast<int>(vertices.size()) - 1;
     const int N = N_fixed >= 0 ? N_fixed : static_cast<int>(points_->cols());
-    Number fixed[k_fixed >= 0 ? k_fixed * (N_fixed + k_fixed + 2) + 1 : 1];
+    Number fixed[k_fixed >= 0 ? k_fixed * (N_fixed + k_fixed + 4) + 1 : 1];
     Number* scratch = fixed;
     if (k_fixed < 0) {
         auto& free = std::get<std::vector<Number>>(scratch_);
-        free.resize(static_cast<std::size_t>(k * (N + k + 2)));
+        free.resize(static_cast<std::size_t>(k * (N + k + 4)));
         scratch = free.data();
     }
     Number* const basis = scratch;           // k orthogonal rows of N numbers
@@ -65,6 +121,9 @@ bool Circumsphere::look(std::span<const Index> vertices) {
     const double* const origin = points_->data() + std::ptrdiff_t{vertices[0]} * N;
     Number volume = 1, squared_radius = 0;
     dimension_ = k;
+    double reach = 0; // largest coordinate
+    for (int c = 0; c < N; ++c)
+        reach = std::max(reach, std::abs(origin[c]));
 
     // modified Gram-Schmidt; the center is where edge . x = |edge|^2 / 2 for every edge, and
     // along(i) = row i . x. The diagonal of the triangle holds 1 / |row i|^2.
@@ -75,6 +134,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
         Number squared_length = 0;
         for (int c = 0; c < N; ++c) {
             row[c] = difference<Number>(corner[c], origin[c]);
+            reach = std::max(reach, std::abs(corner[c]));
             squared_length = squared_length + row[c] * row[c];
         }
         along[i] = squared_length / 2;
@@ -119,6 +179,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
         rest = rest - value;
     }
     barycentric_[0] = static_cast<double>(rest);
+    measure_slopes(triangle, along + k, reach);
     return true;
 }
 
@@ -139,26 +200,60 @@ bool Circumsphere::look_at(std::span<const Index> vertices) {
     }
 }
 
+bool Circumsphere::look_at(const Corners& corners) {
+    points_ = &corners.points;
+    const bool has_volume = look_at(corners.vertices);
+    if (has_volume && corners.by_lengths)
+        measure_distances(corners);
+    return has_volume;
+}
+
+void Circumsphere::look_at(SimplexLayout& layout, int k, Index s) {
+    if (!look_at(layout.at(k, s)))
+        refuse(vertices(layout.complex().simplices(k), s));
+}
+
+void Circumsphere::measure_distances(const Corners& corners) {
+    shift_ = 0;
+    growth_ = 1;
+    for (int i = 0; i <= dimension_; ++i)
+        for (int j = 0; j <= dimension_; ++j) {
+            const double squared =
+                (corners.points.row(corners.vertices[i]) - corners.points.row(corners.vertices[j]))
+                    .squaredNorm();
+            const double slope = std::sqrt(squared_slopes_[i]);
+            shift_ += squared * slope * std::abs(barycentric_[j]);
+            growth_ += squared * slope * std::sqrt(squared_slopes_[j]) / 2;
+        }
+}
+
+void Circumsphere::refuse_flat() {
+    throw InvalidInput("a simplex without volume has no circumsphere: remove it or move a vertex");
+}
+
 Vector circumradii(const Points& points, const Simplices& simplices) {
+    check_table(points, simplices);
     return radii_of(static_cast<Index>(simplices.rows()), [&] {
-        return [&](Index s) { return Corners{points, vertices(simplices, s)}; };
+        return [&](Circumsphere& sphere, Index s) { look_at_row(sphere, points, simplices, s); };
     });
 }
 
 Vector circumradii(const SimplicialComplex& complex, const SimplexMetric& metric, int k) {
+    check_number("circumradii in degree", k, 0, complex.dimension());
     return radii_of(complex.size(k), [&] {
-        return [k, layout = SimplexLayout(complex, metric)](Index s) mutable {
-            return layout.at(k, s);
+        return [k, layout = SimplexLayout(complex, metric)](Circumsphere& sphere, Index s) mutable {
+            sphere.look_at(layout, k, s);
         };
     });
 }
 
 Points circumcenters(const Points& points, const Simplices& simplices) {
     require_points(points.cols(), "a circumcenter");
-    Circumsphere sphere(points);
+    check_table(points, simplices);
+    Circumsphere sphere;
     Points centers = Points::Zero(simplices.rows(), points.cols());
     for (Index s = 0; s < simplices.rows(); ++s) {
-        sphere.look_at(vertices(simplices, s));
+        look_at_row(sphere, points, simplices, s);
         for (Index i = 0; i < simplices.cols(); ++i)
             centers.row(s) += sphere.barycentric(i) * points.row(simplices(s, i));
     }

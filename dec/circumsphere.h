@@ -15,7 +15,8 @@ namespace polydec {
 /// Volume and circumscribed sphere of one simplex after another, of any dimension k in R^N. Works
 /// by orthogonalizing the edge vectors, of flat simplices with twice the digits of a double, so
 /// that volume, radius and barycentric coordinates (beside the largest of them) are right to the
-/// last few digits whatever the shape.
+/// last few digits whatever the shape. What is asked of the sphere of a simplex without volume, or
+/// before any, throws InvalidInput.
 class Circumsphere {
 public:
     /// For simplices whose corners a SimplexLayout places.
@@ -25,48 +26,81 @@ public:
     explicit Circumsphere(const Points& points) : points_(&points) {}
 
     /// Looks at the simplex with these k+1 vertex numbers. False iff its edge vectors are linearly
-    /// dependent to the last digit; volume() is 0 then and nothing else may be asked.
-    bool look_at(std::span<const Index> vertices);
-    bool look_at(const Corners& corners) {
-        points_ = &corners.points;
-        return look_at(corners.vertices);
-    }
+    /// dependent to the last digit; volume() is 0 then, and there is no sphere.
+    [[nodiscard]] bool look_at(std::span<const Index> vertices);
+    [[nodiscard]] bool look_at(const Corners& corners);
+
+    /// Looks at k-simplex s of the layout's complex. Throws InvalidInput, naming its vertices, if
+    /// it has no volume.
+    void look_at(SimplexLayout& layout, int k, Index s);
 
     /// k-dimensional volume, length^k; 1 for a vertex.
     double volume() const { return volume_; }
 
     /// Circumradius; 0 for a vertex.
-    double radius() const { return std::sqrt(squared_radius_); }
+    double radius() const {
+        check_sphere();
+        return std::sqrt(squared_radius_);
+    }
 
     /// Barycentric coordinate of the circumcenter at the i-th vertex; negative where the center
     /// lies beyond the opposite facet.
-    double barycentric(int i) const { return barycentric_[i]; }
+    double barycentric(int i) const {
+        check_sphere();
+        return barycentric_[i];
+    }
 
     /// Signed distance from the circumcenter of the facet opposite to the i-th vertex to the
     /// simplex's own, positive towards that vertex: barycentric coordinate times height.
     double height(int i, double facet_volume) const {
-        return barycentric_[i] * dimension_ * volume_ / facet_volume;
+        return barycentric(i) * dimension_ * volume_ / facet_volume;
     }
+
+    /// Size of what cancels in such a height, to which its rounding error is in proportion (see
+    /// rounding_of): growth() |height| + shift().
+    double height_terms(double height) const { return growth_ * std::abs(height) + shift_; }
+
+    /// How far the center moves, to first order, if every corner moves by the size x of its largest
+    /// coordinate, whose last digits are not known: 2 R x / a, a the heights of the corners, whose
+    /// inverse squares add up. Where distances d are known: sum of d_ij^2 |b_j| / a_i with the
+    /// barycentric coordinates b of the center.
+    double shift() const { return shift_; }
+
+    /// By how much relative errors of what is known change the simplex's heights, relatively: 1
+    /// for points; 1 + sum of d_ij^2 / (2 a_i a_j) for distances.
+    double growth() const { return growth_; }
 
 private:
     template <class Number, int k_fixed, int N_fixed>
     bool look(std::span<const Index> vertices);
+    template <class Number>
+    void measure_slopes(const Number* triangle, Number* column, double reach);
+    void measure_distances(const Corners& corners);
+    void check_sphere() const {
+        if (!(volume_ > 0))
+            refuse_flat();
+    }
+    [[noreturn]] static void refuse_flat();
 
     const Points* points_ = nullptr;
-    std::array<double, 32> barycentric_{}; // more vertices no simplex of a complex has
+    std::array<double, 32> barycentric_{};    // more vertices no simplex of a complex has
+    std::array<double, 32> squared_slopes_{}; // of the barycentric coordinates: 1 / height^2
     std::tuple<std::vector<double>, std::vector<TwoDoubles>> scratch_;
     int dimension_ = 0;
     double volume_ = 0;
     double squared_radius_ = 0;
+    double shift_ = 0, growth_ = 1;
 };
 
-/// Circumradii of all k-simplices in the given table (rows of vertex numbers).
+/// Circumradii of all k-simplices in the given table (rows of vertex numbers). These throw
+/// InvalidInput, naming the vertices, for a simplex without volume, and for a vertex without point.
 Vector circumradii(const Points& points, const Simplices& simplices);
 
 /// Circumradii of all k-simplices of the complex.
 Vector circumradii(const SimplicialComplex& complex, const SimplexMetric& metric, int k);
 
-/// Circumcenters of all k-simplices in the given table: one row of N coordinates each.
+/// Circumcenters of all k-simplices in the given table: one row of N coordinates each. Throws
+/// likewise.
 Points circumcenters(const Points& points, const Simplices& simplices);
 
 } // namespace polydec

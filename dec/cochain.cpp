@@ -85,6 +85,7 @@ Cochain d(const CellComplex& complex, const Cochain& form) {
 
 Cochain star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
     check(complex, form);
+    check_fit(complex, volumes);
     const int k = cell_degree(complex, form.side, form.degree);
     const int other = complex.dimension() - form.degree;
     if (form.side == Side::primal)
@@ -113,6 +114,7 @@ double inner_product(const CellComplex& complex, const CellVolumes& volumes, con
                      const Cochain& b) {
     check(complex, a);
     check_alike(a, b, "form");
+    check_fit(complex, volumes);
     const int k = cell_degree(complex, a.side, a.degree);
     const Vector mass = a.side == Side::primal ? star(volumes, k) : inverse_star(volumes, k);
     return a.values.dot(mass.cwiseProduct(b.values));

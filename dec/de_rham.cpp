@@ -60,14 +60,6 @@ private:
     double factorial_;
 };
 
-void check_points(const SimplicialComplex& complex, const Points& points) {
-    require_points(points.cols(), "the de Rham map");
-    const Index largest = complex.simplices(0).maxCoeff();
-    if (largest >= points.rows())
-        throw InvalidInput(fmt::format("a cell uses vertex {} but there are only {} points",
-                                       largest, points.rows()));
-}
-
 /// Integrals over the duals of the k-simplices, gathered going down from each n-simplex.
 class DualIntegrals {
 public:
@@ -141,7 +133,7 @@ SmoothForm flux_form(std::function<Vector(const Vector& point)> field) {
 Vector de_rham(const SimplicialComplex& complex, const Points& points, int k,
                const SmoothForm& form, int quadrature_degree) {
     cell_degree(complex, Side::primal, k);
-    check_points(complex, points);
+    require_points(complex, points, "the de Rham map");
     const Integral integral(form, static_cast<Index>(points.cols()), k, quadrature_degree);
     Vector result(complex.size(k));
     DenseMatrix corners(k + 1, points.cols());
@@ -163,7 +155,7 @@ Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int q
 Vector dual_de_rham(const SimplicialComplex& complex, const Points& points, int j,
                     const SmoothForm& form, int quadrature_degree) {
     const int k = cell_degree(complex, Side::dual, j);
-    check_points(complex, points);
+    require_points(complex, points, "the de Rham map");
     const Integral integral(form, static_cast<Index>(points.cols()), j, quadrature_degree);
     return DualIntegrals(complex, points, k, integral).all();
 }

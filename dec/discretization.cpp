@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/listed.h"
+#include "dec/facet_defects.h"
 #include "dec/glued_volumes.h"
 #include "dec/overlaps.h"
 #include "meshes/tidy.h"
@@ -12,7 +13,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace polydec {
@@ -94,13 +94,11 @@ std::vector<Index> merged_tags(const Merging& merging, const std::vector<Index>&
 /// Degenerate edges of the flipped triangles.
 DegenerateFacets count_degenerate(const IntrinsicTessellation& tessellation, double tolerance) {
     const auto& surface = tessellation.surface();
-    const auto& volumes = tessellation.triangle_volumes;
+    const auto defects = facet_defects(surface, tessellation.triangle_volumes, tolerance);
     DegenerateFacets result;
-    result.interior = static_cast<Index>(concyclic_edges(surface, volumes, tolerance).size());
     for (Index e = 0; e < surface.edges(); ++e)
-        if (surface.is_boundary(e) &&
-            std::abs(volumes.dual(1)[e]) <= tolerance * volumes.primal(1)[e])
-            ++result.boundary;
+        if (defects.degenerate[e])
+            ++(surface.is_boundary(e) ? result.boundary : result.interior);
     return result;
 }
 

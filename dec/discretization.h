@@ -37,16 +37,20 @@ struct Discretization {
     /// of Delta to be divided by its square (in_input_units).
     double unit = 1;
 
-    const SimplicialComplex& input() const { return merging.input(); }
-    const CellComplex& complex() const {
+    const SimplicialComplex& input() const& { return merging.input(); }
+    const CellComplex& complex() const& {
         return intrinsic ? intrinsic->merging.merged : merging.merged();
     }
+    SimplicialComplex input() && { return input(); }
+    CellComplex complex() && { return complex(); }
     int dimension() const { return complex().dimension(); }
 
-    /// The points, or the lengths if only these are known. Refers to this bundle.
-    SimplexMetric metric() const {
+    /// The points, or the lengths if only these are known. Refers to this bundle, so there is none
+    /// of a temporary.
+    SimplexMetric metric() const& {
         return points.cols() > 0 ? SimplexMetric(points) : SimplexMetric(input(), lengths);
     }
+    SimplexMetric metric() const&& = delete;
 };
 
 /// The whole way from a mesh to its merged complex and volumes. Untidy input is tidied with a

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/dual_parts.h"
 
+#include "base/checks.h"
 #include "dec/circumsphere.h"
+#include "dec/star.h"
 
 namespace polydec {
 
@@ -14,7 +16,7 @@ SparseMatrix heights(const SimplicialComplex& complex, const SimplexMetric& metr
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
     for (Index t = 0; t < complex.size(k + 1); ++t) {
-        sphere.look_at(layout.at(k + 1, t));
+        sphere.look_at(layout, k + 1, t);
         // faces stand in the row in the order of their numbers, which omits the last vertex first
         for (int i = 0; i <= k + 1; ++i) {
             const Index entry = t * (k + 2) + (k + 1 - i);
@@ -28,6 +30,9 @@ SparseMatrix heights(const SimplicialComplex& complex, const SimplexMetric& metr
 
 SparseMatrix dual_parts(const SimplicialComplex& complex, const SimplexMetric& metric,
                         const CellVolumes& volumes, int k, int m) {
+    check_number("parts of duals in simplices of degree", m, 0, complex.dimension());
+    check_number("parts of the duals of simplices of degree", k, 0, m);
+    check_fit(complex, volumes);
     SparseMatrix parts(complex.size(m), complex.size(m));
     parts.setIdentity();
     for (int j = m - 1; j >= k; --j) {

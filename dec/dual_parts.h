@@ -9,7 +9,7 @@ namespace polydec {
 /// the dual of k-simplex s, taken in the plane of m-simplex t, that lies in t; s is a face of t,
 /// k <= m <= n. size(m) x size(k). The sum over s of |s| times its part is C(m,k) |t|; for m = n
 /// the columns sum to the dual volumes. A part is negative where the circumcenter of t lies beyond
-/// a face. volumes are those of `complex`.
+/// a face. volumes are those of `complex`. Throws InvalidInput for other degrees.
 SparseMatrix dual_parts(const SimplicialComplex& complex, const SimplexMetric& metric,
                         const CellVolumes& volumes, int k, int m);
 

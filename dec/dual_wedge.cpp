@@ -87,7 +87,9 @@ struct Chart {
 
     Chart(const SimplicialComplex& complex, SimplexLayout& layout, Index t) {
         const int n = complex.dimension();
-        const auto [points, row] = layout.at(n, t);
+        const Corners simplex = layout.at(n, t);
+        const Points& points = simplex.points;
+        const auto row = simplex.vertices;
         DenseMatrix edges(points.cols(), n);
         for (int i = 0; i < n; ++i)
             edges.col(i) = points.row(row[i + 1]) - points.row(row[0]);

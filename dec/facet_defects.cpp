@@ -2,17 +2,17 @@
 #include "dec/facet_defects.h"
 
 #include "dec/circumsphere.h"
+#include "dec/rounding.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace polydec {
 
 namespace {
-
-using Row = IncidenceMatrix::InnerIterator;
 
 /// Per facet, the sum over its cofaces of the angle under which they see it, from the apex: the
 /// cotangent is the signed distance of the circumcenters over the facet's circumradius.
@@ -23,7 +23,7 @@ Vector apex_angles(const SimplicialComplex& complex, const SimplexMetric& metric
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
     for (Index t = 0; t < complex.size(n); ++t) {
-        sphere.look_at(layout.at(n, t));
+        sphere.look_at(layout, n, t);
         for (int i = 0; i <= n; ++i) {
             const Index f = complex.face(n, t, i);
             angles[f] += std::atan2(radii[f], sphere.height(i, volumes.primal(n - 1)[f]));
@@ -32,52 +32,67 @@ Vector apex_angles(const SimplicialComplex& complex, const SimplexMetric& metric
     return angles;
 }
 
-FacetDefects angle_defects(const SimplicialComplex& complex, const SimplexMetric& metric,
-                           const CellVolumes& volumes, const Vector& radii, double tolerance) {
-    const int n = complex.dimension();
-    FacetDefects result{apex_angles(complex, metric, volumes, radii),
-                        Vector::Ones(complex.size(n - 1)), std::vector<bool>(complex.size(n - 1))};
-    for (Index f = 0; f < complex.size(n - 1); ++f) {
-        const double right_angles = complex.coface_counts(n - 1)[f] * std::numbers::pi / 2;
-        result.defect[f] = std::abs(result.defect[f] - right_angles);
-        result.degenerate[f] = radii[f] > 0 && result.defect[f] <= tolerance;
+/// Where only a tolerance is still missing.
+FacetDefects length_defects(const CellVolumes& volumes, int degree, Vector scale, Vector height,
+                            double tolerance) {
+    const Vector &dual = volumes.dual(degree), &terms = volumes.terms(degree);
+    FacetDefects result{dual.cwiseAbs(), std::move(scale), std::move(height),
+                        std::vector<bool>(static_cast<std::size_t>(dual.size()), false)};
+    for (Index f = 0; f < dual.size(); ++f) {
+        result.defect[f] = std::max(0.0, result.defect[f] - rounding_of(terms[f]));
+        result.degenerate[f] =
+            is_degenerate(dual[f], terms[f], result.scale[f], result.height[f], tolerance);
     }
     return result;
 }
 
-FacetDefects length_defects(const SimplicialComplex& complex, const SimplexMetric& metric,
-                            const CellVolumes& volumes, const Vector& radii, double tolerance) {
+/// Least height n |t| / |f| of the n-simplices over each facet.
+Vector least_heights(const SimplicialComplex& complex, const CellVolumes& volumes) {
     const int n = complex.dimension();
-    FacetDefects result{volumes.dual(n - 1).cwiseAbs(), 2 * radii,
-                        std::vector<bool>(complex.size(n - 1), false)};
-    Vector largest = Vector::Zero(complex.size(n - 1));
-    const Vector top_radii = circumradii(complex, metric, n);
+    Vector heights = Vector::Constant(complex.size(n - 1), std::numeric_limits<double>::infinity());
     for (Index t = 0; t < complex.size(n); ++t)
-        for (Row f(complex.coboundary(n - 1), t); f; ++f)
-            largest[f.col()] = std::max(largest[f.col()], top_radii[t]);
-    for (Index f = 0; f < complex.size(n - 1); ++f) {
-        const double l = result.scale[f];
-        if (!(l > 0))
-            continue;
-        result.defect[f] = std::max(0.0, result.defect[f] - dual_length_rounding(largest[f], l));
-        result.degenerate[f] = result.defect[f] <= tolerance * l;
-    }
-    return result;
+        for (int i = 0; i <= n; ++i) {
+            const Index f = complex.face(n, t, i);
+            heights[f] = std::min(heights[f], n * volumes.primal(n)[t] / volumes.primal(n - 1)[f]);
+        }
+    return heights;
 }
 
 } // namespace
 
-double dual_length_rounding(double circumradius, double length) {
-    const double shape = circumradius / length;
-    return 64 * std::numeric_limits<double>::epsilon() * shape * shape * length;
+bool is_degenerate(double dual, double terms, double l, double height, double tolerance) {
+    constexpr double thin = 0.1; // of a height
+    return l > 0 && std::abs(dual) <= tolerance * l + rounding_of(terms) &&
+           std::abs(dual) <= thin * height;
 }
 
 FacetDefects facet_defects(const SimplicialComplex& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options) {
-    const Vector radii = circumradii(complex, metric, complex.dimension() - 1);
-    return options.criterion == MergeCriterion::angle
-               ? angle_defects(complex, metric, volumes, radii, options.tolerance)
-               : length_defects(complex, metric, volumes, radii, options.tolerance);
+    const int n = complex.dimension();
+    const Vector radii = circumradii(complex, metric, n - 1);
+    auto result = length_defects(volumes, n - 1, 2 * radii, least_heights(complex, volumes),
+                                 options.tolerance);
+    if (options.criterion != MergeCriterion::angle)
+        return result;
+    result.defect = apex_angles(complex, metric, volumes, radii);
+    result.scale.setOnes();
+    for (Index f = 0; f < complex.size(n - 1); ++f) {
+        const double right_angles = complex.coface_counts(n - 1)[f] * std::numbers::pi / 2;
+        result.defect[f] = std::abs(result.defect[f] - right_angles);
+        result.degenerate[f] = radii[f] > 0 && result.defect[f] <= options.tolerance;
+    }
+    return result;
+}
+
+FacetDefects facet_defects(const GluedSurface& surface, const CellVolumes& volumes,
+                           double tolerance) {
+    const Vector &lengths = volumes.primal(1), &areas = volumes.primal(2);
+    Vector heights = Vector::Constant(lengths.size(), std::numeric_limits<double>::infinity());
+    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
+        const Index e = surface.edge(h);
+        heights[e] = std::min(heights[e], 2 * areas[GluedSurface::triangle(h)] / lengths[e]);
+    }
+    return length_defects(volumes, 1, lengths, std::move(heights), tolerance);
 }
 
 } // namespace polydec

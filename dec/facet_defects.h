@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "complex/glued_surface.h"
 #include "dec/merge.h"
 
 namespace polydec {
@@ -9,18 +10,24 @@ namespace polydec {
 struct FacetDefects {
     Vector defect; ///< |V(f)| (length) beyond rounding, or the angle's distance from pi (radians)
     Vector scale;  ///< what the tolerance multiplies: l(f), or 1
-    std::vector<bool> degenerate; ///< defect within tolerance * scale
+    Vector height; ///< least height of an n-simplex over the facet; length
+    std::vector<bool> degenerate; ///< defect within tolerance * scale, dual_length of height too
 
     double ratio(Index facet) const { return defect[facet] / scale[facet]; }
 };
+
+/// Whether a dual edge counts as nothing: |V| <= tolerance * l beyond its rounding error, l the
+/// size of its facet, and |V| <= height / 10, so that thin layers, whose centers are as near to
+/// each other as their facets, stay layers. A facet without extent has no such dual.
+bool is_degenerate(double dual, double terms, double l, double height, double tolerance);
 
 /// Measures every facet, whatever its number of cofaces: one with m cofaces is compared with m
 /// right angles. A facet without extent (a vertex, n = 1) is never degenerate.
 FacetDefects facet_defects(const SimplicialComplex& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options);
 
-/// Rounding error that a dual length can have by the shape of the simplices around it: 64 eps
-/// (R/l)^2 l, with circumradius R and length l.
-double dual_length_rounding(double circumradius, double length);
+/// The same of the edges of a glued surface, by dual length. volumes are those of its triangles.
+FacetDefects facet_defects(const GluedSurface& surface, const CellVolumes& volumes,
+                           double tolerance);
 
 } // namespace polydec

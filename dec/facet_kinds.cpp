@@ -3,6 +3,8 @@
 
 #include "dec/circumsphere.h"
 #include "dec/facet_defects.h"
+#include "dec/rounding.h"
+#include "dec/star.h"
 
 namespace polydec {
 
@@ -12,18 +14,15 @@ namespace {
 std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const SimplexMetric& metric,
                                     const CellVolumes& volumes) {
     const int n = complex.dimension();
-    const Vector radii = circumradii(complex, metric, n - 1);
     std::vector<Index> counts(complex.size(n - 1), 0);
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
     for (Index t = 0; t < complex.size(n); ++t) {
-        sphere.look_at(layout.at(n, t));
+        sphere.look_at(layout, n, t);
         for (int i = 0; i <= n; ++i) {
             const Index f = complex.face(n, t, i);
-            const double l = 2 * radii[f];
-            // a facet without extent, a vertex, has its edges' centers on their own sides
-            const double rounding = l > 0 ? dual_length_rounding(sphere.radius(), l) : 0;
-            if (sphere.height(i, volumes.primal(n - 1)[f]) >= -rounding)
+            const double height = sphere.height(i, volumes.primal(n - 1)[f]);
+            if (height >= 0 || is_zero(height, sphere.height_terms(height)))
                 ++counts[f];
         }
     }
@@ -34,6 +33,7 @@ std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const Simp
 
 FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& metric,
                        const CellVolumes& volumes, const MergeOptions& options) {
+    check_fit(complex, volumes);
     const int n = complex.dimension();
     const auto degenerate = facet_defects(complex, metric, volumes, options).degenerate;
     const auto centered = centered_cofaces(complex, metric, volumes);

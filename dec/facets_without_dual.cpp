@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dec/facets_without_dual.h"
 
-#include "dec/circumsphere.h"
+#include "dec/facet_defects.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace polydec {
 
@@ -12,29 +12,36 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 
-/// Twice the circumradius of each merged facet: the length its dual is compared with.
-Vector facet_scales(const Discretization& discretization) {
-    const int n = discretization.dimension();
-    if (discretization.intrinsic)
-        return discretization.volumes.primal(n - 1); // edges
-    const Vector radii = circumradii(discretization.input(), discretization.metric(), n - 1);
-    Vector scales = Vector::Zero(discretization.complex().size(n - 1));
-    for (Index f = 0; f < scales.size(); ++f)
-        for (Row piece(discretization.merging.diamond(n - 1), f); piece; ++piece)
-            scales[f] = std::max(scales[f], 2 * radii[piece.col()]);
-    return scales;
+/// What the duals of the pieces are compared with.
+FacetDefects defects_of_pieces(const Discretization& mesh) {
+    if (mesh.intrinsic)
+        return facet_defects(mesh.intrinsic->surface(), mesh.intrinsic->triangle_volumes,
+                             mesh.options.tolerance);
+    return facet_defects(mesh.input(), mesh.metric(), mesh.input_volumes,
+                         {MergeCriterion::dual_length, mesh.options.tolerance});
 }
 
 } // namespace
 
 std::vector<bool> boundary_facets_without_dual(const Discretization& discretization) {
     const int n = discretization.dimension();
-    const Vector scales = facet_scales(discretization);
-    const Vector& dual = discretization.volumes.dual(n - 1);
-    std::vector<bool> marks(static_cast<std::size_t>(dual.size()), false);
-    for (Index f = 0; f < dual.size(); ++f) // a vertex has no extent to compare with
-        marks[f] = discretization.complex().coface_counts(n - 1)[f] == 1 && scales[f] > 0 &&
-                   std::abs(dual[f]) <= discretization.options.tolerance * scales[f];
+    const auto& complex = discretization.complex();
+    const auto& volumes = discretization.volumes;
+    const auto& facets = discretization.intrinsic ? discretization.intrinsic->merging.diamonds[1]
+                                                  : discretization.merging.diamond(n - 1);
+    const auto pieces = defects_of_pieces(discretization);
+    std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
+    for (Index f = 0; f < complex.size(n - 1); ++f) {
+        if (complex.coface_counts(n - 1)[f] != 1)
+            continue;
+        double scale = 0, height = std::numeric_limits<double>::infinity();
+        for (Row piece(facets, f); piece; ++piece) {
+            scale = std::max(scale, pieces.scale[piece.col()]);
+            height = std::min(height, pieces.height[piece.col()]);
+        }
+        marks[f] = is_degenerate(volumes.dual(n - 1)[f], volumes.terms(n - 1)[f], scale, height,
+                                 discretization.options.tolerance);
+    }
     return marks;
 }
 

@@ -57,9 +57,10 @@ Points means(const SimplicialComplex& complex, const DenseMatrix& field, int k) 
 Points at_circumcenters(const Discretization& mesh, const DenseMatrix& field, int k) {
     const auto& simplices = mesh.input().simplices(k);
     Points result = Points::Zero(simplices.rows(), field.cols());
-    Circumsphere sphere(mesh.points);
+    SimplexLayout layout(mesh.input(), mesh.metric());
+    Circumsphere sphere;
     for (Index s = 0; s < simplices.rows(); ++s) {
-        sphere.look_at(vertices(simplices, s));
+        sphere.look_at(layout, k, s);
         for (int i = 0; i <= k; ++i)
             result.row(s) += sphere.barycentric(i) * field.row(simplices(s, i));
     }

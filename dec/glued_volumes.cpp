@@ -67,7 +67,8 @@ CellVolumes circumcentric_volumes(const GluedSurface& surface, const Vector& len
             const double a = side[i], b = side[(i + 1) % 3], c = side[(i + 2) % 3];
             const double height = a * corner_cotangent(a, b, c, areas[t]) / 2;
             dual_edges[surface.edge(3 * t + i)] += height;
-            edge_terms[surface.edge(3 * t + i)] += std::abs(height);
+            edge_terms[surface.edge(3 * t + i)] +=
+                std::abs(height) + triangle_height_terms(a, b, c, areas[t]);
         }
     }
     for (Index e = 0; e < surface.edges(); ++e)

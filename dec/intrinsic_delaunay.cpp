@@ -90,7 +90,7 @@ private:
         double a, b, c, area;
         double cotangent() const { return corner_cotangent(a, b, c, area); }
         /// Rounding error of the cotangents of two such triangles: of lengths, whose squares
-        /// cancel, and by the shape, as dual_length_rounding has it.
+        /// cancel, and by the shape.
         double rounding() const {
             constexpr double few = 64 * std::numeric_limits<double>::epsilon();
             const double shape = triangle_circumradius(a, b, c, area) / a;
@@ -343,22 +343,11 @@ IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
 
 std::vector<Index> concyclic_edges(const GluedSurface& surface, const CellVolumes& volumes,
                                    double tolerance) {
-    const Vector &length = volumes.primal(1), &dual = volumes.dual(1), &area = volumes.primal(2);
+    const auto defects = facet_defects(surface, volumes, tolerance);
     std::vector<std::pair<double, Index>> found;
-    for (Index e = 0; e < surface.edges(); ++e) {
-        if (surface.is_boundary(e))
-            continue;
-        double radius = 0;
-        for (const Index h : surface.halfedges(e)) {
-            const Index t = GluedSurface::triangle(h);
-            const auto [a, b, c] = side_lengths(surface, length, t);
-            radius = std::max(radius, triangle_circumradius(a, b, c, area[t]));
-        }
-        const double rounding = dual_length_rounding(radius, length[e]);
-        const double defect = std::max(0.0, std::abs(dual[e]) - rounding) / length[e];
-        if (defect <= tolerance)
-            found.emplace_back(defect, e);
-    }
+    for (Index e = 0; e < surface.edges(); ++e)
+        if (!surface.is_boundary(e) && defects.degenerate[e])
+            found.emplace_back(defects.ratio(e), e);
     std::sort(found.begin(), found.end());
     std::vector<Index> edges;
     for (const auto& [defect, e] : found)

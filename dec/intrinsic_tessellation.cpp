@@ -121,8 +121,8 @@ IntrinsicTessellation intrinsic_tessellation(GluedSurface surface, Vector length
 }
 
 Vector carry(const IntrinsicTessellation& tessellation, int k, const Vector& values) {
-    return tessellation.merging.diamonds.at(k).cast<double>() *
-           tessellation.delaunay.history.carry(k, values);
+    const Vector on_triangles = tessellation.delaunay.history.carry(k, values); // checks k
+    return tessellation.merging.diamonds[k].cast<double>() * on_triangles;
 }
 
 Vector carry_back(const IntrinsicTessellation& tessellation, int k, const Vector& values) {

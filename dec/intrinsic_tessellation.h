@@ -5,6 +5,8 @@
 #include "dec/intrinsic_delaunay.h"
 #include "dec/merge.h"
 
+#include <utility>
+
 namespace polydec {
 
 /// The intrinsic Delaunay tessellation of a surface: triangles after flips, merged to polygons
@@ -15,7 +17,8 @@ struct IntrinsicTessellation {
     CellVolumes triangle_volumes;
     MergedSurface merging;
 
-    const GluedSurface& surface() const { return delaunay.surface; }
+    const GluedSurface& surface() const& { return delaunay.surface; }
+    GluedSurface surface() && { return std::move(delaunay.surface); }
 };
 
 /// Flips, splits and merges as the options say. lengths are those of the edges.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/laplacian.h"
 
+#include "dec/cochain.h"
 #include "dec/derivative.h"
 #include "dec/gram.h"
 #include "dec/star.h"
@@ -29,9 +30,22 @@ Vector inverse_for_upper_half(const CellComplex& complex, const CellVolumes& vol
                                     : inverse_star(volumes, k);
 }
 
+/// Throws InvalidInput unless there are k-cells, whose volumes these are.
+void check_arguments(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    cell_degree(complex, Side::primal, k);
+    check_fit(complex, volumes);
+}
+
+/// The same for the duals of the (n-j)-cells, whose degree is returned.
+int checked_degree(const CellComplex& complex, const CellVolumes& volumes, int j) {
+    check_fit(complex, volumes);
+    return cell_degree(complex, Side::dual, j);
+}
+
 } // namespace
 
 SparseMatrix codifferential(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    check_arguments(complex, volumes, k);
     if (k == 0)
         return SparseMatrix(0, complex.size(0));
     const SparseMatrix d = derivative(complex, k - 1);
@@ -40,7 +54,7 @@ SparseMatrix codifferential(const CellComplex& complex, const CellVolumes& volum
 }
 
 SparseMatrix dual_codifferential(const CellComplex& complex, const CellVolumes& volumes, int j) {
-    const int k = complex.dimension() - j;
+    const int k = checked_degree(complex, volumes, j);
     if (k == complex.dimension())
         return SparseMatrix(0, complex.size(k));
     const double sign = k % 2 == 0 ? -1 : 1;
@@ -49,6 +63,7 @@ SparseMatrix dual_codifferential(const CellComplex& complex, const CellVolumes& 
 }
 
 SparseMatrix laplacian(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    check_arguments(complex, volumes, k);
     const SparseMatrix upper =
         inverse_for_upper_half(complex, volumes, k).asDiagonal() * upper_half(complex, volumes, k);
     const SparseMatrix lower = lower_half(complex, volumes, k) * star(volumes, k).asDiagonal();
@@ -56,7 +71,7 @@ SparseMatrix laplacian(const CellComplex& complex, const CellVolumes& volumes, i
 }
 
 SparseMatrix dual_laplacian(const CellComplex& complex, const CellVolumes& volumes, int j) {
-    const int k = complex.dimension() - j;
+    const int k = checked_degree(complex, volumes, j);
     const SparseMatrix upper =
         upper_half(complex, volumes, k) * inverse_for_upper_half(complex, volumes, k).asDiagonal();
     const SparseMatrix lower = star(volumes, k).asDiagonal() * lower_half(complex, volumes, k);
@@ -64,6 +79,7 @@ SparseMatrix dual_laplacian(const CellComplex& complex, const CellVolumes& volum
 }
 
 SparseMatrix symmetric_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    check_arguments(complex, volumes, k);
     if (k == 0)
         return upper_half(complex, volumes, k);
     const Vector mass = star(volumes, k);

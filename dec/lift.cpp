@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/simplex_faces.h"
+#include "dec/star.h"
 #include "dec/whitney.h"
 
 #include <Eigen/QR>
@@ -246,6 +247,7 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
 
 std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
                                          const CellVolumes& volumes) {
+    check_fit(merging.input(), volumes);
     const Lift lift(merging, metric, volumes);
     std::vector<SparseMatrix> result;
     for (int k = 0; k <= merging.input().dimension(); ++k)

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "complex/disjoint_sets.h"
 #include "dec/facet_defects.h"
+#include "dec/star.h"
 #include "dec/straightness.h"
 
 #include <fmt/format.h>
@@ -197,6 +198,7 @@ CosphericalMerging merge_cospherical(SimplicialComplex complex, const SimplexMet
         throw InvalidInput(fmt::format("the merge tolerance is {}: expected a number >= 0, such as "
                                        "1e-4",
                                        options.tolerance));
+    check_fit(complex, volumes);
     const int n = complex.dimension();
     const auto defects = facet_defects(complex, metric, volumes, options);
     const auto degenerate = count_degenerate(complex, defects);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/simplex_geometry.h"
 
+#include "base/checks.h"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -16,6 +18,7 @@ Index face_at(const SimplicialComplex& complex, int m, Index t, std::span<const 
 }
 
 DenseMatrix edge_vectors(const SimplicialComplex& complex, const Points& points) {
+    check_number("the point", complex.simplices(0).maxCoeff(), 0, points.rows() - 1);
     const auto& edges = complex.simplices(1);
     DenseMatrix vectors(edges.rows(), points.cols());
     for (Index e = 0; e < edges.rows(); ++e)

@@ -97,7 +97,7 @@ double SimplexLayout::product(int origin, int i, int j) const {
 
 Corners SimplexLayout::lay_out(int k, Index s) {
     Points& table = tables_[k];
-    const Corners corners{table, {rows_.data(), static_cast<std::size_t>(k) + 1}};
+    const Corners corners{table, {rows_.data(), static_cast<std::size_t>(k) + 1}, true};
     table.setZero();
     measure_edges(k, s);
     const int origin = base(k);
@@ -126,6 +126,7 @@ Corners SimplexLayout::lay_out(int k, Index s) {
 }
 
 Vector edge_lengths(const SimplicialComplex& complex, const Points& points) {
+    require_points(complex, points, "a length");
     const auto& edges = complex.simplices(1);
     Vector lengths(edges.rows());
     for (Index e = 0; e < edges.rows(); ++e)
@@ -154,6 +155,14 @@ void require_points(Eigen::Index coordinates, std::string_view what) {
         throw InvalidInput(fmt::format("only lengths are known, there are no points, which {} "
                                        "needs: give a mesh with points",
                                        what));
+}
+
+void require_points(const SimplicialComplex& complex, const Points& points, std::string_view what) {
+    require_points(points.cols(), what);
+    const Index largest = complex.simplices(0).maxCoeff();
+    if (largest >= points.rows())
+        throw InvalidInput(fmt::format("a cell uses vertex {} but there are only {} points",
+                                       largest, points.rows()));
 }
 
 } // namespace polydec

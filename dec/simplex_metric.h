@@ -17,8 +17,9 @@ namespace polydec {
 class SimplexMetric {
 public:
     /// Simplices between points, a row per vertex number; implicit, so that points can be given
-    /// wherever a metric is asked for.
+    /// wherever a metric is asked for, but not temporaries.
     SimplexMetric(const Points& points) : points_(&points) {}
+    SimplexMetric(Points&&) = delete;
 
     /// Simplices of which only the lengths of the edges are known: size(1) numbers. Whether each
     /// simplex exists is checked by circumcentric_volumes.
@@ -47,6 +48,7 @@ private:
 struct Corners {
     const Points& points;
     std::span<const Index> vertices; ///< the rows, in ascending order of the simplex's vertices
+    bool by_lengths = false;         ///< not points that were given: distances are what is known
 };
 
 /// Places the corners of one simplex of a complex after the other. Not for several threads at once.
@@ -66,6 +68,8 @@ public:
         return lay_out(k, s);
     }
 
+    const SimplicialComplex& complex() const { return complex_; }
+
 private:
     Corners lay_out(int k, Index s);
     void measure_edges(int k, Index s);
@@ -80,7 +84,7 @@ private:
     std::vector<Points> tables_;  // by degree
 };
 
-/// Lengths of the 1-simplices between points. Size size(1).
+/// Lengths of the 1-simplices between points. Size size(1). Throws like require_points.
 Vector edge_lengths(const SimplicialComplex& complex, const Points& points);
 
 /// Says why k-simplex s, whose faces all exist, cannot have the lengths that it is given.
@@ -90,5 +94,8 @@ std::string flaw_of_lengths(const SimplicialComplex& complex, const SimplexMetri
 /// Throws InvalidInput if points have no coordinates, as those of a mesh of which only lengths are
 /// known; what says who needs them.
 void require_points(Eigen::Index coordinates, std::string_view what);
+
+/// The same, and if a vertex of the complex has no point.
+void require_points(const SimplicialComplex& complex, const Points& points, std::string_view what);
 
 } // namespace polydec

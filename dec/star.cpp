@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/star.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
+#include "dec/rounding.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,36 +12,33 @@
 
 namespace polydec {
 
-namespace {
-
-constexpr double zero_fraction = 1e-12;
-
-double zero_threshold(const Vector& star) {
-    return star.size() == 0 ? 0.0 : zero_fraction * star.cwiseAbs().maxCoeff();
+void check_fit(const CellComplex& complex, const CellVolumes& volumes) {
+    const int n = complex.dimension();
+    check_as_many("degrees of volumes", volumes.dimension() + 1, n + 1);
+    for (int k = 0; k <= n; ++k) {
+        check_as_many(fmt::format("volumes of {}-cells", k), volumes.primal(k).size(),
+                      complex.size(k));
+    }
 }
-
-} // namespace
 
 Vector star(const CellVolumes& volumes, int k) {
     return volumes.dual(k).cwiseQuotient(volumes.primal(k));
 }
 
 std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k) {
-    const Vector values = star(volumes, k);
-    const double zero = zero_threshold(values);
+    const Vector &dual = volumes.dual(k), &terms = volumes.terms(k);
     std::vector<Index> cells;
-    for (Index s = 0; s < values.size(); ++s)
-        if (std::abs(values[s]) <= zero)
+    for (Index s = 0; s < dual.size(); ++s)
+        if (is_zero(dual[s], terms[s]))
             cells.push_back(s);
     return cells;
 }
 
 std::vector<Index> negative_star_cells(const CellVolumes& volumes, int k) {
-    const Vector values = star(volumes, k);
-    const double zero = zero_threshold(values);
+    const Vector &dual = volumes.dual(k), &terms = volumes.terms(k);
     std::vector<Index> cells;
-    for (Index s = 0; s < values.size(); ++s)
-        if (values[s] < -zero)
+    for (Index s = 0; s < dual.size(); ++s)
+        if (dual[s] < 0 && !is_zero(dual[s], terms[s]))
             cells.push_back(s);
     return cells;
 }

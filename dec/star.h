@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "complex/cell_complex.h"
 #include "dec/cell_volumes.h"
 
 namespace polydec {
+
+/// Throws InvalidInput, naming the degree, unless the volumes are those of as many cells.
+void check_fit(const CellComplex& complex, const CellVolumes& volumes);
 
 /// Hodge star on primal k-forms, to dual (n-k)-forms: diagonal, dual volume over primal volume.
 /// Size size(k); units length^(n-2k); positive iff every dual volume is.
@@ -17,7 +21,8 @@ Vector dual_star(const CellVolumes& volumes, int k);
 /// |s| / |*s|, the inverse of star. Throws like dual_star.
 Vector inverse_star(const CellVolumes& volumes, int k);
 
-/// The k-cells whose star entry counts as zero: at most 1e-12 times the largest in size.
+/// The k-cells whose star entry counts as zero: whose dual volume is no larger than the rounding
+/// error of what cancels in it (CellVolumes::terms, is_zero). Neither other cells nor scale matter.
 std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k);
 
 /// The k-cells whose star entry is negative and not zero in the above sense.

@@ -3,6 +3,7 @@
 
 #include "complex/components.h"
 #include "dec/facet_defects.h"
+#include "dec/rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +25,9 @@ StraightnessTest::Side StraightnessTest::look(int k, Index s, Index f) {
     int apex = 0;
     while (complex_.face(k, f, apex) != s)
         ++apex;
-    sphere_.look_at(layout_.at(k, f));
-    return {apex, sphere_.height(apex, volumes_.primal(k - 1)[s]), sphere_.radius()};
+    sphere_.look_at(layout_, k, f);
+    const double base = volumes_.primal(k - 1)[s], height = sphere_.height(apex, base);
+    return {apex, height, sphere_.height_terms(height), k * volumes_.primal(k)[f] / base};
 }
 
 StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, int apex) const {
@@ -48,22 +50,22 @@ StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, i
 
 bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
     const Side a = look(k, s, f), b = look(k, s, g);
-    sphere_.look_at(layout_.at(k - 1, s));
-    const double l = 2 * sphere_.radius();
-    const double rounding = dual_length_rounding(std::max(a.radius, b.radius), l);
-
-    if (std::abs(a.height + b.height) > tolerance_ * l + rounding)
+    sphere_.look_at(layout_, k - 1, s);
+    const double l = 2 * sphere_.radius(), terms = a.terms + b.terms;
+    const double lower = std::min(a.altitude, b.altitude);
+    if (!is_degenerate(a.height + b.height, terms, l, lower, tolerance_))
         return false;
 
     const double V = volumes_.dual(k)[f], W = volumes_.dual(k)[g];
     const double size = std::max({std::abs(V), std::abs(W), std::pow(l, complex_.dimension() - k)});
-    if (std::abs(V - W) > (tolerance_ + rounding / l) * size)
+    const double noise = rounding_of(volumes_.terms(k)[f] + volumes_.terms(k)[g]);
+    if (std::abs(V - W) > tolerance_ * size + noise)
         return false;
 
     if (must_be_coplanar_.empty() || !must_be_coplanar_[k - 1][s])
         return true;
     const Altitude up = altitude(k, s, f, a.apex), down = altitude(k, s, g, b.apex);
-    const double angle_rounding = rounding / std::min(up.length, down.length);
+    const double angle_rounding = rounding_of(terms) / lower;
     return (up.direction + down.direction).norm() <= tolerance_ + angle_rounding;
 }
 

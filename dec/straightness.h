@@ -7,9 +7,10 @@
 namespace polydec {
 
 /// Decides whether two k-simplices f and g are one flat piece across their common (k-1)-face s:
-/// their circumcenters coincide, their duals agree, and, where s lies on the boundary of a flat
-/// complex (N = n), they lie in one k-plane. Inside, the first two imply the third; on a curved
-/// complex, and where only lengths are known, there is no such plane and none is asked for.
+/// their circumcenters coincide, also against their heights over s, their duals agree, and, where s
+/// lies on the boundary of a flat complex (N = n), they lie in one k-plane. Inside, the first two
+/// imply the third; on a curved complex, and where only lengths are known, there is no such plane
+/// and none is asked for.
 class StraightnessTest {
 public:
     /// Keeps references, those of the metric too: they must outlive the test.
@@ -21,9 +22,10 @@ public:
 private:
     /// What f and g look like from s.
     struct Side {
-        int apex;      ///< which of the simplex's vertices is not in s
-        double height; ///< signed distance from the circumcenter of s to that of the simplex
-        double radius; ///< circumradius
+        int apex;        ///< which of the simplex's vertices is not in s
+        double height;   ///< signed distance from the circumcenter of s to that of the simplex
+        double terms;    ///< what cancels in it
+        double altitude; ///< of the apex over s
     };
     Side look(int k, Index s, Index f);
 

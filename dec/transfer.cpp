@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/overlay.h"
+#include "dec/star.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -97,6 +98,7 @@ SparseMatrix primal_to_input(const Merging& merging, const CellVolumes& volumes,
 
 SparseMatrix dual_to_merged(const Merging& merging, const CellVolumes& volumes, int j) {
     const int k = merging.merged().dimension() - j;
+    check_fit(merging.input(), volumes);
     const SparseMatrix dia = merging.diamond(k).cast<double>();
     const Vector merged_volume = dia.cwiseAbs() * volumes.primal(k);
     return merged_volume.cwiseInverse().asDiagonal() * dia * volumes.primal(k).asDiagonal();

@@ -36,4 +36,11 @@ inline double triangle_circumradius(double a, double b, double c, double area) {
     return a * b * c / (4 * area);
 }
 
+/// How far relative errors of the lengths can move the circumcenter towards a side, for errors of
+/// size 1: 3 R^2 / A times the longest side. An angle moves by 3 longest / (height on its side).
+inline double triangle_height_terms(double a, double b, double c, double area) {
+    const double radius = triangle_circumradius(a, b, c, area);
+    return 3 * radius * radius * std::max({a, b, c}) / area;
+}
+
 } // namespace polydec

@@ -4,8 +4,9 @@
 #include "dec/facet_defects.h"
 #include "dec/star.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace polydec {
@@ -76,15 +77,28 @@ Index copies(const Discretization& mesh, Stage stage, int k, const std::vector<b
     return count(marks);
 }
 
+/// Edges of the stage whose dual counts as nothing: of the triangles before flips, or of polygons.
+std::vector<bool> degenerate_edges(const Discretization& mesh, Stage stage) {
+    const double tolerance = mesh.options.tolerance;
+    if (stage == Stage::input)
+        return facet_defects(GluedSurface(mesh.input()), mesh.input_volumes, tolerance).degenerate;
+    const auto& flipped = *mesh.intrinsic;
+    const auto all =
+        facet_defects(flipped.surface(), flipped.triangle_volumes, tolerance).degenerate;
+    std::vector<bool> degenerate(static_cast<std::size_t>(mesh.complex().size(1)), false);
+    for (Index e = 0; e < mesh.complex().size(1); ++e)
+        for (Row piece(flipped.merging.diamonds[1], e); piece; ++piece)
+            degenerate[e] = all[piece.col()];
+    return degenerate;
+}
+
 /// The same after intrinsic flips, by the metric of the glued triangles and polygons alone.
 Faults intrinsic_faults(const Discretization& mesh, Stage stage) {
     const auto& volumes = stage == Stage::input ? mesh.input_volumes : mesh.volumes;
     const auto& complex = stage == Stage::input ? mesh.input() : mesh.complex();
     const int n = mesh.dimension();
-    const Vector &facet = volumes.primal(n - 1), &dual = volumes.dual(n - 1);
-    std::vector<bool> degenerate(facet.size()), concentric(complex.size(n), false);
-    for (Index f = 0; f < facet.size(); ++f)
-        degenerate[f] = std::abs(dual[f]) <= mesh.options.tolerance * facet[f];
+    const auto degenerate = degenerate_edges(mesh, stage);
+    std::vector<bool> concentric(complex.size(n), false);
     for (Index t = 0; t < complex.size(n); ++t)
         for (Row f(complex.coboundary(n - 1), t); f; ++f)
             if (degenerate[f.col()] && complex.coface_counts(n - 1)[f.col()] == 2)
@@ -181,6 +195,52 @@ std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretizat
     table.add("sharp pp", 1, Side::primal, {}, {0});
     table.add("sharp pd", 1, Side::primal, {}, {});
     return table.take();
+}
+
+std::string in_words(const OperatorVerdict& verdict) {
+    switch (verdict.verdict) {
+    case WellDefined::yes:
+        return "yes";
+    case WellDefined::restricted:
+        return fmt::format("restricted: {} {}-cells share their duals with others, so only forms "
+                           "of one density on these have a meaning",
+                           verdict.cells, verdict.cell_degree);
+    case WellDefined::no:
+        break;
+    }
+    return fmt::format("no: it divides by the duals of {} {}-cells, which have no extent",
+                       verdict.cells, verdict.cell_degree);
+}
+
+std::vector<SpectrumVerdict> spectrum_verdicts(const CellVolumes& volumes) {
+    const int n = volumes.dimension();
+    std::vector<std::size_t> zero, negative;
+    for (int k = 0; k <= n; ++k) {
+        zero.push_back(zero_star_cells(volumes, k).size());
+        negative.push_back(negative_star_cells(volumes, k).size());
+    }
+    std::vector<SpectrumVerdict> verdicts;
+    for (int k = 0; k <= n; ++k) {
+        SpectrumVerdict verdict{k};
+        const std::size_t spurious = k == 0 ? 0 : negative[k - 1] + (k < n ? negative[k + 1] : 0);
+        verdict.exists = zero[k] == 0 && negative[k] == 0 && (k == 0 || zero[k - 1] == 0);
+        if (negative[k] > 0)
+            verdict.reason = fmt::format(
+                "the mass is not positive: {} {}-cells have a negative dual", negative[k], k);
+        else if (zero[k] > 0)
+            verdict.reason = fmt::format(
+                "the mass is not positive: {} {}-cells have a dual without volume", zero[k], k);
+        else if (!verdict.exists)
+            verdict.reason = fmt::format(
+                "an inverse star divides by zero: {} {}-cells have a dual without volume",
+                zero[k - 1], k - 1);
+        else if (spurious > 0)
+            verdict.reason = fmt::format("{} negative duals make about as many spurious negative "
+                                         "eigenvalues",
+                                         spurious);
+        verdicts.push_back(std::move(verdict));
+    }
+    return verdicts;
 }
 
 } // namespace polydec

@@ -27,6 +27,17 @@ struct OperatorVerdict {
     Index cells = 0;      ///< how many they are
 };
 
+/// The verdict in words: "yes", or "no: it divides by the duals of 24 2-cells, which have no
+/// extent".
+std::string in_words(const OperatorVerdict& verdict);
+
+/// Whether the Laplacian has a spectrum on the forms that live on cells of one degree.
+struct SpectrumVerdict {
+    int cell_degree = 0;     ///< k: primal k-forms and dual (n-k)-forms
+    bool exists = true;      ///< whether there is a norm, and nothing is divided by zero
+    std::string reason = {}; ///< why not, or what spoils it; empty if there is nothing to say
+};
+
 /// Which complex a question is about.
 enum class Stage { input, merged };
 
@@ -34,5 +45,9 @@ enum class Stage { input, merged };
 /// a dual has no extent where the merging removed its cell, where a facet is degenerate within the
 /// tolerance, or where the star entry is zero in the sense of zero_star_cells.
 std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretization, Stage stage);
+
+/// One for each degree 0..n of cells, by the same zeros as the stars and the solvers. A Laplacian
+/// can be well defined where there is no spectrum: with a negative dual there is no norm.
+std::vector<SpectrumVerdict> spectrum_verdicts(const CellVolumes& volumes);
 
 } // namespace polydec

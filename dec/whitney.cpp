@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/whitney.h"
 
+#include "base/checks.h"
 #include "dec/simplex_geometry.h"
 
 #include <Eigen/LU>
 
 #include <cmath>
+#include <limits>
 
 namespace polydec {
 
@@ -32,6 +34,9 @@ double minor_determinant(const DenseMatrix& products, const std::vector<int>& I,
 } // namespace
 
 std::vector<std::vector<int>> subsets(int count, int size) {
+    constexpr int any = std::numeric_limits<int>::max();
+    check_number("subsets of a set of size", count, 0, any);
+    check_number("subsets of size", size, 0, any);
     std::vector<std::vector<int>> result;
     std::vector<int> current;
     const auto extend = [&](const auto& self, int next) -> void {
@@ -51,6 +56,9 @@ std::vector<std::vector<int>> subsets(int count, int size) {
 
 DenseMatrix whitney_mass(const Points& points, std::span<const Index> vertices, int j) {
     const auto m = static_cast<int>(vertices.size()) - 1;
+    check_number("the mass matrix of Whitney forms of degree", j, 0, m);
+    for (const Index v : vertices)
+        check_number("the point", v, 0, points.rows() - 1);
     const DenseMatrix gradients = barycentric_gradients(points, vertices);
     const DenseMatrix products = gradients * gradients.transpose();
     const double factorial = std::tgamma(j + 1.0);

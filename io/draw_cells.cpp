@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/draw_cells.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "complex/corners.h"
 #include "dec/simplex_metric.h"
@@ -66,6 +67,7 @@ void check_drawable(int dimension, int ambient_dimension) {
 }
 
 VtuGrid draw_cells(const Merging& merging, const Points& points, int k) {
+    cell_degree(merging.merged(), Side::primal, k);
     const int drawn = k == 0 ? merging.merged().dimension() : k;
     check_drawable(drawn, static_cast<int>(points.cols()));
     VtuGrid grid;
@@ -76,15 +78,18 @@ VtuGrid draw_cells(const Merging& merging, const Points& points, int k) {
 }
 
 void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
-                 const Vector& values) {
+                 const Eigen::Ref<const DenseMatrix>& values) {
+    cell_degree(merging.merged(), Side::primal, k);
+    check_as_many(fmt::format("rows of `{}`", name), values.rows(), merging.merged().size(k));
     if (k > 0) {
         grid.cell_data.push_back(vtu_array(std::move(name), values));
         return;
     }
     const auto& vertices = merging.input().simplices(0);
-    Vector at_points = Vector::Zero(grid.points.rows());
+    check_number("the point", vertices.maxCoeff(), 0, grid.points.rows() - 1);
+    DenseMatrix at_points = DenseMatrix::Zero(grid.points.rows(), values.cols());
     for (Index v = 0; v < vertices.rows(); ++v)
-        at_points[vertices(v, 0)] = values[v];
+        at_points.row(vertices(v, 0)) = values.row(v);
     grid.point_data.push_back(vtu_array(std::move(name), at_points));
 }
 

@@ -22,9 +22,10 @@ VtuGrid draw_cells(const Merging& merging, const Points& points, int k);
 
 /// Adds the values of a primal k-form on P, or of the dual (n-k)-form on the same cells, to what
 /// draw_cells made for that k: point data for k = 0 (0 at points that belong to no cell), else
-/// cell data.
+/// cell data. Or a vector at each of these cells, a row of two or three numbers. Throws
+/// InvalidInput unless there is a row for every k-cell, and like vtu_array.
 void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
-                 const Vector& values);
+                 const Eigen::Ref<const DenseMatrix>& values);
 
 /// The same for the cells of a bundle, at the places of the input (discretization.unit), and a form
 /// on them, whose values are taken as they are. After intrinsic flips, whose cells cross

@@ -54,17 +54,20 @@ void write_matrix_market(const std::filesystem::path& path, const IncidenceMatri
     write_coordinates(path, matrix, "integer");
 }
 
-void write_matrix_market(const std::filesystem::path& path, const Vector& vector) {
+void write_matrix_market(const std::filesystem::path& path,
+                         const Eigen::Ref<const DenseMatrix>& matrix) {
     AtomicFile file(path);
-    file.write(fmt::format("%%MatrixMarket matrix array real general\n{} 1\n", vector.size()));
+    file.write(fmt::format("%%MatrixMarket matrix array real general\n{} {}\n", matrix.rows(),
+                           matrix.cols()));
     std::string line;
-    for (Eigen::Index row = 0; row < vector.size(); ++row) {
-        check_finite(vector[row], path, row, 0);
-        line.clear();
-        append_number(line, vector[row]);
-        line += '\n';
-        file.write(line);
-    }
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+        for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+            check_finite(matrix(row, column), path, row, column);
+            line.clear();
+            append_number(line, matrix(row, column));
+            line += '\n';
+            file.write(line);
+        }
     file.commit();
 }
 

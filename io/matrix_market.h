@@ -15,8 +15,9 @@ void write_matrix_market(const std::filesystem::path& path, const SparseMatrix& 
 /// The same for incidences, of the field `integer`.
 void write_matrix_market(const std::filesystem::path& path, const IncidenceMatrix& matrix);
 
-/// Writes a vector as a Matrix Market array of one column.
-void write_matrix_market(const std::filesystem::path& path, const Vector& vector);
+/// Writes a matrix, or a vector as one column, as a Matrix Market array. Throws likewise.
+void write_matrix_market(const std::filesystem::path& path,
+                         const Eigen::Ref<const DenseMatrix>& matrix);
 
 /// Reads a Matrix Market coordinate file: real or integer; general, symmetric or skew-symmetric,
 /// which gives both triangles. Throws IoError if the file cannot be read; InvalidInput, naming the

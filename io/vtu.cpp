@@ -283,8 +283,18 @@ void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces)
     grid.face_offsets.push_back(static_cast<std::int64_t>(grid.faces.size()));
 }
 
-VtuArray vtu_array(std::string name, const Vector& values) {
-    return {std::move(name), std::vector<double>(values.begin(), values.end()), 1};
+VtuArray vtu_array(std::string name, const Eigen::Ref<const DenseMatrix>& values) {
+    if (values.cols() < 1 || values.cols() > 3)
+        throw InvalidInput(fmt::format("the array `{}` has rows of {} numbers: expected 1, or 2 or "
+                                       "3 for vectors",
+                                       name, values.cols()));
+    const int components = values.cols() == 1 ? 1 : 3;
+    std::vector<double> numbers;
+    numbers.reserve(static_cast<std::size_t>(values.rows()) * components);
+    for (Eigen::Index i = 0; i < values.rows(); ++i)
+        for (int c = 0; c < components; ++c)
+            numbers.push_back(c < values.cols() ? values(i, c) : 0);
+    return {std::move(name), std::move(numbers), components};
 }
 
 void write_vtu(const std::filesystem::path& path, const VtuGrid& grid) {

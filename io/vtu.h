@@ -49,8 +49,9 @@ void add_cell(VtuGrid& grid, VtuCell type, std::span<const Index> corners);
 /// Appends a polyhedron by its faces, each a list of points in cyclic order.
 void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces);
 
-/// A point or cell array of one number each.
-VtuArray vtu_array(std::string name, const Vector& values);
+/// A point or cell array of one number each, or of a vector each: a row of two or three numbers, of
+/// which two get a third that is 0. Throws InvalidInput, naming the array, for other rows.
+VtuArray vtu_array(std::string name, const Eigen::Ref<const DenseMatrix>& values);
 
 /// Writes the grid as VTK's XML UnstructuredGrid (.vtu): binary arrays in base64, inline.
 /// The file appears whole or not at all.

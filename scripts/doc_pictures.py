@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import doc_pictures_cells as cells
+import doc_pictures_overview as overview
 from doc_drawing import (BLACK, BLUE, FAN, GREY, LIGHT_BLUE, LIGHT_GREY, LIGHT_ORANGE, ORANGE,
                          RED, Picture, circumcenter, cross, mean, minus, plus, polar, unit)
 
@@ -215,6 +216,8 @@ PICTURES = {
     "flats": flats,
     "boundary_duals": half_edge,
     "ring": ring,
+    "operators": overview.operators,
+    "geodesics": overview.geodesics,
 }
 
 

@@ -2,6 +2,7 @@
 #include "solvers/constrained_system.h"
 
 #include "backends/registry.h"
+#include "base/checks.h"
 #include "base/errors.h"
 #include "complex/disjoint_sets.h"
 
@@ -113,6 +114,21 @@ void ConstrainedSolver::find_components() {
             number[root] = free_components_++;
         component_[i] = number[root];
     }
+}
+
+DenseMatrix ConstrainedSolver::solve_columns(const DenseMatrix& b,
+                                             const DenseMatrix& fixed_values) {
+    check_as_many("columns of fixed values", fixed_values.cols(), b.cols());
+    DenseMatrix u(system_.A.rows(), b.cols());
+    double worst = 0, residual = 0;
+    for (Eigen::Index j = 0; j < b.cols(); ++j) {
+        u.col(j) = solve(Vector(b.col(j)), Vector(fixed_values.col(j)));
+        worst = std::max(worst, compatibility_.worst);
+        residual = std::max(residual, residual_);
+    }
+    compatibility_.worst = worst;
+    residual_ = residual;
+    return u;
 }
 
 Vector ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) {

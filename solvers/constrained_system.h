@@ -36,12 +36,21 @@ public:
     /// u with u = fixed_values on the fixed unknowns. fixed_values has an entry for every unknown.
     Vector solve(const Vector& b, const Vector& fixed_values);
 
+    /// The same for several systems, a column each.
+    template <SeveralColumns B, SeveralColumns Values>
+    DenseMatrix solve(const Eigen::MatrixBase<B>& b,
+                      const Eigen::MatrixBase<Values>& fixed_values) {
+        return solve_columns(b, fixed_values);
+    }
+
+    /// Of the last solve; of several systems the worst.
     const Compatibility& compatibility() const { return compatibility_; }
     /// |b - A u| / |b| over the unknowns solved for; 0 if there are none.
     double residual() const { return residual_; }
     const SolveReport& report() const { return solver_->report(); }
 
 private:
+    DenseMatrix solve_columns(const DenseMatrix& b, const DenseMatrix& fixed_values);
     void find_components();
 
     ConstrainedSystem system_;

@@ -4,12 +4,12 @@
 #include "base/errors.h"
 #include "dec/dual_parts.h"
 #include "dec/facets_without_dual.h"
+#include "dec/star.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace polydec {
 
@@ -55,17 +55,14 @@ Vector resistances(const Discretization& discretization, const Vector& conductiv
     return (facets * products).cwiseQuotient(discretization.volumes.primal(n - 1));
 }
 
-void check_flux_is_defined(const Discretization& discretization, Index facet) {
-    constexpr double rounding = 1e-12;
+void check_fluxes_are_defined(const Discretization& discretization) {
     const int n = discretization.dimension();
-    const double dual = discretization.volumes.dual(n - 1)[facet];
-    const double area = discretization.volumes.primal(n - 1)[facet];
-    if (n == 1 || std::abs(dual) > rounding * std::pow(area, 1.0 / (n - 1)))
-        return;
-    throw InvalidInput(fmt::format(
-        "the dual of facet {} (vertices {}) has no length, so the flux through it is not defined: "
-        "let cospherical cells be merged",
-        facet, fmt::join(cell_vertices(discretization, n - 1, facet), ", ")));
+    for (const Index facet : zero_star_cells(discretization.volumes, n - 1))
+        if (discretization.complex().coface_counts(n - 1)[facet] == 2)
+            throw InvalidInput(fmt::format(
+                "the dual of facet {} (vertices {}) has no length, so the flux through it is not "
+                "defined: let cospherical cells be merged",
+                facet, fmt::join(cell_vertices(discretization, n - 1, facet), ", ")));
 }
 
 /// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.
@@ -82,6 +79,7 @@ void average_rows(SparseMatrix& matrix) {
 DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& essential,
                        const Vector& conductivity) {
     check_two_sided(discretization);
+    check_fluxes_are_defined(discretization);
     const auto& complex = discretization.complex();
     const auto& volumes = discretization.volumes;
     const int n = complex.dimension();
@@ -101,8 +99,6 @@ DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& es
         if (!coface || (!interior && !essential[n - 1][f]))
             continue;
         const auto cell = static_cast<Index>(coface.col());
-        if (interior)
-            check_flux_is_defined(discretization, f);
         if (without_dual[f]) {
             fix.emplace_back(cell, f, 1.0);
             result.fixed[cell] = true;

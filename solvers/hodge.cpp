@@ -107,6 +107,7 @@ HodgeSolver::HodgeSolver(const CellComplex& complex, const CellVolumes& volumes,
       degree_(degree),
       k_(cell_degree(complex, side, degree)),
       mass_(star(volumes, k_)) {
+    check_fit(complex, volumes);
     check_positive_mass(volumes, side, degree, k_);
     unit_ = unit_of(mass_);
     mass_ /= unit_;

@@ -2,6 +2,7 @@
 #include "solvers/leapfrog.h"
 
 #include "backends/registry.h"
+#include "base/checks.h"
 #include "base/errors.h"
 #include "dec/derivative.h"
 #include "dec/star.h"
@@ -21,6 +22,7 @@ void check_stars(const CellComplex& complex, const CellVolumes& volumes, int k) 
         throw InvalidInput(fmt::format("waves of {}-forms are asked for: in dimension {} the "
                                        "degrees are 0 to {}",
                                        k, complex.dimension(), complex.dimension() - 1));
+    check_fit(complex, volumes);
     check_positive_mass(volumes, Side::primal, k, k);
     const auto negative = negative_star_cells(volumes, k + 1);
     if (!negative.empty())
@@ -64,13 +66,20 @@ Leapfrog::Leapfrog(const CellComplex& complex, const CellVolumes& volumes, int k
     upper_mass_ = star(volumes, k + 1);
 }
 
+void Leapfrog::check_sizes(const Vector& E, const Vector& B) const {
+    check_as_many("values of E", E.size(), d_.cols());
+    check_as_many("values of B", B.size(), d_.rows());
+}
+
 void Leapfrog::step(Vector& E, Vector& B) const {
+    check_sizes(E, B);
     B -= time_step_ * (d_ * E);
     const Vector flow = d_transposed_ * upper_mass_.cwiseProduct(B);
     E += time_step_ * flow.cwiseQuotient(mass_);
 }
 
 double Leapfrog::energy(const Vector& E, const Vector& B) const {
+    check_sizes(E, B);
     const Vector next = B - time_step_ * (d_ * E);
     return (E.dot(mass_.cwiseProduct(E)) + B.dot(upper_mass_.cwiseProduct(next))) / 2;
 }

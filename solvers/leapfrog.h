@@ -18,7 +18,8 @@ public:
     /// a negative entry, or if the time step is not positive and below stable_step.
     Leapfrog(const CellComplex& complex, const CellVolumes& volumes, int k, double time_step);
 
-    /// One step on E (size(k) values) and B (size(k+1) values).
+    /// One step on E (size(k) values) and B (size(k+1) values). Throws InvalidInput, as energy
+    /// does, for other numbers of values.
     void step(Vector& E, Vector& B) const;
 
     /// Half of <E, E> + <B, B'>, B' being the B after the next half of the step: conserved to
@@ -28,6 +29,8 @@ public:
     double time_step() const { return time_step_; }
 
 private:
+    void check_sizes(const Vector& E, const Vector& B) const;
+
     SparseMatrix d_, d_transposed_;
     Vector mass_, upper_mass_;
     double time_step_;

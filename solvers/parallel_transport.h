@@ -10,7 +10,7 @@
 namespace polydec {
 
 /// A tangent vector for every vertex, in the coordinates of the surface's TangentFrames.
-using TangentVectors = Eigen::VectorXcd;
+using TangentVectors = Column<std::complex<double>>;
 
 struct TransportOptions {
     double time_scale = 4; ///< the heat flows for this times the squared mean edge length

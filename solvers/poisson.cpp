@@ -32,13 +32,14 @@ SparseMatrix connections(const IncidenceMatrix& A, const IncidenceMatrix& transp
     return result;
 }
 
-void check_values(const Vector& values, const Points& sites, const char* what) {
-    if (values.size() != sites.rows())
+void check_values(const DenseMatrix& values, const Points& sites, const char* what) {
+    if (values.rows() != sites.rows())
         throw InvalidInput(
-            fmt::format("{}: {} values for {} places", what, values.size(), sites.rows()));
-    for (Index i = 0; i < values.size(); ++i)
-        if (!std::isfinite(values[i]))
-            throw InvalidInput(fmt::format("{}: value {} is {}", what, i, values[i]));
+            fmt::format("{}: {} values for {} places", what, values.rows(), sites.rows()));
+    for (Index j = 0; j < values.cols(); ++j)
+        for (Index i = 0; i < values.rows(); ++i)
+            if (!std::isfinite(values(i, j)))
+                throw InvalidInput(fmt::format("{}: value {} is {}", what, i, values(i, j)));
 }
 
 /// 1 for each facet that a natural condition concerns, 0 for the others.
@@ -188,11 +189,22 @@ Vector PoissonSolver::solve(const Vector& f, const Vector& boundary_values) {
 
 Vector PoissonSolver::solve(const Vector& f, const Vector& boundary_values,
                             const Vector& normal_derivatives) {
+    return solve_columns(f, boundary_values, normal_derivatives);
+}
+
+DenseMatrix PoissonSolver::solve_columns(const DenseMatrix& f, const DenseMatrix& boundary_values,
+                                         const DenseMatrix& normal_derivatives) {
+    if (f.cols() != boundary_values.cols() || f.cols() != normal_derivatives.cols())
+        throw InvalidInput(fmt::format("{} right-hand sides, boundary data for {} and normal "
+                                       "derivatives for {} problems are given: expected as many",
+                                       f.cols(), boundary_values.cols(),
+                                       normal_derivatives.cols()));
     check_values(f, sites_, "right-hand side");
     check_values(boundary_values, boundary_sites_, "boundary data");
     check_values(normal_derivatives, flux_sites_, "normal derivatives");
-    const Vector load = boundary_load_ * boundary_values + flux_load_ * normal_derivatives;
-    return solver_->solve(mass_.cwiseProduct(f) + load, boundary_fix_ * boundary_values);
+    const DenseMatrix load = boundary_load_ * boundary_values + flux_load_ * normal_derivatives;
+    return solver_->solve(DenseMatrix(mass_.asDiagonal() * f + load),
+                          DenseMatrix(boundary_fix_ * boundary_values));
 }
 
 } // namespace polydec

@@ -37,13 +37,16 @@ public:
     PoissonSolver(const Discretization& discretization, const PoissonOptions& options = {});
 
     /// Where f has its values, one row of coordinates each: vertices or circumcenters of n-cells.
-    const Points& sites() const { return sites_; }
+    const Points& sites() const& { return sites_; }
     /// Where boundary values are asked for: vertices (those off the boundary do not matter), or
     /// circumcenters of facets (those with two cofaces do not matter).
-    const Points& boundary_sites() const { return boundary_sites_; }
+    const Points& boundary_sites() const& { return boundary_sites_; }
     /// Where normal derivatives are asked for: circumcenters of facets (only those with a natural
     /// condition matter).
-    const Points& flux_sites() const { return flux_sites_; }
+    const Points& flux_sites() const& { return flux_sites_; }
+    Points sites() && { return std::move(sites_); }
+    Points boundary_sites() && { return std::move(boundary_sites_); }
+    Points flux_sites() && { return std::move(flux_sites_); }
 
     /// f at sites(), u on the essential part of the boundary at boundary_sites(), its derivative
     /// along the outward normal, times kappa, on the natural part at flux_sites(), by default 0;
@@ -51,12 +54,28 @@ public:
     Vector solve(const Vector& f, const Vector& boundary_values);
     Vector solve(const Vector& f, const Vector& boundary_values, const Vector& normal_derivatives);
 
-    /// Of the last solve.
+    /// The same for several problems, a column each.
+    template <SeveralColumns F, SeveralColumns Values>
+    DenseMatrix solve(const Eigen::MatrixBase<F>& f,
+                      const Eigen::MatrixBase<Values>& boundary_values) {
+        return solve_columns(f, boundary_values,
+                             DenseMatrix::Zero(flux_sites_.rows(), boundary_values.cols()));
+    }
+    template <SeveralColumns F, SeveralColumns Values, SeveralColumns Derivatives>
+    DenseMatrix solve(const Eigen::MatrixBase<F>& f,
+                      const Eigen::MatrixBase<Values>& boundary_values,
+                      const Eigen::MatrixBase<Derivatives>& normal_derivatives) {
+        return solve_columns(f, boundary_values, normal_derivatives);
+    }
+
+    /// Of the last solve; of several problems the worst.
     double residual() const { return solver_->residual(); }
     const SolveReport& report() const { return solver_->report(); }
     const Compatibility& compatibility() const { return solver_->compatibility(); }
 
 private:
+    DenseMatrix solve_columns(const DenseMatrix& f, const DenseMatrix& boundary_values,
+                              const DenseMatrix& normal_derivatives);
     void set_up_primal(const Discretization& discretization, const CellMarks& essential,
                        const PoissonOptions& options);
     void set_up_dual(const Discretization& discretization, const CellMarks& essential,

@@ -2,7 +2,8 @@
 //
 // Fig. 9: dual edges that are too short get a smallest length instead of being merged away. The
 // operators are those of the unmerged mesh; where a dual edge is shorter than epsilon, its length
-// is epsilon with the same sign.
+// is epsilon with the same sign. Between concyclic triangles the length is 0 and has no sign but
+// that of its rounding error; so it is chosen, and both choices are shown.
 #include "examples/paper/problems.h"
 #include "examples/paper/reproductions.h"
 
@@ -15,13 +16,24 @@ namespace polydec::paper {
 
 namespace {
 
-Discretization with_least_dual_length(const Mesh& mesh, double epsilon) {
+struct Sign {
+    double of_zero; // 1 or -1
+    const char *suffix, *title;
+};
+
+const Sign signs[] = {{1, "", "epsilon for 0"}, {-1, "_negative", "-epsilon for 0"}};
+
+Discretization with_least_dual_length(const Mesh& mesh, double epsilon, const Sign& sign) {
+    constexpr double rounding = 1e-10; // relative to the edge
     // the tolerance tells boundary edges without dual from others; here none is without
     auto bundle = discretize(mesh, {.criterion = MergeCriterion::none, .tolerance = 0});
+    const Vector& edges = bundle.volumes.primal(1);
     Vector lengths = bundle.volumes.dual(1);
-    for (double& length : lengths)
-        if (std::abs(length) < epsilon)
-            length = std::copysign(epsilon, length);
+    for (Index e = 0; e < lengths.size(); ++e)
+        if (std::abs(lengths[e]) < epsilon) {
+            const bool is_zero = std::abs(lengths[e]) <= rounding * edges[e];
+            lengths[e] = std::copysign(epsilon, is_zero ? sign.of_zero : lengths[e]);
+        }
     bundle.volumes = bundle.volumes.with_dual(1, std::move(lengths));
     return bundle;
 }
@@ -57,9 +69,12 @@ double error_or_none(const Problem& problem, const Discretization& mesh) {
     }
 }
 
-void add_problem(Report& report, const Request& request, const Problem& problem, int levels) {
-    Table table{problem.name, problem.title + ", dual 0-forms: error", {"least dual length"}, {}};
-    SvgPlot plot{.title = problem.title, .x = {"least dual length"}, .y = {"error"}};
+void add_problem(Report& report, const Request& request, const Problem& problem, const Sign& sign,
+                 int levels) {
+    const std::string name = problem.name + sign.suffix;
+    const std::string title = fmt::format("{}, {}", problem.title, sign.title);
+    Table table{name, title + ", dual 0-forms: error", {"least dual length"}, {}};
+    SvgPlot plot{.title = title, .x = {"least dual length"}, .y = {"error"}};
     for (int level = 0; level < levels; ++level) {
         table.columns.push_back(std::to_string(8 << level));
         plot.series.push_back({fmt::format("{} cells to a side", 8 << level), {}, {}});
@@ -69,8 +84,8 @@ void add_problem(Report& report, const Request& request, const Problem& problem,
         std::vector<Entry> row{fmt::format("1e-{}", exponent)};
         for (int level = 0; level < levels; ++level) {
             if (request.progress)
-                request.progress(fmt::format("{}, {}, {}", problem.name, 8 << level, epsilon));
-            const auto mesh = with_least_dual_length(problem.make(8 << level), epsilon);
+                request.progress(fmt::format("{}, {}, {}", name, 8 << level, epsilon));
+            const auto mesh = with_least_dual_length(problem.make(8 << level), epsilon, sign);
             const double error = error_or_none(problem, mesh);
             plot.series[level].x.push_back(epsilon);
             plot.series[level].y.push_back(error);
@@ -83,7 +98,7 @@ void add_problem(Report& report, const Request& request, const Problem& problem,
         merged.emplace_back(problem.error(discretize(problem.make(8 << level))));
     table.rows.push_back(std::move(merged));
     report.tables.push_back(std::move(table));
-    report.plots.push_back({problem.name, std::move(plot)});
+    report.plots.push_back({name, std::move(plot)});
 }
 
 } // namespace
@@ -92,7 +107,8 @@ Report fig9(const Request& request) {
     const int levels = request.levels > 0 ? request.levels : 4;
     Report report{.name = "fig9", .title = "A least dual edge length instead of merging (Fig. 9)"};
     for (const auto& problem : problems)
-        add_problem(report, request, problem, levels);
+        for (const auto& sign : signs)
+            add_problem(report, request, problem, sign, levels);
     report.remarks = {"Lengths for which the matrix cannot be solved to 1e-10 are refused, shown "
                       "as a dash: the paper's numerical instability.",
                       "A fixed length is right for one resolution at best: the error grows again "

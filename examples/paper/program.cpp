@@ -5,9 +5,6 @@
 #include "examples/paper/process.h"
 #include "examples/paper/reproductions.h"
 #include "examples/paper/usage.h"
-#ifdef POLYDEC_HAS_CHOLMOD
-#include "backends/cholmod.h"
-#endif
 
 #include <CLI/CLI.hpp>
 
@@ -31,9 +28,6 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return tell_usage(app, error);
     }
-#ifdef POLYDEC_HAS_CHOLMOD
-    register_cholmod();
-#endif
     const Report report = reproduction.run(request);
     console::print("{}", to_text(report));
     if (!out.empty())

@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/backends/matrices.h"
 
-#ifdef POLYDEC_TEST_CHOLMOD
-#include "backends/cholmod.h"
-#endif
-#ifdef POLYDEC_TEST_PETSC
-#include "backends/petsc.h"
-#endif
-#ifdef POLYDEC_TEST_SLEPC
-#include "backends/slepc.h"
-#endif
-
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -20,15 +10,6 @@ namespace polydec::test {
 namespace {
 
 std::vector<std::string> engine_names(EngineKind kind) {
-#ifdef POLYDEC_TEST_CHOLMOD
-    register_cholmod();
-#endif
-#ifdef POLYDEC_TEST_PETSC
-    register_petsc();
-#endif
-#ifdef POLYDEC_TEST_SLEPC
-    register_slepc();
-#endif
     std::vector<std::string> names;
     for (const auto& engine : engines())
         if (engine.kind == kind && engine.available)

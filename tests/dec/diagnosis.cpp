@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -76,10 +77,10 @@ TEST(MergedPairs, count_removed_edges_and_the_triangles_beside_them) {
     EXPECT_EQ(squares.facets, 12);
     EXPECT_EQ(squares.simplices, 24);
     // a hexagon of four triangles has three diagonals
+    const double r = std::sqrt(5.0);
     const auto fans =
-        merged_pairs(discretize(made_of({{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}},
-                                        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}),
-                                {.tolerance = 0.5})
+        merged_pairs(discretize(made_of({{r, 0}, {1, 2}, {-1, 2}, {-r, 0}, {-1, -2}, {1, -2}},
+                                        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}))
                          .merging);
     EXPECT_EQ(fans.facets, 3);
     EXPECT_EQ(fans.simplices, 4);
@@ -151,6 +152,46 @@ TEST(Table1, in_space_is_cured_down_to_the_edges) {
     EXPECT_EQ(failures(bundle, Stage::input).count("star 1 dual"), 1U);
     EXPECT_EQ(failures(bundle, Stage::input).count("star 2 dual"), 1U);
     EXPECT_EQ(failures(bundle, Stage::merged), Verdicts{});
+}
+
+TEST(Verdicts, are_told_in_words_with_their_reason) {
+    for (const auto& verdict : operator_verdicts(discretize(grid(4, 4)), Stage::input)) {
+        if (verdict.name == "star" && verdict.side == Side::dual && verdict.degree == 1) {
+            EXPECT_EQ(in_words(verdict),
+                      "no: it divides by the duals of 16 1-cells, which have no extent");
+        }
+        if (verdict.name == "star" && verdict.side == Side::primal && verdict.degree == 2) {
+            EXPECT_EQ(in_words(verdict), "restricted: 32 2-cells share their duals with others, so "
+                                         "only forms of one density on these have a meaning");
+        }
+        if (verdict.name == "d") {
+            EXPECT_EQ(in_words(verdict), "yes");
+        }
+    }
+}
+
+TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
+    const auto mesh = discretize(grid(4, 4));
+    const auto before = spectrum_verdicts(mesh.input_volumes);
+    ASSERT_EQ(before.size(), 3U);
+    EXPECT_TRUE(before[0].exists);
+    EXPECT_FALSE(before[1].exists);
+    EXPECT_EQ(before[1].reason, "the mass is not positive: 16 1-cells have a dual without volume");
+    EXPECT_FALSE(before[2].exists);
+    EXPECT_EQ(before[2].reason,
+              "an inverse star divides by zero: 16 1-cells have a dual without volume");
+    for (const auto& verdict : spectrum_verdicts(mesh.volumes)) {
+        EXPECT_TRUE(verdict.exists);
+        EXPECT_EQ(verdict.reason, "");
+    }
+    const auto flat =
+        discretize(made_of({{-1, 0}, {1, 0}, {0, 0.5}, {0, -0.5}}, {{0, 1, 2}, {0, 3, 1}}));
+    const auto verdicts = spectrum_verdicts(flat.volumes);
+    EXPECT_FALSE(verdicts[1].exists);
+    EXPECT_EQ(verdicts[1].reason, "the mass is not positive: 1 1-cells have a negative dual");
+    EXPECT_TRUE(verdicts[2].exists);
+    EXPECT_EQ(verdicts[2].reason,
+              "1 negative duals make about as many spurious negative eigenvalues");
 }
 
 } // namespace

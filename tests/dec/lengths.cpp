@@ -74,8 +74,9 @@ Points in_more_dimensions(const Points& points) {
 TEST_P(Lengths, give_the_merging_that_points_of_a_complex_that_may_be_curved_give) {
     const auto volumes = circumcentric_volumes(K(), metric());
     const auto ours = merge_cospherical(K(), metric(), volumes, {.tolerance = tolerance});
-    const auto theirs = merge_cospherical(K(), in_more_dimensions(mesh().points),
-                                          mesh().input_volumes, {.tolerance = tolerance});
+    const Points lifted = in_more_dimensions(mesh().points);
+    const auto theirs =
+        merge_cospherical(K(), lifted, mesh().input_volumes, {.tolerance = tolerance});
     for (int k = 0; k <= mesh().n(); ++k) {
         EXPECT_TRUE(equal(integers(ours.merging.diamond(k)), integers(theirs.merging.diamond(k))))
             << k;

@@ -44,7 +44,7 @@ CellVolumes signed_by_top_simplex(const SimplicialComplex& K, const Points& poin
     Circumsphere sphere(points);
     const auto height = [&](int k, Index t, int omitted) {
         const auto& simplices = K.simplices(k);
-        sphere.look_at({&simplices(t, 0), static_cast<std::size_t>(k + 1)});
+        EXPECT_TRUE(sphere.look_at({&simplices(t, 0), static_cast<std::size_t>(k + 1)}));
         return sphere.height(omitted, volumes.primal(k - 1)[K.face(k, t, omitted)]);
     };
     const auto descend = [&](const auto& self, int k, Index t, double product) -> void {

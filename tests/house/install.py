@@ -49,12 +49,22 @@ def configure(options, consumer, prefix, binary, components, expect_success=True
                cwd=prefix.parent, expect_success=expect_success)
 
 
-def use(options, consumer, prefix, components):
-    """Configures, builds and runs the consumer."""
-    binary = prefix.parent / f"consumer-{components or 'core'}"
-    configure(options, consumer, prefix, binary, components)
+ENGINES = {"cholmod": "cholmod", "petsc": "petsc.cg-gamg", "slepc": "slepc"}
+LINKED = {"": [], "cholmod": ["cholmod"], "petsc": ["petsc"], "slepc": ["slepc", "petsc"]}
+
+
+def use(options, consumer, prefix, component):
+    """Configures, builds and runs the consumer: it has the engines of what it links, and no others,
+    though it registers none."""
+    binary = prefix.parent / f"consumer-{component or 'core'}"
+    configure(options, consumer, prefix, binary, component)
     run(options.cmake, "--build", binary, cwd=prefix.parent)
-    print(f"[{components or 'core'}]", run(binary / "consumer", cwd=prefix.parent).strip())
+    answer = run(binary / "consumer", cwd=prefix.parent).strip()
+    if component == "cholmod" and "factorized by cholmod" not in answer:
+        raise Failure(f"cholmod is linked, but not what factorizes:\n{answer}")
+    for name, engine in ENGINES.items():
+        run(binary / "engines", engine, cwd=prefix.parent, expect_success=name in LINKED[component])
+    print(f"[{component or 'core'}]", answer)
 
 
 def refuse(options, consumer, prefix, component):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Checks that every C++ block of README.md and of docs/*.md stands, line by line and indented the
-same, in an example that is compiled.
+same, in an example that is compiled and that the page links to; and that every page of docs/ but the
+decisions shows a picture, all of which are there.
 
-Usage: readme.py ROOT. A complaint per block that does not, as file:line. Exit code: 0 none, 1 some.
+Usage: readme.py ROOT. A complaint for each, as file:line. Exit code: 0 none, 1 some.
 """
 import re
 import sys
@@ -20,30 +21,59 @@ def stands_in(block, source):
     return f"\n{block.rstrip()}\n" in f"\n{source}"
 
 
+def targets(page):
+    """The file names that a page links to, without their folders, and those of its pictures."""
+    links = re.findall(r"(!?)\[[^]]*\]\(([^)#]+)[^)]*\)", page)
+    return ({name.rsplit("/", 1)[-1] for picture, name in links if not picture},
+            [name for picture, name in links if picture])
+
+
 def lost(page, sources):
-    """The blocks of a page that stand in no source."""
+    """The blocks of a page that stand in no source, given by name, to which it links."""
+    linked, _ = targets(page)
     return [(line, block) for line, block in blocks(page)
-            if not any(stands_in(block, source) for source in sources)]
+            if not any(name in linked and stands_in(block, source)
+                       for name, source in sources.items())]
+
+
+def missing_pictures(page, folder):
+    """What is wrong with the pictures of a page in this folder."""
+    _, pictures = targets(page)
+    if not pictures:
+        return ["the page has no picture"]
+    return [f"{name} is not there" for name in pictures if not (folder / name).is_file()]
 
 
 def check_itself():
     """The check must be able to fail."""
-    page = "Text\n```cpp\n    int x;\n    int y;\n```\n"
+    code = "Text\n```cpp\n    int x;\n    int y;\n```\n"
+    page = code + "Code: [a.cpp](../examples/a.cpp). ![Picture](images/none.svg)\n"
     assert blocks(page) == [(3, "    int x;\n    int y;\n")]
-    assert not lost(page, ["{\n    int x;\n    int y;\n}\n"])
+    good = "{\n    int x;\n    int y;\n}\n"
+    assert not lost(page, {"a.cpp": good})
+    assert lost(page, {"b.cpp": good}) and lost(code, {"a.cpp": good})
     for source in ["{\nint x;\nint y;\n}\n", "    int x;\n\n    int y;\n", "    int x;\n",
                    "    int x;\n    int y;  // more\n"]:
-        assert lost(page, [source]), source
+        assert lost(page, {"a.cpp": source}), source
+    here = Path(__file__).parent
+    assert missing_pictures(page, here) == ["images/none.svg is not there"]
+    assert missing_pictures(code, here) == ["the page has no picture"]
+    assert not missing_pictures(f"![Itself]({Path(__file__).name})", here)
 
 
 def main():
     root = Path(sys.argv[1])
-    sources = [path.read_text() for path in sorted((root / "examples").rglob("*.cpp"))]
+    sources = {path.name: path.read_text() for path in sorted((root / "examples").rglob("*.cpp"))}
     found = False
     for path in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
-        for line, block in lost(path.read_text(), sources):
-            print(f"{path.relative_to(root)}:{line}: this code is in no example:\n{block}")
+        page, name = path.read_text(), path.relative_to(root)
+        for line, block in lost(page, sources):
+            print(f"{name}:{line}: this code is in no example that the page links to:\n{block}")
             found = True
+        if path.name != "decisions.md":
+            for complaint in missing_pictures(page, path.parent):
+                print(f"{name}:1: {complaint}")
+                found = True
     sys.exit(1 if found else 0)
 
 

@@ -92,13 +92,28 @@ TEST(Fig8, errors_on_a_sphere_of_128_are_those_of_an_independent_program) {
 
 TEST(Fig9, a_least_length_is_never_better_than_merging) {
     const Report report = fig9({.levels = 2});
-    for (const char* name : {"poisson", "sphere"}) {
+    for (const char* name : {"poisson", "poisson_negative", "sphere", "sphere_negative"}) {
         const auto& rows = table(report, name).rows;
         for (std::size_t level = 1; level <= 2; ++level)
             for (const auto& row : rows)
                 if (!std::isnan(number(row[level]))) {
                     EXPECT_GE(number(row[level]), 0.9 * number(rows.back()[level])) << name;
                 }
+    }
+}
+
+TEST(Fig9, the_sign_of_lengths_that_are_0_matters_the_less_the_shorter_they_become) {
+    const Report report = fig9({.levels = 2});
+    for (const std::string name : {"poisson", "sphere"}) {
+        const auto &positive = table(report, name).rows,
+                   &negative = table(report, name + "_negative").rows;
+        const auto difference = [&](std::size_t row) {
+            return std::abs(number(positive[row][2]) / number(negative[row][2]) - 1);
+        };
+        // 1e-3, 1e-5 and 1e-7
+        EXPECT_GT(difference(1), 0.3) << name;
+        EXPECT_LT(difference(2), difference(1) / 10) << name;
+        EXPECT_LT(difference(3), difference(2) / 10) << name;
     }
 }
 

@@ -8,6 +8,6 @@ int main() {
     const auto modes = polydec::spectrum(sphere, {.side = polydec::Side::dual, .count = 4});
 
     std::cout << "polydec " << CONSUMER_EXPECTS_VERSION << ": on the sphere 2 is about "
-              << modes.eigenvalues[3] << '\n';
+              << modes.eigenvalues[3] << ", factorized by " << modes.linear_solver << '\n';
     return modes.certificate.complete && std::abs(modes.eigenvalues[3] - 2) < 0.2 ? 0 : 1;
 }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "base/checks.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+namespace polydec {
+
+void refuse_number(std::string_view what, std::int64_t number, std::int64_t least,
+                   std::int64_t most) {
+    if (least > most)
+        throw InvalidInput(fmt::format("{} {} is asked for: there is none", what, number));
+    throw InvalidInput(
+        fmt::format("{} {} is asked for: expected {} to {}", what, number, least, most));
+}
+
+void check_as_many(std::string_view what, std::int64_t given, std::int64_t expected) {
+    if (given != expected)
+        throw InvalidInput(fmt::format("{} {} are given: expected {}", given, what, expected));
+}
+
+} // namespace polydec

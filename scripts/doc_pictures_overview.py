@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""The pictures of docs/operators.md and docs/geodesics.md, for doc_pictures.py."""
+from doc_drawing import (BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_GREY, LIGHT_ORANGE, ORANGE, RED,
+                         Picture, plus, polar)
+
+
+def operators():
+    """Forms of a surface on both sides, and what leads from one to the other."""
+    picture = Picture(760, 300)
+    places = ["vertices", "edges", "cells"]
+    width, height, step = 150, 54, 260
+    for k in range(3):
+        x = 45 + step * k
+        for y, fill, side, degree, cells in ((200, LIGHT_BLUE, "primal", k, places[k]),
+                                             (50, LIGHT_ORANGE, "dual", 2 - k,
+                                              "duals of " + places[k])):
+            picture.polygon([(x, y), (x + width, y), (x + width, y + height), (x, y + height)],
+                            fill, BLACK)
+            picture.text((x + width / 2, y + 32), f"{side} {degree}-forms", size=15)
+            picture.text((x + width / 2, y + 12), f"on {cells}", GREY, 12)
+        picture.arrow((x + 60, 195), (x + 60, 109))
+        picture.text((x + 60, 152), "star", anchor="end", shift=(-8, 5))
+        picture.arrow((x + 90, 109), (x + 90, 195), BLUE)
+        picture.text((x + 90, 152), "inverse", BLUE, anchor="start", shift=(8, 5))
+        if k < 2:
+            right, left = x + step, x + width
+            picture.arrow((left + 5, 238), (right - 5, 238))
+            picture.text(((left + right) / 2, 238), "d", shift=(0, -6))
+            picture.arrow((right - 5, 216), (left + 5, 216), ORANGE)
+            picture.text(((left + right) / 2, 216), "codifferential", ORANGE, 13, shift=(0, 18))
+            picture.arrow((right - 5, 88), (left + 5, 88))
+            picture.text(((left + right) / 2, 88), "dual d", shift=(0, -6))
+            picture.arrow((left + 5, 66), (right - 5, 66), ORANGE)
+            picture.text(((left + right) / 2, 66), "codifferential", ORANGE, 13, shift=(0, 18))
+    picture.text((380, 18), "n = 2.  Laplacian: d codifferential + codifferential d, in every box",
+                 GREY, 13)
+    return picture.svg("Primal and dual forms on a surface, with the derivative, the star, its "
+                       "inverse and the codifferential between them")
+
+
+def arcs_of_torus(picture, radius):
+    """The points of the square torus at a distance from its corners, within the square."""
+    for center, start in (((0, 0), 0), ((1, 0), 90), ((1, 1), 180), ((0, 1), 270)):
+        points = [plus(center, polar(radius, start + 90 * i / 720)) for i in range(721)]
+        inside = [p for p in points if abs(p[0] - center[0]) <= 0.5 and
+                  abs(p[1] - center[1]) <= 0.5]
+        picture.path(inside[::12] + inside[-1:], BLUE, 1.5)
+
+
+def geodesics():
+    """Lines of equal distance on a flat torus, and the frame of a vertex."""
+    picture = Picture(760, 320)
+    picture.frame(50, 270, 230)
+    picture.polygon([(0, 0), (1, 0), (1, 1), (0, 1)], LIGHT_GREY)
+    for i in range(1, 7):
+        arcs_of_torus(picture, 0.1 * i)
+    for a, b, color in (((0, 0), (1, 0), RED), ((0, 1), (1, 1), RED), ((0, 0), (0, 1), ORANGE),
+                        ((1, 0), (1, 1), ORANGE)):
+        picture.orient(a, b, color, 3)
+    picture.path([(0, 0), (1, 1)], GREY, 1, dash="5 5")
+    for corner in ((0, 0), (1, 0), (1, 1), (0, 1)):
+        picture.dot(corner)
+    picture.text((0.5, 0), "lines of equal distance from the one vertex", shift=(0, 36), size=13)
+
+    angles = [44, 70, 52, 60, 66]  # of five triangles; 68 degrees lack to a full turn
+    lengths = [1.0, 0.86, 1.0, 0.92, 1.05]
+    for x, stretch, label in ((435, 1, "the triangles around a vertex"),
+                              (635, 360 / sum(angles), "its frame: angles stretched")):
+        picture.frame(x, 165, 80)
+        ends = [0.0]
+        for angle in angles:
+            ends.append(ends[-1] + stretch * angle)
+        for i in range(len(angles)):
+            a, b = polar(lengths[i], ends[i]), polar(lengths[(i + 1) % 5], ends[i + 1])
+            picture.polygon([(0, 0), a, b], LIGHT_BLUE, GREY, 1)
+        for i in range(len(angles)):
+            picture.path([(0, 0), polar(lengths[i], ends[i])], BLACK, 1.5)
+        if stretch == 1:
+            picture.path([(0, 0), polar(lengths[0], ends[-1])], BLACK, 1.5, dash="4 4")
+            picture.text(polar(0.8, (ends[-1] + 360) / 2), "curvature", RED, 12, shift=(2, 4))
+        picture.arrow((0, 0), polar(1.3, 0), RED, 2.5)
+        picture.text(polar(1.3, 0), "0", RED, 13, shift=(10, 5))
+        picture.dot((0, 0))
+        picture.text((0, -1.3), label, shift=(0, 37), size=13)
+    return picture.svg("Distance on a square whose opposite sides are glued; the triangles around "
+                       "a vertex, and the polar coordinates of its tangent vectors")

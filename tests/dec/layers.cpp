@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "complex/homology.h"
+#include "dec/discretization.h"
+#include "dec/facet_defects.h"
+#include "dec/facets_without_dual.h"
+#include "dec/star.h"
+#include "meshes/generate.h"
+#include "meshes/length_mesh.h"
+#include "meshes/rearrange.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/scales.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace polydec::test {
+namespace {
+
+std::vector<Index> sizes(const CellComplex& complex) {
+    std::vector<Index> result;
+    for (int k = 0; k <= complex.dimension(); ++k)
+        result.push_back(complex.size(k));
+    return result;
+}
+
+/// Cells of a grid of m boxes along each of n axes.
+std::vector<Index> sizes_of_boxes(int n, Index m) {
+    std::vector<Index> result(static_cast<std::size_t>(n) + 1, 0);
+    for (int axes = 0; axes < 1 << n; ++axes) { // those along which a cell extends
+        Index cells = 1;
+        int k = 0;
+        for (int i = 0; i < n; ++i) {
+            const bool extends = (axes >> i & 1) != 0;
+            cells *= extends ? m : m + 1;
+            k += extends ? 1 : 0;
+        }
+        result[k] += cells;
+    }
+    return result;
+}
+
+TEST(Layers, stay_layers_however_thin_they_are) {
+    for (const double thickness : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+        EXPECT_EQ(sizes(discretize(layers(2, 10, thickness)).complex()), sizes_of_boxes(2, 10))
+            << thickness;
+        if (thickness > 1e-7) {
+            EXPECT_EQ(sizes(discretize(layers(3, 4, thickness)).complex()), sizes_of_boxes(3, 4))
+                << thickness;
+        }
+    }
+    EXPECT_EQ(sizes(discretize(layers(4, 2, 1e-5)).complex()), sizes_of_boxes(4, 2));
+}
+
+TEST(Layers, stay_layers_where_boxes_grow) {
+    EXPECT_EQ(sizes(discretize(graded(2, 12, 1e6)).complex()), sizes_of_boxes(2, 12));
+    EXPECT_EQ(sizes(discretize(graded(3, 6, 3e4)).complex()), sizes_of_boxes(3, 6));
+}
+
+TEST(Layers, stay_layers_when_turned_shuffled_or_given_by_lengths) {
+    for (const int n : {2, 3}) {
+        const Mesh mesh = layers(n, 4, 1e-5);
+        const Mesh turned = transformed(mesh, random_isometry(n, 3));
+        EXPECT_EQ(sizes(discretize(turned).complex()), sizes_of_boxes(n, 4));
+        EXPECT_EQ(sizes(discretize(shuffled(mesh, 7).mesh).complex()), sizes_of_boxes(n, 4));
+    }
+    EXPECT_EQ(sizes(discretize(length_mesh(layers(2, 4, 1e-4))).complex()), sizes_of_boxes(2, 4));
+}
+
+TEST(Layers, stay_layers_after_flips) {
+    const auto mesh = discretize(layers(2, 10, 1e-5), {.delaunay = Delaunay::flips});
+    EXPECT_EQ(sizes(mesh.complex()), sizes_of_boxes(2, 10));
+    EXPECT_EQ(mesh.degenerate.boundary, 0);
+}
+
+TEST(Layers, have_duals_on_their_boundary) {
+    for (const int n : {2, 3}) {
+        const auto mesh = discretize(layers(n, 4, 1e-5));
+        for (const bool without : boundary_facets_without_dual(mesh))
+            EXPECT_FALSE(without);
+        EXPECT_EQ(mesh.degenerate.boundary, 0);
+    }
+}
+
+TEST(LayersBroken, by_size_of_the_facet_alone_would_be_one) {
+    const auto mesh = discretize(layers(2, 10, 1e-6), {.criterion = MergeCriterion::none});
+    const auto defects =
+        facet_defects(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options);
+    Index within = 0, degenerate = 0;
+    for (Index e = 0; e < mesh.input().size(1); ++e)
+        if (mesh.input().coface_counts(1)[e] == 2) {
+            within += defects.ratio(e) <= mesh.options.tolerance;
+            degenerate += defects.degenerate[e];
+        }
+    EXPECT_EQ(degenerate, 100);  // the diagonals
+    EXPECT_EQ(within, 100 + 90); // and all between two layers
+}
+
+TEST(DegenerateDuals, are_short_against_facet_and_heights) {
+    EXPECT_TRUE(is_degenerate(9e-5, 0, 1, 1, 1e-4));
+    EXPECT_FALSE(is_degenerate(1.1e-4, 0, 1, 1, 1e-4));
+    EXPECT_FALSE(is_degenerate(9e-5, 0, 1, 8e-4, 1e-4));
+    EXPECT_TRUE(is_degenerate(-9e-5, 0, 1, 1, 1e-4));
+    EXPECT_TRUE(is_degenerate(1e-10, 1e6, 1, 1, 0)); // no more than rounding
+    EXPECT_FALSE(is_degenerate(1e-10, 1e5, 1, 1, 0));
+    EXPECT_FALSE(is_degenerate(0, 0, 0, 1, 1e-4)); // a vertex has no extent
+}
+
+TEST(BoundaryFacets, have_no_dual_opposite_to_a_right_angle) {
+    // a square of four triangles: their circumcenters lie on the sides
+    for (const double jitter : {0.0, 1e-7}) {
+        const auto mesh = discretize(made_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5 + jitter}},
+                                             {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
+        const auto marks = boundary_facets_without_dual(mesh);
+        for (Index f = 0; f < mesh.complex().size(1); ++f)
+            EXPECT_EQ(marks[f], mesh.complex().coface_counts(1)[f] == 1);
+    }
+    for (const Mesh& mesh : {grid(3, 3), kuhn(3, 2), kuhn(1, 4)})
+        for (const bool without : boundary_facets_without_dual(discretize(mesh)))
+            EXPECT_FALSE(without);
+}
+
+} // namespace
+} // namespace polydec::test

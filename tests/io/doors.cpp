@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+//
+// Every public function that takes a degree gets wrong ones. Each must refuse with InvalidInput:
+// not answer, not throw something else.
+#include "tests/io/doors.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+namespace polydec::test {
+namespace {
+
+/// A function of a degree, and the degrees that there are.
+struct Door {
+    std::string name;
+    int least, most;
+    std::function<void(int)> open;
+};
+
+std::vector<Door> doors_of_complexes(const Sample& s) {
+    const int n = s.n();
+    const CellMarks none = [&] {
+        CellMarks marks;
+        for (int k = 0; k <= n; ++k)
+            marks.emplace_back(s.P().size(k), false);
+        return marks;
+    }();
+    const auto relative = std::make_shared<RelativeComplex>(relative_complex(s.P(), none));
+    return {
+        {"coboundary", -1, n, [&](int k) { s.P().coboundary(k); }},
+        {"CellComplex::boundary", 0, n + 1, [&](int k) { s.P().boundary(k); }},
+        {"canceled", 0, n - 1, [&](int k) { s.P().canceled(k); }},
+        {"coface_counts", 0, n, [&](int k) { s.P().coface_counts(k); }},
+        {"simplices", 0, n, [&](int k) { s.K().simplices(k); }},
+        {"face", 1, n, [&](int k) { s.K().face(k, 0, 0); }},
+        {"carriers", 0, n, [&](int k) { s.mesh.merging.carriers(k); }},
+        {"diamond", 0, n, [&](int k) { s.mesh.merging.diamond(k); }},
+        {"Merging::vertices", 0, n, [&](int k) { s.mesh.merging.vertices(k, 0); }},
+        {"cell_vertices", 0, n, [&](int k) { cell_vertices(s.mesh, k, 0); }},
+        {"homology_generators", 0, n, [&](int k) { homology_generators(s.P(), k); }},
+        {"regular_minor", 0, n, [&](int k) { regular_minor(s.P(), k); }},
+        {"restrict", 0, n,
+         [&, relative](int k) { relative->restrict(k, Vector::Zero(s.P().size(k))); }},
+        {"extend", 0, n,
+         [&, relative](int k) { relative->extend(k, Vector::Zero(s.P().size(k))); }},
+    };
+}
+
+std::vector<Door> doors_of_operators(const Sample& s) {
+    const int n = s.n();
+    const auto ones = [&s](int k) { return Vector(Vector::Ones(s.P().size(k))); };
+    return {
+        {"derivative", -1, n, [=, &s](int k) { derivative(s.P(), k); }},
+        {"dual_derivative", -1, n, [=, &s](int j) { dual_derivative(s.P(), j); }},
+        {"star", 0, n, [=, &s](int k) { star(s.V(), k); }},
+        {"inverse_star", 0, n, [=, &s](int k) { inverse_star(s.V(), k); }},
+        {"dual_star", 0, n, [=, &s](int k) { dual_star(s.V(), k); }},
+        {"zero_star_cells", 0, n, [=, &s](int k) { zero_star_cells(s.V(), k); }},
+        {"negative_star_cells", 0, n, [=, &s](int k) { negative_star_cells(s.V(), k); }},
+        {"codifferential", 0, n, [=, &s](int k) { codifferential(s.P(), s.V(), k); }},
+        {"dual_codifferential", 0, n, [=, &s](int j) { dual_codifferential(s.P(), s.V(), j); }},
+        {"laplacian", 0, n, [=, &s](int k) { laplacian(s.P(), s.V(), k); }},
+        {"dual_laplacian", 0, n, [=, &s](int j) { dual_laplacian(s.P(), s.V(), j); }},
+        {"symmetric_laplacian", 0, n, [=, &s](int k) { symmetric_laplacian(s.P(), s.V(), k); }},
+        {"apply_derivative", -1, n, [=, &s](int k) { apply_derivative(s.P(), k, ones(k)); }},
+        {"apply_transposed_derivative", -1, n,
+         [=, &s](int k) { apply_transposed_derivative(s.P(), k, ones(k + 1)); }},
+        {"apply_codifferential", 0, n,
+         [=, &s](int k) { apply_codifferential(s.P(), s.V(), k, ones(k)); }},
+        {"apply_dual_codifferential", 0, n,
+         [=, &s](int j) { apply_dual_codifferential(s.P(), s.V(), j, ones(n - j)); }},
+        {"apply_laplacian", 0, n, [=, &s](int k) { apply_laplacian(s.P(), s.V(), k, ones(k)); }},
+        {"apply_symmetric_laplacian", 0, n,
+         [=, &s](int k) { apply_symmetric_laplacian(s.P(), s.V(), k, ones(k)); }},
+        {"symmetric_laplacian_diagonal", 0, n,
+         [=, &s](int k) { symmetric_laplacian_diagonal(s.P(), s.V(), k); }},
+        {"apply_dual_laplacian", 0, n,
+         [=, &s](int j) { apply_dual_laplacian(s.P(), s.V(), j, ones(n - j)); }},
+        {"dual_boundary_derivative", 0, n, [=, &s](int j) { dual_boundary_derivative(s.P(), j); }},
+        {"primal_to_merged", 0, n, [=, &s](int k) { primal_to_merged(s.mesh.merging, k); }},
+        {"primal_to_input", 0, n, [=, &s](int k) { primal_to_input(s.mesh.merging, s.W(), k); }},
+        {"dual_to_merged", 0, n, [=, &s](int j) { dual_to_merged(s.mesh.merging, s.W(), j); }},
+        {"dual_to_input", 0, n, [=, &s](int j) { dual_to_input(s.mesh.merging, j); }},
+    };
+}
+
+std::vector<Door> doors_of_the_metric(const Sample& s) {
+    const int n = s.n();
+    const auto& mesh = s.mesh;
+    const Points field = Points::Ones(mesh.points.rows(), mesh.points.cols());
+    const auto constant = [](int degree, Index coordinates) -> SmoothForm {
+        Index count = 1;
+        for (int i = 0; i < degree; ++i)
+            count = count * (coordinates - i) / (i + 1);
+        return [count](const Vector&) { return Vector(Vector::Ones(count)); };
+    };
+    const auto N = static_cast<Index>(mesh.points.cols());
+    return {
+        {"circumradii", 0, n, [=, &s, &mesh](int k) { circumradii(s.K(), mesh.metric(), k); }},
+        {"cell_centers", 0, n,
+         [=, &s, &mesh](int k) { cell_centers(mesh.merging, mesh.points, s.W(), k); }},
+        {"cell_centroids", 0, n,
+         [=, &s, &mesh](int k) { cell_centroids(mesh.merging, mesh.points, s.W(), k); }},
+        {"cell_centers of a bundle", 0, n, [=, &s, &mesh](int k) { cell_centers(mesh, k); }},
+        {"cell_centers after flips", 0, 2, [](int k) { cell_centers(flipped(), k); }},
+        {"cell_vertices after flips", 0, 2, [](int k) { cell_vertices(flipped(), k, 0); }},
+        {"dual_parts, k", 0, n,
+         [=, &s, &mesh](int k) { dual_parts(s.K(), mesh.metric(), s.W(), k, n); }},
+        {"dual_parts, m", 0, n,
+         [=, &s, &mesh](int m) { dual_parts(s.K(), mesh.metric(), s.W(), 0, m); }},
+        {"de_rham", 0, n, [=, &mesh](int k) { de_rham(mesh, k, constant(k, N)); }},
+        {"dual_de_rham", 0, n, [=, &mesh](int j) { dual_de_rham(mesh, j, constant(j, N)); }},
+        {"interior_product", 0, n + 1,
+         [=, &s](int k) { interior_product(s.K(), s.mesh.points, field, k, Sampling::centered); }},
+        {"lie_derivative", 0, n,
+         [=, &s](int k) { lie_derivative(s.K(), s.mesh.points, field, k, Sampling::upwind); }},
+        {"interior_product on cells", 0, n + 1,
+         [=, &s](int k) {
+             interior_product(s.mesh.merging, s.lift, s.mesh.points, field, k, Sampling::upwind);
+         }},
+        {"whitney_mass", 0, n,
+         [=, &s, &mesh](int j) {
+             const auto corners = s.K().simplices(n);
+             whitney_mass(mesh.points, {&corners(0, 0), std::size_t(n) + 1}, j);
+         }},
+    };
+}
+
+std::vector<Door> doors_of_forms(const Sample& s) {
+    const int n = s.n();
+    std::vector<Door> doors;
+    for (const Side side : {Side::primal, Side::dual}) {
+        const auto add = [&](const char* what, std::function<void(const Cochain&)> take) {
+            doors.push_back({std::string(what) + " of " + name(side) + " forms", 0, n,
+                             [&s, side, take](int k) { take(form(s, side, k)); }});
+        };
+        add("check", [&](const Cochain& w) { check(s.P(), w); });
+        add("d", [&](const Cochain& w) { d(s.P(), w); });
+        add("star", [&](const Cochain& w) { star(s.P(), s.V(), w); });
+        add("codifferential", [&](const Cochain& w) { codifferential(s.P(), s.V(), w); });
+        add("laplacian", [&](const Cochain& w) { laplacian(s.P(), s.V(), w); });
+        add("inner_product", [&](const Cochain& w) { inner_product(s.P(), s.V(), w, w); });
+        add("boundary", [&](const Cochain& w) { boundary(s.P(), {w.side, w.degree, w.values}); });
+        add("to_input", [&](const Cochain& w) { to_input(s.mesh, w); });
+        add("hodge_decomposition",
+            [&](const Cochain& w) { hodge_decomposition(s.P(), s.V(), w, "eigen.ldlt"); });
+        doors.push_back({std::string("cell_degree, ") + name(side), 0, n,
+                         [&s, side](int k) { cell_degree(s.P(), side, k); }});
+        doors.push_back({std::string("HeatSolver, ") + name(side), 0, n, [&s, side](int k) {
+                             HeatSolver(s.P(), s.V(), side, k, {.time_step = 0.01});
+                         }});
+        doors.push_back({std::string("spectrum, ") + name(side), 0, n, [&s, side](int k) {
+                             spectrum(s.P(), s.V(), {.side = side, .degree = k, .count = 1});
+                         }});
+        doors.push_back({std::string("harmonic_forms, ") + name(side), 0, n, [&s, side](int k) {
+                             harmonic_forms(s.P(), s.V(), side, k, "eigen.ldlt");
+                         }});
+    }
+    doors.push_back({"stable_step", 0, n - 1, [&](int k) { stable_step(s.P(), s.V(), k); }});
+    doors.push_back({"Leapfrog", 0, n - 1, [&](int k) { Leapfrog(s.P(), s.V(), k, 1e-3); }});
+    if (n <= 3) {
+        doors.push_back({"draw_cells", 0, n, [&](int k) { draw_cells(s.mesh, k); }});
+        doors.push_back({"add_cochain", 0, n, [&](int k) {
+                             VtuGrid grid = draw_cells(s.mesh, 0);
+                             add_cochain(grid, s.mesh.merging, k, "a",
+                                         Vector(Vector::Ones(s.P().size(k))));
+                         }});
+    }
+    return doors;
+}
+
+std::vector<Door> doors_of_flips() {
+    const auto& tessellation = *flipped().intrinsic;
+    const auto& history = tessellation.delaunay.history;
+    const auto& surface = tessellation.surface();
+    const auto size = [&](int k) {
+        return k == 0 ? surface.vertices() : k == 1 ? surface.edges() : surface.triangles();
+    };
+    return {
+        {"FlipHistory::carry", 0, 2, [&, size](int k) { history.carry(k, Vector::Ones(size(k))); }},
+        {"FlipHistory::carry_back", 0, 2,
+         [&, size](int k) { history.carry_back(k, Vector::Ones(size(k))); }},
+        {"FlipHistory::matrix", 0, 2, [&](int k) { history.matrix(k); }},
+        {"FlipHistory::matrix_back", 0, 2, [&](int k) { history.matrix_back(k); }},
+        {"carry", 0, 2, [&, size](int k) { carry(tessellation, k, Vector::Ones(size(k))); }},
+        {"carry_back", 0, 2,
+         [&](int k) {
+             carry_back(tessellation, k, Vector::Ones(tessellation.merging.merged.size(k)));
+         }},
+        {"vertices", 0, 2, [&](int k) { vertices(surface, tessellation.merging, k, 0); }},
+    };
+}
+
+void expect_doors_to_hold(const std::vector<Door>& doors, const std::string& where) {
+    for (const Door& door : doors) {
+        for (const int k :
+             {door.least - 1, door.least - 2, door.most + 1, door.most + 2, -1000, 1000,
+              std::numeric_limits<int>::max() / 2, std::numeric_limits<int>::min() / 2})
+            EXPECT_EQ(outcome([&] { door.open(k); }), "refused")
+                << door.name << '(' << k << ") on " << where;
+        for (int k = door.least; k <= door.most; ++k)
+            EXPECT_NE(outcome([&] { door.open(k); }).substr(0, 9), "a foreign")
+                << door.name << '(' << k << ") on " << where;
+    }
+}
+
+TEST(doors, a_degree_that_there_is_not_is_refused_by_every_function) {
+    for (const Sample& sample : samples()) {
+        expect_doors_to_hold(doors_of_complexes(sample), sample.name);
+        expect_doors_to_hold(doors_of_operators(sample), sample.name);
+        expect_doors_to_hold(doors_of_the_metric(sample), sample.name);
+        expect_doors_to_hold(doors_of_forms(sample), sample.name);
+    }
+    expect_doors_to_hold(doors_of_flips(), "a flipped sphere");
+}
+
+TEST(doors, degrees_that_there_are_are_taken_where_stars_are_positive) {
+    const Sample& sphere = samples()[4];
+    for (const auto& doors :
+         {doors_of_complexes(sphere), doors_of_operators(sphere), doors_of_the_metric(sphere),
+          doors_of_forms(sphere), doors_of_flips()})
+        for (const Door& door : doors)
+            for (int k = door.least; k <= door.most; ++k)
+                EXPECT_EQ(outcome([&] { door.open(k); }), "accepted")
+                    << door.name << '(' << k << ')';
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+//
+// Cells that there are not, values for another number of cells, volumes of another mesh, matrices
+// for vectors and references to temporaries: each is refused, or does not compile.
+#include "tests/io/doors.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <span>
+#include <type_traits>
+
+namespace polydec::test {
+namespace {
+
+TEST(doors, a_cell_that_there_is_not_is_refused) {
+    for (const Sample& s : samples()) {
+        const int n = s.n();
+        for (int k = 0; k <= n; ++k)
+            for (const Index cell : {-1, s.P().size(k), s.P().size(k) + 1, Index(1) << 30}) {
+                EXPECT_EQ(outcome([&] { s.mesh.merging.vertices(k, cell); }), "refused");
+                EXPECT_EQ(outcome([&] { cell_vertices(s.mesh, k, cell); }), "refused");
+            }
+        for (const Index cell : {-1, s.K().size(n), Index(1) << 30}) {
+            EXPECT_EQ(outcome([&] { s.K().input_row(cell); }), "refused");
+            EXPECT_EQ(outcome([&] { s.K().orientation(cell); }), "refused");
+            EXPECT_EQ(outcome([&] {
+                          whitney_form(s.K(), s.mesh.points,
+                                       {Side::primal, 0, Vector::Ones(s.K().size(0))}, cell,
+                                       Vector::Constant(n + 1, 1.0 / (n + 1)));
+                      }),
+                      "refused");
+        }
+        for (const Index cell : {-1, s.P().size(2), Index(1) << 30})
+            EXPECT_EQ(outcome([&] { corners(s.mesh.merging, cell); }), "refused");
+        EXPECT_EQ(outcome([&] { geodesic_distance(s.mesh, std::vector<Index>{-1}); }), "refused");
+    }
+    const auto& tessellation = *flipped().intrinsic;
+    for (int k = 0; k <= 2; ++k)
+        for (const Index cell : {-1, tessellation.merging.merged.size(k), Index(1) << 30})
+            EXPECT_EQ(
+                outcome([&] { vertices(tessellation.surface(), tessellation.merging, k, cell); }),
+                "refused");
+    for (const Index edge : {-1, tessellation.surface().edges(), Index(1) << 30})
+        EXPECT_EQ(outcome([&] { merge_triangles(tessellation.surface(), std::span(&edge, 1)); }),
+                  "refused");
+}
+
+TEST(doors, values_of_another_number_than_the_cells_are_refused) {
+    for (const Sample& s : samples()) {
+        const int n = s.n();
+        const auto relative = relative_to_boundary(s.P());
+        for (int k = 0; k <= n; ++k)
+            for (const Index size : {0, s.P().size(k) - 1, s.P().size(k) + 1, 5000}) {
+                const Vector x = Vector::Ones(size);
+                const Cochain w{Side::primal, k, x}, v{Side::dual, n - k, x};
+                std::vector<std::pair<const char*, std::function<void()>>> calls = {
+                    {"check", [&] { check(s.P(), w); }},
+                    {"check, dual", [&] { check(s.P(), v); }},
+                    {"apply_derivative", [&] { apply_derivative(s.P(), k, x); }},
+                    {"apply_transposed_derivative",
+                     [&] { apply_transposed_derivative(s.P(), k - 1, x); }},
+                    {"apply_codifferential", [&] { apply_codifferential(s.P(), s.V(), k, x); }},
+                    {"apply_dual_codifferential",
+                     [&] { apply_dual_codifferential(s.P(), s.V(), n - k, x); }},
+                    {"apply_laplacian", [&] { apply_laplacian(s.P(), s.V(), k, x); }},
+                    {"apply_symmetric_laplacian",
+                     [&] { apply_symmetric_laplacian(s.P(), s.V(), k, x); }},
+                    {"apply_dual_laplacian", [&] { apply_dual_laplacian(s.P(), s.V(), n - k, x); }},
+                    {"restrict", [&] { relative.restrict(k, x); }},
+                    {"pairing",
+                     [&] {
+                         pairing(w, {Side::primal, k, Vector::Ones(s.P().size(k))});
+                     }},
+                    {"sum",
+                     [&] {
+                         w + Cochain{Side::primal, k, Vector::Ones(s.P().size(k))};
+                     }},
+                };
+                if (n <= 3)
+                    calls.emplace_back("add_cochain", [&] {
+                        VtuGrid grid = draw_cells(s.mesh, 0);
+                        add_cochain(grid, s.mesh.merging, k, "a", x);
+                    });
+                for (const auto& [what, call] : calls)
+                    EXPECT_EQ(outcome(call), "refused")
+                        << what << ", degree " << k << ", " << size << " values on " << s.name;
+                if (size != relative.complex.size(k)) {
+                    EXPECT_EQ(outcome([&] { relative.extend(k, x); }), "refused");
+                }
+            }
+        EXPECT_EQ(outcome([&] {
+                      join_blocks(s.K(), std::vector<bool>(1),
+                                  [](int, Index, Index, Index) { return true; });
+                  }),
+                  "refused");
+        EXPECT_EQ(outcome([&] { facets_within_labels(s.K(), {1}); }), "refused");
+        EXPECT_EQ(outcome([&] { subsets(n, -1); }), "refused");
+        EXPECT_EQ(outcome([&] { subsets(-1, 0); }), "refused");
+    }
+}
+
+TEST(doors, waves_and_systems_of_other_sizes_are_refused) {
+    const Sample& s = samples()[4];
+    const Leapfrog waves(s.P(), s.V(), 0, 1e-3);
+    Vector E = Vector::Zero(s.P().size(0)), B = Vector::Zero(s.P().size(1)), little(3);
+    EXPECT_EQ(outcome([&] { waves.step(E, B); }), "accepted");
+    EXPECT_EQ(outcome([&] { waves.step(little, B); }), "refused");
+    EXPECT_EQ(outcome([&] { waves.step(E, little); }), "refused");
+    EXPECT_EQ(outcome([&] { waves.energy(little, B); }), "refused");
+    EXPECT_EQ(outcome([&] { waves.energy(E, little); }), "refused");
+}
+
+TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
+    for (const Sample& s : samples()) {
+        const Sample other("another", kuhn(s.n(), s.n() == 4 ? 2 : 5));
+        for (int k = 0; k <= s.n(); ++k) {
+            const Cochain w = form(s, Side::primal, k);
+            const std::pair<const char*, std::function<void()>> calls[] = {
+                {"codifferential", [&] { codifferential(s.P(), other.V(), k); }},
+                {"dual_codifferential", [&] { dual_codifferential(s.P(), other.V(), k); }},
+                {"laplacian", [&] { laplacian(s.P(), other.V(), k); }},
+                {"dual_laplacian", [&] { dual_laplacian(s.P(), other.V(), k); }},
+                {"symmetric_laplacian", [&] { symmetric_laplacian(s.P(), other.V(), k); }},
+                {"diagonal", [&] { symmetric_laplacian_diagonal(s.P(), other.V(), k); }},
+                {"apply_laplacian", [&] { apply_laplacian(s.P(), other.V(), k, w.values); }},
+                {"star", [&] { star(s.P(), other.V(), w); }},
+                {"inner_product", [&] { inner_product(s.P(), other.V(), w, w); }},
+                {"dual_to_merged", [&] { dual_to_merged(s.mesh.merging, other.W(), k); }},
+                {"dual_parts", [&] { dual_parts(s.K(), s.mesh.metric(), other.W(), k, s.n()); }},
+                {"lift", [&] { commuting_lift(s.mesh.merging, s.mesh.metric(), other.W()); }},
+                {"merge", [&] { merge_cospherical(s.K(), s.mesh.metric(), other.W()); }},
+                {"facet_kinds", [&] { facet_kinds(s.K(), s.mesh.metric(), other.W()); }},
+                {"heat", [&] { HeatSolver(s.P(), other.V(), Side::primal, k, {.time_step = 1}); }},
+                {"hodge", [&] { harmonic_forms(s.P(), other.V(), Side::primal, k); }},
+                {"spectrum", [&] { spectrum(s.P(), other.V(), {.degree = k, .count = 1}); }},
+                {"volumes", [&] { relative_volumes(relative_to_boundary(s.P()), other.V()); }},
+            };
+            for (const auto& [what, call] : calls)
+                EXPECT_EQ(outcome(call), "refused") << what << ", degree " << k << ", " << s.name;
+        }
+        const Points few = s.mesh.points.topRows(2);
+        for (int k = 0; k <= s.n(); ++k) {
+            EXPECT_EQ(outcome([&] { cell_centers(s.mesh.merging, few, s.W(), k); }), "refused");
+            EXPECT_EQ(outcome([&] { cell_centroids(s.mesh.merging, few, s.W(), k); }), "refused");
+            EXPECT_EQ(outcome([&] { circumcenters(few, s.K().simplices(k)); }), "refused");
+            EXPECT_EQ(outcome([&] { circumradii(few, s.K().simplices(k)); }), "refused");
+        }
+        EXPECT_EQ(outcome([&] { edge_lengths(s.K(), few); }), "refused");
+    }
+}
+
+// A matrix where a vector is wanted: of several columns, of one type or another.
+TEST(doors, a_matrix_is_no_vector) {
+    const Sample& s = samples()[4];
+    const Index size = s.P().size(0);
+    const DenseMatrix three = DenseMatrix::Ones(size, 3);
+    EXPECT_EQ(outcome([&] { check(s.P(), Cochain{Side::primal, 0, three}); }), "refused");
+    EXPECT_EQ(outcome([&] { check(s.P(), Chain{Side::primal, 0, three}); }), "refused");
+    Cochain w = form(s, Side::primal, 0);
+    EXPECT_EQ(outcome([&] { w.values = three; }), "refused");
+    EXPECT_EQ(outcome([&] { apply_laplacian(s.P(), s.V(), 0, three); }), "refused");
+    EXPECT_EQ(outcome([&] { PoissonSolver(s.mesh, {.conductivity = three}); }), "refused");
+    EXPECT_EQ(
+        outcome([&] { de_rham(s.mesh, 0, [&](const Vector&) { return DenseMatrix(1, 2); }); }),
+        "refused");
+    EXPECT_EQ(outcome([&] { GeodesicDistance(GluedSurface(s.K()), three); }), "refused");
+    EXPECT_EQ(outcome([&] { CertifiedEigensolver(SparseMatrix(size, size), three); }), "refused");
+}
+
+TEST(doors, several_problems_are_solved_as_one_by_one) {
+    const Sample& s = samples()[1];
+    PoissonSolver solver(s.mesh);
+    const auto places = solver.sites().rows();
+    const DenseMatrix f = DenseMatrix::Random(places, 3), g = DenseMatrix::Random(places, 3);
+    const DenseMatrix h = DenseMatrix::Random(solver.flux_sites().rows(), 3);
+    const DenseMatrix u = solver.solve(f, g), with_fluxes = solver.solve(f, g, h);
+    ASSERT_EQ(u.cols(), 3);
+    for (int j = 0; j < 3; ++j) {
+        EXPECT_EQ(u.col(j), solver.solve(f.col(j), g.col(j)));
+        EXPECT_EQ(with_fluxes.col(j), solver.solve(f.col(j), g.col(j), h.col(j)));
+    }
+    EXPECT_EQ(refusal([&] { solver.solve(f, DenseMatrix(g.leftCols(2))); }),
+              "3 right-hand sides, boundary data for 2 and normal derivatives for 2 problems are "
+              "given: expected as many");
+
+    const auto relative = relative_to_boundary(s.P());
+    for (int k = 0; k <= s.n(); ++k) {
+        const DenseMatrix forms = DenseMatrix::Random(s.P().size(k), 3);
+        const DenseMatrix kept = relative.restrict(k, forms), back = relative.extend(k, kept);
+        for (int j = 0; j < 3; ++j) {
+            EXPECT_EQ(kept.col(j), relative.restrict(k, Vector(forms.col(j))));
+            EXPECT_EQ(back.col(j), relative.extend(k, Vector(kept.col(j))));
+        }
+    }
+}
+
+// what refers to a temporary cannot be had; what is copied out of one can
+template <class Bundle>
+concept GivesMetric = requires(Bundle&& bundle) {
+    std::forward<Bundle>(bundle).metric();
+};
+static_assert(GivesMetric<Discretization&> && GivesMetric<const Discretization&>);
+static_assert(!GivesMetric<Discretization> && !GivesMetric<const Discretization>);
+static_assert(std::is_constructible_v<SimplexMetric, Points&>);
+static_assert(!std::is_constructible_v<SimplexMetric, Points>);
+static_assert(!std::is_constructible_v<SimplexMetric, const SimplicialComplex&, Vector>);
+template <class Owner>
+concept KeepsNoReference = requires(Owner&& owner) {
+    requires !std::is_reference_v<decltype(std::forward<Owner>(owner).complex())>;
+    requires !std::is_reference_v<decltype(std::forward<Owner>(owner).input())>;
+};
+static_assert(KeepsNoReference<Discretization> && !KeepsNoReference<Discretization&>);
+static_assert(!std::is_reference_v<decltype(std::declval<Merging>().merged())>);
+static_assert(!std::is_reference_v<decltype(std::declval<Merging>().diamond(0))>);
+static_assert(!std::is_reference_v<decltype(std::declval<SimplicialComplex>().simplices(0))>);
+static_assert(!std::is_reference_v<decltype(std::declval<CellComplex>().coboundary(0))>);
+static_assert(!std::is_reference_v<decltype(std::declval<CellComplex>().coface_counts(0))>);
+static_assert(!std::is_reference_v<decltype(std::declval<PoissonSolver>().sites())>);
+
+TEST(doors, a_temporary_gives_what_it_holds) {
+    const auto& complex = discretize(kuhn(2, 2)).complex();
+    EXPECT_EQ(complex.size(2), 4);
+    const auto& coboundary = discretize(kuhn(2, 2)).complex().coboundary(1);
+    EXPECT_EQ(coboundary.rows(), 4);
+    for (const Index count : discretize(kuhn(2, 2)).complex().coface_counts(1))
+        EXPECT_LE(count, 2);
+}
+
+} // namespace
+} // namespace polydec::test
