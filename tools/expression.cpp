@@ -30,7 +30,7 @@ constexpr int most_coordinates = 64;
 [[noreturn]] void refuse(const std::string& option, const std::string& text,
                          const std::string& reason) {
     throw CLI::ValidationError(option, fmt::format("'{}' is neither a file nor an expression: {}",
-                                                   printable(text), reason));
+                                                   printable(text), printable_message(reason)));
 }
 
 /// The parser's own way goes through a stream, which takes a lack of memory for a wrong number.
