@@ -330,9 +330,11 @@ IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
                                      const IntrinsicDelaunayOptions& options) {
     if (lengths.size() != surface.edges() || !lengths.allFinite())
         check_lengths(surface, lengths); // says what is wrong
-    // a power of two: products of lengths are numbers at every scale, and no digit changes
+    // products of lengths are numbers at every scale; by a power of two no digit changes
+    constexpr int moderate = 40;
     const double longest = lengths.size() > 0 ? lengths.cwiseAbs().maxCoeff() : 0;
-    const double unit = longest > 0 ? std::exp2(std::ilogb(longest)) : 1;
+    const bool is_extreme = longest > 0 && std::abs(std::ilogb(longest)) > moderate;
+    const double unit = is_extreme ? std::exp2(std::ilogb(longest)) : 1;
     Flipping flipping(std::move(surface), lengths / unit, options);
     flipping.run();
     auto result = flipping.finish();

@@ -218,6 +218,8 @@ PICTURES = {
     "ring": ring,
     "operators": overview.operators,
     "geodesics": overview.geodesics,
+    "trust": overview.trust,
+    "endings": overview.endings,
 }
 
 

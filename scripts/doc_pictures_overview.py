@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pictures of docs/operators.md and docs/geodesics.md, for doc_pictures.py."""
+"""The pictures of pages about the whole, and of docs/geodesics.md, for doc_pictures.py."""
 from doc_drawing import (BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_GREY, LIGHT_ORANGE, ORANGE, RED,
                          Picture, plus, polar)
 
@@ -84,3 +84,42 @@ def geodesics():
         picture.text((0, -1.3), label, shift=(0, 37), size=13)
     return picture.svg("Distance on a square whose opposite sides are glued; the triangles around "
                        "a vertex, and the polar coordinates of its tangent vectors")
+
+
+def box(picture, corner, size, fill, words, below=""):
+    (x, y), (width, height) = corner, size
+    picture.polygon([(x, y), (x + width, y), (x + width, y + height), (x, y + height)], fill, BLACK)
+    picture.text((x + width / 2, y + height / 2), words, size=15, shift=(0, -2 if below else 5))
+    if below:
+        picture.text((x + width / 2, y + height / 2), below, GREY, 12, shift=(0, 16))
+
+
+def trust():
+    """The gates between a file and an answer, and what each of them may end in."""
+    picture = Picture(760, 210)
+    gates = [("read", "bounded, whole"), ("measure", "positive volumes"),
+             ("merge", "balls alone"), ("solve", "true residual"), ("certify", "count, radii"),
+             ("tell", "whole or nothing")]
+    width, step = 105, 124
+    for i, (name, what) in enumerate(gates):
+        x = 17 + step * i
+        box(picture, (x, 120), (width, 60), LIGHT_BLUE, name, what)
+        picture.arrow((x + width / 2, 115), (x + width / 2, 72), ORANGE)
+        if i + 1 < len(gates):
+            picture.arrow((x + width + 2, 150), (x + step - 2, 150))
+    box(picture, (17, 25), (step * 5 + width, 44), LIGHT_ORANGE,
+        "refused with a reason, or told with a warning: never silent")
+    return picture.svg("Six gates between a file and an answer; each may refuse or warn")
+
+
+def endings():
+    """What is left of a result for every way in which the command may end."""
+    picture = Picture(760, 210)
+    for y, fill, how, left in ((140, LIGHT_BLUE, "code 0", "the new result, whole"),
+                               (80, LIGHT_ORANGE, "code 1 .. 4", "the old result or the new, whole; a message"),
+                               (20, LIGHT_GREY, "a signal", "the old result or the new, whole")):
+        box(picture, (40, y), (180, 48), fill, how)
+        picture.arrow((225, y + 24), (415, y + 24))
+        box(picture, (420, y), (300, 48), fill, left)
+    picture.text((320, 190), "every file is whole", GREY, 12)
+    return picture.svg("Endings of the command and what each leaves behind")

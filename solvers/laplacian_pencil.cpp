@@ -2,52 +2,37 @@
 #include "solvers/laplacian_pencil.h"
 
 #include "dec/derivative.h"
+#include "dec/rounding.h"
 #include "dec/star.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace polydec {
 
 namespace {
 
-/// What rounding has done at most to a star entry, in proportion to the terms of its dual volume.
-constexpr double star_rounding = 128 * std::numeric_limits<double>::epsilon();
-
-/// The same for the dual edges of facets, in proportion to the heights of the cells over them: a
-/// single distance to a circumcenter may be small without being a sum.
-constexpr double height_rounding = 16 * std::numeric_limits<double>::epsilon();
-
-Vector star_uncertainty(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    const int n = complex.dimension();
-    Vector errors = star_rounding * volumes.terms(k);
-    const auto& coboundary = complex.coboundary(k);
-    for (Index t = 0; k == n - 1 && t < complex.size(n); ++t)
-        for (IncidenceMatrix::InnerIterator facet(coboundary, t); facet; ++facet) {
-            const double height = n * volumes.primal(n)[t] / volumes.primal(k)[facet.col()];
-            errors[facet.col()] = std::max(errors[facet.col()], height_rounding * height);
-        }
-    return errors.cwiseQuotient(volumes.primal(k));
+/// What rounding, and what is not known of the last digits of the points, have done at most to a
+/// star entry.
+Vector star_uncertainty(const CellVolumes& volumes, int k) {
+    return volumes.terms(k).unaryExpr(&rounding_of).cwiseQuotient(volumes.primal(k));
 }
 
 /// The largest share of an entry of star_k that is uncertain; below 1, or it would not be positive.
-double largest_share(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    const Vector shares = star_uncertainty(complex, volumes, k).cwiseQuotient(star(volumes, k));
+double largest_share(const CellVolumes& volumes, int k) {
+    const Vector shares = star_uncertainty(volumes, k).cwiseQuotient(star(volumes, k));
     return std::min(shares.maxCoeff(), 0.5);
 }
 
 /// d_k^T star_(k+1) d_k.
 GramPart upper_part(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    return {derivative(complex, k), star(volumes, k + 1),
-            star_uncertainty(complex, volumes, k + 1)};
+    return {derivative(complex, k), star(volumes, k + 1), star_uncertainty(volumes, k + 1)};
 }
 
 /// star_k d_(k-1) star_(k-1)^-1 d_(k-1)^T star_k.
 GramPart lower_part(const CellComplex& complex, const CellVolumes& volumes, int k) {
     const SparseMatrix boundary = derivative(complex, k - 1).transpose();
     const Vector weights = inverse_star(volumes, k - 1);
-    const Vector shares =
-        star_uncertainty(complex, volumes, k - 1).cwiseProduct(weights.cwiseAbs());
+    const Vector shares = star_uncertainty(volumes, k - 1).cwiseProduct(weights.cwiseAbs());
     const Vector uncertainty =
         weights.cwiseAbs().array() * shares.array() / (1 - shares.array().min(0.5));
     return {boundary * star(volumes, k).asDiagonal(), weights, uncertainty};
@@ -56,7 +41,7 @@ GramPart lower_part(const CellComplex& complex, const CellVolumes& volumes, int 
 } // namespace
 
 Pencil laplacian_pencil(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    Pencil pencil{.M = star(volumes, k), .mass_uncertainty = largest_share(complex, volumes, k)};
+    Pencil pencil{.M = star(volumes, k), .mass_uncertainty = largest_share(volumes, k)};
     pencil.parts = {upper_part(complex, volumes, k)};
     if (k > 0)
         pencil.parts.push_back(lower_part(complex, volumes, k));
@@ -68,13 +53,13 @@ Pencil dual_function_pencil(const CellComplex& complex, const CellVolumes& volum
     part.F = derivative(complex, n - 1).transpose();
     return {.parts = {std::move(part)},
             .M = inverse_star(volumes, n),
-            .mass_uncertainty = largest_share(complex, volumes, n)};
+            .mass_uncertainty = largest_share(volumes, n)};
 }
 
 Pencil coexact_pencil(const CellComplex& complex, const CellVolumes& volumes, int k) {
     return {.parts = {upper_part(complex, volumes, k)},
             .M = star(volumes, k),
-            .mass_uncertainty = largest_share(complex, volumes, k)};
+            .mass_uncertainty = largest_share(volumes, k)};
 }
 
 } // namespace polydec

@@ -8,8 +8,8 @@
 namespace polydec {
 
 /// star_k Delta_k x = lambda star_k x on primal k-forms, k < n, by its parts. Their uncertainties
-/// are what volumes are off by at most: duals by 128 roundings of their terms (2e-16 each), those
-/// of facets by 16 of the heights of cells over them if that is more. An uncertain mass moves each
+/// are what duals are off by at most: the rounding error of their terms (dec/rounding.h), in which
+/// the last digits of the points count as unknown. An uncertain mass moves each
 /// eigenvalue by that share of it: true of each part (Ostrowski 1959), and so of both, since they
 /// have their nonzero eigenvalues apart from each other. Throws InvalidInput, naming the cells, if
 /// star_(k-1) has a zero.

@@ -46,6 +46,7 @@ Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
     const int k =
         options.side == Side::primal ? options.degree : complex.dimension() - options.degree;
     check_degree(complex, options, k);
+    check_fit(complex, volumes);
     check_positive_mass(volumes, options.side, options.degree, k);
 
     const bool is_dual_function = k == complex.dimension();
@@ -71,7 +72,8 @@ Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
             std::move(pairs.residuals),
             pairs.certificate,
             std::move(pairs.linear_solver),
-            std::move(pairs.eigen_solver)};
+            std::move(pairs.eigen_solver),
+            std::move(pairs.rough)};
 }
 
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {

@@ -29,6 +29,9 @@ struct Spectrum {
     Certificate certificate;
     std::string linear_solver;
     std::string eigen_solver;
+    /// Values that rounding hides: their radius is above 1e-6 of them and of the distance to the
+    /// next ones.
+    std::vector<Index> rough = {};
 };
 
 /// The `count` smallest eigenpairs of the Laplacian of primal or dual forms of a degree, proved
@@ -40,11 +43,11 @@ struct Spectrum {
 /// Each eigenvalue comes with a radius: the i-th smallest eigenvalue of the mesh lies within
 /// radii[i] of eigenvalues[i]. That covers the iteration, all rounding on the way from the volumes
 /// to the values, and rounding in the volumes themselves as laplacian_pencil.h states it; it takes
-/// the inertia counted for right (see CertifiedEigensolver) and points or lengths as they are.
+/// the inertia counted for right (see CertifiedEigensolver), and points or lengths to be known to
+/// their last digits.
 /// Throws InvalidInput if there is no such degree or count, or, naming the cells, if the star that
 /// is the mass of these forms is not positive or a star that must be inverted has a zero;
-/// SolverFailure if the eigenpairs cannot be had or proved, or a radius exceeds 1e-6 both of its
-/// value and of the distance to the next ones.
+/// SolverFailure if the eigenpairs cannot be had or proved.
 Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
                   const SpectrumOptions& options = {});
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options = {});

@@ -161,6 +161,12 @@ void run(Arguments arguments) {
 
     if (const auto spurious = spurious_eigenvalues(mesh, result))
         log.warn(*spurious);
+    if (!result.rough.empty())
+        log.warn(fmt::format(
+            "{} of the eigenvalues, number {} first, {} not known to 1e-6: rounding "
+            "beside the largest one hides the rest; mind the radii, and improve "
+            "cells of extreme shape",
+            result.rough.size(), result.rough.front(), result.rough.size() == 1 ? "is" : "are"));
     if (!arguments.out.empty()) {
         log.timing.begin("write");
         write_vtu(arguments.out, mesh, result);

@@ -92,7 +92,7 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
     const Points field = Points::Ones(mesh.points.rows(), mesh.points.cols());
     const auto constant = [](int degree, Index coordinates) -> SmoothForm {
         Index count = 1;
-        for (int i = 0; i < degree; ++i)
+        for (int i = 0; i < degree && count != 0; ++i)
             count = count * (coordinates - i) / (i + 1);
         return [count](const Vector&) { return Vector(Vector::Ones(count)); };
     };

@@ -110,25 +110,33 @@ class Tetrahedra(TestCase):
                            "--json", folder=self.folder, seconds=SECONDS)
 
     def check_spectra(self, mesh, info):
-        """{degree of primal forms: eigenvalues, None where refused}; the dual side says the
-        same."""
+        """{degree of primal forms: eigenvalues, None where refused}; the dual side says the same,
+        or more where it does without the duals of boundary facets."""
         result = {}
         n = info["dimension"]
         for k in range(n + 1):
             outcome = self.spectrum(mesh, "primal", k)
             other = self.spectrum(mesh, "dual", n - k)
-            self.assertEqual(outcome.code, other.code)
+            if outcome.code != other.code:
+                self.assertGreater(info["facets"]["boundary_degenerate"], 0)
+                self.assertEqual((outcome.code, other.code), (2, 0))
             for one, side, degree in ((outcome, "primal", k), (other, "dual", n - k)):
                 with self.subTest(side=side, degree=degree):
-                    result[k] = self.check_spectrum(one, info, k, side, degree)
+                    values = self.check_spectrum(one, info, k, side, degree)
+                    if side == "primal":
+                        result[k] = values
         if result[0] and result[1]:
             self.assertEqual(inclusion_flaws(result[0], result[1]), [])
         return result
 
     def check_spectrum(self, outcome, info, k, side, degree):
         n, star = info["dimension"], info["stars"][k]
+        # such forms do without the duals of boundary facets, so they are fewer than the cells
+        fewer = (side == "dual" or k == n) and info["facets"]["boundary_degenerate"] > 0
+        if fewer and outcome.code == 0:
+            return self.check_answer(command.parse(outcome.out))
         if star["negative"] or star["zero"]:
-            self.check_refusal_of_mass(outcome, info, k, side, degree)
+            self.check_refusal_of_mass(outcome, info, k, side, degree, fewer)
             return None
         if k == n and info["stars"][n - 1]["zero"]:
             message = self.check_error(outcome, 2)
@@ -138,12 +146,16 @@ class Tetrahedra(TestCase):
                              [n - 1, info["stars"][n - 1]["zero"]])
             return None
         self.assertEqual(outcome.code, 0, outcome.err)
-        answer = command.parse(outcome.out)
+        values = self.check_answer(command.parse(outcome.out))
+        self.check_signs(outcome.err, values, info, k)
+        return values
+
+    def check_answer(self, answer):
+        """The eigenvalues of a complete answer."""
         values = answer["eigenvalues"]
         self.assertEqual((len(values), values), (COUNT, sorted(values)))
         self.assertIs(answer["certificate"]["complete"], True)
         self.assertLess(max(answer["residuals"]), 1e-8 * max(map(abs, values)))
-        self.check_signs(outcome.err, values, info, k)
         return values
 
     def check_signs(self, warnings, values, info, k):
@@ -162,13 +174,15 @@ class Tetrahedra(TestCase):
         self.assertIsNotNone(found, warnings)
         self.assertEqual([int(x) for x in found.groups()], [below, negative])
 
-    def check_refusal_of_mass(self, outcome, info, k, side, degree):
+    def check_refusal_of_mass(self, outcome, info, k, side, degree, fewer):
         message, star = self.check_error(outcome, 2), info["stars"][k]
         found = MASS.fullmatch(message)
         self.assertIsNotNone(found, message)
         kind = "negative" if star["negative"] else "zero"
-        self.assertEqual(found.groups(), (side, str(degree), str(star[kind]),
-                                          str(info["cells"]["merged"][k]), str(k), kind))
+        numbers = (star[kind], info["cells"]["merged"][k])
+        told = tuple(map(int, found.group(3, 4)))
+        self.assertEqual(found.group(1, 2, 5, 6), (side, str(degree), str(k), kind))
+        self.assertTrue(told <= numbers if fewer else told == numbers, (told, numbers))
 
 
 class Others(Tetrahedra):
@@ -219,8 +233,8 @@ class Lattices(Tetrahedra):
         return f"{name}.{extension}"
 
     def test_all_commands(self):
-        # refused degrees of primal forms; bcc has negative duals, fcc zero ones
-        for name, refused in (("kuhn", []), ("bcc", [1, 2]), ("fcc", [1, 2, 3])):
+        # refused degrees of primal forms; bcc has negative duals, fcc zero ones at the boundary
+        for name, refused in (("kuhn", []), ("bcc", [1, 2]), ("fcc", [1, 2])):
             with self.subTest(name):
                 mesh = self.make(name, 3)
                 info = self.check_info(mesh)
