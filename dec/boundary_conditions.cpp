@@ -115,6 +115,8 @@ SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {
     const auto marks = boundary_cells(complex);
     const IncidenceMatrix cofaces = complex.boundary(n);
     SparseMatrix B(complex.size(k), complex.size(k));
+    if (B.rows() == 0)
+        return B; // which Eigen could not compress
     B.reserve(Eigen::VectorXi::Ones(complex.size(k)));
     for (Index s = 0; s < complex.size(k); ++s) {
         if (!marks[k][s])
