@@ -114,7 +114,9 @@ DensePoisson dense_poisson(const Discretization& mesh, const Vector& f) {
             inside.push_back(v);
     const ExtendedVector load = extended_star(mesh.volumes, 0).cwiseProduct(f.cast<long double>());
     const Extended interior = A(inside, inside);
-    DensePoisson result{ExtendedVector::Zero(complex.size(0)), 0};
+    DensePoisson result{ExtendedVector::Zero(complex.size(0)), 1};
+    if (inside.empty())
+        return result;
     const Eigen::FullPivLU<Extended> lu(interior);
     result.condition = 1 / std::max(lu.rcond(), extended_rounding);
     result.solution(inside) = lu.solve(load(inside));
