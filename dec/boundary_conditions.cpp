@@ -100,13 +100,14 @@ CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& 
 }
 
 CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes) {
-    std::vector<Vector> primal, dual, terms;
+    std::vector<Vector> primal, dual, terms, rounding;
     for (int k = 0; k <= relative.complex.dimension(); ++k) {
         primal.push_back(relative.restrict(k, volumes.primal(k)));
         dual.push_back(relative.restrict(k, volumes.dual(k)));
         terms.push_back(relative.restrict(k, volumes.terms(k)));
+        rounding.push_back(relative.restrict(k, volumes.rounding(k)));
     }
-    return {std::move(primal), std::move(dual), std::move(terms)};
+    return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
 }
 
 SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "dec/circumsphere.h"
+#include "dec/rounding.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -68,37 +69,67 @@ bool is_moderate(double volume) {
         k, fmt::join(list, ", "), sphere.volume()));
 }
 
-/// Volumes on the way down. What is still to be divided by a simplex's own volume, and what is not,
-/// stands in two vectors.
+/// To what errors of the dual volumes are in proportion. What is still to be divided by a simplex's
+/// own volume, and what is not, stands in two vectors.
+struct Terms {
+    /// What a simplex hands to a face: the errors of h(s, t) and of V(t) count.
+    struct Share {
+        double product, shift;
+    };
+
+    /// Of a simplex with this dual volume, of which `own` is off.
+    static Share share(const HeightTerms& heights, double dual, double own, double height) {
+        return {std::abs(height) * (heights.growth * std::abs(dual) + own),
+                heights.shift * std::abs(dual)};
+    }
+
+    void add(int k, Index s, const Share& share) {
+        products[k][s] += share.product;
+        shifts[k][s] += share.shift;
+    }
+
+    void divide(int k, Index s, double volume, int n) {
+        products[k][s] = (products[k][s] / volume + shifts[k][s]) / (n - k);
+    }
+
+    std::vector<Vector> products, shifts;
+};
+
+/// Volumes on the way down.
 struct Sums {
     explicit Sums(const SimplicialComplex& complex) {
         for (int k = 0; k <= complex.dimension(); ++k) {
             primal.emplace_back(Vector::Ones(complex.size(k)));
             dual.emplace_back(Vector::Zero(complex.size(k)));
         }
-        terms = shifts = dual;
+        uncertain = rounded = {dual, dual};
         dual.back().setOnes();
     }
 
     void divide(int k, Index t, int n) {
-        dual[k][t] /= (n - k) * primal[k][t];
-        terms[k][t] = (terms[k][t] / primal[k][t] + shifts[k][t]) / (n - k);
+        const double volume = primal[k][t];
+        dual[k][t] /= (n - k) * volume;
+        uncertain.divide(k, t, volume, n);
+        rounded.divide(k, t, volume, n);
     }
 
-    std::vector<Vector> primal, dual, terms, shifts;
+    std::vector<Vector> primal, dual;
+    Terms uncertain, rounded;
 };
 
 /// From the top down: what a k-simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
 /// barycentric coordinate * k |t| / |s|; the division by |s| comes last. With it go the sizes of
-/// what cancels: in h(s, t), by height_terms, and in V(t). Spheres are looked at many at once, and
-/// their heights added one after the other.
+/// what cancels, in h(s, t) and in V(t). An error of |t| is one of V(t) / |t| too. Spheres are
+/// looked at many at once, and their heights added one after the other.
 void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, int k, Sums& sums) {
     const int n = complex.dimension();
     const Simplices& simplices = complex.simplices(k);
     const Points* const points = metric.points(); // asked once, not for every simplex
-    Vector &primal = sums.primal[k], &dual = sums.dual[k], &terms = sums.terms[k];
+    Vector &primal = sums.primal[k], &dual = sums.dual[k];
+    Vector &uncertain = sums.uncertain.products[k], &rounded = sums.rounded.products[k];
     struct Share {
-        double dual, terms, shift;
+        double dual;
+        Terms::Share uncertain, rounded;
     };
     const auto measure = [&](Index first, Index last, Share* share) {
         SimplexLayout layout(complex, metric);
@@ -111,11 +142,13 @@ void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, in
             primal[t] = sphere.volume();
             if (k < n)
                 sums.divide(k, t, n);
-            const double weight = k * primal[t], shift = sphere.shift() * std::abs(dual[t]);
-            const double cancelled = sphere.growth() * std::abs(dual[t]) + terms[t];
+            rounded[t] += sphere.rounding().growth * std::abs(dual[t]);
+            const double weight = k * primal[t];
             for (int i = k; i >= 0; --i) {
                 const double height = sphere.barycentric(i) * weight;
-                *share++ = {height * dual[t], std::abs(height) * cancelled, shift};
+                *share++ = {height * dual[t],
+                            Terms::share(sphere.uncertainty(), dual[t], uncertain[t], height),
+                            Terms::share(sphere.rounding(), dual[t], rounded[t], height)};
             }
         }
     };
@@ -131,8 +164,8 @@ void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, in
         });
         for (const Share& share : shares) {
             sums.dual[k - 1][*face] += share.dual;
-            sums.terms[k - 1][*face] += share.terms;
-            sums.shifts[k - 1][*face++] += share.shift;
+            sums.uncertain.add(k - 1, *face, share.uncertain);
+            sums.rounded.add(k - 1, *face++, share.rounded);
         }
     }
 }
@@ -140,42 +173,56 @@ void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, in
 } // namespace
 
 CellVolumes::CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
-                         std::vector<Vector> terms)
-    : primal_(std::move(primal)), dual_(std::move(dual)), terms_(std::move(terms)) {
+                         std::vector<Vector> terms, std::vector<Vector> rounding)
+    : primal_(std::move(primal)),
+      dual_(std::move(dual)),
+      terms_(std::move(terms)),
+      rounding_(std::move(rounding)) {
     if (terms_.empty())
         for (const Vector& values : dual_)
             terms_.emplace_back(values.cwiseAbs());
-    if (primal_.size() != dual_.size() || primal_.size() != terms_.size())
-        throw InvalidInput(fmt::format("volumes are given in {} degrees, dual volumes in {} and "
-                                       "their terms in {}: expected the same number",
-                                       primal_.size(), dual_.size(), terms_.size()));
+    if (rounding_.empty())
+        for (const Vector& values : terms_)
+            rounding_.emplace_back(values.unaryExpr(&rounding_of));
+    if (primal_.size() != dual_.size() || primal_.size() != terms_.size() ||
+        primal_.size() != rounding_.size())
+        throw InvalidInput(fmt::format("volumes are given in {} degrees, dual volumes in {}, their "
+                                       "terms in {} and rounding errors in {}: expected the same "
+                                       "number",
+                                       primal_.size(), dual_.size(), terms_.size(),
+                                       rounding_.size()));
     for (int k = 0; k <= dimension(); ++k)
         check(k);
 }
 
 void CellVolumes::check(int k) const {
     const Vector &primal = primal_[k], &dual = dual_[k], &terms = terms_[k];
-    if (primal.size() != dual.size() || primal.size() != terms.size())
-        throw InvalidInput(fmt::format("{} volumes, {} dual volumes and {} terms are given for the "
-                                       "{}-cells: expected one of each for every cell",
-                                       primal.size(), dual.size(), terms.size(), k));
+    const Vector& rounding = rounding_[k];
+    if (primal.size() != dual.size() || primal.size() != terms.size() ||
+        primal.size() != rounding.size())
+        throw InvalidInput(fmt::format("{} volumes, {} dual volumes, {} terms and {} rounding "
+                                       "errors are given for the {}-cells: expected one of each "
+                                       "for every cell",
+                                       primal.size(), dual.size(), terms.size(), rounding.size(),
+                                       k));
     for (Index s = 0; s < primal.size(); ++s) {
         if (!(primal[s] > 0) || !std::isfinite(primal[s]))
             throw InvalidInput(fmt::format("the {}-cell {} has volume {}: expected a finite number "
                                            "above 0; remove the cell",
                                            k, s, primal[s]));
-        if (!std::isfinite(dual[s]) || !std::isfinite(terms[s]))
+        if (!std::isfinite(dual[s]) || !std::isfinite(terms[s]) || !std::isfinite(rounding[s]))
             throw InvalidInput(fmt::format("the {}-cell {} has dual volume {}, a sum of terms of "
-                                           "size {}: expected finite numbers",
-                                           k, s, dual[s], terms[s]));
+                                           "size {}, to within {}: expected finite numbers",
+                                           k, s, dual[s], terms[s], rounding[s]));
     }
 }
 
 CellVolumes CellVolumes::with_dual(int k, Vector dual) const {
-    auto duals = dual_, terms = terms_;
+    auto duals = dual_, terms = terms_, rounding = rounding_;
     terms[checked(k)] = dual.cwiseAbs();
+    rounding[checked(k)] = terms[k].unaryExpr(&rounding_of);
     duals[checked(k)] = std::move(dual);
-    return {primal_, std::move(duals), std::move(terms)};
+    return {primal_, std::move(duals), std::move(terms), std::move(rounding)};
 }
 
 void CellVolumes::refuse_degree(int k) const {
@@ -194,12 +241,15 @@ CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const Simple
         hand_down(complex, metric, k, sums);
     for (Index v = 0; v < complex.size(0); ++v)
         sums.divide(0, v, n);
-    sums.terms[n].setOnes();
-    return {std::move(sums.primal), std::move(sums.dual), std::move(sums.terms)};
+    sums.uncertain.products[n].setOnes();
+    for (Vector& terms : sums.rounded.products)
+        terms = terms.unaryExpr(&rounding_of);
+    return {std::move(sums.primal), std::move(sums.dual), std::move(sums.uncertain.products),
+            std::move(sums.rounded.products)};
 }
 
 CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input) {
-    std::vector<Vector> primal, dual, terms;
+    std::vector<Vector> primal, dual, terms, rounding;
     for (std::size_t k = 0; k < diamonds.size(); ++k) {
         const int degree = static_cast<int>(k);
         const SparseMatrix pieces = diamonds[k].cast<double>().cwiseAbs();
@@ -211,8 +261,9 @@ CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const Cell
         primal.emplace_back(pieces * volumes);
         dual.push_back(mean(input.dual(degree)));
         terms.push_back(mean(input.terms(degree)));
+        rounding.push_back(mean(input.rounding(degree)));
     }
-    return {std::move(primal), std::move(dual), std::move(terms)};
+    return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
 }
 
 CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {

@@ -17,10 +17,11 @@ public:
     CellVolumes() = default;
 
     /// One vector per degree 0..n, a number per cell. Without terms the duals are taken as they
-    /// are: their own sizes. Throws InvalidInput, naming degree and cell, for sizes that differ, a
-    /// primal volume that is not a finite number above 0, and duals or terms that are not finite.
+    /// are: terms are their own sizes, and nothing but their last digits is lost by rounding.
+    /// Throws InvalidInput, naming degree and cell, for sizes that differ, a primal volume that is
+    /// not a finite number above 0, and others that are not finite.
     CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
-                std::vector<Vector> terms = {});
+                std::vector<Vector> terms = {}, std::vector<Vector> rounding = {});
 
     /// Dimension n; -1 without cells.
     int dimension() const { return static_cast<int>(primal_.size()) - 1; }
@@ -34,10 +35,16 @@ public:
     const Vector& dual(int k) const& { return dual_[checked(k)]; }
     Vector dual(int k) && { return std::move(dual_[checked(k)]); }
 
-    /// Sizes of what cancels in the dual volumes, in heights of circumcenters too: what their
-    /// rounding errors are in proportion to (see rounding_of). length^(n-k).
+    /// Sizes of what cancels in the dual volumes, in heights of circumcenters too: to these their
+    /// errors are in proportion (see rounding_of) if the last digits of points or lengths are not
+    /// known. length^(n-k).
     const Vector& terms(int k) const& { return terms_[checked(k)]; }
     Vector terms(int k) && { return std::move(terms_[checked(k)]); }
+
+    /// How far |*s| / |s| may be off, times |s|, if points or lengths are exact: what computing has
+    /// done. length^(n-k).
+    const Vector& rounding(int k) const& { return rounding_[checked(k)]; }
+    Vector rounding(int k) && { return std::move(rounding_[checked(k)]); }
 
     /// The same with other duals of the k-cells, taken as they are. Throws like the constructor.
     CellVolumes with_dual(int k, Vector dual) const;
@@ -51,7 +58,7 @@ private:
     [[noreturn]] void refuse_degree(int k) const;
     void check(int k) const;
 
-    std::vector<Vector> primal_, dual_, terms_;
+    std::vector<Vector> primal_, dual_, terms_, rounding_;
 };
 
 /// Volumes of the simplices and signed volumes of their circumcentric duals, by the recursion

@@ -71,7 +71,8 @@ void look_at_row(Circumsphere& sphere, const Points& points, const Simplices& si
 /// Slope of coordinate i + 1 = sum of the inverse triangle's column i times row j / |row j|^2; all
 /// slopes sum to zero. There is room for two columns behind the pointer.
 template <class Number>
-void Circumsphere::measure_slopes(const Number* triangle, Number* column, double reach) {
+void Circumsphere::measure_slopes(const Number* triangle, Number* column, double reach,
+                                  double longest) {
     const int k = dimension_;
     Number* const sums = column + k;
     std::fill(sums, sums + k, Number(0));
@@ -96,8 +97,11 @@ void Circumsphere::measure_slopes(const Number* triangle, Number* column, double
     for (int j = 0; j < k; ++j)
         squared = squared + sums[j] * sums[j] * triangle[j * k + j];
     add(0, squared);
-    growth_ = 1;
-    shift_ = 2 * reach * std::sqrt(squared_radius_ * all_slopes);
+    const double slope = std::sqrt(all_slopes), radius = std::sqrt(squared_radius_);
+    uncertainty_ = {1, 2 * radius * reach * slope};
+    rounding_ = {};
+    if constexpr (std::is_same_v<Number, double>)
+        rounding_ = {1 + longest * slope, radius * longest * slope};
 }
 
 /// Dimensions that are fixed let the compiler unroll all loops; -1 stands for any. Orthogonalizing
@@ -121,7 +125,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
     const double* const origin = points_->data() + std::ptrdiff_t{vertices[0]} * N;
     Number volume = 1, squared_radius = 0;
     dimension_ = k;
-    double reach = 0; // largest coordinate
+    double reach = 0, longest = 0; // largest coordinate, squared edge
     for (int c = 0; c < N; ++c)
         reach = std::max(reach, std::abs(origin[c]));
 
@@ -154,6 +158,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
             squared = squared + row[c] * row[c];
         const auto share = static_cast<double>(squared),
                    whole = static_cast<double>(squared_length);
+        longest = std::max(longest, whole);
         if constexpr (std::is_same_v<Number, double>)
             if (share < flat * flat * whole)
                 return look<TwoDoubles, -1, -1>(vertices);
@@ -179,7 +184,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
         rest = rest - value;
     }
     barycentric_[0] = static_cast<double>(rest);
-    measure_slopes(triangle, along + k, reach);
+    measure_slopes(triangle, along + k, reach, std::sqrt(longest));
     return true;
 }
 
@@ -214,17 +219,17 @@ void Circumsphere::look_at(SimplexLayout& layout, int k, Index s) {
 }
 
 void Circumsphere::measure_distances(const Corners& corners) {
-    shift_ = 0;
-    growth_ = 1;
+    HeightTerms terms;
     for (int i = 0; i <= dimension_; ++i)
         for (int j = 0; j <= dimension_; ++j) {
             const double squared =
                 (corners.points.row(corners.vertices[i]) - corners.points.row(corners.vertices[j]))
                     .squaredNorm();
             const double slope = std::sqrt(squared_slopes_[i]);
-            shift_ += squared * slope * std::abs(barycentric_[j]);
-            growth_ += squared * slope * std::sqrt(squared_slopes_[j]) / 2;
+            terms.shift += squared * slope * std::abs(barycentric_[j]);
+            terms.growth += squared * slope * std::sqrt(squared_slopes_[j]) / 2;
         }
+    uncertainty_ = rounding_ = terms;
 }
 
 void Circumsphere::refuse_flat() {

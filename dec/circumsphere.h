@@ -12,6 +12,13 @@
 
 namespace polydec {
 
+/// What errors of a signed distance h between circumcenters are in proportion to.
+struct HeightTerms {
+    double growth = 1, shift = 0;
+
+    double of(double height) const { return growth * std::abs(height) + shift; }
+};
+
 /// Volume and circumscribed sphere of one simplex after another, of any dimension k in R^N. Works
 /// by orthogonalizing the edge vectors, of flat simplices with twice the digits of a double, so
 /// that volume, radius and barycentric coordinates (beside the largest of them) are right to the
@@ -56,25 +63,25 @@ public:
         return barycentric(i) * dimension_ * volume_ / facet_volume;
     }
 
-    /// Size of what cancels in such a height, to which its rounding error is in proportion (see
-    /// rounding_of): growth() |height| + shift().
-    double height_terms(double height) const { return growth_ * std::abs(height) + shift_; }
+    /// To what the error of such a height is in proportion (see rounding_of) if the last digits of
+    /// what is given are not known. The shift is how far the center moves, to first order, if every
+    /// corner moves by the size x of its largest coordinate: 2 R x / a, a the heights of the
+    /// corners, whose inverse squares add up. Where distances d are given: sum of d_ij^2 |b_j| /
+    /// a_i with the barycentric coordinates b of the center; heights grow by 1 + sum of d_ij^2 / (2
+    /// a_i a_j) then.
+    const HeightTerms& uncertainty() const { return uncertainty_; }
 
-    /// How far the center moves, to first order, if every corner moves by the size x of its largest
-    /// coordinate, whose last digits are not known: 2 R x / a, a the heights of the corners, whose
-    /// inverse squares add up. Where distances d are known: sum of d_ij^2 |b_j| / a_i with the
-    /// barycentric coordinates b of the center.
-    double shift() const { return shift_; }
-
-    /// By how much relative errors of what is known change the simplex's heights, relatively: 1
-    /// for points; 1 + sum of d_ij^2 / (2 a_i a_j) for distances.
-    double growth() const { return growth_; }
+    /// The same for points that are exact: what computing has done. Nothing shifts where it was
+    /// done with twice the digits; else edges of length l shift the center by R l / a, and volumes,
+    /// and heights with them, grow by 1 + l / a. Of 2.4 million random simplices of dimensions 1 to
+    /// 5 the worst was off by .36 times rounding_of this.
+    const HeightTerms& rounding() const { return rounding_; }
 
 private:
     template <class Number, int k_fixed, int N_fixed>
     bool look(std::span<const Index> vertices);
     template <class Number>
-    void measure_slopes(const Number* triangle, Number* column, double reach);
+    void measure_slopes(const Number* triangle, Number* column, double reach, double longest);
     void measure_distances(const Corners& corners);
     void check_sphere() const {
         if (!(volume_ > 0))
@@ -89,7 +96,7 @@ private:
     int dimension_ = 0;
     double volume_ = 0;
     double squared_radius_ = 0;
-    double shift_ = 0, growth_ = 1;
+    HeightTerms uncertainty_, rounding_;
 };
 
 /// Circumradii of all k-simplices in the given table (rows of vertex numbers). These throw

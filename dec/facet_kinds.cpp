@@ -22,7 +22,7 @@ std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const Simp
         for (int i = 0; i <= n; ++i) {
             const Index f = complex.face(n, t, i);
             const double height = sphere.height(i, volumes.primal(n - 1)[f]);
-            if (height >= 0 || is_zero(height, sphere.height_terms(height)))
+            if (height >= 0 || is_zero(height, sphere.uncertainty().of(height)))
                 ++counts[f];
         }
     }

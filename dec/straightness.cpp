@@ -27,7 +27,7 @@ StraightnessTest::Side StraightnessTest::look(int k, Index s, Index f) {
         ++apex;
     sphere_.look_at(layout_, k, f);
     const double base = volumes_.primal(k - 1)[s], height = sphere_.height(apex, base);
-    return {apex, height, sphere_.height_terms(height), k * volumes_.primal(k)[f] / base};
+    return {apex, height, sphere_.uncertainty().of(height), k * volumes_.primal(k)[f] / base};
 }
 
 StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, int apex) const {

@@ -26,6 +26,11 @@ inline double corner_cotangent(double a, double b, double c, double area) {
     return (c * c + (b - a) * (b + a)) / (4 * area);
 }
 
+/// What cancels in it.
+inline double corner_cotangent_terms(double a, double b, double c, double area) {
+    return (c * c + std::abs(b - a) * (b + a)) / (4 * area);
+}
+
 /// The angle itself, from 0 to pi.
 inline double corner_angle(double a, double b, double c, double area) {
     return std::atan2(4 * area, c * c + (b - a) * (b + a));

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -24,9 +25,6 @@ namespace {
 /// Rounds of asking for missing copies before giving up; each finds at least one.
 constexpr int patience = 60;
 
-/// Halvings of an interval on the axis; each costs a factorization.
-constexpr int most_bisections = 40;
-
 /// From so many on blocks pay: their steps cost less, and Spectra's orthogonalization outgrows all.
 constexpr Index many = 20;
 
@@ -36,19 +34,10 @@ constexpr double largest_radius = 1e-6;
 /// More eigenvalues than asked for that are looked at in search of a gap.
 constexpr Index largest_cluster = 5000;
 
-/// A length on the axis below eigenvalues that are not zero, but not so small that a shift by it
-/// is next to singular. On graded meshes the coarse cells decide.
-double small_length(const SparseMatrix& B) {
-    Vector diagonal = B.diagonal().cwiseAbs();
-    std::sort(diagonal.begin(), diagonal.end());
-    const double norm = row_sum_norm(B);
-    double typical = diagonal[diagonal.size() / 64];
-    if (typical == 0)
-        typical = diagonal[diagonal.size() / 2];
-    if (typical == 0)
-        typical = norm > 0 ? norm : 1;
-    return std::max(1e-3 * typical / std::sqrt(static_cast<double>(B.rows())), 1e-12 * norm);
-}
+/// Gaps in which no count can be trusted; others are looked for behind them.
+constexpr int most_failures = 3;
+
+enum class Proof { complete, missing, untrusted, no_gap };
 
 } // namespace
 
@@ -57,7 +46,7 @@ struct CertifiedEigensolver::State {
         : pencil(given),
           options(std::move(options_)),
           B(pencil.matrix()),
-          counter(B, options.linear_solver, options.domain_dimension),
+          counter(B, options.linear_solver, options.domain_dimension, pencil.doubt()),
           solver(make_linear_solver(options.linear_solver)),
           norm(row_sum_norm(*B)),
           small(small_length(*B)),
@@ -74,7 +63,6 @@ struct CertifiedEigensolver::State {
 
     void choose_engine(Index count);
     double lowest_shift(Index wanted);
-    double shift_close_to(Index done, Index wanted, double low, double high);
     void set_shift(double sigma, Definiteness definiteness);
     Index ask(Index count);
     bool improve(Index count);
@@ -82,7 +70,8 @@ struct CertifiedEigensolver::State {
     void rotate();
     bool approach(Index rough);
     Index gap_behind(Index count) const;
-    bool certify(Index count);
+    Proof certify(Index count);
+    Proof prove(Index count);
     void move_shift(Index wanted);
     CertifiedEigenpairs result(Index count) const;
 
@@ -101,6 +90,8 @@ struct CertifiedEigensolver::State {
 
     FoundPairs pairs;
     Certificate certificate;
+    double untrusted = -std::numeric_limits<double>::infinity(); // no count was, in gaps up to here
+    int failures = 0;                                            // of counts to be trusted
 };
 
 /// The eigensolver asked for, or the one that suits the largest number asked for so far.
@@ -117,31 +108,8 @@ double CertifiedEigensolver::State::lowest_shift(Index wanted) {
     if (options.definiteness != Definiteness::indefinite ||
         counter.below(-small, small) == Index{0})
         return -small;
-    return shift_close_to(0, wanted, -2 * norm, -small);
-}
-
-/// A shift in (low, high) with `done` eigenvalues below it, as low has, so that no more than
-/// `wanted` others lie within reach: iterations about it converge where those about low would not.
-double CertifiedEigensolver::State::shift_close_to(Index done, Index wanted, double low,
-                                                   double high) {
     tell("counting");
-    for (int step = 0; step < most_bisections; ++step) {
-        // a multiplet of more copies than wanted has no shift that is near enough; nearer than this
-        // the factorization would lose digits
-        if (high < 0 && high - low < 1e-3 * std::abs(low))
-            break;
-        const double middle = (low + high) / 2;
-        const auto below = counter.below(middle, small);
-        if (!below)
-            break;
-        if (*below > done)
-            high = middle;
-        else
-            low = middle;
-        if (*below > done && *below <= done + wanted)
-            break;
-    }
-    return low;
+    return counter.shift_close_to(0, wanted, -2 * norm, -small, small);
 }
 
 void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiteness) {
@@ -201,8 +169,10 @@ bool CertifiedEigensolver::State::improve(Index count) {
     return rough < count && (smooth() || approach(rough));
 }
 
-/// Rounding and the iteration leave noise of large eigenvalues in the vectors, which a solve takes
-/// away. Nothing that would bring it back comes after it: no projection, no reflections.
+/// Rounding and the iteration leave noise of large eigenvalues in the vectors, which a step of
+/// inverse iteration takes away. As a correction from accurate residuals it is right in the small
+/// entries of a vector too. Nothing that would bring the noise back comes after it: no projection,
+/// no reflections.
 bool CertifiedEigensolver::State::smooth() {
     if (std::exchange(smoothed, true))
         return false;
@@ -211,7 +181,9 @@ bool CertifiedEigensolver::State::smooth() {
     DenseMatrix Y = pairs.vectors()(Eigen::all, pairs.all(false));
     pairs.keep(fine);
     pairs.project_out(Y);
-    Y = solver->solve(Y);
+    DenseMatrix residuals;
+    pencil.enclose(Y, &residuals);
+    Y -= solver->solve(residuals);
     Y.colwise().normalize();
     pairs.take(Y, pencil.enclose(Y));
     rotate();
@@ -230,7 +202,9 @@ void CertifiedEigensolver::State::rotate() {
     if (factor.info() != Eigen::Success || !(factor.matrixLLT().diagonal().minCoeff() > dependent))
         return;
     DenseMatrix images;
-    pencil.enclose(Y, &images);
+    const auto enclosures = pencil.enclose(Y, &images);
+    for (Index i = 0; i < images.cols(); ++i)
+        images.col(i) += enclosures[i].value * Y.col(i);
     const DenseMatrix projected = Y.transpose() * images;
     const Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> ritz(
         (projected + projected.transpose()) / 2, gram);
@@ -271,7 +245,7 @@ void CertifiedEigensolver::State::move_shift(Index wanted) {
     Certificate best;
     for (std::size_t first = 0, last = parts.size(); first < last;) {
         const std::size_t middle = (first + last) / 2;
-        if (certify(parts[middle])) {
+        if (certify(parts[middle]) == Proof::complete) {
             best = certificate;
             first = middle + 1;
         } else {
@@ -280,7 +254,9 @@ void CertifiedEigensolver::State::move_shift(Index wanted) {
     }
     if (!best.complete)
         return;
-    const double next = shift_close_to(best.below_shift, wanted, best.shift, 2 * norm);
+    tell("counting");
+    const double next =
+        counter.shift_close_to(best.below_shift, wanted, best.shift, 2 * norm, small);
     if (next > shift)
         set_shift(next, Definiteness::indefinite);
 }
@@ -292,31 +268,41 @@ Index CertifiedEigensolver::State::gap_behind(Index count) const {
     return behind < 0 && found() == size() ? size() : behind;
 }
 
-/// Proves that the first `count` (a gap behind them) are all there are below it; false if the
-/// inertia counts more. Several places in the gap are tried before the count is called untrusted.
-bool CertifiedEigensolver::State::certify(Index count) {
+/// Proves that the first `count` (a gap behind them) are all there are below it.
+Proof CertifiedEigensolver::State::certify(Index count) {
     if (count == size()) {
         // no eigenvalue is larger than the norm, so there is nothing to count
         certificate = {2 * norm + small, count, count, true};
-        return true;
+        return Proof::complete;
     }
     tell("counting");
     const Vector &values = pairs.values(), &radii = pairs.radii();
     const double low = values[count - 1] + radii[count - 1];
     const double high =
         count < found() ? values[count] - radii[count] : low + std::max(std::abs(low), small);
-    for (const double place : {0.5, 0.38, 0.63, 0.27, 0.71}) {
-        const double tau = low + place * (high - low);
-        const auto below = counter.below(tau, std::min(place, 1 - place) * (high - low));
-        if (!below || *below < count)
+    const auto counted = counter.between(low, high, count);
+    if (!counted)
+        return Proof::untrusted;
+    certificate = {counted->shift, counted->below, count, counted->below == count};
+    return certificate.complete ? Proof::complete : Proof::missing;
+}
+
+/// Proves that the first `count` and those up to the next gap where a count can be trusted are all.
+Proof CertifiedEigensolver::State::prove(Index count) {
+    for (Index i = gap_behind(count); i >= 0; i = gap_behind(i + 1)) {
+        if (i < size() && pairs.values()[i - 1] <= untrusted)
             continue;
-        certificate = {tau, *below, count, *below == count};
-        return certificate.complete;
+        if (const Proof proof = certify(i); proof != Proof::untrusted)
+            return proof;
+        untrusted = pairs.values()[i - 1];
+        if (++failures > most_failures)
+            throw SolverFailure(fmt::format(
+                "the eigenvalues up to {:.6g} cannot be counted: the factorizations of A - tau M "
+                "near it are not accurate enough ({} found); ask for fewer or more eigenvalues, or "
+                "waive the proof",
+                pencil.eigenvalue(untrusted), i));
     }
-    throw SolverFailure(fmt::format(
-        "the eigenvalues below {:.6g} cannot be counted: the factorizations of A - tau M near it "
-        "are not accurate enough ({} found); ask for fewer or more eigenvalues, or waive the proof",
-        pencil.eigenvalue(high), count));
+    return Proof::no_gap;
 }
 
 CertifiedEigenpairs CertifiedEigensolver::State::result(Index count) const {
@@ -329,9 +315,16 @@ CertifiedEigenpairs CertifiedEigensolver::State::result(Index count) const {
     result.certificate.shift = pencil.eigenvalue(certificate.shift);
     result.linear_solver = solver->report().engine;
     result.eigen_solver = eigensolver->name();
-    for (Index i = 0; i < count; ++i)
+    for (Index i = 0; i < count; ++i) {
+        if (!pairs.is_accurate(i, 1))
+            throw SolverFailure(fmt::format(
+                "eigenvalue {} cannot be told from its neighbors: it is {:.6g} to within {:.3g}, "
+                "since rounding beside the largest one, about {:.3g}, hides it; improve or remove "
+                "cells that are very much smaller or flatter than others",
+                i, result.values[i], result.radii[i], pencil.eigenvalue(norm)));
         if (!pairs.is_accurate(i, largest_radius))
             result.rough.push_back(i);
+    }
     return result;
 }
 
@@ -367,8 +360,13 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
             continue;
         if (s.found() >= count && s.options.certification == Certification::waived)
             return s.result(count);
-        const Index behind = s.found() < count ? -1 : s.gap_behind(count);
-        if (behind < 0) {
+        switch (s.found() < count ? Proof::no_gap : s.prove(count)) {
+        case Proof::complete:
+            return s.result(count);
+        case Proof::missing:
+            wanted = s.found() + s.certificate.below_shift - s.certificate.returned_below_shift;
+            break;
+        default:
             // a cluster without end, or not yet seen
             wanted = s.found() + std::max<Index>(3, s.found() / 3);
             if (wanted > count + largest_cluster)
@@ -376,11 +374,7 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
                     "no gap in the spectrum within {} eigenvalues behind number {}: the count "
                     "cannot be proved; waive the proof or ask for fewer",
                     largest_cluster, count));
-            continue;
         }
-        if (s.certify(behind))
-            return s.result(count);
-        wanted = s.found() + s.certificate.below_shift - behind;
     }
     throw SolverFailure(fmt::format(
         "{} eigenvalues asked for, {} found and the proof not reached in {} rounds (last: {} by "

@@ -91,11 +91,12 @@ void FoundPairs::take(const DenseMatrix& vectors, const std::vector<Enclosure>& 
     const Index before = count(), after = before + static_cast<Index>(vectors.cols());
     vectors_.conservativeResize(Eigen::NoChange, after);
     vectors_.rightCols(vectors.cols()) = vectors;
-    for (Vector* const list : {&values_, &lone_radii_, &energies_, &residuals_})
+    for (Vector* const list : {&values_, &lone_radii_, &doubts_, &energies_, &residuals_})
         list->conservativeResize(after);
     for (Index i = before; i < after; ++i) {
         values_[i] = enclosures[i - before].value;
         lone_radii_[i] = enclosures[i - before].radius;
+        doubts_[i] = enclosures[i - before].doubt;
         energies_[i] = enclosures[i - before].energy;
         residuals_[i] = enclosures[i - before].residual;
     }
@@ -108,7 +109,7 @@ void FoundPairs::take(const DenseMatrix& vectors, const std::vector<Enclosure>& 
 
 void FoundPairs::keep(const std::vector<Index>& chosen) {
     vectors_ = DenseMatrix(vectors_(Eigen::all, chosen));
-    for (Vector* const list : {&values_, &lone_radii_, &energies_, &residuals_})
+    for (Vector* const list : {&values_, &lone_radii_, &doubts_, &energies_, &residuals_})
         *list = Vector((*list)(chosen));
     radii_ = joint_radii(values_, lone_radii_, energies_, vectors_);
 }
@@ -135,7 +136,8 @@ bool FoundPairs::is_accurate(Index i, double share) const {
 }
 
 bool FoundPairs::is_fine(Index i) const {
-    return radii_[i] <= fine_share * std::max(std::abs(values_[i]), small_);
+    return radii_[i] <= fine_share * std::max(std::abs(values_[i]), small_) ||
+           lone_radii_[i] <= 2 * doubts_[i];
 }
 
 std::vector<Index> FoundPairs::all(bool fine) const {

@@ -46,7 +46,7 @@ public:
     /// next ones that can be told from it.
     bool is_accurate(Index i, double share) const;
 
-    /// Whether more accuracy of pair i need not be striven for.
+    /// Whether more accuracy of pair i need not be striven for, or cannot be had.
     bool is_fine(Index i) const;
 
     /// Those that are fine, or the others.
@@ -62,7 +62,7 @@ public:
 private:
     double distance_to_others(Index i) const;
 
-    Vector values_, lone_radii_, energies_, radii_, residuals_;
+    Vector values_, lone_radii_, doubts_, energies_, radii_, residuals_;
     DenseMatrix vectors_;
     double small_;
 };

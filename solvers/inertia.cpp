@@ -6,12 +6,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace polydec {
 
+namespace {
+
+/// Enough to know the smallest eigenvalue to a small factor.
+constexpr int inverse_iterations = 4;
+
+/// Halvings of an interval on the axis; each costs a factorization.
+constexpr int most_bisections = 40;
+
+} // namespace
+
 InertiaCounter::InertiaCounter(std::shared_ptr<const SparseMatrix> B, const std::string& engine,
-                               int domain_dimension)
-    : B_(std::move(B)), solver_(make_linear_solver(engine)), norm_(row_sum_norm(*B_)) {
+                               int domain_dimension, Doubt doubt)
+    : B_(std::move(B)), solver_(make_linear_solver(engine)), doubt_(std::move(doubt)) {
     facts_.symmetry = Symmetry::symmetric;
     facts_.definiteness = Definiteness::indefinite;
     facts_.inertia = Inertia::wanted;
@@ -20,21 +31,67 @@ InertiaCounter::InertiaCounter(std::shared_ptr<const SparseMatrix> B, const std:
 
 InertiaCounter::~InertiaCounter() = default;
 
+/// D (B - shift I) D without rounding.
+SparseMatrix InertiaCounter::scaled(double shift) const {
+    const Vector D = doubt_.sizes.unaryExpr([=](double size) {
+        const double all = size + std::abs(shift);
+        return all > 0 ? std::ldexp(1.0, -std::ilogb(all) / 2) : 1.0;
+    });
+    return D.asDiagonal() * shifted(*B_, shift) * D.asDiagonal();
+}
+
 std::optional<Index> InertiaCounter::below(double shift, double gap) {
+    if (!(doubt_.relative * std::abs(shift) < gap))
+        return std::nullopt;
+    const auto S = std::make_shared<const SparseMatrix>(scaled(shift));
+    Vector probe(S->rows());
+    for (Index i = 0; i < probe.size(); ++i)
+        probe[i] = std::sin(1.0 + i);
+    double lost = 0;
     try {
-        solver_->factorize(std::make_shared<const SparseMatrix>(shifted(*B_, shift)), facts_);
-        // growth of the pivots shows in a solve with an uneven right-hand side
-        Vector probe(B_->rows());
-        for (Index i = 0; i < probe.size(); ++i)
-            probe[i] = std::sin(1.0 + i);
-        solver_->solve(probe);
+        solver_->factorize(S, facts_);
+        // growth of the pivots shows in solves
+        for (int step = 0; step < inverse_iterations; ++step) {
+            probe = solver_->solve(probe.normalized());
+            lost = std::max(lost, solver_->report().backward_error);
+        }
     } catch (const SolverFailure&) {
         return std::nullopt;
     }
     constexpr double far_below = 1e-2;
-    if (!(solver_->report().backward_error * (norm_ + std::abs(shift)) <= far_below * gap))
+    const double smallest = 1 / probe.norm();
+    if (!(lost * row_sum_norm(*S) <= far_below * (smallest - doubt_.share)))
         return std::nullopt;
     return solver_->negative_pivots();
+}
+
+std::optional<InertiaCounter::Counted> InertiaCounter::between(double low, double high,
+                                                               Index known) {
+    for (const double place : {0.5, 0.38, 0.63, 0.27, 0.71}) {
+        const double shift = low + place * (high - low);
+        const auto count = below(shift, std::min(place, 1 - place) * (high - low));
+        if (count && *count >= known)
+            return Counted{shift, *count};
+    }
+    return std::nullopt;
+}
+
+double InertiaCounter::shift_close_to(Index done, Index wanted, double low, double high,
+                                      double gap) {
+    for (int step = 0; step < most_bisections; ++step) {
+        // a multiplet of more copies than wanted has no shift that is near enough; nearer than this
+        // the factorization would lose digits
+        if (high < 0 && high - low < 1e-3 * std::abs(low))
+            break;
+        const double middle = (low + high) / 2;
+        const auto count = below(middle, gap);
+        if (!count)
+            break;
+        (*count > done ? high : low) = middle;
+        if (*count > done && *count <= done + wanted)
+            break;
+    }
+    return low;
 }
 
 SparseMatrix shifted(const SparseMatrix& B, double shift) {
@@ -52,6 +109,18 @@ double row_sum_norm(const SparseMatrix& B) {
         norm = std::max(norm, sum);
     }
     return norm;
+}
+
+double small_length(const SparseMatrix& B) {
+    Vector diagonal = B.diagonal().cwiseAbs();
+    std::sort(diagonal.begin(), diagonal.end());
+    const double norm = row_sum_norm(B);
+    double typical = diagonal[diagonal.size() / 64];
+    if (typical == 0)
+        typical = diagonal[diagonal.size() / 2];
+    if (typical == 0)
+        typical = norm > 0 ? norm : 1;
+    return std::max(1e-3 * typical / std::sqrt(static_cast<double>(B.rows())), 1e-12 * norm);
 }
 
 } // namespace polydec

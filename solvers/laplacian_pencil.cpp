@@ -2,7 +2,6 @@
 #include "solvers/laplacian_pencil.h"
 
 #include "dec/derivative.h"
-#include "dec/rounding.h"
 #include "dec/star.h"
 
 #include <algorithm>
@@ -11,10 +10,9 @@ namespace polydec {
 
 namespace {
 
-/// What rounding, and what is not known of the last digits of the points, have done at most to a
-/// star entry.
+/// What rounding has done at most to a star entry.
 Vector star_uncertainty(const CellVolumes& volumes, int k) {
-    return volumes.terms(k).unaryExpr(&rounding_of).cwiseQuotient(volumes.primal(k));
+    return volumes.rounding(k).cwiseQuotient(volumes.primal(k));
 }
 
 /// The largest share of an entry of star_k that is uncertain; below 1, or it would not be positive.

@@ -8,11 +8,10 @@
 namespace polydec {
 
 /// star_k Delta_k x = lambda star_k x on primal k-forms, k < n, by its parts. Their uncertainties
-/// are what duals are off by at most: the rounding error of their terms (dec/rounding.h), in which
-/// the last digits of the points count as unknown. An uncertain mass moves each
-/// eigenvalue by that share of it: true of each part (Ostrowski 1959), and so of both, since they
-/// have their nonzero eigenvalues apart from each other. Throws InvalidInput, naming the cells, if
-/// star_(k-1) has a zero.
+/// are what computing has done at most to the stars (CellVolumes::rounding); points, or lengths,
+/// are taken as exact. An uncertain mass moves each eigenvalue by that share of it: true of each
+/// part (Ostrowski 1959), and so of both, since they have their nonzero eigenvalues apart from each
+/// other. Throws InvalidInput, naming the cells, if star_(k-1) has a zero.
 Pencil laplacian_pencil(const CellComplex& complex, const CellVolumes& volumes, int k);
 
 /// The same for k = n, where the lower part is left alone. Unknowns are star_n times the forms: the

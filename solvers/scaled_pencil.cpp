@@ -171,6 +171,32 @@ void ScaledPencil::assemble() {
     matrix_ = std::make_shared<SparseMatrix>((B + SparseMatrix(B.transpose())) / 2);
 }
 
+/// An entry is a sum of as many terms as a column of F has, each of them a product of six numbers.
+Doubt ScaledPencil::doubt() const {
+    constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+    const Vector inverse = root_.cwiseInverse();
+    Doubt doubt{Vector::Zero(size()), 0, mass_uncertainty_ / (1 - mass_uncertainty_)};
+    if (C_.size() > 0)
+        doubt.sizes += C_.diagonal().cwiseAbs();
+    for (const Part& part : parts_)
+        doubt.sizes += part.transposed.cwiseAbs2() * part.weights.cwiseAbs();
+    doubt.sizes = doubt.sizes.cwiseProduct(inverse).cwiseProduct(inverse);
+    const Vector scaling =
+        doubt.sizes.unaryExpr([](double size) { return size > 0 ? 1 / std::sqrt(size) : 0.0; });
+    const Vector x = inverse.cwiseProduct(scaling);
+    Vector sums = Vector::Zero(size());
+    if (C_.size() > 0)
+        sums += 6 * unit * (C_.cwiseAbs() * x);
+    for (const Part& part : parts_) {
+        const auto terms = static_cast<double>(longest_row(part.transposed) + 6);
+        const Vector errors = unit * terms * part.weights.cwiseAbs() + part.uncertainty;
+        const Vector image = part.F.cwiseAbs() * x;
+        sums += part.transposed.cwiseAbs() * Vector(errors.cwiseProduct(image));
+    }
+    doubt.share = sums.cwiseProduct(x).maxCoeff();
+    return doubt;
+}
+
 void ScaledPencil::add_part(const Part& part, const Vector& x, Image& image) const {
     LongVector Fx;
     Vector error;
@@ -226,27 +252,34 @@ Enclosure ScaledPencil::enclose(const Vector& x, const Image& image) const {
     }
     // what the sums above have lost is far below a millionth
     constexpr double safety = 1 + 1e-6;
-    const auto radius =
-        static_cast<double>((std::sqrt(residual) + std::sqrt(doubt)) / std::sqrt(square));
-    result.radius = safety * (radius + mass_uncertainty_ / (1 - mass_uncertainty_) *
-                                           (std::abs(result.value) + radius));
+    const double share = mass_uncertainty_ / (1 - mass_uncertainty_);
+    const auto widened = [&](long double radius) {
+        return safety *
+               (static_cast<double>(radius) * (1 + share) + share * std::abs(result.value));
+    };
+    result.radius = widened((std::sqrt(residual) + std::sqrt(doubt)) / std::sqrt(square));
+    result.doubt = widened(std::sqrt(doubt / square));
     result.energy =
         safety * (1 + 2 * mass_uncertainty_) * image.energy / static_cast<double>(square);
     result.residual = static_cast<double>(std::sqrt(given) / std::sqrt(given_mass));
     return result;
 }
 
-std::vector<Enclosure> ScaledPencil::enclose(const DenseMatrix& Y, DenseMatrix* images) const {
+std::vector<Enclosure> ScaledPencil::enclose(const DenseMatrix& Y, DenseMatrix* residuals) const {
     std::vector<Enclosure> enclosures(Y.cols());
-    if (images)
-        images->resize(Y.rows(), Y.cols());
+    if (residuals)
+        residuals->resize(Y.rows(), Y.cols());
     for_each_part(static_cast<Index>(Y.cols()), 1, [&](Index begin, Index end) {
         for (Index i = begin; i < end; ++i) {
             const Vector x = Y.col(i).cwiseQuotient(root_);
             const Image image = apply(x);
             enclosures[i] = enclose(x, image);
-            if (images)
-                images->col(i) = image.Ax.cast<double>().cwiseQuotient(root_);
+            if (residuals)
+                for (Index j = 0; j < size(); ++j)
+                    (*residuals)(j, i) = static_cast<double>(
+                        (image.Ax[j] -
+                         enclosures[i].value * static_cast<long double>(M_[j]) * x[j]) /
+                        root_[j]);
         }
     });
     return enclosures;

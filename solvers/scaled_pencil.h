@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "solvers/inertia.h"
 #include "solvers/pencil.h"
 
 #include <memory>
@@ -13,6 +14,7 @@ namespace polydec {
 struct Enclosure {
     double value = 0;
     double radius = 0;
+    double doubt = 0;  ///< the part of it that no better x could take away
     double energy = 0; ///< above x^T A x / x^T M x if A is semidefinite for sure, else infinite
     double residual =
         0; ///< |A x - value M x| / |M x| in 2-norms, x in the units of the pencil given
@@ -32,11 +34,15 @@ public:
     /// M^-1/2 A M^-1/2, rounded: for factorizations.
     const std::shared_ptr<const SparseMatrix>& matrix() const { return matrix_; }
 
+    /// How far this matrix may be from that of the pencil: by the rounding of its entries, and what
+    /// the uncertainties can do.
+    Doubt doubt() const;
+
     /// What the columns of Y prove, from residuals in more than double precision where there is:
     /// |A x - theta M x| in the norm of M^-1 over |x| in that of M, the rounding of this residual
-    /// and what the uncertainties of weights and masses can do. Where images are asked for, they
-    /// are M^-1/2 A M^-1/2 Y.
-    std::vector<Enclosure> enclose(const DenseMatrix& Y, DenseMatrix* images = nullptr) const;
+    /// and what the uncertainties of weights and masses can do. Where residuals are asked for,
+    /// they are M^-1/2 (A X - M X theta).
+    std::vector<Enclosure> enclose(const DenseMatrix& Y, DenseMatrix* residuals = nullptr) const;
 
     /// Eigenvalues, and all that is measured like them, in the units of the pencil given.
     double eigenvalue(double scaled) const;

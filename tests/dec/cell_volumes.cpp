@@ -33,8 +33,8 @@ TEST(CellVolumesErrors, name_degree_and_cell_of_what_is_no_volume) {
     auto dual = three_degrees(4);
     dual[2][1] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(refusal([&] { CellVolumes(three_degrees(4), dual); }),
-              "the 2-cell 1 has dual volume nan, a sum of terms of size nan: expected finite "
-              "numbers");
+              "the 2-cell 1 has dual volume nan, a sum of terms of size nan, to within nan: "
+              "expected finite numbers");
 }
 
 TEST(CellVolumesErrors, name_sizes_that_differ) {
@@ -42,12 +42,12 @@ TEST(CellVolumesErrors, name_sizes_that_differ) {
     EXPECT_EQ(refusal([&] {
                   CellVolumes(three_degrees(4), dual, {dual[0], dual[1]});
               }),
-              "volumes are given in 3 degrees, dual volumes in 3 and their terms in 2: expected "
-              "the same number");
+              "volumes are given in 3 degrees, dual volumes in 3, their terms in 2 and rounding "
+              "errors in 2: expected the same number");
     dual[1] = Vector::Ones(5);
     EXPECT_EQ(refusal([&] { CellVolumes(three_degrees(4), dual); }),
-              "4 volumes, 5 dual volumes and 5 terms are given for the 1-cells: expected one of "
-              "each for every cell");
+              "4 volumes, 5 dual volumes, 5 terms and 5 rounding errors are given for the 1-cells: "
+              "expected one of each for every cell");
 }
 
 TEST(CellVolumesErrors, name_the_degrees_that_there_are) {
