@@ -49,24 +49,39 @@ TEST(ThinLayers, keep_linear_functions_where_boxes_grow) {
     }
 }
 
-/// Largest error of sin(pi x) y with y across the layers, so that -Laplace is pi^2 of itself.
-double error_of_wave(int cells, double thickness, Side side) {
-    const Mesh input = layers(2, cells, thickness / cells);
-    const auto mesh = discretize(input);
-    PoissonSolver solver(mesh, {.side = side});
-    const auto wave = [&](const Points& sites) {
-        return Vector((M_PI * sites.col(0)).array().sin() * (1 + sites.col(1).array() / thickness));
-    };
-    const Vector u =
-        solver.solve(M_PI * M_PI * wave(solver.sites()), wave(solver.boundary_sites()));
-    return (u - wave(solver.sites())).cwiseAbs().maxCoeff() /
-           wave(solver.sites()).cwiseAbs().maxCoeff();
+/// Cubes of which the lowest quarter is pressed together to thin layers.
+Mesh partly_thin(int n, int cells, double aspect) {
+    Mesh mesh = kuhn(n, cells);
+    const double part = 0.25, whole = part / aspect;
+    for (double& y : mesh.points.col(n - 1))
+        y = y <= part ? y / aspect : whole + (y - part) / (1 - part) * (1 - whole);
+    return mesh;
 }
 
-TEST(ThinLayers, have_the_errors_of_interpolation_at_their_boundary) {
-    // in a thin strip the boundary values decide: what is left falls with order 2 at least
-    for (const Side side : {Side::primal, Side::dual})
-        EXPECT_LE(error_of_wave(32, 1e-3, side), error_of_wave(16, 1e-3, side) / 3);
+/// L2 error of the product of cos(pi x_i + 1/4) / (n pi^2), all its values on the boundary given.
+double error_of_wave(const Mesh& input, Side side) {
+    const auto mesh = discretize(input);
+    const int n = mesh.dimension();
+    PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::essential}});
+    const auto wave = [](const Points& sites) {
+        return Vector((M_PI * sites.array() + 0.25).cos().rowwise().prod());
+    };
+    const Vector exact = wave(solver.sites());
+    const Vector u = solver.solve(n * M_PI * M_PI * exact, wave(solver.boundary_sites()));
+    const Vector& weights = side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(n);
+    return std::sqrt(weights.dot((u - exact).cwiseAbs2()));
+}
+
+TEST(ThinLayers, have_the_orders_of_ordinary_grids) {
+    for (const int n : {2, 3})
+        for (const Side side : {Side::primal, Side::dual})
+            for (const double aspect : {1.0, 1e5}) {
+                const int cells = n == 2 ? 32 : 8;
+                const double ratio = error_of_wave(partly_thin(n, cells, aspect), side) /
+                                     error_of_wave(partly_thin(n, 2 * cells, aspect), side);
+                EXPECT_NEAR(std::log2(ratio), 2, 0.15)
+                    << n << "D, " << name(side) << ", aspect " << aspect;
+            }
 }
 
 TEST(TwoSpheres, of_radii_1_and_1e_6_have_their_spectra_in_every_degree) {

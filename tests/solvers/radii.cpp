@@ -13,6 +13,7 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -122,19 +123,55 @@ TEST(Radii, are_not_there_for_nothing) {
     EXPECT_GT(outside, 0);
 }
 
-/// Two flat triangles on both sides of an edge, and one of ordinary shape. Values: 60 digits.
+/// Two triangles of height h on both sides of an edge, and one of ordinary shape. Values: 60
+/// digits.
 TEST(ThreeTriangles, have_small_eigenvalues_beside_a_huge_one) {
-    const double h = std::ldexp(1.0, -19);
-    const Complex cells(made_of({{0, 0}, {1, 0}, {0.5, -h}, {0.5, h}, {0.5, -0.5}},
-                                {{0, 1, 3}, {0, 1, 2}, {0, 2, 4}}));
-    const auto found = spectrum(cells.complex, cells.volumes, {.side = Side::dual, .count = 3});
-    const double exact[] = {-4194304.0000610352727, -1.5258920029959102858e-5,
-                            15.999984741341903849};
-    for (Index i = 0; i < 3; ++i) {
-        EXPECT_NEAR(found.eigenvalues[i], exact[i], found.radii[i]) << i;
-        EXPECT_NEAR(found.eigenvalues[i], exact[i], 1e-9 * std::abs(exact[i])) << i;
-        EXPECT_LE(found.radii[i], 1e-6 * std::abs(exact[i])) << i;
+    const auto check = [](double h, double depth, const std::array<double, 3>& exact) {
+        const Complex cells(made_of({{0, 0}, {1, 0}, {0.5, -h}, {0.5, h}, {0.5, -depth}},
+                                    {{0, 1, 3}, {0, 1, 2}, {0, 2, 4}}));
+        for (const Side side : {Side::primal, Side::dual}) {
+            const auto found =
+                spectrum(cells.complex, cells.volumes,
+                         {.side = side, .degree = side == Side::primal ? 2 : 0, .count = 3});
+            for (Index i = 0; i < 3; ++i) {
+                EXPECT_NEAR(found.eigenvalues[i], exact[i], found.radii[i]) << i;
+                EXPECT_NEAR(found.eigenvalues[i], exact[i], 1e-9 * std::abs(exact[i])) << i;
+                EXPECT_LE(found.radii[i], 1e-6 * std::abs(exact[i])) << i;
+            }
+            EXPECT_TRUE(found.rough.empty());
+        }
+    };
+    check(std::ldexp(1.0, -19), 0.5,
+          {-4194304.0000610352727, -1.5258920029959102858e-5, 15.999984741341903849});
+    check(1e-6, 1, {-3999988.000052, -1.600000000016e-5, 15.999984000096});
+}
+
+/// An edge of 3e-15 among nine of length 1 around a vertex: eigenvalues of 1e29 beside 2.
+TEST(StarOfEdges, with_one_too_short_is_refused_or_right) {
+    Mesh star;
+    star.points = Points::Zero(11, 1);
+    star.simplices.resize(10, 2);
+    for (Index i = 1; i <= 10; ++i) {
+        star.points(i, 0) = i == 4 ? 3e-15 : 1;
+        star.simplices.row(i - 1) << 0, i;
     }
+    const Complex cells(star);
+    Index refused = 0;
+    for (const int k : {0, 1})
+        try {
+            const auto found = spectrum(cells.complex, cells.volumes, {.degree = k, .count = 4});
+            const LongVector exact = long_spectrum(cells.complex, cells.volumes, k);
+            for (Index i = 0; i < 4; ++i) {
+                EXPECT_LE(std::abs(found.eigenvalues[i] - exact[i]),
+                          found.radii[i] + 1e-17L * exact.maxCoeff());
+                EXPECT_TRUE(std::isfinite(found.radii[i]));
+            }
+        } catch (const SolverFailure& refusal) {
+            ++refused;
+            EXPECT_NE(std::string_view(refusal.what()).find("cannot be"), std::string_view::npos)
+                << refusal.what();
+        }
+    EXPECT_GE(refused, 1);
 }
 
 TEST(CertifiedEigensolver, works_at_any_scale) {
