@@ -32,6 +32,21 @@ Number difference(double a, double b) {
         return Number::difference(a, b);
 }
 
+/// Barycentric coordinates of the center = sum of barycentric * edges, which stands in the basis
+/// and is overwritten: solves with the transposed triangle.
+template <class Number>
+void solve(int k, const Number* triangle, Number* center, double* barycentric) {
+    Number rest = 1;
+    for (int i = k; i-- > 0;) {
+        Number& value = center[i];
+        for (int j = i + 1; j < k; ++j)
+            value = value - triangle[j * k + i] * center[j];
+        barycentric[i + 1] = static_cast<double>(value);
+        rest = rest - value;
+    }
+    barycentric[0] = static_cast<double>(rest);
+}
+
 /// make() gives a function, for one thread, that makes a sphere look at simplex s.
 template <class Make>
 Vector radii_of(Index count, Make make) {
@@ -174,16 +189,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
     volume_ = static_cast<double>(volume);
     squared_radius_ = static_cast<double>(squared_radius);
 
-    // center = sum of barycentric * edges: solve with the transposed triangle
-    Number rest = 1;
-    for (int i = k; i-- > 0;) {
-        Number& value = center[i];
-        for (int j = i + 1; j < k; ++j)
-            value = value - triangle[j * k + i] * center[j];
-        barycentric_[i + 1] = static_cast<double>(value);
-        rest = rest - value;
-    }
-    barycentric_[0] = static_cast<double>(rest);
+    solve(k, triangle, center, barycentric_.data());
     measure_slopes(triangle, along + k, reach, std::sqrt(longest));
     return true;
 }
