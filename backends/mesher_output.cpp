@@ -61,7 +61,8 @@ void check_points_kept(const MesherResult& result) {
 }
 
 double sum_of_positive_volumes(const MesherResult& result) {
-    const auto& [points, tetrahedra, faces, facets] = result.output;
+    const Points& points = result.output.points;
+    const Simplices& tetrahedra = result.output.tetrahedra;
     double sum = 0.0;
     for (Index cell = 0; cell < tetrahedra.rows(); ++cell) {
         const auto corner = [&](int i) -> Place { return points.row(tetrahedra(cell, i)); };

@@ -88,21 +88,21 @@ void write(JsonWriter& json, const Manifest& manifest, const std::filesystem::pa
     json.member("version", POLYDEC_VERSION);
     json.member("command", manifest.command);
     json.array("mesh", [&] {
-        for (const auto& [file, bytes, sha256] : manifest.mesh)
+        for (const auto& read : manifest.mesh)
             json.object([&] {
-                json.member("file", file.filename().string());
-                json.member("bytes", bytes);
-                json.member("sha256", sha256);
+                json.member("file", read.file.filename().string());
+                json.member("bytes", read.bytes);
+                json.member("sha256", read.sha256);
             });
     });
     json.object("options", [&] { write_options(json, manifest.options); });
     json.member("options_sha256", hash_of_options(manifest.options));
     json.member("dimension", manifest.dimension);
     json.array("files", [&] {
-        for (const auto& [name, bytes] : files_in(folder))
+        for (const auto& written : files_in(folder))
             json.object([&] {
-                json.member("name", name);
-                json.member("bytes", bytes);
+                json.member("name", written.first);
+                json.member("bytes", written.second);
             });
     });
     json.member("warnings", manifest.warnings);
