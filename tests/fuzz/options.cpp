@@ -26,8 +26,12 @@ std::vector<std::string> words(std::string_view bytes) {
 
 /// Arguments of the command, one a line. They are understood or refused, and nothing is done.
 void options(std::string_view bytes) {
-    const auto app = tools::command_line();
-    app->parse_complete_callback([] { throw CLI::Success(); }); // before any subcommand works
+    // built once: it forgets what it has parsed, and building takes a hundred times as long
+    static const auto app = [] {
+        auto made = tools::command_line();
+        made->parse_complete_callback([] { throw CLI::Success(); }); // before any subcommand works
+        return made;
+    }();
     try {
         app->parse(words(bytes));
         throw Finding("nothing is understood without a subcommand");
