@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <utility>
 
 namespace polydec {
@@ -62,7 +63,7 @@ std::vector<std::vector<Index>> count_cofaces(const std::vector<IncidenceMatrix>
         auto& count = counts.emplace_back(static_cast<std::size_t>(D.cols()), 0);
         for (Index t = 0; t < D.rows(); ++t)
             for (IncidenceMatrix::InnerIterator s(D, t); s; ++s)
-                ++count[s.col()];
+                count[s.col()] += std::abs(s.value());
     }
     for (std::size_t k = 0; k < canceled.size(); ++k)
         for (const auto& incidence : canceled[k])

@@ -19,10 +19,7 @@ namespace polydec {
 namespace {
 
 void check_points(const SimplicialComplex& complex, const Points& points) {
-    const auto largest = complex.simplices(0).maxCoeff();
-    if (largest >= points.rows())
-        throw InvalidInput(fmt::format("a cell uses vertex {} but there are only {} points",
-                                       largest, points.rows()));
+    require_points(complex, points, "a volume");
     if (points.cols() < complex.dimension())
         throw InvalidInput(fmt::format("simplices of dimension {} do not fit into {} coordinates",
                                        complex.dimension(), points.cols()));
@@ -46,6 +43,20 @@ bool is_moderate(double volume) {
     return volume < largest && volume > 1 / largest;
 }
 
+/// The largest difference of a coordinate between two corners.
+double largest_extent(const Corners& corners) {
+    double extent = 0;
+    for (Eigen::Index c = 0; c < corners.points.cols(); ++c) {
+        double least = corners.points(corners.vertices[0], c), most = least;
+        for (const Index v : corners.vertices) {
+            least = std::min(least, corners.points(v, c));
+            most = std::max(most, corners.points(v, c));
+        }
+        extent = std::max(extent, most - least);
+    }
+    return extent;
+}
+
 /// Names the simplex of least dimension, of those with t, whose volume is of no use.
 [[noreturn]] void refuse(const SimplicialComplex& complex, const SimplexMetric& metric, int k,
                          Index t) {
@@ -57,16 +68,18 @@ bool is_moderate(double volume) {
                 refuse(complex, metric, m, s);
     const auto list = vertices(complex.simplices(k), t);
     const bool has_volume = sphere.look_at(layout.at(k, t));
-    if (!has_volume && metric.lengths() != nullptr)
+    const double length = k > 0 ? largest_extent(layout.at(k, t)) : 1;
+    if (has_volume || (length > 0 && !is_moderate(length)))
+        throw InvalidInput(fmt::format(
+            "the {}-simplex with vertices {} has edges of about {:.3g} and volume {:.3g}: products "
+            "of such numbers are none; scale the mesh to a size nearer to 1, or leave out what is "
+            "so much smaller",
+            k, fmt::join(list, ", "), length, sphere.volume()));
+    if (metric.lengths() != nullptr)
         throw InvalidInput(flaw_of_lengths(complex, metric, k, t));
-    if (!has_volume)
-        throw InvalidInput(
-            fmt::format("the {}-simplex with vertices {} has no volume: remove it or move a vertex",
-                        k, fmt::join(list, ", ")));
-    throw InvalidInput(fmt::format(
-        "the {}-simplex with vertices {} has volume {:.3g}: products of such volumes are no "
-        "numbers; scale the mesh to a size nearer to 1, or leave out what is so much smaller",
-        k, fmt::join(list, ", "), sphere.volume()));
+    throw InvalidInput(
+        fmt::format("the {}-simplex with vertices {} has no volume: remove it or move a vertex", k,
+                    fmt::join(list, ", ")));
 }
 
 /// To what errors of the dual volumes are in proportion. What is still to be divided by a simplex's

@@ -41,8 +41,8 @@ public:
     const Vector& terms(int k) const& { return terms_[checked(k)]; }
     Vector terms(int k) && { return std::move(terms_[checked(k)]); }
 
-    /// How far |*s| / |s| may be off, times |s|, if points or lengths are exact: what computing has
-    /// done. length^(n-k).
+    /// How far |*s| / |s| may be off, times |s|: what computing has done if points are exact.
+    /// Lengths have been computed, so their last digits count. length^(n-k).
     const Vector& rounding(int k) const& { return rounding_[checked(k)]; }
     Vector rounding(int k) && { return std::move(rounding_[checked(k)]); }
 

@@ -114,9 +114,10 @@ void Circumsphere::measure_slopes(const Number* triangle, Number* column, double
     add(0, squared);
     const double slope = std::sqrt(all_slopes), radius = std::sqrt(squared_radius_);
     uncertainty_ = {1, 2 * radius * reach * slope};
-    rounding_ = {};
-    if constexpr (std::is_same_v<Number, double>)
-        rounding_ = {1 + longest * slope, radius * longest * slope};
+    double loss = longest * slope;
+    if constexpr (!std::is_same_v<Number, double>)
+        loss *= std::numeric_limits<double>::epsilon() * loss;
+    rounding_ = {1 + loss, radius * loss};
 }
 
 /// Dimensions that are fixed let the compiler unroll all loops; -1 stands for any. Orthogonalizing
@@ -195,6 +196,12 @@ bool Circumsphere::look(std::span<const Index> vertices) {
 }
 
 bool Circumsphere::look_at(std::span<const Index> vertices) {
+    check_number("vertices of a simplex", static_cast<std::int64_t>(vertices.size()), 1,
+                 most_vertices);
+    if (static_cast<Eigen::Index>(vertices.size()) > points_->cols() + 1) {
+        volume_ = 0; // too many to be independent
+        return false;
+    }
     switch (10 * static_cast<int>(points_->cols()) + static_cast<int>(vertices.size()) - 1) {
     case 21:
         return look<double, 1, 2>(vertices);

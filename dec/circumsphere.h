@@ -22,8 +22,8 @@ struct HeightTerms {
 /// Volume and circumscribed sphere of one simplex after another, of any dimension k in R^N. Works
 /// by orthogonalizing the edge vectors, of flat simplices with twice the digits of a double, so
 /// that volume, radius and barycentric coordinates (beside the largest of them) are right to the
-/// last few digits whatever the shape. What is asked of the sphere of a simplex without volume, or
-/// before any, throws InvalidInput.
+/// last few digits unless two heights together are 1e-16 of the edges; rounding() tells. What is
+/// asked of the sphere of a simplex without volume, or before any, throws InvalidInput.
 class Circumsphere {
 public:
     /// For simplices whose corners a SimplexLayout places.
@@ -32,8 +32,9 @@ public:
     /// For simplices between these points, which must outlive it.
     explicit Circumsphere(const Points& points) : points_(&points) {}
 
-    /// Looks at the simplex with these k+1 vertex numbers. False iff its edge vectors are linearly
-    /// dependent to the last digit; volume() is 0 then, and there is no sphere.
+    /// Looks at the simplex with these k+1 vertex numbers, 1 to 32 of them or else InvalidInput is
+    /// thrown. False iff its edge vectors are linearly dependent to the last digit; volume() is 0
+    /// then, and there is no sphere.
     [[nodiscard]] bool look_at(std::span<const Index> vertices);
     [[nodiscard]] bool look_at(const Corners& corners);
 
@@ -71,10 +72,10 @@ public:
     /// a_i a_j) then.
     const HeightTerms& uncertainty() const { return uncertainty_; }
 
-    /// The same for points that are exact: what computing has done. Nothing shifts where it was
-    /// done with twice the digits; else edges of length l shift the center by R l / a, and volumes,
-    /// and heights with them, grow by 1 + l / a. Of 2.4 million random simplices of dimensions 1 to
-    /// 5 the worst was off by .36 times rounding_of this.
+    /// The same for points that are exact: what computing has done. Edges of length l shift the
+    /// center by R l / a, and volumes, and heights with them, grow by 1 + l / a. Of 2.4 million
+    /// random simplices of dimensions 1 to 5 the worst was off by .36 times rounding_of this. Where
+    /// it was done with twice the digits, (l / a)^2 eps takes the place of l / a.
     const HeightTerms& rounding() const { return rounding_; }
 
 private:
@@ -90,8 +91,9 @@ private:
     [[noreturn]] static void refuse_flat();
 
     const Points* points_ = nullptr;
-    std::array<double, 32> barycentric_{};    // more vertices no simplex of a complex has
-    std::array<double, 32> squared_slopes_{}; // of the barycentric coordinates: 1 / height^2
+    static constexpr int most_vertices = 32; // of a simplex of a complex, too
+    std::array<double, most_vertices> barycentric_{};
+    std::array<double, most_vertices> squared_slopes_{}; // of the coordinates: 1 / height^2
     std::tuple<std::vector<double>, std::vector<TwoDoubles>> scratch_;
     int dimension_ = 0;
     double volume_ = 0;

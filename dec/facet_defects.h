@@ -11,7 +11,7 @@ struct FacetDefects {
     Vector defect; ///< |V(f)| (length) beyond rounding, or the angle's distance from pi (radians)
     Vector scale;  ///< what the tolerance multiplies: l(f), or 1
     Vector height; ///< least height of an n-simplex over the facet; length
-    std::vector<bool> degenerate; ///< defect within tolerance * scale, dual_length of height too
+    std::vector<bool> degenerate; ///< defect within tolerance * scale, and see is_degenerate
 
     double ratio(Index facet) const { return defect[facet] / scale[facet]; }
 };

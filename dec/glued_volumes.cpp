@@ -58,34 +58,32 @@ void check_scale(const GluedSurface& surface, const Vector& lengths) {
 CellVolumes circumcentric_volumes(const GluedSurface& surface, const Vector& lengths) {
     check_lengths(surface, lengths);
     check_scale(surface, lengths);
-    Vector areas(surface.triangles());
+    Vector areas(surface.triangles()), area_terms(surface.triangles());
     Vector dual_edges = Vector::Zero(surface.edges()), edge_terms = dual_edges;
     Vector dual_vertices = Vector::Zero(surface.vertices()), vertex_terms = dual_vertices;
-    Vector edge_rounding = dual_edges, vertex_rounding = dual_vertices;
     for (Index t = 0; t < surface.triangles(); ++t) {
         const auto side = side_lengths(surface, lengths, t);
         areas[t] = triangle_area(side[0], side[1], side[2]);
+        area_terms[t] = triangle_area_terms(side[0], side[1], side[2], areas[t]);
         for (Index i = 0; i < 3; ++i) {
             const double a = side[i], b = side[(i + 1) % 3], c = side[(i + 2) % 3];
             const double height = a * corner_cotangent(a, b, c, areas[t]) / 2;
             dual_edges[surface.edge(3 * t + i)] += height;
             edge_terms[surface.edge(3 * t + i)] +=
                 std::abs(height) + triangle_height_terms(a, b, c, areas[t]);
-            edge_rounding[surface.edge(3 * t + i)] +=
-                rounding_of(a * corner_cotangent_terms(a, b, c, areas[t]));
         }
     }
     for (Index e = 0; e < surface.edges(); ++e)
         for (const Index v : {surface.first_vertex(e), surface.last_vertex(e)}) {
             dual_vertices[v] += lengths[e] * dual_edges[e] / 4;
             vertex_terms[v] += lengths[e] * edge_terms[e] / 4;
-            vertex_rounding[v] += lengths[e] * edge_rounding[e] / 4;
         }
     const Vector ones = Vector::Ones(surface.triangles());
+    const auto rounding = [](const Vector& terms) { return Vector(terms.unaryExpr(&rounding_of)); };
     return {{Vector::Ones(surface.vertices()), lengths, std::move(areas)},
             {std::move(dual_vertices), std::move(dual_edges), ones},
-            {std::move(vertex_terms), std::move(edge_terms), ones},
-            {std::move(vertex_rounding), std::move(edge_rounding), rounding_of(1) * ones}};
+            {vertex_terms, edge_terms, ones},
+            {rounding(vertex_terms), rounding(edge_terms), rounding(area_terms)}};
 }
 
 CellVolumes merged_volumes(const MergedSurface& merging, const CellVolumes& triangles) {

@@ -26,7 +26,7 @@ void check_degree(int k, int largest) {
 }
 
 void check_field(const SimplicialComplex& complex, const Points& points, const Points& field) {
-    require_points(points.cols(), "a vector field");
+    require_points(complex, points, "a vector field");
     if (field.rows() != points.rows() || field.cols() != points.cols())
         throw InvalidInput(fmt::format("a vector field of {} x {} numbers is given: expected {} x "
                                        "{}, a row for each point",

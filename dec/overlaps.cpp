@@ -114,7 +114,11 @@ void compare_sides(const SimplicialComplex& complex, const std::vector<Sight>& s
                 around.push_back({cell, t.value() * complex.orientation(cell) * sights[cell].sign});
         }
         if (complex.coface_counts(n - 1)[f] == 2 && around.size() == 2) {
-            parts.join(around[0].cell, around[1].cell, -around[0].side * around[1].side);
+            const bool agree =
+                parts.join(around[0].cell, around[1].cell, -around[0].side * around[1].side);
+            // in a one-sided part no two halves are told apart, so a fold is told at its facet
+            if (!agree && around[0].side == around[1].side)
+                folded[around[1].cell] = true;
             continue;
         }
         std::array<bool, 2> taken{};

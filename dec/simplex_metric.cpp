@@ -144,6 +144,9 @@ std::string flaw_of_lengths(const SimplicialComplex& complex, const SimplexMetri
             return fmt::format("the lengths of {} violate the triangle inequality: {} is more than "
                                "{} + {}; correct the lengths",
                                name, c, a, b);
+        return fmt::format("the lengths of {}, {}, {} and {}, leave it a height below 1e-7 of "
+                           "them: what its area is hangs on their last digits; correct the lengths",
+                           name, a, b, c);
     }
     return fmt::format("the lengths of {} leave it no volume: the products of its edges are not "
                        "positive definite; correct the lengths",

@@ -26,11 +26,6 @@ inline double corner_cotangent(double a, double b, double c, double area) {
     return (c * c + (b - a) * (b + a)) / (4 * area);
 }
 
-/// What cancels in it.
-inline double corner_cotangent_terms(double a, double b, double c, double area) {
-    return (c * c + std::abs(b - a) * (b + a)) / (4 * area);
-}
-
 /// The angle itself, from 0 to pi.
 inline double corner_angle(double a, double b, double c, double area) {
     return std::atan2(4 * area, c * c + (b - a) * (b + a));
@@ -46,6 +41,12 @@ inline double triangle_circumradius(double a, double b, double c, double area) {
 inline double triangle_height_terms(double a, double b, double c, double area) {
     const double radius = triangle_circumradius(a, b, c, area);
     return 3 * radius * radius * std::max({a, b, c}) / area;
+}
+
+/// How far relative errors of the lengths can change its area relatively, for errors of size 1: at
+/// most R (a + b + c) / A.
+inline double triangle_area_terms(double a, double b, double c, double area) {
+    return 1 + triangle_circumradius(a, b, c, area) * (a + b + c) / area;
 }
 
 } // namespace polydec

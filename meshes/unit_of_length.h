@@ -9,8 +9,9 @@
 namespace polydec {
 
 /// The length to measure a mesh in so that products of its lengths are ordinary numbers: 1 where
-/// the longest edge is between 2^-40 and 2^40 (in more than six dimensions n, 2^-(240/n) and
-/// 2^(240/n)), else the power of 4 by which it becomes 1 to 8. Vertex numbers must be valid.
+/// the longest edge (of points, its largest coordinate difference) is between 2^-40 and 2^40 (in
+/// more than six dimensions n, 2^-(240/n) and 2^(240/n)), else the power of 4 by which it becomes 1
+/// to 8. Vertex numbers must be valid.
 double unit_of_length(const Mesh& mesh);
 double unit_of_length(const LengthMesh& mesh);
 

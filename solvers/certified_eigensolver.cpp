@@ -28,9 +28,6 @@ constexpr int patience = 60;
 /// From so many on blocks pay: their steps cost less, and Spectra's orthogonalization outgrows all.
 constexpr Index many = 20;
 
-/// What a radius may be at most of its value, or of the distance to the next ones.
-constexpr double largest_radius = 1e-6;
-
 /// More eigenvalues than asked for that are looked at in search of a gap.
 constexpr Index largest_cluster = 5000;
 
@@ -242,6 +239,8 @@ void CertifiedEigensolver::State::move_shift(Index wanted) {
     std::vector<Index> parts;
     for (Index count = gap_behind(1); count > 0 && count < found(); count = gap_behind(count + 1))
         parts.push_back(count);
+    if (found() > 0)
+        parts.push_back(found());
     Certificate best;
     for (std::size_t first = 0, last = parts.size(); first < last;) {
         const std::size_t middle = (first + last) / 2;
@@ -268,7 +267,8 @@ Index CertifiedEigensolver::State::gap_behind(Index count) const {
     return behind < 0 && found() == size() ? size() : behind;
 }
 
-/// Proves that the first `count` (a gap behind them) are all there are below it.
+/// Proves that the first `count` are all there are below the gap behind them, or below some place
+/// behind them if these are all that are found.
 Proof CertifiedEigensolver::State::certify(Index count) {
     if (count == size()) {
         // no eigenvalue is larger than the norm, so there is nothing to count
@@ -315,16 +315,7 @@ CertifiedEigenpairs CertifiedEigensolver::State::result(Index count) const {
     result.certificate.shift = pencil.eigenvalue(certificate.shift);
     result.linear_solver = solver->report().engine;
     result.eigen_solver = eigensolver->name();
-    for (Index i = 0; i < count; ++i) {
-        if (!pairs.is_accurate(i, 1))
-            throw SolverFailure(fmt::format(
-                "eigenvalue {} cannot be told from its neighbors: it is {:.6g} to within {:.3g}, "
-                "since rounding beside the largest one, about {:.3g}, hides it; improve or remove "
-                "cells that are very much smaller or flatter than others",
-                i, result.values[i], result.radii[i], pencil.eigenvalue(norm)));
-        if (!pairs.is_accurate(i, largest_radius))
-            result.rough.push_back(i);
-    }
+    result.rough = rough_values(pairs, pencil, count);
     return result;
 }
 
@@ -376,11 +367,9 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
                     largest_cluster, count));
         }
     }
-    throw SolverFailure(fmt::format(
-        "{} eigenvalues asked for, {} found and the proof not reached in {} rounds (last: {} by "
-        "inertia, {} found below {:.6g}); ask for fewer",
-        count, s.found(), patience, s.certificate.below_shift, s.certificate.returned_below_shift,
-        s.pencil.eigenvalue(s.certificate.shift)));
+    throw SolverFailure(fmt::format("{} eigenvalues asked for, {} found and the proof that none is "
+                                    "missing not reached in {} rounds; ask for fewer",
+                                    count, s.found(), patience));
 }
 
 } // namespace polydec

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/coexact_spectrum.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/derivative.h"
@@ -49,16 +50,34 @@ bool may_be_zero(const Spectrum& found, Index i) {
     return std::abs(found.eigenvalues[i]) <= found.radii[i];
 }
 
+/// As many as d_k has independent rows: what is left of all k-forms beside harmonic and exact ones.
+Index coexact_forms(const CellComplex& complex, const std::vector<Index>& betti, int k) {
+    Index coexact = 0; // of the degree below, which d maps to the exact ones of this
+    for (int j = 0; j <= k; ++j)
+        coexact = complex.size(j) - betti[j] - coexact;
+    return coexact;
+}
+
+void check(const CellComplex& complex, const SpectrumOptions& options) {
+    if (options.side != Side::primal)
+        throw InvalidInput("coexact spectra are of primal forms: a coexact dual form is the star "
+                           "of an exact primal one");
+    check_number("coexact forms of degree", options.degree, 0, complex.dimension());
+}
+
+[[noreturn]] void refuse_to_tell(Index zeros, Index harmonic, int k) {
+    throw SolverFailure(fmt::format("{} eigenvalues cannot be told from zero, but there are {} "
+                                    "harmonic {}-forms: rounding hides whether forms are coexact",
+                                    zeros, harmonic, k));
+}
+
 /// Zeros are as many as there are harmonic forms; more cannot be told from small eigenvalues.
 void check_zeros(const Spectrum& found, Index harmonic) {
     Index zeros = 0;
     for (Index i = 0; i < found.eigenvalues.size(); ++i)
         zeros += may_be_zero(found, i) ? 1 : 0;
     if (zeros > harmonic)
-        throw SolverFailure(fmt::format("{} eigenvalues cannot be told from zero, but there are {} "
-                                        "harmonic {}-forms: rounding hides whether forms are "
-                                        "coexact",
-                                        zeros, harmonic, found.degree));
+        refuse_to_tell(zeros, harmonic, found.degree);
 }
 
 /// The coexact forms in the space of a cluster. It is invariant under delta d, which on it has the
@@ -74,15 +93,20 @@ DenseMatrix coexact_modes(const SparseMatrix& d, const Vector& upper_star, const
 
 /// All coexact modes in whole clusters, a column each.
 DenseMatrix coexact_modes(const CellComplex& complex, const CellVolumes& volumes,
-                          const Spectrum& found) {
+                          const Spectrum& found, Index harmonic) {
     const int k = found.degree;
     const SparseMatrix d = derivative(complex, k);
     const Vector upper_star = star(volumes, k + 1);
     std::vector<DenseMatrix> parts;
     Index count = 0;
     for (const auto [begin, end] : whole_clusters(found, complex.size(k))) {
-        if (may_be_zero(found, begin))
+        Index zeros = 0;
+        for (Index i = begin; i < end; ++i)
+            zeros += may_be_zero(found, i) ? 1 : 0;
+        if (zeros == end - begin)
             continue;
+        if (zeros > 0)
+            refuse_to_tell(end - begin, harmonic, k);
         parts.push_back(coexact_modes(d, upper_star, found.modes.middleCols(begin, end - begin),
                                       found.eigenvalues[begin]));
         count += static_cast<Index>(parts.back().cols());
@@ -106,32 +130,35 @@ void measure(const Pencil& given, const DenseMatrix& modes, Index count, Spectru
     spectrum.radii = pencil.eigenvalues(pairs.radii().head(count));
     spectrum.residuals = pencil.eigenvalues(pairs.residuals().head(count));
     spectrum.modes = pencil.eigenvectors(pairs.vectors().leftCols(count));
+    spectrum.rough = rough_values(pairs, pencil, count);
 }
 
 } // namespace
 
 Spectrum coexact_spectrum(const CellComplex& complex, const CellVolumes& volumes,
                           const SpectrumOptions& options) {
-    if (options.side != Side::primal)
-        throw InvalidInput("coexact spectra are of primal forms: a coexact dual form is the star "
-                           "of an exact primal one");
+    check(complex, options);
     const int k = options.degree;
-    const Index size = complex.size(k);
+    const auto betti = betti_numbers(complex);
+    const Index size = complex.size(k), all_coexact = coexact_forms(complex, betti, k);
+    if (options.count < 1 || options.count > all_coexact)
+        throw InvalidInput(fmt::format("{} coexact {}-forms asked for: there are {}", options.count,
+                                       k, all_coexact));
     SpectrumOptions all = options;
-    all.count = std::min<Index>(size, 2 * options.count + 10);
+    all.count = options.count > size / 2 - 10 ? size : 2 * options.count + 10;
     while (true) {
         Spectrum found = spectrum(complex, volumes, all);
-        const DenseMatrix modes = k == complex.dimension() ? DenseMatrix(size, 0)
-                                                           : coexact_modes(complex, volumes, found);
+        const DenseMatrix modes = coexact_modes(complex, volumes, found, betti[k]);
         if (modes.cols() >= options.count) {
-            check_zeros(found, betti_numbers(complex)[k]);
+            check_zeros(found, betti[k]);
             measure(coexact_pencil(complex, volumes, k), modes, options.count, found);
             return found;
         }
         if (all.count == size)
-            throw InvalidInput(fmt::format("{} coexact {}-forms asked for: there are {}",
-                                           options.count, k, modes.cols()));
-        all.count = std::min<Index>(size, 2 * all.count);
+            throw SolverFailure(fmt::format("{} coexact {}-forms asked for: of {} that there are, "
+                                            "rounding hides all but {}",
+                                            options.count, k, all_coexact, modes.cols()));
+        all.count = all.count > size / 2 ? size : 2 * all.count;
     }
 }
 

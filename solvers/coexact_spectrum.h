@@ -14,7 +14,8 @@ namespace polydec {
 /// The certificate is that of the Laplacian: it counts the exact and harmonic forms too.
 ///
 /// Of the options the side must be primal; count is that of coexact pairs.
-/// Throws like spectrum, and InvalidInput if there are fewer coexact forms than asked for.
+/// Throws like spectrum, and InvalidInput, before any work, if there are fewer coexact forms than
+/// asked for; of degree n there are none.
 Spectrum coexact_spectrum(const CellComplex& complex, const CellVolumes& volumes,
                           const SpectrumOptions& options);
 

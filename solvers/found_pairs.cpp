@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/found_pairs.h"
 
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +17,9 @@ namespace {
 /// Multiplets split by 1e-2 on real meshes and by 1e-14 on symmetric ones; two values further apart
 /// than this are no copies of one.
 constexpr double relative_gap = 1e-6;
+
+/// What a radius may be at most of its value, or of the distance to the next ones.
+constexpr double largest_share = 1e-6;
 
 /// Smaller radii than this share are not striven for.
 constexpr double fine_share = 1e-9;
@@ -163,6 +170,22 @@ Index FoundPairs::gap_behind(Index count) const {
             return i;
     }
     return -1;
+}
+
+std::vector<Index> rough_values(const FoundPairs& pairs, const ScaledPencil& pencil, Index count) {
+    std::vector<Index> rough;
+    for (Index i = 0; i < count; ++i) {
+        if (!pairs.is_accurate(i, 1))
+            throw SolverFailure(fmt::format(
+                "eigenvalue {} cannot be told from its neighbors: it is {:.6g} to within {:.3g}, "
+                "since rounding beside the largest one, about {:.3g}, hides it; improve or remove "
+                "cells that are very much smaller or flatter than others",
+                i, pencil.eigenvalue(pairs.values()[i]), pencil.eigenvalue(pairs.radii()[i]),
+                pencil.eigenvalue(row_sum_norm(*pencil.matrix()))));
+        if (!pairs.is_accurate(i, largest_share))
+            rough.push_back(i);
+    }
+    return rough;
 }
 
 } // namespace polydec

@@ -67,4 +67,8 @@ private:
     double small_;
 };
 
+/// Those of the first `count` values that are not known to 1e-6 of them or of their distance to the
+/// next ones. Throws SolverFailure, naming it, for one that its radius does not tell from those.
+std::vector<Index> rough_values(const FoundPairs& pairs, const ScaledPencil& pencil, Index count);
+
 } // namespace polydec

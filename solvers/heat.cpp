@@ -37,9 +37,9 @@ HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space
     const int k = cell_degree(complex, side, degree);
     kept_ = space.relative.cells[k];
     check_positive_mass(volumes, side, degree, k);
-    if (!(options.time_step > 0))
-        throw InvalidInput(
-            fmt::format("a time step of {} is given: expected one above 0", options.time_step));
+    if (!(options.time_step > 0) || !std::isfinite(options.time_step))
+        throw InvalidInput(fmt::format("a time step of {} is given: expected a finite one above 0",
+                                       options.time_step));
     const bool implicit = options.scheme == HeatScheme::backward_euler;
     const double implicit_part = implicit ? options.time_step : options.time_step / 2;
     explicit_part_ = options.time_step - implicit_part;
@@ -62,6 +62,8 @@ Cochain HeatSolver::step(const Cochain& form) {
     if (form.side != side_ || form.degree != degree_)
         throw InvalidInput(fmt::format("a {} {}-form is given: this solver is for {} {}-forms",
                                        name(form.side), form.degree, name(side_), degree_));
+    if (!form.values.allFinite())
+        throw InvalidInput("a form with a value that is not finite cannot be heated");
     // dual forms are stars of primal ones, and stars commute with the Laplacian
     const bool primal = side_ == Side::primal;
     const Vector values = form.values(kept_);

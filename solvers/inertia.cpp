@@ -31,11 +31,11 @@ InertiaCounter::InertiaCounter(std::shared_ptr<const SparseMatrix> B, const std:
 
 InertiaCounter::~InertiaCounter() = default;
 
-/// D (B - shift I) D without rounding.
+/// D (B - shift I) D without rounding, D^2 (sizes + |shift|) from 1/4 to 1.
 SparseMatrix InertiaCounter::scaled(double shift) const {
     const Vector D = doubt_.sizes.unaryExpr([=](double size) {
         const double all = size + std::abs(shift);
-        return all > 0 ? std::ldexp(1.0, -std::ilogb(all) / 2) : 1.0;
+        return all > 0 ? std::ldexp(1.0, -((std::ilogb(all) + 2) >> 1)) : 1.0;
     });
     return D.asDiagonal() * shifted(*B_, shift) * D.asDiagonal();
 }
@@ -58,9 +58,10 @@ std::optional<Index> InertiaCounter::below(double shift, double gap) {
     } catch (const SolverFailure&) {
         return std::nullopt;
     }
-    constexpr double far_below = 1e-2;
+    // inverse iteration comes to the smallest eigenvalue from above
+    constexpr double far_below = 1e-2, below = 0.25;
     const double smallest = 1 / probe.norm();
-    if (!(lost * row_sum_norm(*S) <= far_below * (smallest - doubt_.share)))
+    if (!(doubt_.share < below * smallest && lost * row_sum_norm(*S) <= far_below * smallest))
         return std::nullopt;
     return solver_->negative_pivots();
 }
@@ -77,18 +78,24 @@ std::optional<InertiaCounter::Counted> InertiaCounter::between(double low, doubl
 }
 
 double InertiaCounter::shift_close_to(Index done, Index wanted, double low, double high,
-                                      double gap) {
+                                      double length) {
+    bool is_near = false; // whether `high` has no more than those wanted below it
     for (int step = 0; step < most_bisections; ++step) {
         // a multiplet of more copies than wanted has no shift that is near enough; nearer than this
         // the factorization would lose digits
-        if (high < 0 && high - low < 1e-3 * std::abs(low))
+        if (high - low < 1e-3 * std::max(std::abs(low), length))
             break;
-        const double middle = (low + high) / 2;
-        const auto count = below(middle, gap);
+        const double middle =
+            length * std::sinh((std::asinh(low / length) + std::asinh(high / length)) / 2);
+        const auto count = below(middle, 1e-3 * (high - low));
         if (!count)
             break;
-        (*count > done ? high : low) = middle;
-        if (*count > done && *count <= done + wanted)
+        if (*count <= done) {
+            low = middle;
+            continue;
+        }
+        high = middle;
+        if (std::exchange(is_near, *count <= done + wanted))
             break;
     }
     return low;

@@ -42,10 +42,10 @@ public:
     /// least so many eigenvalues are known; nullopt if there is none.
     std::optional<Counted> between(double low, double high, Index known);
 
-    /// A shift in (low, high) with `done` eigenvalues below it, as low has, so that no more than
-    /// `wanted` others lie within reach, by bisection down to lengths of `gap`: iterations about it
-    /// converge where those about low would not.
-    double shift_close_to(Index done, Index wanted, double low, double high, double gap);
+    /// A shift in (low, high) with `done` eigenvalues below it, as low has, from which the next is
+    /// not half as far as all but `wanted` others: iterations about it converge where those about
+    /// low would not. Bisection, of lengths above `length` by their exponents.
+    double shift_close_to(Index done, Index wanted, double low, double high, double length);
 
 private:
     SparseMatrix scaled(double shift) const;

@@ -8,7 +8,7 @@
 namespace polydec {
 
 /// star_k Delta_k x = lambda star_k x on primal k-forms, k < n, by its parts. Their uncertainties
-/// are what computing has done at most to the stars (CellVolumes::rounding); points, or lengths,
+/// are what computing has done at most to the stars (CellVolumes::rounding); points
 /// are taken as exact. An uncertain mass moves each eigenvalue by that share of it: true of each
 /// part (Ostrowski 1959), and so of both, since they have their nonzero eigenvalues apart from each
 /// other. Throws InvalidInput, naming the cells, if star_(k-1) has a zero.

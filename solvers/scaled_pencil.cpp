@@ -35,8 +35,15 @@ Index longest_row(const SparseMatrix& A) {
 }
 
 void scale(SparseMatrix& A, int exponent) {
-    for (Index i = 0; i < A.nonZeros(); ++i)
-        A.valuePtr()[i] = std::ldexp(A.valuePtr()[i], exponent);
+    for (Index i = 0; i < A.nonZeros(); ++i) {
+        double& entry = A.valuePtr()[i];
+        const double before = entry;
+        entry = std::ldexp(before, exponent);
+        if (before != 0 && !std::isnormal(entry))
+            throw InvalidInput(
+                "eigenproblem A x = lambda M x: entries of A, in the scale in which M "
+                "is 1, differ by more than numbers can tell");
+    }
 }
 
 double largest_entry(const SparseMatrix& A) {
@@ -81,6 +88,11 @@ void multiply(const SparseMatrix& A, bool exact_products, const Vector& x, Resul
     }
 }
 
+bool is_finite(const SparseMatrix& A) {
+    return std::all_of(A.valuePtr(), A.valuePtr() + A.nonZeros(),
+                       [](double entry) { return std::isfinite(entry); });
+}
+
 void check(const Pencil& pencil) {
     const auto size = pencil.M.size();
     const auto& C = pencil.C;
@@ -89,6 +101,13 @@ void check(const Pencil& pencil) {
         throw InvalidInput(fmt::format("eigenproblem A x = lambda M x: A is {} x {}, M has {} "
                                        "entries; expected equal sizes above 0",
                                        C.rows(), C.cols(), size));
+    if (!is_finite(C) || (C.size() > 0 && !SparseMatrix(C.transpose()).isApprox(C, 1e-12)))
+        throw InvalidInput("eigenproblem A x = lambda M x: a symmetric matrix C of finite numbers "
+                           "is expected");
+    if (!(pencil.mass_uncertainty >= 0) || !(pencil.mass_uncertainty < 1))
+        throw InvalidInput(fmt::format("eigenproblem A x = lambda M x: M is known to within {} of "
+                                       "itself, expected a share from 0 to 1",
+                                       pencil.mass_uncertainty));
     for (Index i = 0; i < size; ++i)
         if (!(pencil.M[i] > 0) || !std::isfinite(pencil.M[i]))
             throw InvalidInput(
@@ -105,9 +124,12 @@ void check(const Pencil& pencil) {
                                            "M has {} entries",
                                            part.F.rows(), part.F.cols(), part.weights.size(),
                                            part.uncertainty.size(), size));
-        if (!part.weights.allFinite() || !part.uncertainty.allFinite())
-            throw InvalidInput("eigenproblem A x = lambda M x: a weight of a part F^T W F is not "
-                               "a finite number");
+        if (!part.weights.allFinite() || !is_finite(part.F))
+            throw InvalidInput("eigenproblem A x = lambda M x: a number of a part F^T W F is not "
+                               "finite");
+        if (!part.uncertainty.allFinite() || (part.uncertainty.array() < 0).any())
+            throw InvalidInput("eigenproblem A x = lambda M x: an uncertainty of a part F^T W F is "
+                               "not a finite number from 0 on");
     }
 }
 

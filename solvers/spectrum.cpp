@@ -90,10 +90,7 @@ Spectrum spectrum(const Discretization& discretization, const BoundaryConditions
                            : conditioned_complex(discretization, options.side, conditions);
     auto result = spectrum(space.relative.complex, space.volumes, options);
     const int k = cell_degree(discretization.complex(), options.side, options.degree);
-    DenseMatrix modes(discretization.complex().size(k), result.modes.cols());
-    for (Eigen::Index i = 0; i < modes.cols(); ++i)
-        modes.col(i) = space.relative.extend(k, result.modes.col(i));
-    result.modes = std::move(modes);
+    result.modes = space.relative.extend(k, result.modes);
     return result;
 }
 

@@ -176,6 +176,15 @@ TEST(Loops, are_incidences_that_cancel_and_are_kept_in_relative_complexes) {
     EXPECT_EQ(boundary_components(all.complex).count, 1);
 }
 
+/// One 2-cell that meets its only edge twice, in the same direction; the edge is a loop.
+TEST(Loops, of_a_projective_plane_of_one_cell_are_no_boundary) {
+    IncidenceMatrix d0(1, 1), d1(1, 1);
+    d1.insert(0, 0) = 2;
+    const CellComplex plane({d0, d1}, {{{0, 0}}, {}});
+    EXPECT_EQ(plane.coface_counts(1)[0], 2);
+    EXPECT_EQ(boundary_components(plane).count, 0);
+}
+
 TEST(LoopsBroken, without_what_cancels_the_boundary_of_a_cone_has_no_vertex) {
     const auto complex = cell_complex(cone(1));
     const CellComplex blind(CellComplex::Unchecked{},

@@ -136,6 +136,13 @@ TEST(Overlapping, of_three_triangles_at_one_edge_of_the_plane_cannot_be_avoided)
     EXPECT_EQ(overlaps(mesh).folded, Cells{2});
 }
 
+/// Around a one-sided band no cell is on a side of its own; one facet is folded all the same.
+TEST(Overlapping, of_a_one_sided_band_is_told_at_its_facet) {
+    const auto mesh = made_of({{-8, 6}, {-8, -9}, {9, 4}, {-6, 4}, {7, 5}},
+                              {{4, 1, 3}, {1, 3, 0}, {3, 0, 2}, {0, 2, 4}, {2, 4, 1}});
+    EXPECT_EQ(overlaps(mesh).folded.size(), 1U);
+}
+
 TEST(Overlapping, is_not_asked_of_surfaces_in_space) {
     Mesh mesh = turned_inside_out(2);
     mesh.points.conservativeResize(Eigen::NoChange, 3);

@@ -125,9 +125,9 @@ TEST(MixedSizes, are_right_or_refused_by_name) {
     };
     EXPECT_EQ(star(discretize(apart(1e-90)).volumes, 1)[1], 1 / 1e-90);
     EXPECT_EQ(refusal([&] { discretize(apart(1e-150)); }),
-              "the 1-simplex with vertices 2, 3 has volume 1e-150: products of such volumes are no "
-              "numbers; scale the mesh to a size nearer to 1, or leave out what is so much "
-              "smaller");
+              "the 1-simplex with vertices 2, 3 has edges of about 1e-150 and volume 1e-150: "
+              "products of such numbers are none; scale the mesh to a size nearer to 1, or leave "
+              "out what is so much smaller");
 }
 
 TEST(MixedSizes, of_glued_triangles_are_refused_by_name) {

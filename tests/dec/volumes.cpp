@@ -6,10 +6,13 @@
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace polydec::test {
 namespace {
@@ -155,6 +158,39 @@ TEST(VolumesOf, cells_without_extent_are_refused) {
               "the 2-simplex with vertices 0, 1, 2 has no volume: remove it or move a vertex");
     EXPECT_EQ(refused_volumes(made_of({{0, 0}, {1, 1}, {1, 1}}, {{0, 1, 2}})),
               "the 1-simplex with vertices 1, 2 has no volume: remove it or move a vertex");
+}
+
+TEST(VolumesOf, cells_too_large_or_small_for_products_are_not_called_flat) {
+    for (const double size : {1e160, 1e-170})
+        EXPECT_EQ(
+            refused_volumes(made_of({{0, 0}, {size, 0}, {0, size}}, {{0, 1, 2}})),
+            fmt::format("the 1-simplex with vertices 0, 1 has edges of about {:.3g} and volume "
+                        "{}: products of such numbers are none; scale the mesh to a size "
+                        "nearer to 1, or leave out what is so much smaller",
+                        size, 0));
+}
+
+TEST(Circumradii, of_more_vertices_than_a_simplex_can_have_are_refused) {
+    Simplices row(1, 40);
+    for (Index i = 0; i < 40; ++i)
+        row(0, i) = i;
+    EXPECT_EQ(refusal([&] { circumradii(DenseMatrix::Identity(40, 40), row); }).substr(0, 40),
+              "vertices of a simplex 40 is asked for: e");
+    // twelve points of the plane are dependent
+    Points plane = Points::Random(12, 2);
+    EXPECT_NE(refusal([&] { circumradii(plane, row.leftCols(12)); }).find("has no volume"),
+              std::string::npos);
+    EXPECT_FALSE(Circumsphere(plane).look_at(std::vector<Index>{0, 1, 2, 3}));
+}
+
+/// Two heights of 1e-9 beside edges of length 1: of 32 digits 14 are left.
+TEST(Circumsphere, tells_what_flat_simplices_lose) {
+    Points flat(4, 3);
+    flat << 0, 0, 0, 1, 0, 0, 0.3, 1e-9, 0, 0.6, 2e-9, 1e-9;
+    Circumsphere sphere(flat);
+    ASSERT_TRUE(sphere.look_at(std::vector<Index>{0, 1, 2, 3}));
+    EXPECT_GT(sphere.rounding().growth, 100);
+    EXPECT_LT(sphere.rounding().growth, 1e4);
 }
 
 TEST(VolumesOf, cells_without_place_are_refused) {

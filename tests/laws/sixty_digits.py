@@ -12,6 +12,7 @@ import itertools
 import json
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -180,8 +181,10 @@ def check(polydec, folder, rng):
     side, n = rng.choice(["primal", "dual"]), len(cells[0]) - 1
     k = rng.choice([n, rng.randrange(n + 1)])
     degree = k if side == "primal" else n - k
-    found = run(polydec, "spectrum", mesh, "--side", side, "--degree", degree, "--count", 4,
-                "--json")
+    asked = ["spectrum", mesh, "--side", side, "--degree", degree, "--json"]
+    found = run(polydec, *asked, "--count", 4)
+    if fewer := re.search(r"so 1 to (\d) can be had", found.stderr):
+        found = run(polydec, *asked, "--count", fewer[1])
     if found.returncode != 0:
         assert found.returncode in (2, 3) and len(found.stderr) > 20, (points, cells, found)
         return None

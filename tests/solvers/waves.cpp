@@ -262,7 +262,7 @@ TEST(WaveErrors, name_what_is_wrong) {
     EXPECT_EQ(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes, 0, 1); }).substr(0, 42),
               "a time step of 1 is given: expected one ab");
     EXPECT_EQ(refusal([&] { HeatSolver(mesh.complex(), mesh.volumes, Side::dual, 0, {}); }),
-              "a time step of 0 is given: expected one above 0");
+              "a time step of 0 is given: expected a finite one above 0");
     EXPECT_EQ(
         refusal([&] { coexact_spectrum(mesh.complex(), mesh.volumes, {.side = Side::dual}); }),
         "coexact spectra are of primal forms: a coexact dual form is the star of an exact "

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/generate.h"
+#include "solvers/certified_eigensolver.h"
+#include "solvers/coexact_spectrum.h"
+#include "solvers/inertia.h"
+#include "solvers/scaled_pencil.h"
+#include "solvers/spectrum.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace polydec::test {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+SparseMatrix sparse(const DenseMatrix& A) {
+    return A.sparseView();
+}
+
+/// B has eigenvalues .001 and 6.001; with errors of 6e-4 in each entry the first may be negative.
+TEST(Inertia, is_not_told_where_errors_of_entries_could_change_it) {
+    DenseMatrix B(2, 2);
+    B << 3.001, -3, -3, 3.001;
+    const auto below = [&](double error) {
+        const Doubt doubt{Vector::Constant(2, 3.001), 2 * error / 3.001, 0};
+        return InertiaCounter(std::make_shared<const SparseMatrix>(sparse(B)), "auto", 0, doubt)
+            .below(0, 1e-3);
+    };
+    EXPECT_EQ(below(6e-4), std::nullopt);
+    EXPECT_EQ(below(1e-6), Index{0});
+}
+
+/// Eigenvalues near 1 beside 1e20, which a norm of all errors would hide.
+TEST(Inertia, of_graded_matrices_is_that_of_their_small_entries) {
+    const Vector diagonal = (Vector(4) << 1, 2, 1e20, 3e20).finished();
+    SparseMatrix B(4, 4);
+    for (Index i = 0; i < 4; ++i)
+        B.insert(i, i) = diagonal[i];
+    InertiaCounter counter(std::make_shared<const SparseMatrix>(B), "auto", 0,
+                           {diagonal, 1e-15, 1e-15});
+    EXPECT_EQ(counter.below(1.5, 0.5), Index{1});
+    EXPECT_EQ(counter.below(2.5, 0.5), Index{2});
+    EXPECT_EQ(counter.below(2e20, 1e20), Index{3});
+}
+
+/// Seen from a shift below -9e7, zero and the values behind it are one.
+TEST(CertifiedEigensolver, finds_small_values_behind_a_few_huge_negative_ones) {
+    constexpr Index size = 1000;
+    SparseMatrix A(size, size);
+    for (Index i = 0; i < size; ++i)
+        A.insert(i, i) = i < 3 ? -9e7 / (1 + 5 * i) : 20.0 * (i - 3);
+    const auto pairs = CertifiedEigensolver(A, Vector::Ones(size)).smallest(6);
+    const Vector exact = (Vector(6) << -9e7, -1.5e7, -9e7 / 11, 0, 20, 40).finished();
+    for (Index i = 0; i < 6; ++i)
+        EXPECT_NEAR(pairs.values[i], exact[i], pairs.radii[i]);
+    EXPECT_LE(pairs.radii.tail(3).maxCoeff(), 1e-6);
+    EXPECT_TRUE(pairs.certificate.complete);
+}
+
+std::string refused(const Pencil& pencil) {
+    const std::string message = refusal([&] { ScaledPencil{pencil}; });
+    return message.substr(message.find(": ") + 2);
+}
+
+TEST(PencilRefuses, what_is_no_number_or_no_share) {
+    DenseMatrix A = DenseMatrix::Identity(2, 2);
+    const Vector ones = Vector::Ones(2);
+    A(1, 1) = infinity;
+    EXPECT_EQ(refused({.C = sparse(A), .M = ones}),
+              "a symmetric matrix C of finite numbers is expected");
+    A << 1, 2, 3, 4;
+    EXPECT_EQ(refused({.C = sparse(A), .M = ones}),
+              "a symmetric matrix C of finite numbers is expected");
+    A = DenseMatrix::Identity(2, 2);
+    EXPECT_EQ(refused({.C = sparse(A), .M = ones, .mass_uncertainty = -1}),
+              "M is known to within -1 of itself, expected a share from 0 to 1");
+    EXPECT_EQ(refused({.C = sparse(A), .M = ones, .mass_uncertainty = 1}),
+              "M is known to within 1 of itself, expected a share from 0 to 1");
+    EXPECT_EQ(refused({.parts = {{sparse(A), ones, -ones}}, .M = ones}),
+              "an uncertainty of a part F^T W F is not a finite number from 0 on");
+    EXPECT_EQ(refused({.C = sparse(A), .M = (Vector(2) << 1e-300, 1e300).finished()}),
+              "entries of A, in the scale in which M is 1, differ by more than numbers can tell");
+    A(0, 0) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refused({.parts = {{sparse(A), ones}}, .M = ones}),
+              "a number of a part F^T W F is not finite");
+}
+
+TEST(CoexactSpectrum, of_forms_that_there_are_not_is_refused_at_once) {
+    const auto mesh = discretize(kuhn(3, 6));
+    const auto refused = [&](int k, Index count) {
+        return refusal(
+            [&] { coexact_spectrum(mesh.complex(), mesh.volumes, {.degree = k, .count = count}); });
+    };
+    EXPECT_EQ(refused(3, 1), "1 coexact 3-forms asked for: there are 0");
+    EXPECT_EQ(refused(0, 343), "343 coexact 0-forms asked for: there are 342");
+    EXPECT_EQ(refused(0, 0), "0 coexact 0-forms asked for: there are 342");
+    EXPECT_EQ(refused(0, -3), "-3 coexact 0-forms asked for: there are 342");
+    EXPECT_EQ(refused(2, std::numeric_limits<Index>::max()),
+              "2147483647 coexact 2-forms asked for: there are 216");
+    EXPECT_EQ(refused(4, 1).substr(0, 28), "coexact forms of degree 4 is");
+}
+
+/// A strip of triangles a hundred thousand times as high as wide.
+TEST(CoexactSpectrum, names_its_own_rough_values) {
+    constexpr Index count = 20;
+    constexpr double width = 1e-5;
+    const double c = std::cos(0.3), s = std::sin(0.3);
+    Mesh strip;
+    strip.points.resize(2 * count + 1, 2);
+    for (Index i = 0; i <= count; ++i)
+        strip.points.row(i) << c * i * width, s * i * width;
+    for (Index i = 0; i < count; ++i)
+        strip.points.row(count + 1 + i) << c * (i + 0.5) * width - s, s * (i + 0.5) * width + c;
+    strip.simplices.resize(2 * count - 1, 3);
+    for (Index i = 0; i < count; ++i)
+        strip.simplices.row(i) << i, i + 1, count + 1 + i;
+    for (Index i = 0; i + 1 < count; ++i)
+        strip.simplices.row(count + i) << i + 1, count + 2 + i, count + 1 + i;
+    const auto mesh = discretize(strip);
+    const auto found = coexact_spectrum(mesh.complex(), mesh.volumes, {.degree = 0, .count = 1});
+    ASSERT_EQ(found.eigenvalues.size(), 1);
+    for (const Index i : found.rough)
+        EXPECT_EQ(i, 0);
+}
+
+/// Lengths have been computed from points, and their last digits are much in thin triangles. Values
+/// of three triangles around a point, one of them of height h: 60 digits.
+TEST(RadiiAfterFlips, hold_what_the_last_digits_of_lengths_can_do) {
+    const auto check = [](const std::vector<std::vector<double>>& points, double exact) {
+        const Mesh mesh = made_of(points, {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}});
+        const auto found = spectrum(discretize(mesh, {.delaunay = Delaunay::flips}),
+                                    {BoundaryCondition::natural}, {.side = Side::dual, .count = 3});
+        EXPECT_LE(std::abs(found.eigenvalues[0]), found.radii[0]);
+        EXPECT_NEAR(found.eigenvalues[1], exact, found.radii[1]);
+        EXPECT_NEAR(found.eigenvalues[2], exact, found.radii[2]);
+        EXPECT_LE(found.radii[2], 0.1);
+    };
+    const std::vector<double> origin{0, 0}, right{0.955336489125606, 0.29552020666133955};
+    const std::vector<double> top{0.24125207923373135, 0.9120292946311547};
+    check({origin, right, {0.4490051946869682, 0.13890405049572083}, top}, 16.057493863200187792);
+    check({origin, right, {0.4490078543688282, 0.13889545246731871}, top}, 16.057776683460156459);
+}
+
+} // namespace
+} // namespace polydec::test
