@@ -116,10 +116,11 @@ def endings():
     """What is left of a result for every way in which the command may end."""
     picture = Picture(760, 210)
     for y, fill, how, left in ((140, LIGHT_BLUE, "code 0", "the new result, whole"),
-                               (80, LIGHT_ORANGE, "code 1 .. 4", "the old result or the new, whole; a message"),
+                               (80, LIGHT_ORANGE, "code 1 .. 4",
+                                "the old result or the new, whole; a message"),
                                (20, LIGHT_GREY, "a signal", "the old result or the new, whole")):
-        box(picture, (40, y), (180, 48), fill, how)
-        picture.arrow((225, y + 24), (415, y + 24))
-        box(picture, (420, y), (300, 48), fill, left)
-    picture.text((320, 190), "every file is whole", GREY, 12)
+        box(picture, (40, y), (160, 48), fill, how)
+        picture.arrow((205, y + 24), (345, y + 24))
+        box(picture, (350, y), (370, 48), fill, left)
+    picture.text((275, 190), "every file is whole", GREY, 12)
     return picture.svg("Endings of the command and what each leaves behind")
