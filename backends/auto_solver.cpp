@@ -2,7 +2,7 @@
 #include "backends/auto_solver.h"
 
 #include "backends/registry.h"
-#include "base/errors.h"
+#include "base/memory.h"
 
 #include <fmt/format.h>
 
@@ -86,29 +86,48 @@ void AutoSolver::factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFa
 void AutoSolver::start() {
     next_ = 0;
     failures_.clear();
+    lacks_memory_ = false;
     advance();
+}
+
+template <typename Work>
+bool AutoSolver::succeeds(Work work) {
+    try {
+        work();
+        return true;
+    } catch (const OutOfMemory& failure) {
+        lacks_memory_ = true;
+        failures_.push_back(first_line(failure.what()));
+    } catch (const SolverFailure& failure) {
+        failures_.push_back(first_line(failure.what()));
+    } catch (const BackendUnavailable& failure) {
+        failures_.push_back(first_line(failure.what()));
+    }
+    return false;
 }
 
 void AutoSolver::advance() {
     while (next_ < candidates_.size()) {
         const std::string& candidate = candidates_[next_++];
-        try {
-            // An engine that is there already keeps its analysis.
-            if (!engine_ || engine_->name() != candidate)
-                engine_ = make_linear_solver(candidate, options_);
-            engine_->factorize(matrix_, facts_);
+        if (succeeds([&] {
+                // An engine that is there already keeps its analysis.
+                if (!engine_ || engine_->name() != candidate)
+                    engine_ = make_linear_solver(candidate, options_);
+                engine_->factorize(matrix_, facts_);
+            }))
             return;
-        } catch (const SolverFailure& failure) {
-            failures_.push_back(first_line(failure.what()));
-        } catch (const BackendUnavailable& failure) {
-            failures_.push_back(first_line(failure.what()));
-        }
     }
     engine_ = nullptr;
-    throw SolverFailure(fmt::format("auto: no engine solves this {0} x {0} system: {1}\nThe matrix "
-                                    "is singular, or its facts are wrong; if it has a kernel, give "
-                                    "it in the facts.",
-                                    matrix_->rows(), joined(failures_)));
+    fail();
+}
+
+void AutoSolver::fail() const {
+    const auto story = fmt::format("auto: no engine solves this {0} x {0} system: {1}\n",
+                                   matrix_->rows(), joined(failures_));
+    if (lacks_memory_)
+        throw OutOfMemory(story + "Allow more memory.");
+    throw SolverFailure(story + "The matrix is singular, or its facts are wrong; if it has a "
+                                "kernel, give it in the facts.");
 }
 
 std::optional<Index> AutoSolver::negative_pivots() const {
@@ -120,17 +139,12 @@ DenseMatrix AutoSolver::solve_columns(const Eigen::Ref<const DenseMatrix>& B) {
         throw InvalidInput("auto: solve() needs a successful factorize() before");
     if (!engine_)
         start();
-    while (true) {
-        try {
-            DenseMatrix X = engine_->solve(B);
-            report_ = engine_->report();
-            report_.tried.insert(report_.tried.begin(), failures_.begin(), failures_.end());
-            return X;
-        } catch (const SolverFailure& failure) {
-            failures_.push_back(first_line(failure.what()));
-            advance();
-        }
-    }
+    DenseMatrix X;
+    while (!succeeds([&] { X = engine_->solve(B); }))
+        advance();
+    report_ = engine_->report();
+    report_.tried.insert(report_.tried.begin(), failures_.begin(), failures_.end());
+    return X;
 }
 
 } // namespace polydec

@@ -19,7 +19,8 @@ std::vector<std::string> suitable_engines(const SparseMatrix& A, const MatrixFac
 
 /// The engine `auto`: takes the first of suitable_engines() whose factorization and whose solves
 /// are good, and goes on to the next where one fails; report().tried tells the story.
-/// Throws SolverFailure with all of it if none is left; bad input is refused as by every engine.
+/// Throws SolverFailure with all of it if none is left, OutOfMemory if one of them needed more
+/// memory; bad input is refused as by every engine.
 class AutoSolver final : public LinearSolver {
 public:
     explicit AutoSolver(const LinearSolverOptions& options = {}) : options_(options) {}
@@ -37,6 +38,9 @@ protected:
 private:
     void start();
     void advance();
+    template <typename Work>
+    bool succeeds(Work work);
+    [[noreturn]] void fail() const;
 
     LinearSolverOptions options_;
     std::shared_ptr<const SparseMatrix> matrix_;
@@ -45,6 +49,7 @@ private:
     std::size_t next_ = 0;                 // the candidate to be tried when the engine fails
     std::unique_ptr<LinearSolver> engine_; // null: nothing is factorized
     std::vector<std::string> failures_;
+    bool lacks_memory_ = false; // whether that is one of the failures
     SolveReport report_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/checked_solver.h"
 
-#include "base/errors.h"
+#include "base/memory.h"
 
 #include <fmt/format.h>
 
@@ -96,6 +96,18 @@ void CheckedSolver::fail(const std::string& reason) const {
     throw SolverFailure(fmt::format("{}: {}", name_, reason));
 }
 
+template <typename Work>
+auto CheckedSolver::within_memory(const char* purpose, Eigen::Index size, Work work) const {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        throw OutOfMemory(fmt::format(
+            "{0}: memory does not suffice to {1} a {2} x {2} matrix\n{3}", name_, purpose, size,
+            traits_.method == Method::direct ? "Take an iterative engine, or allow more memory."
+                                             : "Allow more memory."));
+    }
+}
+
 Index CheckedSolver::iteration_limit(Eigen::Index n) const {
     if (options_.max_iterations > 0)
         return options_.max_iterations;
@@ -139,19 +151,6 @@ CheckedSolver::treat(const std::shared_ptr<const SparseMatrix>& A, MatrixFacts& 
     return std::make_shared<const SparseMatrix>(kernel_->grounded(*A));
 }
 
-void CheckedSolver::compute_checked(const SparseMatrix& A, const MatrixFacts& facts,
-                                    Pattern pattern) {
-    if (A.rows() == 0)
-        return;
-    try {
-        compute(A, facts, pattern);
-    } catch (const std::bad_alloc&) {
-        fail(fmt::format("memory does not suffice to factorize a {} x {} matrix\n"
-                         "Take an iterative engine.",
-                         A.rows(), A.cols()));
-    }
-}
-
 void CheckedSolver::factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) {
     const auto previous = std::exchange(treated_, nullptr);
     matrix_ = nullptr;
@@ -159,6 +158,12 @@ void CheckedSolver::factorize(std::shared_ptr<const SparseMatrix> A, const Matri
     if (!A)
         throw InvalidInput(name_ + ": there is no matrix behind the pointer");
     check(*A, facts);
+    const auto size = A->rows();
+    within_memory("factorize", size, [&] { factorize_valid(std::move(A), facts, previous); });
+}
+
+void CheckedSolver::factorize_valid(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts,
+                                    const std::shared_ptr<const SparseMatrix>& previous) {
     if (!A->isCompressed()) {
         auto compressed = std::make_shared<SparseMatrix>(*A);
         compressed->makeCompressed();
@@ -174,7 +179,8 @@ void CheckedSolver::factorize(std::shared_ptr<const SparseMatrix> A, const Matri
     MatrixFacts treated_facts = facts;
     auto treated = treat(A, treated_facts);
     const bool is_known = previous && same_pattern(*previous, *treated);
-    compute_checked(*treated, treated_facts, is_known ? Pattern::same : Pattern::fresh);
+    if (treated->rows() > 0)
+        compute(*treated, treated_facts, is_known ? Pattern::same : Pattern::fresh);
 
     inertia_ = facts.inertia;
     matrix_norm_ = largest_row_sum(*A);
@@ -260,6 +266,10 @@ DenseMatrix CheckedSolver::solve_columns(const Eigen::Ref<const DenseMatrix>& B)
     report_ = {name_, 0, 0.0, 0.0, {name_}};
     if (B.size() == 0)
         return B;
+    return within_memory("solve with", matrix_->rows(), [&] { return solve_valid(B); });
+}
+
+DenseMatrix CheckedSolver::solve_valid(const Eigen::Ref<const DenseMatrix>& B) {
     std::vector<int> exponents;
     for (Eigen::Index j = 0; j < B.cols(); ++j)
         exponents.push_back(exponent_to_remove(B.col(j).lpNorm<Eigen::Infinity>()));

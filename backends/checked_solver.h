@@ -32,10 +32,10 @@ protected:
 
     /// Prepares for A: square, finite, compressed, at least 1 x 1, alive until the next call.
     /// pattern: same, if the last call succeeded with entries in the same places.
-    /// Throws SolverFailure, made by failure().
+    /// Throws SolverFailure, made by fail(), and std::bad_alloc where memory does not suffice.
     virtual void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) = 0;
 
-    /// X with A X = B, for finite B with at least one column. Throws SolverFailure.
+    /// X with A X = B, for finite B with at least one column. Throws like compute().
     virtual Solution apply_inverse(const DenseMatrix& B) = 0;
 
     DenseMatrix solve_columns(const Eigen::Ref<const DenseMatrix>& B) final;
@@ -54,11 +54,15 @@ private:
         double backward_error = 0.0;
     };
 
+    template <typename Work>
+    auto within_memory(const char* purpose, Eigen::Index size, Work work) const;
+    void factorize_valid(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts,
+                         const std::shared_ptr<const SparseMatrix>& previous);
+    DenseMatrix solve_valid(const Eigen::Ref<const DenseMatrix>& B);
     void check(const SparseMatrix& A, const MatrixFacts& facts) const;
     void check_right_hand_side(const Eigen::Ref<const DenseMatrix>& B) const;
     std::shared_ptr<const SparseMatrix> treat(const std::shared_ptr<const SparseMatrix>& A,
                                               MatrixFacts& facts);
-    void compute_checked(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern);
     Solution invert(const DenseMatrix& B);
     Quality measure(const DenseMatrix& X, const DenseMatrix& B, const DenseMatrix& R) const;
     bool is_good(const Quality& quality) const;

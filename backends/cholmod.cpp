@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dlfcn.h>
+#include <new>
 #include <tuple>
 
 namespace polydec {
@@ -138,7 +139,7 @@ void Cholmod::require_success(const char* step) const {
     case CHOLMOD_TOO_LARGE:
         fail(fmt::format("{}: more than 2^31 - 1 entries in the factor\nTake eigen.cg.", step));
     case CHOLMOD_OUT_OF_MEMORY:
-        fail(fmt::format("{}: memory does not suffice\nTake eigen.cg.", step));
+        throw std::bad_alloc();
     default:
         if (work_.common.status < CHOLMOD_OK)
             fail(fmt::format("{}: CHOLMOD's error {}", step, work_.common.status));

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "backends/eigen_solver.h"
 
-#include "base/errors.h"
+#include "base/memory.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <new>
 #include <random>
 
 namespace polydec {
@@ -118,8 +119,14 @@ EigenPairs EigenSolver::largest(const SymmetricOperator& A, Index count,
     check(name(), A, count, options);
     if (count == 0)
         return {Vector(0), DenseMatrix(A.size, 0), 0, 0};
-    return compute(watched(A, name()), count,
-                   filled_in(options, A.size, count, usual_dimension(count)));
+    try {
+        return compute(watched(A, name()), count,
+                       filled_in(options, A.size, count, usual_dimension(count)));
+    } catch (const std::bad_alloc&) {
+        throw OutOfMemory(fmt::format("{}: memory does not suffice for {} eigenpairs of an "
+                                      "operator of size {}\nAsk for fewer, or allow more memory.",
+                                      name(), count, A.size));
+    }
 }
 
 } // namespace polydec

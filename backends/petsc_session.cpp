@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/petsc_session.h"
 
-#include "base/errors.h"
+#include "base/memory.h"
 
 #include <fmt/format.h>
 
@@ -114,7 +114,10 @@ void Session::require(PetscErrorCode error, const char* what) const {
         PetscErrorMessage(error, &text, nullptr);
         reason = text ? text : fmt::format("error {}", static_cast<int>(error));
     }
-    throw SolverFailure(fmt::format("{}: {} failed in PETSc: {}", engine_, what, reason));
+    const auto message = fmt::format("{}: {} failed in PETSc: {}", engine_, what, reason);
+    if (error == PETSC_ERR_MEM)
+        throw OutOfMemory(message);
+    throw SolverFailure(message);
 }
 
 } // namespace polydec::petsc

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/memory.h"
 
-#include "base/errors.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

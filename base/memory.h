@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/errors.h"
+
 #include <cstdint>
 #include <string_view>
 
@@ -13,6 +15,12 @@ std::uint64_t machine_memory();
 /// What check_memory compares with, machine_memory() at first. Holds for the whole program.
 std::uint64_t memory_limit();
 void set_memory_limit(std::uint64_t bytes);
+
+/// An engine needs more memory than it can get: the text names the engine.
+class OutOfMemory : public SolverFailure {
+public:
+    using SolverFailure::SolverFailure;
+};
 
 /// To be called before memory is asked for whose amount follows from a few numbers of the input.
 /// Throws IoError, naming `what` ("a complex of ..") and both amounts, if that is above the limit.

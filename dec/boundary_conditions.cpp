@@ -101,13 +101,17 @@ CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& 
 
 CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes) {
     std::vector<Vector> primal, dual, terms, rounding;
+    auto numbers = relative.cells;
     for (int k = 0; k <= relative.complex.dimension(); ++k) {
         primal.push_back(relative.restrict(k, volumes.primal(k)));
         dual.push_back(relative.restrict(k, volumes.dual(k)));
         terms.push_back(relative.restrict(k, volumes.terms(k)));
         rounding.push_back(relative.restrict(k, volumes.rounding(k)));
+        for (Index& cell : numbers[k])
+            cell = volumes.number(k, cell);
     }
-    return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
+    return CellVolumes(std::move(primal), std::move(dual), std::move(terms), std::move(rounding))
+        .numbered(std::move(numbers));
 }
 
 SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {

@@ -60,7 +60,8 @@ BoundaryConditions essential_where(const Points& sites,
 CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions);
 
 /// The volumes of the cells of a relative complex, so that every operator that takes a complex and
-/// its volumes acts on forms that vanish on the dropped cells.
+/// its volumes acts on forms that vanish on the dropped cells. Errors name cells by their numbers
+/// in the whole complex.
 CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes);
 
 /// What boundary data add to the derivative of a dual j-form: dual_derivative(j) w + B g is the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/cell_volumes.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "dec/circumsphere.h"
@@ -235,7 +236,19 @@ CellVolumes CellVolumes::with_dual(int k, Vector dual) const {
     terms[checked(k)] = dual.cwiseAbs();
     rounding[checked(k)] = terms[k].unaryExpr(&rounding_of);
     duals[checked(k)] = std::move(dual);
-    return {primal_, std::move(duals), std::move(terms), std::move(rounding)};
+    CellVolumes result(primal_, std::move(duals), std::move(terms), std::move(rounding));
+    result.numbers_ = numbers_;
+    return result;
+}
+
+CellVolumes CellVolumes::numbered(std::vector<std::vector<Index>> numbers) const {
+    check_as_many("degrees of numbers", static_cast<Index>(numbers.size()), dimension() + 1);
+    for (int k = 0; k <= dimension(); ++k)
+        check_as_many(fmt::format("numbers of {}-cells", k), static_cast<Index>(numbers[k].size()),
+                      primal_[k].size());
+    CellVolumes result = *this;
+    result.numbers_ = std::move(numbers);
+    return result;
 }
 
 void CellVolumes::refuse_degree(int k) const {

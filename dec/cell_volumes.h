@@ -49,6 +49,16 @@ public:
     /// The same with other duals of the k-cells, taken as they are. Throws like the constructor.
     CellVolumes with_dual(int k, Vector dual) const;
 
+    /// The same with other numbers for the cells, by which messages name them: those of a relative
+    /// complex go by their numbers in the whole one. One list per degree. Throws InvalidInput
+    /// unless there is a number for each cell.
+    CellVolumes numbered(std::vector<std::vector<Index>> numbers) const;
+
+    /// The number by which messages name a k-cell of these: its own, unless others are given.
+    Index number(int k, Index cell) const {
+        return numbers_.empty() ? cell : numbers_[checked(k)][cell];
+    }
+
 private:
     std::size_t checked(int k) const {
         if (k < 0 || k > dimension())
@@ -59,6 +69,7 @@ private:
     void check(int k) const;
 
     std::vector<Vector> primal_, dual_, terms_, rounding_;
+    std::vector<std::vector<Index>> numbers_; // empty: their own
 };
 
 /// Volumes of the simplices and signed volumes of their circumcentric duals, by the recursion

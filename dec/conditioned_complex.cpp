@@ -55,4 +55,11 @@ ConditionedComplex conditioned_complex(const Discretization& discretization, Sid
     return {std::move(relative), std::move(volumes)};
 }
 
+ConditionedComplex conditioned_complex(const Discretization& discretization, Side side, int degree,
+                                       const BoundaryConditions& conditions) {
+    const bool densities = side == Side::primal && degree == discretization.dimension();
+    return densities ? conditioned_complex(discretization, Side::dual, exchanged(conditions))
+                     : conditioned_complex(discretization, side, conditions);
+}
+
 } // namespace polydec

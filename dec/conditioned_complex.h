@@ -23,4 +23,9 @@ struct ConditionedComplex {
 ConditionedComplex conditioned_complex(const Discretization& discretization, Side side,
                                        const BoundaryConditions& conditions);
 
+/// The same for forms of one degree: primal n-forms are the stars of dual 0-forms, which do without
+/// the duals of boundary facets.
+ConditionedComplex conditioned_complex(const Discretization& discretization, Side side, int degree,
+                                       const BoundaryConditions& conditions);
+
 } // namespace polydec

@@ -2,6 +2,7 @@
 #include "dec/simplex_metric.h"
 
 #include "base/errors.h"
+#include "meshes/distance.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -130,7 +131,7 @@ Vector edge_lengths(const SimplicialComplex& complex, const Points& points) {
     const auto& edges = complex.simplices(1);
     Vector lengths(edges.rows());
     for (Index e = 0; e < edges.rows(); ++e)
-        lengths[e] = (points.row(edges(e, 1)) - points.row(edges(e, 0))).norm();
+        lengths[e] = distance(points, edges(e, 0), edges(e, 1));
     return lengths;
 }
 

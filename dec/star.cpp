@@ -43,15 +43,20 @@ std::vector<Index> negative_star_cells(const CellVolumes& volumes, int k) {
     return cells;
 }
 
+std::string numbers_of(const CellVolumes& volumes, int k, const std::vector<Index>& cells) {
+    constexpr std::size_t most = 5;
+    std::vector<Index> numbers;
+    for (std::size_t i = 0; i < std::min(cells.size(), most); ++i)
+        numbers.push_back(volumes.number(k, cells[i]));
+    return fmt::format("{}{}", fmt::join(numbers, ", "), cells.size() > most ? ", .." : "");
+}
+
 Vector inverse_star(const CellVolumes& volumes, int k) {
-    if (auto cells = zero_star_cells(volumes, k); !cells.empty()) {
-        const auto count = cells.size();
-        cells.resize(std::min<std::size_t>(count, 5));
+    if (const auto cells = zero_star_cells(volumes, k); !cells.empty())
         throw InvalidInput(
             fmt::format("the inverse star of degree {} divides by zero: the duals of "
-                        "{} {}-cells have no volume (cells {}{})",
-                        k, count, k, fmt::join(cells, ", "), count > cells.size() ? ", .." : ""));
-    }
+                        "{} {}-cells have no volume (cells {})",
+                        k, cells.size(), k, numbers_of(volumes, k, cells)));
     return star(volumes, k).cwiseInverse();
 }
 

@@ -4,6 +4,9 @@
 #include "complex/cell_complex.h"
 #include "dec/cell_volumes.h"
 
+#include <string>
+#include <vector>
+
 namespace polydec {
 
 /// Throws InvalidInput, naming the degree, unless the volumes are those of as many cells.
@@ -27,5 +30,8 @@ std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k);
 
 /// The k-cells whose star entry is negative and not zero in the above sense.
 std::vector<Index> negative_star_cells(const CellVolumes& volumes, int k);
+
+/// The first five of some k-cells for messages, "3, 7, 8, 10, 12, ..": by CellVolumes::number.
+std::string numbers_of(const CellVolumes& volumes, int k, const std::vector<Index>& cells);
 
 } // namespace polydec

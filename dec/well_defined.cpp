@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/well_defined.h"
 
+#include "dec/conditioned_complex.h"
 #include "dec/facet_defects.h"
 #include "dec/star.h"
 
@@ -223,8 +224,11 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const CellVolumes& volumes) {
     for (int k = 0; k <= n; ++k) {
         SpectrumVerdict verdict{k};
         const std::size_t spurious = k == 0 ? 0 : negative[k - 1] + (k < n ? negative[k + 1] : 0);
-        verdict.exists = zero[k] == 0 && negative[k] == 0 && (k == 0 || zero[k - 1] == 0);
-        if (negative[k] > 0)
+        const bool empty = volumes.primal(k).size() == 0;
+        verdict.exists = !empty && zero[k] == 0 && negative[k] == 0 && (k == 0 || zero[k - 1] == 0);
+        if (empty)
+            verdict.reason = fmt::format("no {}-cell has a value that is not given", k);
+        else if (negative[k] > 0)
             verdict.reason = fmt::format(
                 "the mass is not positive: {} {}-cells have a negative dual", negative[k], k);
         else if (zero[k] > 0)
@@ -240,6 +244,18 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const CellVolumes& volumes) {
                                          spurious);
         verdicts.push_back(std::move(verdict));
     }
+    return verdicts;
+}
+
+std::vector<SpectrumVerdict> spectrum_verdicts(const Discretization& discretization, Side side) {
+    const auto conditions = built_in_conditions(side);
+    const int n = discretization.dimension();
+    const auto judged = [&](int degree) {
+        return spectrum_verdicts(
+            conditioned_complex(discretization, side, degree, conditions).volumes);
+    };
+    auto verdicts = judged(0);
+    verdicts[n] = judged(side == Side::primal ? n : 0)[n];
     return verdicts;
 }
 

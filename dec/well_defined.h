@@ -50,4 +50,9 @@ std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretizat
 /// can be well defined where there is no spectrum: with a negative dual there is no norm.
 std::vector<SpectrumVerdict> spectrum_verdicts(const CellVolumes& volumes);
 
+/// The same for the forms of one side under the conditions that are built in: the judgment is on
+/// the cells and volumes that spectrum() solves on, so facets of the boundary without dual do no
+/// harm to dual 0-forms.
+std::vector<SpectrumVerdict> spectrum_verdicts(const Discretization& discretization, Side side);
+
 } // namespace polydec

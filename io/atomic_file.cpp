@@ -2,6 +2,7 @@
 #include "io/atomic_file.h"
 
 #include "base/errors.h"
+#include "base/printable.h"
 #include "io/source_file.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace polydec {
@@ -20,6 +22,21 @@ namespace {
 
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 std::atomic<unsigned> next_name{0};
+
+[[noreturn]] void refuse(const std::filesystem::path& target, const std::string& reason) {
+    throw IoError(fmt::format("cannot write {}: {}", printable(target.string()), reason));
+}
+
+/// With links followed; what is missing at its end stays.
+std::filesystem::path resolved(const std::filesystem::path& target) {
+    std::error_code error;
+    auto result =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
+    if (error) {
+        refuse(target, error.message());
+    }
+    return result;
+}
 
 /// Short, so that every folder in which the target fits has room for it.
 std::string temporary_name() {
@@ -59,28 +76,41 @@ std::string advice(const std::filesystem::path& folder) {
 
 } // namespace
 
-AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target) {
-    std::error_code error;
-    final_ = std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
+bool is_writable(const std::filesystem::path& path) {
+    constexpr mode_t anybody = S_IWUSR | S_IWGRP | S_IWOTH;
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 && (status.st_mode & anybody) != 0 &&
+           ::access(path.c_str(), W_OK) == 0;
+}
+
+void check_replaceable(const std::filesystem::path& target) {
+    const auto final_target = resolved(target);
+    struct stat status {};
+    if (::stat(final_target.c_str(), &status) != 0) {
+        return;
+    }
+    if (!S_ISREG(status.st_mode)) {
+        refuse(target, "it is a folder, pipe or device; name a regular file");
+    }
+    if (!is_writable(final_target)) {
+        refuse(target, "it is read-only; name another file, or make it writable");
+    }
+}
+
+AtomicFile::AtomicFile(const std::filesystem::path& target)
+    : target_(target), final_(resolved(target)) {
+    check_replaceable(target);
     struct stat status {};
     const bool exists = ::stat(final_.c_str(), &status) == 0;
-    if (error || (exists && !S_ISREG(status.st_mode))) {
-        throw IoError(fmt::format("cannot write {}: {}", target.string(),
-                                  error ? error.message()
-                                        : "it is a folder, pipe or device; name a regular file"));
-    }
-
     if (!temporary_.has_place()) {
-        throw IoError(fmt::format("cannot write {}: {} files are being written already; write "
-                                  "fewer at a time",
-                                  target.string(), Unfinished::most));
+        refuse(target, fmt::format("{} files are being written already; write fewer at a time",
+                                   Unfinished::most));
     }
     file_ = create(temporary_, final_.parent_path());
     if (file_ < 0) {
         const auto reason = system_reason();
         temporary_.finish();
-        throw IoError(fmt::format("cannot write {}: {}{}", target.string(), reason,
-                                  advice(final_.parent_path())));
+        refuse(target, reason + advice(final_.parent_path()));
     }
     if (exists) {
         keep_permissions(file_, status.st_mode);
@@ -133,7 +163,7 @@ void AtomicFile::flush() {
 }
 
 void AtomicFile::fail() const {
-    throw IoError(fmt::format("cannot write {}: {}", target_.string(), system_reason()));
+    refuse(target_, system_reason());
 }
 
 } // namespace polydec

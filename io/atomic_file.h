@@ -16,7 +16,7 @@ namespace polydec {
 /// target and the system's reason.
 class AtomicFile {
 public:
-    /// Creates the temporary file. A target that is there must be a regular file.
+    /// Creates the temporary file. Throws as check_replaceable does.
     explicit AtomicFile(const std::filesystem::path& target);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
@@ -37,5 +37,12 @@ private:
     int file_ = -1;
     std::string buffer_;
 };
+
+/// Throws IoError if the target is there and is no regular file, or is read-only.
+void check_replaceable(const std::filesystem::path& target);
+
+/// Whether this process may write to a file or a folder that is there; what is marked read-only
+/// stays so for a superuser as well.
+bool is_writable(const std::filesystem::path& path);
 
 } // namespace polydec

@@ -2,6 +2,7 @@
 #include "meshes/length_mesh.h"
 
 #include "base/errors.h"
+#include "meshes/distance.h"
 
 #include <fmt/format.h>
 
@@ -50,7 +51,7 @@ LengthMesh length_mesh(const Mesh& mesh) {
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const auto [a, b] = edges[e];
         result.edges.row(static_cast<Index>(e)) << a, b;
-        result.lengths[static_cast<Index>(e)] = (mesh.points.row(b) - mesh.points.row(a)).norm();
+        result.lengths[static_cast<Index>(e)] = distance(mesh.points, a, b);
     }
     return result;
 }

@@ -19,7 +19,8 @@ struct LengthMesh {
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }
 };
 
-/// The simplices of a mesh, with the lengths of their edges, sorted by vertex numbers.
+/// The simplices of a mesh, with the lengths of their edges, sorted by vertex numbers. Throws like
+/// distance().
 LengthMesh length_mesh(const Mesh& mesh);
 
 /// What is wrong with the edges of a length mesh, as a list of what its simplices have.

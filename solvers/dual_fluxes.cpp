@@ -4,18 +4,25 @@
 #include "base/errors.h"
 #include "dec/dual_parts.h"
 #include "dec/facets_without_dual.h"
+#include "dec/rounding.h"
 #include "dec/star.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string>
 
 namespace polydec {
 
 namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
+
+std::string with_vertices(const Discretization& discretization, Index facet) {
+    const auto vertices = cell_vertices(discretization, discretization.dimension() - 1, facet);
+    return fmt::format("facet {} (vertices {})", facet, fmt::join(vertices, ", "));
+}
 
 /// Dual 0-forms are functions only where every facet separates at most two cells that agree on its
 /// sides.
@@ -30,39 +37,59 @@ void check_two_sided(const Discretization& discretization) {
         std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
     if (branching != counts.end())
         throw InvalidInput(fmt::format(
-            "{} cells meet at facet {} (vertices {}), so the flux through it is not a difference "
-            "of two values: solve for primal 0-forms",
-            *branching, branching - counts.begin(),
-            fmt::join(cell_vertices(discretization, n - 1,
-                                    static_cast<Index>(branching - counts.begin())),
-                      ", ")));
+            "{} cells meet at {}, so the flux through it is not a difference of two values: solve "
+            "for primal 0-forms",
+            *branching,
+            with_vertices(discretization, static_cast<Index>(branching - counts.begin()))));
 }
+
+/// What the facets oppose to a flux, times their volumes.
+struct Resistances {
+    Vector values;
+    Vector terms; ///< sizes of what cancels in these
+};
 
 /// The dual length of each merged facet divided by the conductivity it lies in, piece by piece, as
 /// resistances in series add up.
-Vector resistances(const Discretization& discretization, const Vector& conductivity) {
+Resistances resistances(const Discretization& discretization, const Vector& conductivity) {
     const int n = discretization.dimension();
     if (conductivity.size() == 0)
-        return discretization.volumes.dual(n - 1);
+        return {discretization.volumes.dual(n - 1), discretization.volumes.terms(n - 1)};
     check_not_flipped(discretization, "a conductivity for each cell");
     const auto& volumes = discretization.input_volumes;
     const SparseMatrix parts =
         dual_parts(discretization.input(), discretization.metric(), volumes, n - 1, n);
     const SparseMatrix pieces = discretization.merging.diamond(n).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
-    const Vector products = volumes.primal(n - 1).cwiseProduct(parts.transpose() * of_pieces);
     const SparseMatrix facets = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
-    return (facets * products).cwiseQuotient(discretization.volumes.primal(n - 1));
+    const auto over_merged = [&](const Vector& of_input_facets) -> Vector {
+        return (facets * volumes.primal(n - 1).cwiseProduct(of_input_facets))
+            .cwiseQuotient(discretization.volumes.primal(n - 1));
+    };
+    // a part is as exact as the whole dual
+    const SparseMatrix beside = discretization.input().boundary(n).cast<double>().cwiseAbs();
+    const Vector sums = beside * of_pieces;
+    return {over_merged(parts.transpose() * of_pieces),
+            over_merged(sums.cwiseProduct(volumes.terms(n - 1)))};
 }
 
-void check_fluxes_are_defined(const Discretization& discretization) {
+void check_fluxes_are_defined(const Discretization& discretization,
+                              const Resistances& resistances) {
     const int n = discretization.dimension();
+    const auto& counts = discretization.complex().coface_counts(n - 1);
     for (const Index facet : zero_star_cells(discretization.volumes, n - 1))
-        if (discretization.complex().coface_counts(n - 1)[facet] == 2)
+        if (counts[facet] == 2)
             throw InvalidInput(fmt::format(
-                "the dual of facet {} (vertices {}) has no length, so the flux through it is not "
-                "defined: let cospherical cells be merged",
-                facet, fmt::join(cell_vertices(discretization, n - 1, facet), ", ")));
+                "the dual of {} has no length, so the flux through it is not defined: let "
+                "cospherical cells be merged",
+                with_vertices(discretization, facet)));
+    for (Index facet = 0; facet < resistances.values.size(); ++facet)
+        if (counts[facet] == 2 && is_zero(resistances.values[facet], resistances.terms[facet]))
+            throw InvalidInput(fmt::format(
+                "the two parts of the dual of {}, each over the conductivity of the cell beside "
+                "it, cancel, so the flux through it is not defined: change one of the two "
+                "conductivities, or take a mesh that has no obtuse angle there",
+                with_vertices(discretization, facet)));
 }
 
 /// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.
@@ -79,13 +106,13 @@ void average_rows(SparseMatrix& matrix) {
 DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& essential,
                        const Vector& conductivity) {
     check_two_sided(discretization);
-    check_fluxes_are_defined(discretization);
     const auto& complex = discretization.complex();
     const auto& volumes = discretization.volumes;
     const int n = complex.dimension();
     const Index cells = complex.size(n), facets = complex.size(n - 1);
     const auto without_dual = boundary_facets_without_dual(discretization);
-    const Vector resistance = resistances(discretization, conductivity);
+    const auto resistance = resistances(discretization, conductivity);
+    check_fluxes_are_defined(discretization, resistance);
     const IncidenceMatrix cofaces = complex.boundary(n);
 
     DualFluxes result{Vector::Zero(facets), std::vector<bool>(cells, false),
@@ -104,7 +131,7 @@ DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& es
             result.fixed[cell] = true;
             continue;
         }
-        result.weights[f] = volumes.primal(n - 1)[f] / resistance[f];
+        result.weights[f] = volumes.primal(n - 1)[f] / resistance.values[f];
         if (!interior) {
             load.emplace_back(cell, f, result.weights[f]);
             result.tied[cell] = true;

@@ -18,7 +18,7 @@ struct DualFluxes {
 /// The fluxes of a dual 0-form: |f| over the dual length of f, which is divided by the conductivity
 /// (kappa of each merged n-cell; empty: 1) where it lies in a cell. Facets of the natural boundary
 /// have none. Throws InvalidInput, naming the facets, if the complex is non-orientable or branching
-/// or an interior dual has no length.
+/// an interior dual has no length, or what its parts in two cells resist cancels.
 DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& essential,
                        const Vector& conductivity = {});
 

@@ -2,7 +2,7 @@
 #include "solvers/inertia.h"
 
 #include "backends/registry.h"
-#include "base/errors.h"
+#include "base/memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +55,8 @@ std::optional<Index> InertiaCounter::below(double shift, double gap) {
             probe = solver_->solve(probe.normalized());
             lost = std::max(lost, solver_->report().backward_error);
         }
+    } catch (const OutOfMemory&) {
+        throw; // it would need as much at another shift
     } catch (const SolverFailure&) {
         return std::nullopt;
     }

@@ -29,7 +29,8 @@ void check_stars(const CellComplex& complex, const CellVolumes& volumes, int k) 
         throw InvalidInput(fmt::format("the duals of {} {}-cells are negative, the first is cell "
                                        "{}: waves would grow without bound; take a mesh that is "
                                        "nearer to Delaunay there",
-                                       negative.size(), k + 1, negative.front()));
+                                       negative.size(), k + 1,
+                                       volumes.number(k + 1, negative.front())));
 }
 
 } // namespace

@@ -5,21 +5,8 @@
 #include "dec/star.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 
 namespace polydec {
-
-namespace {
-
-std::string first_few(std::vector<Index> cells) {
-    const bool more = cells.size() > 5;
-    cells.resize(std::min<std::size_t>(cells.size(), 5));
-    return fmt::format("{}{}", fmt::join(cells, ", "), more ? ", .." : "");
-}
-
-} // namespace
 
 void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int k) {
     const auto zero = zero_star_cells(volumes, k), negative = negative_star_cells(volumes, k);
@@ -36,7 +23,7 @@ void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int 
         "(cells {})\nspectra and decompositions need a positive mass: take dual 0-forms, whose "
         "mass are the volumes of the cells, or a mesh that is nearer to Delaunay there{}",
         name(side), degree, bad.size(), volumes.primal(k).size(), k,
-        negative.empty() ? "zero" : "negative", first_few(bad), surface_advice));
+        negative.empty() ? "zero" : "negative", numbers_of(volumes, k, bad), surface_advice));
 }
 
 } // namespace polydec

@@ -82,12 +82,8 @@ Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& o
 
 Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
                   const SpectrumOptions& options) {
-    // primal n-forms are dual 0-forms, which do without the duals of boundary facets
-    const bool densities =
-        options.side == Side::primal && options.degree == discretization.dimension();
-    const auto space = densities
-                           ? conditioned_complex(discretization, Side::dual, exchanged(conditions))
-                           : conditioned_complex(discretization, options.side, conditions);
+    const auto space =
+        conditioned_complex(discretization, options.side, options.degree, conditions);
     auto result = spectrum(space.relative.complex, space.volumes, options);
     const int k = cell_degree(discretization.complex(), options.side, options.degree);
     result.modes = space.relative.extend(k, result.modes);

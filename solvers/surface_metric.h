@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/errors.h"
+#include "base/memory.h"
 #include "complex/glued_surface.h"
 
 #include <memory>
@@ -44,6 +44,8 @@ template <class Call>
 auto explaining_failure(const GluedSurface& surface, const SurfaceMetric& metric, Call call) {
     try {
         return call();
+    } catch (const OutOfMemory&) {
+        throw; // no angle is its cause
     } catch (const SolverFailure& failure) {
         throw SolverFailure(explained(surface, metric, failure.what()));
     }

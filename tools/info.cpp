@@ -75,13 +75,18 @@ void write(JsonWriter& json, const OperatorFacts& row) {
     write(json, "merged", row.sides.merged);
 }
 
+/// Indefinite: with negative eigenvalues.
+const char* word(const SpectrumVerdict& verdict) {
+    return !verdict.exists ? "no" : verdict.reason.empty() ? "yes" : "indefinite";
+}
+
 void write(JsonWriter& json, const LaplacianFacts& facts) {
     json.member("degree", facts.degree);
     json.member("matrix", name(facts.matrix));
-    json.member("spectrum", facts.spectrum == LaplacianFacts::yes  ? "yes"
-                            : facts.spectrum == LaplacianFacts::no ? "no"
-                                                                   : "indefinite");
-    json.member("reason", facts.reason);
+    json.member("spectrum", word(facts.spectra[0]));
+    json.member("reason", facts.reason(Side::primal));
+    json.member("dual_spectrum", word(facts.spectra[1]));
+    json.member("dual_reason", facts.reason(Side::dual));
 }
 
 double percent_of_pairs(const MeshFacts& facts) {
@@ -221,31 +226,38 @@ void write_operators(Text& text, const MeshFacts& facts) {
          "", "input primal", "dual", "merged primal", "dual", fmt::join(lines, ""));
 }
 
-/// The one verdict on the Laplacian of a degree, with its reason.
-std::string verdict(const LaplacianFacts& facts) {
+/// The one verdict on the Laplacian of a degree and side, with its reason.
+std::string verdict(const LaplacianFacts& facts, Side side) {
     const bool exists = facts.matrix != WellDefined::no;
-    const auto solved = facts.spectrum;
+    const auto& spectrum = facts.spectra[side == Side::primal ? 0 : 1];
+    const auto& reason = facts.reason(side);
     const auto better = [&](const char* now) {
         return facts.before == facts.matrix
                    ? std::string(now)
                    : fmt::format("{} ({} before merging)", now, name(facts.before));
     };
-    if (!exists && solved == LaplacianFacts::no)
-        return fmt::format("no, {}", facts.reason);
+    if (!exists && !spectrum.exists)
+        return fmt::format("no, {}", reason);
     if (!exists)
-        return fmt::format("a spectrum alone, since {}", facts.reason);
-    if (solved == LaplacianFacts::no)
-        return fmt::format("a matrix alone, without a spectrum: {}", facts.reason);
-    if (solved == LaplacianFacts::indefinite)
-        return fmt::format("yes, but {}", facts.reason);
-    return facts.reason.empty() ? better("yes") : fmt::format("restricted, {}", facts.reason);
+        return fmt::format("a spectrum alone, since {}", facts.matrix_reason);
+    if (!spectrum.exists)
+        return fmt::format("a matrix alone, without a spectrum: {}", reason);
+    if (!spectrum.reason.empty())
+        return fmt::format("yes, but {}", reason);
+    return reason.empty() ? better("yes") : fmt::format("restricted, {}", reason);
 }
 
 void write_laplacians(Text& text, const MeshFacts& facts) {
     text("Laplacians and spectra\n");
-    for (const auto& each : facts.laplacians)
-        text("  primal {}-forms, dual {}-forms: {}\n", each.degree, facts.dimension - each.degree,
-             verdict(each));
+    for (const auto& each : facts.laplacians) {
+        const auto primal = verdict(each, Side::primal), dual = verdict(each, Side::dual);
+        const int opposite = facts.dimension - each.degree;
+        if (primal == dual)
+            text("  primal {}-forms, dual {}-forms: {}\n", each.degree, opposite, primal);
+        else
+            text("  primal {}-forms: {}\n  dual {}-forms: {}\n", each.degree, primal, opposite,
+                 dual);
+    }
 }
 
 struct Info : Answer {

@@ -58,10 +58,6 @@ std::vector<OperatorFacts> operators(const Discretization& mesh) {
     return rows;
 }
 
-std::string entries(std::size_t count, const char* kind, int degree) {
-    return fmt::format("{} {} entr{} of star {}", count, kind, count == 1 ? "y" : "ies", degree);
-}
-
 /// Why the operator has no verdict better than this.
 std::string reason_of(const OperatorVerdict& verdict) {
     if (verdict.verdict == WellDefined::yes)
@@ -73,43 +69,21 @@ std::string reason_of(const OperatorVerdict& verdict) {
                : fmt::format("{} the dual of another one", cells);
 }
 
-/// Adds what the stars say of the eigenvalue problem, whose mass is star k.
-void judge_spectrum(LaplacianFacts& facts, const std::vector<StarNumbers>& stars) {
-    const int k = facts.degree, n = static_cast<int>(stars.size()) - 1;
-    if (stars[k].negative + stars[k].zero > 0) {
-        facts.spectrum = LaplacianFacts::no;
-        facts.reason = fmt::format("the mass is not positive: {}",
-                                   stars[k].negative > 0 ? entries(stars[k].negative, "negative", k)
-                                                         : entries(stars[k].zero, "zero", k));
-    } else if (k > 0 && stars[k - 1].zero > 0) {
-        facts.spectrum = LaplacianFacts::no;
-        facts.reason = fmt::format("it divides by {}", entries(stars[k - 1].zero, "zero", k - 1));
-    } else {
-        const auto below = k > 0 ? stars[k - 1].negative : 0;
-        const auto above = k > 0 && k < n ? stars[k + 1].negative : 0;
-        if (below + above == 0)
-            return;
-        facts.spectrum = LaplacianFacts::indefinite;
-        facts.reason = fmt::format(
-            "{} make about as many spurious negative eigenvalues",
-            below > 0 && above > 0
-                ? entries(below, "negative", k - 1) + " and " + entries(above, "negative", k + 1)
-                : entries(below + above, "negative", below > 0 ? k - 1 : k + 1));
-    }
-}
-
-/// One verdict for each degree; primal k-forms and dual (n-k)-forms have the same.
-std::vector<LaplacianFacts> laplacians(const std::vector<OperatorFacts>& operators,
-                                       const std::vector<StarNumbers>& stars) {
+/// One for each degree: primal k-forms and dual (n-k)-forms have the same matrix.
+std::vector<LaplacianFacts> laplacians(const Discretization& mesh,
+                                       const std::vector<OperatorFacts>& operators) {
+    const auto primal = spectrum_verdicts(mesh, Side::primal);
+    const auto dual = spectrum_verdicts(mesh, Side::dual);
     std::vector<LaplacianFacts> list;
     for (const auto& row : operators) {
         if (row.name != "laplacian" || !row.sides.merged[0])
             continue;
         const auto& verdict = *row.sides.merged[0];
-        LaplacianFacts facts{row.degree, row.sides.input[0]->verdict, verdict.verdict,
-                             LaplacianFacts::yes, reason_of(verdict)};
-        judge_spectrum(facts, stars);
-        list.push_back(std::move(facts));
+        list.push_back({row.degree,
+                        row.sides.input[0]->verdict,
+                        verdict.verdict,
+                        reason_of(verdict),
+                        {primal[row.degree], dual[row.degree]}});
     }
     return list;
 }
@@ -172,7 +146,7 @@ void examine_metric(const Discretization& mesh, MeshFacts& facts) {
     facts.stars = star_numbers(mesh.volumes, mesh.unit);
     facts.input_stars = star_numbers(mesh.input_volumes, mesh.unit);
     facts.operators = operators(mesh);
-    facts.laplacians = laplacians(facts.operators, facts.stars);
+    facts.laplacians = laplacians(mesh, facts.operators);
     if (mesh.dimension() == 2)
         facts.concyclic =
             mesh.intrinsic ? merged_pairs(mesh.intrinsic->merging) : merged_pairs(mesh.merging);

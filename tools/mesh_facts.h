@@ -48,8 +48,14 @@ struct LaplacianFacts {
     int degree = 0;                              ///< k
     WellDefined before = WellDefined::yes;       ///< on the input complex
     WellDefined matrix = WellDefined::yes;       ///< whether the operator itself makes sense
-    enum { yes, indefinite, no } spectrum = yes; ///< indefinite: with negative eigenvalues
-    std::string reason;                          ///< for what is not yes; or empty
+    std::string matrix_reason = {};              ///< for what is not yes; or empty
+    std::array<SpectrumVerdict, 2> spectra = {}; ///< of primal and of dual forms
+
+    /// Of the spectrum, or else of the matrix.
+    const std::string& reason(Side side) const {
+        const auto& own = spectra[side == Side::primal ? 0 : 1].reason;
+        return own.empty() ? matrix_reason : own;
+    }
 };
 
 /// What `polydec info` tells of a mesh.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/errors.h"
+#include "base/memory.h"
 
 #include <filesystem>
 #include <string>
@@ -15,6 +15,8 @@ auto reworded(Reword reword, Work work) {
         return work();
     } catch (const InvalidInput& error) {
         throw InvalidInput(reword(error.what()));
+    } catch (const OutOfMemory& error) {
+        throw OutOfMemory(reword(error.what()));
     } catch (const SolverFailure& error) {
         throw SolverFailure(reword(error.what()));
     } catch (const BackendUnavailable& error) {

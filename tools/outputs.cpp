@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "io/atomic_file.h"
 #include "io/draw_cells.h"
 #include "io/source_file.h"
 
@@ -33,12 +34,6 @@ Path resolved(const Path& out) {
     return result;
 }
 
-/// Whether this process may do so; what is marked read-only stays so for a superuser as well.
-bool is_writable(const Path& path, const struct stat& status) {
-    constexpr mode_t anybody = S_IWUSR | S_IWGRP | S_IWOTH;
-    return (status.st_mode & anybody) != 0 && ::access(path.c_str(), W_OK) == 0;
-}
-
 void check_folder(const Path& out, const Path& folder) {
     struct stat status {};
     const auto name = printable(folder.string());
@@ -46,7 +41,7 @@ void check_folder(const Path& out, const Path& folder) {
         refuse(out, fmt::format("{}; make the folder {} first", system_reason(), name));
     if (!S_ISDIR(status.st_mode))
         refuse(out, fmt::format("{} is no folder", name));
-    if (!is_writable(folder, status) || ::access(folder.c_str(), X_OK) != 0)
+    if (!is_writable(folder) || ::access(folder.c_str(), X_OK) != 0)
         refuse(out, fmt::format("the folder {} is not writable", name));
 }
 
@@ -80,18 +75,15 @@ void check_output_file(const Path& out, const std::vector<const char*>& extensio
     struct stat status {};
     if (::stat(target.c_str(), &status) != 0)
         return;
-    if (!S_ISREG(status.st_mode))
-        refuse(out, "it is a folder, pipe or device; name a regular file");
     for (const auto& input : inputs) {
         struct stat other {};
-        if (::stat(input.c_str(), &other) == 0 && other.st_dev == status.st_dev &&
-            other.st_ino == status.st_ino)
+        if (S_ISREG(status.st_mode) && ::stat(input.c_str(), &other) == 0 &&
+            other.st_dev == status.st_dev && other.st_ino == status.st_ino)
             throw InvalidInput(fmt::format("cannot write {}: it is the input {}, which would be "
                                            "lost; name another file",
                                            printable(out.string()), printable(input.string())));
     }
-    if (!is_writable(target, status))
-        refuse(out, "it is read-only; name another file, or make it writable");
+    check_replaceable(out);
 }
 
 void check_output_folder(const Path& out) {

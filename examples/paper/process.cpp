@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/process.h"
 
-#include "base/errors.h"
+#include "base/memory.h"
 #include "base/unfinished.h"
 #include "examples/paper/console.h"
 
@@ -91,6 +91,8 @@ int guarded(int (*work)(int, char**), int argc, char** argv) noexcept {
         return work(argc, argv);
     } catch (const InvalidInput& error) {
         return fail(bad_input, error.what());
+    } catch (const OutOfMemory& error) {
+        return fail(resource_failure, error.what());
     } catch (const SolverFailure& error) {
         return fail(numerical_failure, error.what());
     } catch (const std::bad_alloc&) {

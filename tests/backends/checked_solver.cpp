@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "backends/checked_solver.h"
 
+#include "base/memory.h"
 #include "tests/backends/matrices.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include <new>
 
 namespace polydec::test {
 namespace {
@@ -60,6 +63,35 @@ TEST(checked_solver, the_check_of_the_tests_catches_wrong_solutions) {
     DenseMatrix hole = X;
     hole(3, 1) = std::nan("");
     EXPECT_FALSE(solves(A, hole, B));
+}
+
+/// Has no memory, for factorizing or for solving alone.
+class Greedy final : public CheckedSolver {
+public:
+    Greedy(bool while_factorizing, Method method)
+        : CheckedSolver("greedy", {.method = method}, {}), while_factorizing_(while_factorizing) {}
+
+protected:
+    void compute(const SparseMatrix&, const MatrixFacts&, Pattern) override {
+        if (while_factorizing_)
+            throw std::bad_alloc();
+    }
+    Solution apply_inverse(const DenseMatrix&) override { throw std::bad_alloc(); }
+
+private:
+    bool while_factorizing_;
+};
+
+TEST(checked_solver, want_of_memory_names_the_engine_and_what_it_was_for) {
+    Greedy direct(true, Method::direct), iterative(false, Method::iterative);
+    EXPECT_EQ(message_of<OutOfMemory>([&] { direct.factorize(grid_laplacian(4), positive()); }),
+              "greedy: memory does not suffice to factorize a 16 x 16 matrix\n"
+              "Take an iterative engine, or allow more memory.");
+    EXPECT_THROW(direct.solve(Vector::Ones(16)), InvalidInput);
+    iterative.factorize(grid_laplacian(4), positive());
+    EXPECT_EQ(message_of<OutOfMemory>([&] { iterative.solve(Vector::Ones(16)); }),
+              "greedy: memory does not suffice to solve with a 16 x 16 matrix\n"
+              "Allow more memory.");
 }
 
 /// Any sparse matrix: rows and columns may be empty, entries repeat, scales differ.

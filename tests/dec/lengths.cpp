@@ -33,6 +33,14 @@ private:
     Vector lengths_ = edge_lengths(K(), mesh().points);
 };
 
+TEST_P(Lengths, of_edges_are_there_at_extreme_sizes) {
+    const Vector usual = edge_lengths(K(), mesh().points);
+    for (const int exponent : {-700, 700}) {
+        const double size = std::ldexp(1.0, exponent);
+        EXPECT_EQ(edge_lengths(K(), size * mesh().points), size * usual);
+    }
+}
+
 /// The worst ratio of circumradius and shortest edge: lengths with a relative error eps give a
 /// direction of the shortest edge with an error eps times this, and duals no better.
 double worst_shape(const SimplicialComplex& K, const SimplexMetric& metric) {

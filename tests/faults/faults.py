@@ -63,6 +63,8 @@ COMMANDS = {
                  "--json", "-o", "out.vtu"],
     "poisson": ["poisson", "squares.off", "--side", "dual", "--rhs", "x*y+1", "--exact", "x",
                 "--json", "-o", "out.vtu"],
+    "engine": ["poisson", "squares.off", "--side", "primal", "--rhs", "1", "--engine",
+               "eigen.ldlt"],
     "distance": ["distance", "squares.off", "--from", "0", "--json", "-o", "out.vtu"],
     "operators": ["operators", "squares.off", "--out", "folder"],
     "generate": ["generate", "icosphere", "--frequency", "2", "-o", "out.ply"],
@@ -255,6 +257,8 @@ class Case:
             return "no message"
         if code in (1, 2) and self.code == 0:
             return "the user is blamed"
+        if code == 3 and self.kind == ALLOCATION:
+            return "an engine is blamed"
         if code > 0 and out and self.kind != WRITING:
             return f"half an answer on standard output: {out[:80]!r}"
         if files != self.before:

@@ -118,6 +118,22 @@ TEST(AtomicFile, RefusesFoldersAndDevices) {
               "file");
 }
 
+TEST(AtomicFile, AReadOnlyFileStays) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("a.txt", "precious");
+    std::filesystem::create_symlink("a.txt", folder.path("link.txt"));
+    ::chmod(path.c_str(), 0444);
+    for (const auto& name : {path, folder.path("link.txt")})
+        EXPECT_EQ(error_of([&name] { AtomicFile(name).commit(); }),
+                  "IoError: cannot write " + name.string() +
+                      ": it is read-only; name another file, or make it writable");
+    EXPECT_EQ(read_text(path), "precious");
+    EXPECT_EQ(folder.names(), (Names{"a.txt", "link.txt"}));
+    ::chmod(path.c_str(), 0644);
+    AtomicFile(path).commit();
+    EXPECT_EQ(read_text(path), "");
+}
+
 TEST(AtomicFile, SaysThatThereIsNoRoom) {
     const TemporaryFolder folder;
     const auto path = folder.path("a.txt");

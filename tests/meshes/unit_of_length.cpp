@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +40,25 @@ TEST(UnitOfLength, is_a_power_of_4_that_makes_the_longest_edge_1_to_8) {
                 EXPECT_LT(lengths.maxCoeff(), 8);
             }
         }
+}
+
+TEST(LengthMesh, has_lengths_at_every_size) {
+    const Vector usual = length_mesh(of_size(1, 3)).lengths;
+    for (const int exponent : {-1060, -1000, -700, -540, 0, 520, 700, 1000, 1022}) {
+        const double size = std::ldexp(1.0, exponent);
+        const Vector lengths = length_mesh(of_size(size, 3)).lengths;
+        const double last_digit = std::max(1e-15, std::ldexp(1.0, -1074 - exponent));
+        for (Index e = 0; e < lengths.size(); ++e)
+            EXPECT_NEAR(lengths[e] / size, usual[e], 2 * last_digit) << exponent;
+    }
+}
+
+TEST(LengthMesh, tells_of_lengths_that_are_no_numbers) {
+    Mesh mesh = of_size(1);
+    mesh.points.row(3) << 1.7e308, 1.7e308;
+    EXPECT_EQ(refusal([&] { length_mesh(mesh); }),
+              "the distance of vertices 0 and 3 is inf: expected a finite number; move them or "
+              "scale the mesh to a size nearer to 1");
 }
 
 TEST(UnitOfLength, leaves_smaller_room_in_many_dimensions) {

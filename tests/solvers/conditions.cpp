@@ -2,21 +2,26 @@
 #include "dec/cell_centers.h"
 #include "dec/conditioned_complex.h"
 #include "dec/facets_without_dual.h"
+#include "dec/star.h"
+#include "dec/well_defined.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/heat.h"
 #include "solvers/hodge.h"
+#include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
 #include "solvers/spectrum.h"
 #include "tests/support/families.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace polydec::test {
 namespace {
@@ -223,6 +228,111 @@ TEST(DualSpectraBroken, with_the_duals_of_centers_on_the_boundary_make_no_sense)
     EXPECT_LT(
         spectrum(moved.complex(), moved.volumes, {.side = Side::dual, .count = 1}).eigenvalues[0],
         -1e6);
+}
+
+TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
+    // the diagonals, of which none is on the boundary
+    const auto mesh = discretize(grid(4, 4), {.criterion = MergeCriterion::none});
+    const auto zero = zero_star_cells(mesh.volumes, 1);
+    const auto cells = "(cells " + numbers_of(mesh.volumes, 1, zero) + ")";
+    for (const Side side : sides) {
+        // by which the boundary is left out
+        const auto& conditions = side == Side::primal ? dirichlet : neumann;
+        const auto space = conditioned_complex(mesh, side, conditions);
+        ASSERT_LT(space.relative.complex.size(1), mesh.complex().size(1));
+        ASSERT_NE(zero_star_cells(space.volumes, 1), zero);
+        for (const auto& message :
+             {refusal([&] { spectrum(mesh, conditions, {.side = side, .degree = 1}); }),
+              refusal([&] { HeatSolver(mesh, conditions, side, 1, {.time_step = 1}); }),
+              refusal([&] {
+                  HeatSolver(mesh, conditions, side, side == Side::primal ? 2 : 0,
+                             {.time_step = 1});
+              }),
+              refusal(
+                  [&] { HodgeSolver(space.relative.complex, space.volumes, side, 1, "auto"); })})
+            EXPECT_NE(message.find(cells), std::string::npos) << message;
+    }
+}
+
+TEST(ConditionedErrors, know_the_mesh_through_several_relative_complexes) {
+    const auto mesh = discretize(grid(4, 4), {.criterion = MergeCriterion::none});
+    const auto inside = relative_to_boundary(mesh.complex());
+    const auto volumes = relative_volumes(inside, mesh.volumes);
+    CellMarks marks;
+    for (int k = 0; k <= 2; ++k)
+        marks.emplace_back(inside.complex.size(k), false);
+    marks[0][0] = true;
+    const auto rest = relative_complex(inside.complex, marks);
+    const auto rest_volumes = relative_volumes(rest, volumes).with_dual(2, Vector::Ones(32));
+    for (int k = 0; k <= 2; ++k)
+        for (Index cell = 0; cell < rest.complex.size(k); ++cell)
+            EXPECT_EQ(rest_volumes.number(k, cell), inside.cells[k][rest.cells[k][cell]]);
+    EXPECT_EQ(mesh.volumes.number(1, 7), 7);
+    EXPECT_NE(refusal([&] { mesh.volumes.numbered({}); }), "accepted");
+}
+
+TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
+    // two flat triangles in a ring, whose vertices come first
+    // clang-format off
+    const Mesh ring = made_of(
+        {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}, {-1, 0}, {1, 0}, {0, 0.5}, {0, -0.5}},
+        {{4, 5, 6}, {4, 7, 5}, {0, 7, 4}, {0, 1, 7}, {1, 5, 7}, {1, 2, 5}, {2, 6, 5}, {2, 3, 6},
+         {3, 4, 6}, {3, 0, 4}});
+    // clang-format on
+    const auto mesh = discretize(ring);
+    const auto inside = relative_to_boundary(mesh.complex());
+    const auto volumes = relative_volumes(inside, mesh.volumes);
+    const auto negative = negative_star_cells(volumes, 1);
+    ASSERT_EQ(negative.size(), 1U);
+    const Index edge = inside.cells[1][negative[0]];
+    EXPECT_EQ(cell_vertices(mesh, 1, edge), (std::vector<Index>{4, 5}));
+    EXPECT_NE(edge, negative[0]);
+    EXPECT_EQ(refusal([&] { stable_step(inside.complex, volumes, 0); }),
+              "the duals of 1 1-cells are negative, the first is cell " + std::to_string(edge) +
+                  ": waves would grow without bound; take a mesh that is nearer to "
+                  "Delaunay there");
+}
+
+/// Whether the mesh has a spectrum on these forms: it is refused or comes out.
+bool has_spectrum(const Discretization& mesh, Side side, int degree) {
+    return refusal([&] {
+               spectrum(mesh, {.side = side,
+                               .degree = degree,
+                               .count = 1,
+                               .certification = Certification::waived});
+           }) == "accepted";
+}
+
+void expect_verdicts_that_hold(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    for (const Side side : sides)
+        for (const auto& verdict : spectrum_verdicts(mesh, side)) {
+            const int degree = side == Side::primal ? verdict.cell_degree : n - verdict.cell_degree;
+            EXPECT_EQ(verdict.exists, has_spectrum(mesh, side, degree))
+                << name(side) << ' ' << degree << ": " << verdict.reason;
+        }
+}
+
+class VerdictsOnSpectra : public OverMeshes {};
+
+TEST_P(VerdictsOnSpectra, say_what_spectrum_does) {
+    for (const auto criterion : {MergeCriterion::none, MergeCriterion::dual_length})
+        expect_verdicts_that_hold(discretize(mesh_named(GetParam()), {.criterion = criterion}));
+}
+
+POLYDEC_OVER_MESHES(VerdictsOnSpectra);
+
+TEST(VerdictsOnSpectra, do_without_the_duals_of_boundary_facets_as_dual_functions_do) {
+    for (const int m : {1, 2, 4}) {
+        const auto mesh = discretize(crossed_squares(m));
+        expect_verdicts_that_hold(mesh);
+        // of one square every triangle has its circumcenter on the boundary
+        const auto verdicts = spectrum_verdicts(mesh, Side::dual);
+        EXPECT_EQ(verdicts[2].exists, m > 1);
+        EXPECT_EQ(verdicts[2].reason, m > 1 ? "" : "no 2-cell has a value that is not given");
+        EXPECT_EQ(spectrum_verdicts(mesh, Side::primal)[2].exists, m > 1);
+        EXPECT_FALSE(spectrum_verdicts(mesh, Side::primal)[1].exists);
+    }
 }
 
 TEST(HodgeUnderConditions, sees_the_homology_of_the_dual_complex) {

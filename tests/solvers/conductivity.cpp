@@ -11,6 +11,7 @@
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -169,6 +170,31 @@ TEST(ConcyclicEdges, between_different_conductivities_conduct) {
     const Vector known{
         {21.946478616632547, 35.40093594432815, 31.920829238841744, 25.678205826116056}};
     EXPECT_LE(relative_difference(Vector(u.head(4)), known), 1e-13);
+}
+
+/// Two triangles on the edge from (-1, 0) to (1, 0); the first is obtuse, so its circumcenter is on
+/// the side of the other.
+Mesh obtuse_beside_acute() {
+    return made_of({{-1, 0}, {1, 0}, {0, 0.5}, {0, -4}}, {{0, 1, 2}, {0, 3, 1}});
+}
+
+TEST(DualFluxes, whose_resistances_cancel_are_refused_by_the_facet) {
+    // the centers are at -3/4 and -15/8: parts of the dual -3/4 and 15/8
+    const auto mesh = discretize(obtuse_beside_acute());
+    const auto solved = [&](double obtuse, double acute) {
+        Vector kappa(2);
+        for (Index t = 0; t < 2; ++t)
+            kappa[t] = mesh.input().input_row(t) == 0 ? obtuse : acute;
+        return refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .conductivity = kappa}); });
+    };
+    EXPECT_EQ(solved(1, 1), "accepted");
+    EXPECT_EQ(solved(1, 2.4), "accepted");
+    for (const double size : {1e-9, 1.0, 1e9})
+        EXPECT_EQ(
+            solved(0.4 * size, size),
+            "the two parts of the dual of facet 0 (vertices 0, 1), each over the conductivity "
+            "of the cell beside it, cancel, so the flux through it is not defined: change "
+            "one of the two conductivities, or take a mesh that has no obtuse angle there");
 }
 
 TEST(ConcyclicEdgesBroken, that_are_left_out_give_another_solution) {

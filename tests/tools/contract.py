@@ -104,6 +104,10 @@ class Json(TestCase):
             answer = self.ask("spectrum", squares, "--side", "dual", "--degree", 0, "--count", 1)
             self.assertAlmostEqual(answer["eigenvalues"][0], 19.5774, delta=1e-4)
             self.assertEqual(answer["warnings"], [])
+            told = self.ask("info", squares)["laplacians"]
+            self.assertEqual([each["dual_spectrum"] for each in told], ["yes"] * 3)
+            self.assertEqual([each["spectrum"] for each in told], ["yes", "no", "yes"])
+            self.assertEqual(told[2]["matrix"], "no")
 
     def test_a_count_that_cuts_a_cluster_is_certified_behind_it(self):
         # 9.37 comes twice
