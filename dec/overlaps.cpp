@@ -31,6 +31,19 @@ struct Sight {
     std::array<Index, rays> from; ///< of which vertex each ray begins in it, or -1
 };
 
+/// The coordinates that are not the same everywhere.
+std::vector<Eigen::Index> varying_coordinates(const SimplicialComplex& complex,
+                                              const Points& points) {
+    std::vector<Eigen::Index> axes;
+    const auto used = complex.simplices(0).reshaped();
+    for (Eigen::Index c = 0; c < points.cols(); ++c) {
+        const double first = points(used[0], c);
+        if (std::any_of(used.begin(), used.end(), [&](Index v) { return points(v, c) != first; }))
+            axes.push_back(c);
+    }
+    return axes;
+}
+
 DenseMatrix some_directions(Index n) {
     std::mt19937 random(7);
     DenseMatrix directions(n, Index{lines});
@@ -186,9 +199,11 @@ std::vector<Index> find_wound(const SimplicialComplex& complex, const std::vecto
 
 } // namespace
 
-Overlaps find_overlaps(const SimplicialComplex& complex, const Points& points) {
-    if (points.cols() != complex.dimension())
+Overlaps find_overlaps(const SimplicialComplex& complex, const Points& all) {
+    const auto axes = varying_coordinates(complex, all);
+    if (static_cast<int>(axes.size()) != complex.dimension())
         return {};
+    const Points points = all(Eigen::all, axes);
     const auto sights = look_at_all(complex, points);
     Overlaps result;
     result.folded = find_folded(complex, sights);

@@ -7,7 +7,8 @@
 
 namespace polydec {
 
-/// Where a mesh of n-simplices in R^n covers a place twice, so that it is no part of space: volumes
+/// Where a mesh of n-simplices in R^n, or in a plane of R^N on which all coordinates but n are
+/// constant, covers a place twice, so that it is no part of space: volumes
 /// and duals are still those of its cells, but not those of the region that they look like.
 struct Overlaps {
     /// n-simplices on the wrong side: of parts connected across facets with two cofaces, those that
@@ -23,7 +24,7 @@ struct Overlaps {
 /// vertex one at most contains what lies there. So around inner vertices every overlap without
 /// folds is found; at the boundary those that these directions meet. What is no more than rounding
 /// (a cell that is flat to the last digits) speaks neither for nor against. Linear time; products
-/// of n lengths must be ordinary numbers. Empty unless points have n coordinates.
+/// of n lengths must be ordinary numbers. Empty unless n coordinates vary.
 Overlaps find_overlaps(const SimplicialComplex& complex, const Points& points);
 
 } // namespace polydec

@@ -143,10 +143,14 @@ TEST(Overlapping, of_a_one_sided_band_is_told_at_its_facet) {
     EXPECT_EQ(overlaps(mesh).folded.size(), 1U);
 }
 
-TEST(Overlapping, is_not_asked_of_surfaces_in_space) {
+TEST(Overlapping, is_asked_of_flat_meshes_in_space_and_of_no_surfaces) {
+    const auto expected = overlaps(turned_inside_out(2)).folded;
+    EXPECT_FALSE(expected.empty());
     Mesh mesh = turned_inside_out(2);
     mesh.points.conservativeResize(Eigen::NoChange, 3);
-    mesh.points.col(2).setZero();
+    mesh.points.col(2).setConstant(-3.5); // as files with three coordinates have it
+    EXPECT_EQ(overlaps(mesh).folded, expected);
+    mesh.points(0, 2) += 1e-9;
     EXPECT_EQ(overlaps(mesh).folded, Cells{});
 }
 
