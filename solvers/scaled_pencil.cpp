@@ -88,6 +88,15 @@ void multiply(const SparseMatrix& A, bool exact_products, const Vector& x, Resul
     }
 }
 
+/// The largest part of a weight that is uncertain; infinity where one may not be positive.
+double largest_share(const Vector& uncertainty, const Vector& weights) {
+    double share = 0;
+    for (Index e = 0; e < weights.size(); ++e)
+        share = weights[e] > uncertainty[e] ? std::max(share, uncertainty[e] / weights[e])
+                                            : std::numeric_limits<double>::infinity();
+    return share;
+}
+
 bool is_finite(const SparseMatrix& A) {
     return std::all_of(A.valuePtr(), A.valuePtr() + A.nonZeros(),
                        [](double entry) { return std::isfinite(entry); });
@@ -135,7 +144,8 @@ void check(const Pencil& pencil) {
 
 } // namespace
 
-ScaledPencil::ScaledPencil(const Pencil& pencil) : mass_uncertainty_(pencil.mass_uncertainty) {
+ScaledPencil::ScaledPencil(const Pencil& pencil)
+    : mass_share_(pencil.mass_uncertainty / (1 - pencil.mass_uncertainty)) {
     check(pencil);
     columns_ = powers_of_two(pencil.M, -1);
     M_ = pencil.M.cwiseProduct(columns_).cwiseProduct(columns_);
@@ -144,6 +154,10 @@ ScaledPencil::ScaledPencil(const Pencil& pencil) : mass_uncertainty_(pencil.mass
         C_ = columns_.asDiagonal() * pencil.C * columns_.asDiagonal();
     for (const GramPart& part : pencil.parts)
         parts_.push_back(scaled(part));
+    for (const Part& part : parts_)
+        weights_share_ += largest_share(part.uncertainty, part.weights);
+    if (C_.size() > 0 && weights_share_ > 0)
+        weights_share_ = std::numeric_limits<double>::infinity(); // C is of any sign
     normalize();
     assemble();
 }
@@ -194,10 +208,13 @@ void ScaledPencil::assemble() {
 }
 
 /// An entry is a sum of as many terms as a column of F has, each of them a product of six numbers.
+/// Where all weights are positive for sure, a share by which they are off is one of x^T A x at
+/// most, and so of each eigenvalue.
 Doubt ScaledPencil::doubt() const {
     constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+    const bool is_share = std::isfinite(weights_share_);
     const Vector inverse = root_.cwiseInverse();
-    Doubt doubt{Vector::Zero(size()), 0, mass_uncertainty_ / (1 - mass_uncertainty_)};
+    Doubt doubt{Vector::Zero(size()), 0, mass_share_ + (is_share ? weights_share_ : 0)};
     if (C_.size() > 0)
         doubt.sizes += C_.diagonal().cwiseAbs();
     for (const Part& part : parts_)
@@ -211,7 +228,9 @@ Doubt ScaledPencil::doubt() const {
         sums += 6 * unit * (C_.cwiseAbs() * x);
     for (const Part& part : parts_) {
         const auto terms = static_cast<double>(longest_row(part.transposed) + 6);
-        const Vector errors = unit * terms * part.weights.cwiseAbs() + part.uncertainty;
+        Vector errors = unit * terms * part.weights.cwiseAbs();
+        if (!is_share)
+            errors += part.uncertainty;
         const Vector image = part.F.cwiseAbs() * x;
         sums += part.transposed.cwiseAbs() * Vector(errors.cwiseProduct(image));
     }
@@ -223,26 +242,31 @@ void ScaledPencil::add_part(const Part& part, const Vector& x, Image& image) con
     LongVector Fx;
     Vector error;
     multiply(part.F, part.exact_products, x, Fx, error);
+    Vector unknown(error.size());
     for (Index e = 0; e < Fx.size(); ++e) {
         const double weight = std::abs(part.weights[e]), unsure = part.uncertainty[e];
         const double size = std::abs(static_cast<double>(Fx[e]));
         image.energy += part.weights[e] < unsure && weight + unsure > 0
                             ? std::numeric_limits<double>::infinity()
                             : (weight + unsure) * (size + error[e]) * (size + error[e]);
-        error[e] = (weight + unsure) * error[e] + (unsure + part.rounding * weight) * size;
+        error[e] = (weight + unsure) * error[e] + part.rounding * weight * size;
+        unknown[e] = unsure * size;
         Fx[e] *= part.weights[e];
     }
     for (Index i = 0; i < x.size(); ++i)
         for (SparseMatrix::InnerIterator entry(part.transposed, i); entry; ++entry) {
             image.Ax[i] += entry.value() * Fx[entry.col()];
-            image.doubt[i] += std::abs(entry.value()) * error[entry.col()];
+            const double size = std::abs(entry.value());
+            image.rounding[i] += size * error[entry.col()];
+            image.doubt[i] += size * (error[entry.col()] + unknown[entry.col()]);
         }
 }
 
 ScaledPencil::Image ScaledPencil::apply(const Vector& x) const {
-    Image image{LongVector::Zero(x.size()), Vector::Zero(x.size())};
+    Image image{LongVector::Zero(x.size()), Vector::Zero(x.size()), Vector::Zero(x.size())};
     if (C_.size() > 0) {
-        multiply(C_, false, x, image.Ax, image.doubt);
+        multiply(C_, false, x, image.Ax, image.rounding);
+        image.doubt = image.rounding;
         image.energy = std::numeric_limits<double>::infinity();
     }
     for (const Part& part : parts_)
@@ -261,28 +285,33 @@ Enclosure ScaledPencil::enclose(const Vector& x, const Image& image) const {
 
     // in the scale given, columns_.minCoeff() / columns_ stands for M^-1
     const double smallest = columns_.minCoeff();
-    long double residual = 0, doubt = 0, given = 0, given_mass = 0;
+    long double residual = 0, rounding = 0, doubt = 0, given = 0, given_mass = 0;
     for (Index i = 0; i < size(); ++i) {
         const long double product = static_cast<long double>(M_[i]) * x[i];
         const long double r = image.Ax[i] - result.value * product;
-        const long double d = image.doubt[i] + 4 * unit_roundoff * std::abs(result.value * product);
+        const long double own = 4 * unit_roundoff * std::abs(result.value * product);
+        const long double lost = image.rounding[i] + own, unknown = image.doubt[i] + own;
         const long double unscaled = smallest / columns_[i];
         residual += r * r / M_[i];
-        doubt += d * d / M_[i];
+        rounding += lost * lost / M_[i];
+        doubt += unknown * unknown / M_[i];
         given += unscaled * r * unscaled * r;
         given_mass += unscaled * product * unscaled * product;
     }
     // what the sums above have lost is far below a millionth
     constexpr double safety = 1 + 1e-6;
-    const double share = mass_uncertainty_ / (1 - mass_uncertainty_);
-    const auto widened = [&](long double radius) {
-        return safety *
-               (static_cast<double>(radius) * (1 + share) + share * std::abs(result.value));
+    // uncertain weights count by what they do to A x, or by their share of every eigenvalue
+    const auto widened = [&](long double known) {
+        const auto radius = [&](long double sum, double share) {
+            const auto absolute = static_cast<double>((known + std::sqrt(sum)) / std::sqrt(square));
+            return safety * (absolute * (1 + share) + share * std::abs(result.value));
+        };
+        return std::min(radius(doubt, mass_share_),
+                        radius(rounding, mass_share_ + weights_share_ * (1 + mass_share_)));
     };
-    result.radius = widened((std::sqrt(residual) + std::sqrt(doubt)) / std::sqrt(square));
-    result.doubt = widened(std::sqrt(doubt / square));
-    result.energy =
-        safety * (1 + 2 * mass_uncertainty_) * image.energy / static_cast<double>(square);
+    result.radius = widened(std::sqrt(residual));
+    result.doubt = widened(0);
+    result.energy = safety * (1 + 2 * mass_share_) * image.energy / static_cast<double>(square);
     result.residual = static_cast<double>(std::sqrt(given) / std::sqrt(given_mass));
     return result;
 }

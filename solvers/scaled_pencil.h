@@ -63,7 +63,8 @@ private:
 
     struct Image {
         LongVector Ax;
-        Vector doubt; // what rounding and uncertainties have done to it at most, entry by entry
+        Vector rounding;   // what this has done to Ax at most, entry by entry
+        Vector doubt;      // and with it the uncertainties of weights
         double energy = 0; // above x^T A x
     };
 
@@ -77,9 +78,10 @@ private:
     SparseMatrix C_; // this and all below: scaled
     std::vector<Part> parts_;
     Vector M_, root_;
-    Vector columns_;   // x in the units given = columns_ * (x here)
-    int exponent_ = 0; // eigenvalue = 2^exponent * scaled eigenvalue
-    double mass_uncertainty_ = 0;
+    Vector columns_;           // x in the units given = columns_ * (x here)
+    int exponent_ = 0;         // eigenvalue = 2^exponent * scaled eigenvalue
+    double mass_share_ = 0;    // by which masses off by as much as may be move an eigenvalue
+    double weights_share_ = 0; // the same for weights; infinite unless all are surely positive
     std::shared_ptr<const SparseMatrix> matrix_;
 };
 
