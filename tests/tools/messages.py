@@ -112,6 +112,18 @@ class Messages(TestCase):
         self.assertTrue(message.startswith("polydec: cannot read ..."), message)
         self.assertTrue(message.endswith("/mesh.off: No such file or directory"), message)
 
+    def test_names_in_answers_are_printable_as_text_and_whole_in_json(self):
+        name = "a\x1b[31m\nb"
+        for arguments in (("generate", "grid", "-o", f"{name}.off"), ("info", f"{name}.off"),
+                          ("merge", f"{name}.off", "-o", f"{name}.ply"),
+                          ("operators", f"{name}.off", "--out", name),
+                          ("reproduce", "fig6", "--levels", "1", "--out", name + "2")):
+            text = self.succeed(*arguments).out
+            self.assertIn("a\\x1b[31m\\nb", text)
+            self.assertNotIn("\x1b", text)
+            if arguments[0] in ("generate", "merge", "operators"):
+                self.assertEqual(self.ask(*arguments)["out"], arguments[-1])
+
 
 if __name__ == "__main__":
     command.main()
