@@ -144,10 +144,7 @@ void AtomicFile::flush() {
     std::size_t done = 0;
     while (done < buffer_.size()) {
         const auto count = ::write(file_, buffer_.data() + done, buffer_.size() - done);
-        if (count == 0) {
-            errno = EIO; // a device that takes nothing and does not say why
-        }
-        if (count == 0 || (count < 0 && errno != EINTR)) {
+        if (count < 0 && errno != EINTR) {
             fail();
         }
         done += count > 0 ? static_cast<std::size_t>(count) : 0;

