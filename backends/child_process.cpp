@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/child_process.h"
 
-#include "backends/descriptor.h"
 #include "backends/held_signals.h"
+#include "base/descriptor.h"
 #include "base/errors.h"
 #include "base/unfinished.h"
 

@@ -50,7 +50,8 @@ using Mesher = std::function<MesherOutput(const MesherInput&, const MesherOption
 /// Throws InvalidInput, naming points, facets or edges from 0, for coordinates that are not finite,
 /// fewer than four points, two equal points, points in one plane, a facet with fewer than three
 /// corners, without area or not plane within 1e-8 of its size, an edge in other than two facets,
-/// facets that cross, and options that make no sense; BackendUnavailable if the engine's program is
+/// facets that cross, a surface with one side only, a hole on a facet or outside of all surfaces,
+/// and options that make no sense; BackendUnavailable if the engine's program is
 /// not there; SolverFailure, naming the probable cause, if it fails, or needs too long or too much
 /// memory, or
 /// if what it makes is not what is said here: volumes, faces and boundary are checked; IoError if

@@ -17,8 +17,8 @@ namespace {
 
 using Place = Eigen::Vector3d;
 
-// Facets may be bent by 1e-8 of their size, and all that follows is exact but for rounding.
-constexpr double tolerance = 1e-7;
+// Facets may be bent by that much, and all that follows is exact but for rounding.
+constexpr double tolerance = 10 * bending_tolerance;
 
 /// Polygons on the points of the mesh.
 struct Polygons {
@@ -34,11 +34,6 @@ Polygons facets_of(const MesherResult& result) {
         facets.corners.push_back(static_cast<Index>(place - result.used.begin()));
     }
     facets.surfaces = closed_surfaces(result.output.points, facets.corners, facets.offsets);
-    if (facets.surfaces.twisted >= 0) {
-        throw InvalidInput(fmt::format("mesher: the surface at facet {} has one side only and "
-                                       "encloses nothing",
-                                       facet_name(result.input, facets.surfaces.twisted)));
-    }
     return facets;
 }
 
@@ -71,37 +66,26 @@ Place area(const Points& points, const Polygons& polygons, std::size_t f) {
 
 /// Facets in one plane, and what is found of them.
 struct Patch {
-    Place origin, normal;
     double area = 0.0, found = 0.0;
 };
 
-std::vector<Patch> patches_of(const Points& points, const Polygons& facets,
-                              const std::vector<Index>& numbers) {
-    std::vector<Patch> patches(numbers.size());
-    for (std::size_t f = 0; f < numbers.size(); ++f) {
-        auto& patch = patches[static_cast<std::size_t>(numbers[f])];
-        const Place twice = area(points, facets, f);
-        if (patch.area == 0.0) {
-            patch.origin = points.row(facets.corners[static_cast<std::size_t>(facets.offsets[f])]);
-            patch.normal = twice.normalized();
-        }
-        patch.area += twice.norm() / 2.0;
-    }
-    return patches;
-}
-
 /// Each face lies in the plane of its facet, and together they have its area.
 void check_planes(const MesherResult& result, const Polygons& facets, const Polygons& pieces) {
+    const auto planes = facet_planes(result.input);
     const auto numbers = plane_patches(result.input);
     const auto& points = result.output.points;
-    auto patches = patches_of(points, facets, numbers);
+    std::vector<Patch> patches(numbers.size());
+    const auto patch_of = [&](std::size_t f) { return static_cast<std::size_t>(numbers[f]); };
+    for (std::size_t f = 0; f < numbers.size(); ++f) {
+        patches[patch_of(f)].area += area(points, facets, f).norm() / 2.0;
+    }
     for (std::size_t i = 0; i < result.output.facets.size(); ++i) {
         const Index facet = result.output.facets[i];
-        auto& patch = patches[static_cast<std::size_t>(numbers[static_cast<std::size_t>(facet)])];
-        patch.found += area(points, pieces, i).norm() / 2.0;
+        const auto number = patch_of(static_cast<std::size_t>(facet));
+        const FacetPlane& plane = planes[number];
+        patches[number].found += area(points, pieces, i).norm() / 2.0;
         for (std::size_t j = 3 * i; j < 3 * i + 3; ++j) {
-            const Place off = points.row(pieces.corners[j]).transpose() - patch.origin;
-            if (std::abs(off.dot(patch.normal)) > tolerance * std::sqrt(patch.area)) {
+            if (plane.height(points.row(pieces.corners[j])) > tolerance * plane.size) {
                 result.fail(fmt::format("point {} is said to be on facet {}, but is off its plane",
                                         pieces.corners[j], facet_name(result.input, facet)));
             }
@@ -127,10 +111,6 @@ std::vector<bool> filled_parts(const MesherResult& result, const Polygons& facet
             windings(result.output.points, facets.corners, facets.offsets, facets.surfaces, place);
         std::size_t innermost = filled.size();
         for (std::size_t part = 0; part < filled.size(); ++part) {
-            if (turns[part] > 0.25 && turns[part] < 0.75) {
-                throw InvalidInput(
-                    fmt::format("mesher: hole {} is on a facet: move it to the inside", hole));
-            }
             const bool is_around = turns[part] > 0.5;
             if (is_around && (innermost == filled.size() || volumes[part] < volumes[innermost])) {
                 innermost = part;

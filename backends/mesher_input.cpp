@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/mesher_input.h"
 
+#include "backends/closed_surfaces.h"
 #include "backends/polygon_sides.h"
 #include "base/errors.h"
 
@@ -21,7 +22,7 @@ using Place = Eigen::Vector3d;
 using Facet = std::span<const Index>;
 
 constexpr double flat_tolerance = 1e-12;   // volumes and areas, relative to lengths
-constexpr double bending_tolerance = 1e-8; // what TetGen takes for plane
+constexpr double winding_tolerance = 1e-6; // of holes that are off the surface
 
 Facet facet(const MesherInput& input, Index f) {
     const auto number = static_cast<std::size_t>(f);
@@ -79,22 +80,22 @@ void check_corners(const MesherInput& input, Index f) {
     }
 }
 
-/// Coordinates between -1 and 1, so that products neither overflow nor vanish.
-Points scaled(const Points& points) {
-    const double largest = points.size() == 0 ? 0.0 : points.cwiseAbs().maxCoeff();
-    return largest > 0.0 ? Points(points / largest) : points;
+/// Coordinates between -1 and 1, so that products neither overflow nor vanish. Holes far outside
+/// stay there.
+MesherInput scaled(MesherInput input) {
+    const double largest = input.points.size() == 0 ? 0.0 : input.points.cwiseAbs().maxCoeff();
+    if (largest > 0.0) {
+        constexpr double far = 1e3;
+        input.points /= largest;
+        input.holes = (input.holes / largest).cwiseMax(-far).cwiseMin(far).eval();
+    }
+    return input;
 }
 
-/// Where a facet lies, and how large it is.
-struct Plane {
-    Place origin, normal; // the normal has length 1, or is 0 if the facet has no area
-    double size = 0.0;    // its longest side, or way between its first and another corner
-    double height(const Place& place) const { return std::abs((place - origin).dot(normal)); }
-};
-
-Plane plane_of(const MesherInput& input, const Points& places, Index f) {
+FacetPlane plane_of(const MesherInput& input, Index f) {
     const Facet corners = facet(input, f);
-    Plane plane{places.row(corners[0]), Place::Zero()}; // twice the area vector, after Newell
+    const Points& places = input.points;
+    FacetPlane plane{places.row(corners[0])}; // twice the area vector, after Newell
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Place here = places.row(corners[i]).transpose() - plane.origin;
         const Place next = places.row(corners[(i + 1) % corners.size()]).transpose() - plane.origin;
@@ -106,14 +107,14 @@ Plane plane_of(const MesherInput& input, const Points& places, Index f) {
     return plane;
 }
 
-void check_shape(const MesherInput& input, const Points& places, Index f) {
-    const Plane plane = plane_of(input, places, f);
+void check_shape(const MesherInput& input, Index f) {
+    const FacetPlane plane = plane_of(input, f);
     if (plane.normal.isZero()) {
         throw InvalidInput(fmt::format("mesher: facet {} has no area: its corners lie on one line",
                                        facet_name(input, f)));
     }
     for (const Index corner : facet(input, f)) {
-        const double height = plane.height(places.row(corner));
+        const double height = plane.height(input.points.row(corner));
         if (height > bending_tolerance * plane.size) {
             throw InvalidInput(fmt::format("mesher: facet {} is not plane: its corner {} is off by "
                                            "{:.2g} of its size\nSplit it into triangles.",
@@ -194,6 +195,37 @@ void check_closed(const MesherInput& input) {
     }
 }
 
+/// A hole says which part stays empty, so it must be clear where it is.
+void check_holes(const MesherInput& input, const ClosedSurfaces& surfaces) {
+    for (Eigen::Index hole = 0; hole < input.holes.rows(); ++hole) {
+        const auto turns = windings(input.points, input.corners, input.offsets, surfaces,
+                                    input.holes.row(hole).transpose());
+        const bool is_on_surface = std::ranges::any_of(turns, [](double part) {
+            return std::abs(part - std::round(part)) > winding_tolerance;
+        });
+        if (is_on_surface) {
+            throw InvalidInput(
+                fmt::format("mesher: hole {} is on a facet: move it to the inside", hole));
+        }
+        if (std::ranges::all_of(turns, [](double part) { return std::round(part) == 0.0; })) {
+            throw InvalidInput(fmt::format("mesher: hole {} is outside of all surfaces: move it to "
+                                           "the inside of the part that is to stay empty, or take "
+                                           "it away",
+                                           hole));
+        }
+    }
+}
+
+void check_sides(const MesherInput& input) {
+    const auto surfaces = closed_surfaces(input.points, input.corners, input.offsets);
+    if (surfaces.twisted >= 0) {
+        throw InvalidInput(fmt::format("mesher: the surface at facet {} has one side only and "
+                                       "encloses nothing",
+                                       facet_name(input, surfaces.twisted)));
+    }
+    check_holes(input, surfaces);
+}
+
 } // namespace
 
 Index facet_count(const MesherInput& input) {
@@ -212,9 +244,19 @@ std::vector<Index> used_points(const MesherInput& input) {
     return used;
 }
 
-std::vector<Index> plane_patches(const MesherInput& input) {
-    const auto count = static_cast<std::size_t>(facet_count(input));
-    const Points places = scaled(input.points);
+std::vector<FacetPlane> facet_planes(const MesherInput& input) {
+    std::vector<FacetPlane> planes;
+    planes.reserve(static_cast<std::size_t>(facet_count(input)));
+    for (Index f = 0; f < facet_count(input); ++f) {
+        planes.push_back(plane_of(input, f));
+    }
+    return planes;
+}
+
+std::vector<Index> plane_patches(const MesherInput& given) {
+    const MesherInput input = scaled(given);
+    const auto planes = facet_planes(input);
+    const auto count = planes.size();
     std::vector<std::vector<Index>> beside(count);
     const auto sides = sorted_sides(input.corners, input.offsets);
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
@@ -227,12 +269,12 @@ std::vector<Index> plane_patches(const MesherInput& input) {
     std::vector<Index> patches(count, -1);
     std::vector<Index> open;
     for (Index seed = 0; seed < facet_count(input); ++seed) {
-        const Plane plane = plane_of(input, places, seed);
+        const FacetPlane& plane = planes[static_cast<std::size_t>(seed)];
         const auto is_in_plane = [&](Index f) {
-            const double most =
-                bending_tolerance * std::min(plane.size, plane_of(input, places, f).size);
+            const double size = planes[static_cast<std::size_t>(f)].size;
+            const double most = bending_tolerance * std::min(plane.size, size);
             return std::ranges::all_of(facet(input, f), [&](Index corner) {
-                return plane.height(places.row(corner)) <= most;
+                return plane.height(input.points.row(corner)) <= most;
             });
         };
         const auto take = [&](Index f) {
@@ -301,12 +343,13 @@ void check_mesher_input(const MesherInput& input) {
             fmt::format("mesher: there are {} points; a tetrahedron needs four", used.size()));
     }
     check_distinct(input.points, used);
-    const Points places = scaled(input.points);
-    check_not_coplanar(places, used);
+    const MesherInput near_one = scaled(input);
+    check_not_coplanar(near_one.points, used);
     for (Index f = 0; f < facet_count(input); ++f) {
-        check_shape(input, places, f);
+        check_shape(near_one, f);
     }
     check_closed(input);
+    check_sides(near_one);
 }
 
 } // namespace polydec

@@ -16,8 +16,7 @@ namespace polydec {
 /// that are said to make them up close as they do, lie in their planes and have their areas; there
 /// are tetrahedra inside of each, up to the next one, unless a hole is there; the boundary consists
 /// of such faces, and volumes add up to what the surfaces enclose.
-/// Throws SolverFailure, naming the engine and what is not so, and InvalidInput for a hole on a
-/// facet.
+/// Throws SolverFailure, naming the engine and what is not so. The input must be a checked one.
 void check_mesher_output(const MesherInput& input, const std::string& engine, MesherOutput& output);
 
 /// A face of a tetrahedron: ascending corners, and whether its boundary, seen from outside of that

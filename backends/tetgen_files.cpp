@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "backends/tetgen_files.h"
 
-#include "backends/descriptor.h"
 #include "backends/mesher_input.h"
 #include "base/errors.h"
+#include "base/regular_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fcntl.h>
 #include <iterator>
 #include <limits>
 #include <sstream>
 #include <string_view>
-#include <sys/stat.h>
-#include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace polydec::builtin {
@@ -121,25 +116,20 @@ private:
     std::size_t at_ = 0;
 };
 
-/// Neither follows a link nor waits for a pipe.
 std::string Numbers::read_regular_file(const std::filesystem::path& path) const {
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-    struct stat status {};
-    if (file.number() < 0 || ::fstat(file.number(), &status) != 0) {
-        malformed(fmt::format("it cannot be read: {}", std::generic_category().message(errno)));
-    }
-    if (!S_ISREG(status.st_mode)) {
-        malformed("it is no regular file");
-    }
-    std::string text(static_cast<std::size_t>(status.st_size), '\0');
-    for (std::size_t done = 0; done < text.size();) {
-        const auto count = ::read(file.number(), text.data() + done, text.size() - done);
-        if (count == 0 || (count < 0 && errno != EINTR)) {
+    try {
+        const RegularFile file(path, RegularFile::Links::refused);
+        if (!file.is_regular()) {
+            malformed("it is no regular file");
+        }
+        auto text = file.read();
+        if (text.size() < file.size()) {
             malformed("it cannot be read to its end");
         }
-        done += count > 0 ? static_cast<std::size_t>(count) : 0;
+        return text;
+    } catch (const IoError& error) {
+        malformed(fmt::format("it cannot be read: {}", error.what()));
     }
-    return text;
 }
 
 } // namespace

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "base/memory.h"
 
+#include "base/control_group.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
-#include <fstream>
 #include <limits>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -27,13 +28,6 @@ std::uint64_t of_process(decltype(RLIMIT_AS) resource) {
     return known ? limit.rlim_cur : unlimited;
 }
 
-/// A file that holds a number of bytes, or a word where there is no limit.
-std::uint64_t of_control_group(const char* path) {
-    std::ifstream file(path);
-    std::uint64_t bytes = 0;
-    return file >> bytes ? bytes : unlimited;
-}
-
 std::atomic<std::uint64_t>& limit() {
     static std::atomic<std::uint64_t> bytes{machine_memory()};
     return bytes;
@@ -47,9 +41,8 @@ std::string size_text(double bytes) {
 } // namespace
 
 std::uint64_t machine_memory() {
-    return std::min({of_machine(), of_process(RLIMIT_AS), of_process(RLIMIT_DATA),
-                     of_control_group("/sys/fs/cgroup/memory.max"),
-                     of_control_group("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
+    return std::min(
+        {of_machine(), of_process(RLIMIT_AS), of_process(RLIMIT_DATA), control_group_memory()});
 }
 
 std::uint64_t memory_limit() {

@@ -9,7 +9,7 @@
 namespace polydec {
 
 /// The bytes of memory that this program may have at most, as far as the system tells: the
-/// machine's, or less where the process or its control group is limited.
+/// machine's, or less where the process or one of the control groups it is in is limited.
 std::uint64_t machine_memory();
 
 /// What check_memory compares with, machine_memory() at first. Holds for the whole program.

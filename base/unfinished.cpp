@@ -3,7 +3,6 @@
 
 #include <array>
 #include <atomic>
-#include <cassert>
 #include <cerrno>
 #include <cstring>
 #include <dirent.h>
@@ -16,6 +15,13 @@ namespace polydec {
 namespace {
 
 constexpr std::size_t longest_path = 4096;
+
+// Folders within one another are removed by functions within one another, on the stack of a signal
+// handler.
+constexpr int deepest = 64;
+constexpr std::size_t entries_size = 1024;
+constexpr std::size_t all_else = 4096; // of a level, with what sanitizers add
+static_assert(deepest * (entries_size + all_else) <= removal_stack);
 
 enum State : int { is_free, is_taken, is_file, is_folder, is_process };
 
@@ -50,7 +56,7 @@ bool remove_entry(int folder, const char* name, int depth) noexcept {
 
 /// One pass over the folder; whether something was removed, so that another one may see more.
 bool remove_pass(int folder, int depth) noexcept {
-    alignas(dirent64) char entries[2048];
+    alignas(dirent64) char entries[entries_size];
     bool removed = false;
     ::lseek(folder, 0, SEEK_SET);
     for (;;) {
@@ -85,7 +91,6 @@ bool remove_pass(int folder, int depth) noexcept {
 #endif
 
 void remove_content(int folder, int depth) noexcept {
-    constexpr int deepest = 64; // the stack of a signal handler is small
     while (depth < deepest && remove_pass(folder, depth)) {
     }
 }
@@ -131,7 +136,10 @@ Unfinished::~Unfinished() {
 }
 
 bool Unfinished::note(int kind, const char* path) noexcept {
-    assert(has_place());
+    if (!has_place()) {
+        errno = EMFILE;
+        return false;
+    }
     auto& place = places[place_];
     const std::size_t length = std::strlen(path);
     if (length >= longest_path) {
@@ -152,17 +160,20 @@ bool Unfinished::note_folder(const char* path) noexcept {
     return note(is_folder, path);
 }
 
-void Unfinished::note_process(int leader) noexcept {
-    assert(has_place());
+bool Unfinished::note_process(int leader) noexcept {
+    if (!has_place()) {
+        errno = EMFILE;
+        return false;
+    }
     auto& place = places[place_];
     place.state = is_taken;
     place.process = leader;
     place.state = is_process;
+    return true;
 }
 
 const char* Unfinished::path() const noexcept {
-    assert(has_place());
-    return places[place_].path.data();
+    return has_place() ? places[place_].path.data() : "";
 }
 
 void Unfinished::finish() noexcept {

@@ -4,10 +4,10 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "io/source_file.h"
+#include "io/temporary_name.h"
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cassert>
 #include <cerrno>
 #include <cstdio>
@@ -21,7 +21,6 @@ namespace polydec {
 namespace {
 
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
-std::atomic<unsigned> next_name{0};
 
 [[noreturn]] void refuse(const std::filesystem::path& target, const std::string& reason) {
     throw IoError(fmt::format("cannot write {}: {}", printable(target.string()), reason));
@@ -38,25 +37,16 @@ std::filesystem::path resolved(const std::filesystem::path& target) {
     return result;
 }
 
-/// Short, so that every folder in which the target fits has room for it.
-std::string temporary_name() {
-    return fmt::format(".polydec-{}-{}.part", ::getpid(), next_name++);
-}
-
 /// Opens a file that was not there; it is noted before it can exist. -1 on failure.
 int create(Unfinished& temporary, const std::filesystem::path& folder) {
-    constexpr int most_stale_files = 1000;
-    for (int attempt = 0; attempt < most_stale_files; ++attempt) {
-        const auto path = (folder / temporary_name()).string();
-        if (!temporary.note_file(path.c_str())) {
-            return -1;
-        }
-        const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file >= 0 || errno != EEXIST) {
-            return file;
-        }
-    }
-    return -1;
+    int file = -1;
+    make_under_new_name(folder, ".part", [&](const char* path) {
+        file = temporary.note_file(path)
+                   ? ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)
+                   : -1;
+        return file >= 0;
+    });
+    return file;
 }
 
 /// Where the system refuses, the usual permissions of a new file have to do.

@@ -3,11 +3,12 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "io/folder_names.h"
 #include "io/source_file.h"
+#include "io/temporary_name.h"
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
@@ -20,8 +21,6 @@ namespace polydec {
 namespace {
 
 using Path = std::filesystem::path;
-
-std::atomic<unsigned> next_name{0};
 
 Path resolved(const Path& target) {
     std::error_code error;
@@ -62,9 +61,7 @@ bool exchange(const Path& a, const Path& b) {
 #endif
 }
 
-std::string temporary_name() {
-    return fmt::format(".polydec-{}-{}.parts", ::getpid(), next_name++);
-}
+constexpr const char* extension = ".parts";
 
 } // namespace
 
@@ -75,10 +72,11 @@ void check_replaceable(const Path& target, const AtomicFolder::IsOurs& is_ours) 
         throw InvalidInput(fmt::format("cannot write {}: it is the folder you are in, and would be "
                                        "replaced as a whole; name another one",
                                        name));
-    for (std::filesystem::directory_iterator entry(target, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const auto file = entry->path().filename().string();
-        if (!entry->is_regular_file(none) || entry->is_symlink(none) || !is_ours(file))
+    for (const auto& file : folder_names(target, error)) {
+        struct stat status {};
+        const bool is_file =
+            ::lstat((target / file).c_str(), &status) == 0 && S_ISREG(status.st_mode);
+        if (!is_file || !is_ours(file))
             throw InvalidInput(fmt::format("cannot write {}: it holds '{}', which is no part of an "
                                            "earlier result, and would be lost; name another "
                                            "folder, or remove that one",
@@ -92,21 +90,17 @@ void check_replaceable(const Path& target, const AtomicFolder::IsOurs& is_ours) 
 AtomicFolder::AtomicFolder(const Path& target, const IsOurs& is_ours)
     : target_(target), final_(resolved(target)), is_ours_(is_ours) {
     check_replaceable(final_, is_ours_);
-    constexpr int most_stale_folders = 1000;
     if (!temporary_.has_place() || !displaced_.has_place())
         throw IoError(fmt::format("cannot write {}: {} files are being written already; write "
                                   "fewer at a time",
                                   printable(target_.string()), Unfinished::most));
     // what was there may be there once more, and stays where it is until the end
-    const Path parent = existing_parent(final_);
-    for (int attempt = 0; attempt < most_stale_folders; ++attempt) {
-        if (!temporary_.note_folder((parent / temporary_name()).c_str()))
-            break;
-        if (::mkdir(temporary_.path(), 0777) == 0)
-            return;
-        if (errno != EEXIST)
-            break;
-    }
+    const bool is_made =
+        make_under_new_name(existing_parent(final_), extension, [&](const char* path) {
+            return temporary_.note_folder(path) && ::mkdir(path, 0777) == 0;
+        });
+    if (is_made)
+        return;
     // one that is there and has the name is another's
     const int reason = errno;
     temporary_.finish();
@@ -148,7 +142,7 @@ void AtomicFolder::replace() {
     if (errno != EINVAL && errno != ENOSYS)
         fail();
     // without that, there is a moment at which the result is under neither name, but never lost
-    const Path aside = final_.parent_path() / temporary_name();
+    const Path aside = final_.parent_path() / temporary_name(extension);
     if (std::rename(final_.c_str(), aside.c_str()) != 0)
         fail();
     if (std::rename(temporary_.path(), final_.c_str()) != 0) {

@@ -49,6 +49,8 @@ double check_cubes(std::string_view generator, const std::vector<int>& counts, i
         result *= counts[k];
     }
     check_length(generator, "edge", edge);
+    for (int k = 0; k < n; ++k)
+        check_length(generator, fmt::format("cells[{}] * edge", k), counts[k] * edge);
     return result;
 }
 

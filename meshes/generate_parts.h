@@ -23,7 +23,8 @@ void check_length(std::string_view generator, std::string_view name, double valu
 void check_sizes(std::string_view generator, double vertices, double cells, int n = 3);
 
 /// The number of cubes in a box that holds counts[k] >= 1 of them along axis k = 0 .. n-1, as a
-/// double. Throws InvalidInput if there are not n counts, or one or the edge is not positive.
+/// double. Throws InvalidInput if there are not n counts, or one, the edge or a side of the
+/// box is not positive and finite.
 double check_cubes(std::string_view generator, const std::vector<int>& counts, int n, double edge);
 
 /// (cos, sin) of i/n of a full turn, 0 <= i <= n, n >= 1. Points that are images of each other

@@ -42,6 +42,28 @@ void check_values(const DenseMatrix& values, const Points& sites, const char* wh
                 throw InvalidInput(fmt::format("{}: value {} is {}", what, i, values(i, j)));
 }
 
+/// The data are numbers, but their products with volumes and weights need not be.
+void check_loads(const DenseMatrix& loads, int degree) {
+    for (Index j = 0; j < loads.cols(); ++j)
+        for (Index i = 0; i < loads.rows(); ++i)
+            if (!std::isfinite(loads(i, j)))
+                throw InvalidInput(
+                    fmt::format("the right-hand side of the system at {}-cell {} is {}: data times "
+                                "volumes leave the range of numbers there; divide the right-hand "
+                                "side, boundary data and normal derivatives by a power of two, and "
+                                "multiply the solution by it",
+                                degree, i, loads(i, j)));
+}
+
+/// What fixed unknowns take away from the right-hand sides of the others.
+SparseMatrix load_of_fixed(const ConstrainedSystem& system) {
+    SparseMatrix result = system.A;
+    result.prune([&](Eigen::Index row, Eigen::Index column, double) {
+        return system.fixed[column] && !system.fixed[row];
+    });
+    return result;
+}
+
 /// 1 for each facet that a natural condition concerns, 0 for the others.
 Vector natural_facets(const CellComplex& complex, const CellMarks& essential) {
     const int n = complex.dimension();
@@ -126,7 +148,7 @@ SparseMatrix shares_of_vertices(const Discretization& discretization, const Vect
 } // namespace
 
 PoissonSolver::PoissonSolver(const Discretization& discretization, const PoissonOptions& options)
-    : side_(options.side) {
+    : side_(options.side), degree_(options.side == Side::primal ? 0 : discretization.dimension()) {
     const auto essential = essential_cells(discretization.complex(), options.boundary);
     check_conductivity(discretization.complex(), options.conductivity);
     flux_sites_ = cell_centers(discretization, discretization.dimension() - 1);
@@ -156,6 +178,7 @@ void PoissonSolver::set_up_primal(const Discretization& discretization, const Ce
     boundary_load_.resize(size, size);
     boundary_fix_.resize(size, size);
     boundary_fix_.setIdentity();
+    fixed_load_ = load_of_fixed(system);
     solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
 }
 
@@ -180,6 +203,7 @@ void PoissonSolver::set_up_dual(const Discretization& discretization, const Cell
         mass_,
         by_sign(fluxes.weights),
         n};
+    fixed_load_ = load_of_fixed(system);
     solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
 }
 
@@ -203,8 +227,11 @@ DenseMatrix PoissonSolver::solve_columns(const DenseMatrix& f, const DenseMatrix
     check_values(boundary_values, boundary_sites_, "boundary data");
     check_values(normal_derivatives, flux_sites_, "normal derivatives");
     const DenseMatrix load = boundary_load_ * boundary_values + flux_load_ * normal_derivatives;
-    return solver_->solve(DenseMatrix(mass_.asDiagonal() * f + load),
-                          DenseMatrix(boundary_fix_ * boundary_values));
+    const DenseMatrix right_side = mass_.asDiagonal() * f + load;
+    const DenseMatrix fixed = boundary_fix_ * boundary_values;
+    check_loads(right_side, degree_);
+    check_loads(right_side - fixed_load_ * fixed, degree_);
+    return solver_->solve(right_side, fixed);
 }
 
 } // namespace polydec

@@ -50,7 +50,8 @@ public:
 
     /// f at sites(), u on the essential part of the boundary at boundary_sites(), its derivative
     /// along the outward normal, times kappa, on the natural part at flux_sites(), by default 0;
-    /// all finite. u at sites().
+    /// all finite. u at sites(). Throws InvalidInput, naming the cell, where the right-hand side of
+    /// the system that these make is no number.
     Vector solve(const Vector& f, const Vector& boundary_values);
     Vector solve(const Vector& f, const Vector& boundary_values, const Vector& normal_derivatives);
 
@@ -82,10 +83,12 @@ private:
                      const PoissonOptions& options);
 
     Side side_;
+    int degree_; // of the cells that values belong to
     Points sites_, boundary_sites_, flux_sites_;
     Vector mass_;                // volume that each value of f stands for
     SparseMatrix boundary_load_; // boundary values to right-hand side
     SparseMatrix boundary_fix_;  // boundary values to fixed unknowns
+    SparseMatrix fixed_load_;    // fixed unknowns to right-hand side, for those that are not
     SparseMatrix flux_load_;     // normal derivatives to right-hand side
     std::unique_ptr<ConstrainedSolver> solver_;
 };

@@ -2,6 +2,7 @@
 #include "tools/common.h"
 
 #include "base/errors.h"
+#include "dec/star.h"
 #include "examples/paper/console.h"
 #include "io/length_file.h"
 #include "io/read_mesh.h"
@@ -112,6 +113,16 @@ std::string flip_advice(const Discretization& mesh) {
     if (!is_flippable(mesh) || mesh.options.delaunay == Delaunay::flips_and_splits)
         return "";
     return mesh.intrinsic ? "; add --delaunay=split-boundary" : "; add --delaunay";
+}
+
+void warn_of_negative_duals(const Discretization& mesh, int k, std::string_view consequence,
+                            Log& log) {
+    const auto cells = negative_star_cells(mesh.volumes, k).size();
+    if (cells > 0)
+        log.warn(fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay "
+                             "there): {}{}",
+                             cells, k, cells == 1 ? "has" : "have", consequence,
+                             flip_advice(mesh)));
 }
 
 Progress::Progress() : visible_(isatty(STDERR_FILENO) != 0) {}

@@ -36,6 +36,10 @@ bool is_flippable(const Discretization& mesh);
 /// "; add --delaunay" or what else would help against negative duals; empty if nothing would.
 std::string flip_advice(const Discretization& mesh);
 
+/// Warns of k-cells whose duals have a negative extent, if there are any, and of what follows.
+void warn_of_negative_duals(const Discretization& mesh, int k, std::string_view consequence,
+                            Log& log);
+
 /// Reads, merges and measures the mesh; tells its warnings.
 Discretization load(const MeshArguments& arguments, Log& log);
 

@@ -69,8 +69,7 @@ struct Distances : Answer {
 
 void run(const Arguments& arguments) {
     Log log;
-    if (!arguments.out.empty())
-        check_output_file(arguments.out, {".vtu"}, mesh_files(arguments.mesh.mesh));
+    check_picture(arguments.out, arguments.mesh.mesh);
     const Discretization mesh = load(arguments.mesh, log);
     if (mesh.dimension() != 2)
         throw InvalidInput(fmt::format("{} has cells of dimension {}: distances are found on "
@@ -89,6 +88,7 @@ void run(const Arguments& arguments) {
         raised = solver.raised();
         return result;
     }();
+    warn_of_negative_duals(mesh, 1, "distances may be far off", log);
     if (raised > 0)
         log.warn(fmt::format("{} of the distances fell below 0 and were raised to 0: triangles "
                              "there are far from Delaunay{}",

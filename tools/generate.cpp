@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/generate.h"
 
+#include "base/printable.h"
 #include "io/write_mesh.h"
 #include "meshes/generate.h"
 #include "tools/commands.h"
@@ -98,7 +99,8 @@ struct Generated : Answer {
     }
 
     void write(Text& text) const override {
-        text("{}: {} points, {} simplices of dimension {}\n", out, points, simplices, dimension);
+        text("{}: {} points, {} simplices of dimension {}\n", printable(out), points, simplices,
+             dimension);
     }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/printable.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/mesh_facts.h"
@@ -89,8 +90,10 @@ void write(JsonWriter& json, const LaplacianFacts& facts) {
     json.member("dual_reason", facts.reason(Side::dual));
 }
 
+/// Of the triangles that were merged: with flips and splits, those that they have made.
 double percent_of_pairs(const MeshFacts& facts) {
-    return 100.0 * facts.concyclic->simplices / facts.cells.input[2];
+    const Index triangles = facts.flips ? facts.flips->cells[2] : facts.cells.input[2];
+    return 100.0 * facts.concyclic->simplices / triangles;
 }
 
 void write(JsonWriter& json, const MeshFacts& facts) {
@@ -267,7 +270,7 @@ struct Info : Answer {
     void write(JsonWriter& json) const override { tools::write(json, facts); }
 
     void write(Text& text) const override {
-        text("{}\n", mesh);
+        text("{}\n", printable(mesh));
         write_cells(text, facts);
         write_topology(text, facts);
         write_duals(text, facts);

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "io/atomic_file.h"
+#include "io/folder_names.h"
 #include "io/source_file.h"
 #include "tools/outputs.h"
 
@@ -13,12 +14,15 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <span>
 #include <system_error>
 
 namespace polydec::tools {
 
 namespace {
+
+constexpr const char* file_name = "manifest.json";
 
 class Sha256 {
 public:
@@ -77,9 +81,12 @@ std::string hash_of_options(const MeshArguments& options) {
 /// Names and sizes, by name.
 std::vector<std::pair<std::string, std::uintmax_t>> files_in(const std::filesystem::path& folder) {
     std::vector<std::pair<std::string, std::uintmax_t>> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-        files.emplace_back(entry.path().filename().string(), entry.file_size());
-    std::sort(files.begin(), files.end());
+    std::error_code error;
+    for (const auto& name : folder_names(folder, error))
+        files.emplace_back(name, std::filesystem::file_size(folder / name));
+    if (error)
+        throw IoError(fmt::format("cannot read the folder {}: {}", printable(folder.string()),
+                                  error.message()));
     return files;
 }
 
@@ -121,10 +128,40 @@ std::vector<Fingerprint> fingerprints(const std::filesystem::path& mesh) {
     return list;
 }
 
+void check_unchanged(const std::filesystem::path& mesh, const std::vector<Fingerprint>& before) {
+    const auto now = fingerprints(mesh);
+    const auto [was, is] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
+    if (was == before.end() && is == now.end())
+        return;
+    const auto& changed = was == before.end() ? is->file : was->file;
+    throw IoError(fmt::format("{} changed while it was read: try again when it is whole",
+                              printable(changed.string())));
+}
+
+std::vector<std::string> files_of_result(const std::filesystem::path& folder) {
+    std::ifstream file(folder / file_name, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    // a quote within a text has a backslash before it, so this is found outside of texts alone
+    constexpr std::string_view list = R"("files":[)", name = R"({"name":")", size = R"(","bytes":)";
+    auto at = text.find(list);
+    if (!text.starts_with(R"({"program":"polydec",)") || at == std::string::npos)
+        return {};
+    std::vector<std::string> names{file_name};
+    for (at += list.size(); text.compare(at, name.size(), name) == 0; at += text[at] == ',') {
+        at += name.size();
+        const auto end = text.find(size, at);
+        if (end == std::string::npos)
+            return {};
+        names.push_back(text.substr(at, end - at));
+        at = std::min(text.find('}', end), text.size() - 1) + 1;
+    }
+    return names;
+}
+
 void write_manifest(const std::filesystem::path& folder, const Manifest& manifest) {
     JsonWriter json;
     json.object([&] { write(json, manifest, folder); });
-    AtomicFile file(folder / "manifest.json");
+    AtomicFile file(folder / file_name);
     file.write(json.view());
     file.write("\n");
     file.commit();

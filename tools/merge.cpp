@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
+#include "base/printable.h"
 #include "io/draw_cells.h"
 #include "io/draw_overlay.h"
 #include "io/source_file.h"
@@ -56,7 +57,8 @@ public:
     }
 
     void write(Text& text) const override {
-        text("{}: {} cells of dimension {} merged into {}\n", out_, input_, dimension_, merged_);
+        text("{}: {} cells of dimension {} merged into {}\n", printable(out_), input_, dimension_,
+             merged_);
     }
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
+#include "base/printable.h"
 #include "dec/laplacian.h"
 #include "dec/lift.h"
 #include "dec/star.h"
@@ -16,10 +17,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace polydec::tools {
@@ -34,10 +33,8 @@ struct Arguments {
 template <class VerticesOf>
 void write_vertex_lists(const std::filesystem::path& path, Index cells, VerticesOf vertices) {
     AtomicFile file(path);
-    fmt::memory_buffer text;
     for (Index i = 0; i < cells; ++i)
-        fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(vertices(i), " "));
-    file.write({text.data(), text.size()});
+        file.write(fmt::format("{}\n", fmt::join(vertices(i), " ")));
     file.commit();
 }
 
@@ -139,27 +136,11 @@ private:
     Log& log_;
 };
 
-/// Whether a name is one that this command gives to its files: star_2.mtx, cells_0.txt.
-bool is_name_of_ours(std::string_view name) {
-    constexpr std::array stems{"d",         "star", "volume",           "dual_volume",
-                               "diamond",   "lift", "laplacian_primal", "laplacian_dual",
-                               "simplices", "cells"};
-    if (name == "manifest.json")
-        return true;
-    const auto line = name.rfind('_');
-    if (line == std::string_view::npos)
-        return false;
-    const auto stem = name.substr(0, line), rest = name.substr(line + 1);
-    const auto digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
-    return digits > 0 && (rest.substr(digits) == ".mtx" || rest.substr(digits) == ".txt") &&
-           std::find(stems.begin(), stems.end(), stem) != stems.end();
-}
-
-/// Files of these names are ours where there is the manifest that goes with them.
+/// What the manifest of an earlier result lists is ours.
 AtomicFolder::IsOurs earlier_result(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    const bool has_manifest = std::filesystem::is_regular_file(folder / "manifest.json", ignored);
-    return [has_manifest](std::string_view name) { return has_manifest && is_name_of_ours(name); };
+    return [names = files_of_result(folder)](std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
 }
 
 class Operators : public Answer {
@@ -172,7 +153,7 @@ public:
     }
 
     void write(Text& text) const override {
-        text("operators of degrees 0 .. {} written to {}\n", dimension_, out_);
+        text("operators of degrees 0 .. {} written to {}\n", dimension_, printable(out_));
     }
 
 private:
@@ -183,14 +164,16 @@ private:
 void run(const Arguments& arguments) {
     Log log;
     const auto is_ours = earlier_result(arguments.out);
-    check_output_folder(arguments.out);
+    check_replaced_folder(arguments.out);
     check_replaceable(arguments.out, is_ours);
+    const auto files = fingerprints(arguments.mesh.mesh);
     const Discretization mesh = load(arguments.mesh, log);
+    check_unchanged(arguments.mesh.mesh, files);
     log.timing.begin("write");
     AtomicFolder folder(arguments.out, is_ours);
     Writer(mesh, folder.path(), log).write_all();
-    write_manifest(folder.path(), {"operators", fingerprints(arguments.mesh.mesh), arguments.mesh,
-                                   mesh.dimension(), log.warnings});
+    write_manifest(folder.path(),
+                   {"operators", files, arguments.mesh, mesh.dimension(), log.warnings});
     folder.commit();
     tell(Operators(arguments.out.string(), mesh.dimension()), log, arguments.mesh.tell);
 }

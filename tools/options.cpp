@@ -19,7 +19,7 @@ namespace {
 /// All of the text as a number; none if it is not one.
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
-    if (text.substr(0, 1) == "+")
+    if (text.substr(0, 1) == "+" && text.substr(0, 2) != "+-")
         text.remove_prefix(1);
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -35,12 +35,18 @@ std::string check_text(const std::string& text) {
     return text.empty() ? "expected a value, not an empty text" : "";
 }
 
-std::string check_whole(const std::string& text) {
-    return number_of<int>(text) ? "" : expected("a whole number", text);
-}
-
-std::string check_not_negative_whole(const std::string& text) {
-    return number_of<std::uint64_t>(text) ? "" : expected("a whole number of at least 0", text);
+/// Makes the text the plain decimal number that it is, since the parser of options would take a
+/// leading zero for a sign of octal digits.
+template <class Number>
+CLI::Validator whole(const char* what) {
+    const auto read = [what](std::string& text) {
+        const auto value = number_of<Number>(text);
+        if (!value)
+            return expected(what, text);
+        text = std::to_string(*value);
+        return std::string();
+    };
+    return CLI::Validator(read, "");
 }
 
 std::string check_number(const std::string& text) {
@@ -88,9 +94,9 @@ void expect_values(CLI::App& app) {
     for (auto* option : app.get_options()) {
         const auto type = option->get_type_name();
         if (type.rfind("INT", 0) == 0)
-            option->check(check_whole, "");
+            option->transform(whole<int>("a whole number"));
         else if (type.rfind("UINT", 0) == 0)
-            option->check(check_not_negative_whole, "");
+            option->transform(whole<std::uint64_t>("a whole number of at least 0"));
         else if (type.rfind("FLOAT", 0) == 0 || type.rfind("[FLOAT", 0) == 0)
             option->check(check_number, "");
         else if (type.rfind("TEXT", 0) == 0)

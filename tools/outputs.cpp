@@ -86,15 +86,31 @@ void check_output_file(const Path& out, const std::vector<const char*>& extensio
     check_replaceable(out);
 }
 
+void check_picture(const Path& out, const Path& mesh, const Paths& others) {
+    if (out.empty())
+        return;
+    Paths inputs = mesh_files(mesh);
+    inputs.insert(inputs.end(), others.begin(), others.end());
+    check_output_file(out, {".vtu"}, inputs);
+}
+
 void check_output_folder(const Path& out) {
     Path target = resolved(out);
     struct stat status {};
     while (::stat(target.c_str(), &status) != 0 && target.has_relative_path())
         target = target.parent_path();
     if (!S_ISDIR(status.st_mode))
-        throw IoError(fmt::format("cannot make the folder {}: a file of that name is in the way",
-                                  printable(out.string())));
+        throw IoError(fmt::format("cannot make the folder {}: the file {} is in the way",
+                                  printable(out.string()), printable(target.string())));
     check_folder(out, target);
+}
+
+void check_replaced_folder(const Path& out) {
+    check_output_folder(out);
+    const Path target = resolved(out);
+    struct stat status {};
+    if (::stat(target.c_str(), &status) == 0)
+        check_folder(out, (target.has_filename() ? target : target.parent_path()).parent_path());
 }
 
 void check_drawable(const Discretization& mesh) {

@@ -2,7 +2,6 @@
 #include "solvers/poisson.h"
 
 #include "dec/cell_centers.h"
-#include "dec/star.h"
 #include "io/draw_cells.h"
 #include "io/vtu.h"
 #include "meshes/unit_of_length.h"
@@ -122,18 +121,6 @@ void warn_of_compatibility(const PoissonSolver& solver, Log& log) {
                              compatibility.free_components == 1 ? "" : "s", compatibility.worst));
 }
 
-/// Dual cells of negative extent that the problem is made of.
-std::optional<std::string> negative_duals(const Discretization& mesh, Side side) {
-    const int k = side == Side::primal ? 0 : mesh.dimension() - 1;
-    const auto cells = negative_star_cells(mesh.volumes, k).size();
-    if (cells == 0)
-        return std::nullopt;
-    return fmt::format("{} of the {}-cells have a negative dual (the mesh is not Delaunay there): "
-                       "the solution may be far off beside them{}{}",
-                       cells, k, side == Side::dual ? "; compare with --side primal" : "",
-                       flip_advice(mesh));
-}
-
 /// What the options give at sites; made before the mesh is read.
 struct Data {
     explicit Data(const Arguments& arguments)
@@ -165,19 +152,10 @@ std::string known(const Discretization& mesh, const Arguments& arguments) {
                     {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
 }
 
-void check_output(const Arguments& arguments, const Data& data) {
-    if (arguments.out.empty())
-        return;
-    Paths inputs = mesh_files(arguments.mesh.mesh);
-    for (const auto& file : data.files())
-        inputs.push_back(file);
-    check_output_file(arguments.out, {".vtu"}, inputs);
-}
-
 void run(Arguments arguments) {
     Log log;
     const Data data(arguments);
-    check_output(arguments, data);
+    check_picture(arguments.out, arguments.mesh.mesh, data.files());
     const Discretization mesh = load(arguments.mesh, log);
     arguments.poisson.boundary = data.conditions.on(mesh).value_or(BoundaryConditions{});
     if (!arguments.out.empty())
@@ -195,8 +173,12 @@ void run(Arguments arguments) {
         in_input_units(data.flux.at(mesh.unit * solver.flux_sites()), mesh.unit, 1, "--flux");
     const Vector u = solver.solve(f, g, h);
     warn_of_compatibility(solver, log);
-    if (const auto negative = negative_duals(mesh, arguments.poisson.side))
-        log.warn(*negative);
+    constexpr const char* spoiled = "the solution may be far off there";
+    if (arguments.poisson.side == Side::primal)
+        warn_of_negative_duals(mesh, 0, spoiled, log);
+    else
+        warn_of_negative_duals(mesh, mesh.dimension() - 1,
+                               fmt::format("{}; compare with --side primal", spoiled), log);
     Solution answer = describe(arguments, solver, u);
     answer.conditions = known(mesh, arguments);
     if (data.exact)

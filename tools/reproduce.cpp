@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/printable.h"
 #include "examples/paper/report.h"
 #include "examples/paper/reproductions.h"
 #include "tools/commands.h"
@@ -79,7 +80,7 @@ struct Reports : Answer {
         for (const auto& [report, files] : made) {
             text("{}{}", separator, paper::to_text(report));
             for (const auto& file : files)
-                text("{}\n", file.string());
+                text("{}\n", printable(file.string()));
             separator = "\n";
         }
     }

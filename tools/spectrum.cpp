@@ -84,20 +84,18 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                                                 const Spectrum& spectrum) {
     const int k =
         spectrum.side == Side::primal ? spectrum.degree : mesh.dimension() - spectrum.degree;
-    const Vector& lambda = spectrum.eigenvalues;
-    constexpr double rounding = 1e-9;
-    const auto negative = std::count_if(lambda.begin(), lambda.end(), [&](double value) {
-        return value < -rounding * lambda.cwiseAbs().maxCoeff();
-    });
+    const auto negative = ((spectrum.eigenvalues + spectrum.radii).array() < 0).count();
     std::size_t duals = 0;
     for (const int j : {k - 1, k + 1})
         if (j >= 0 && j <= mesh.dimension())
             duals += negative_star_cells(mesh.volumes, j).size();
     if (negative == 0 || duals == 0)
         return std::nullopt;
-    return fmt::format("{} of the eigenvalues are negative and spurious: {} cells next to these "
-                       "forms have a negative dual (the mesh is not Delaunay there){}",
-                       negative, duals, flip_advice(mesh));
+    return fmt::format("{} of the eigenvalues {} negative and spurious: {} next to these forms {} "
+                       "a negative dual (the mesh is not Delaunay there){}",
+                       negative, negative == 1 ? "is" : "are",
+                       duals == 1 ? "1 cell" : fmt::format("{} cells", duals),
+                       duals == 1 ? "has" : "have", flip_advice(mesh));
 }
 
 /// What is measured in length^-2, in the units of the file. What is rounding beside the largest
@@ -130,19 +128,11 @@ void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
                  fmt::format("a spectrum of {} eigenpairs of {} values", options.count, rows));
 }
 
-void check_output(const Arguments& arguments, const ConditionValues& conditions) {
-    if (arguments.out.empty())
-        return;
-    Paths inputs = mesh_files(arguments.mesh.mesh);
-    if (const auto file = conditions.file())
-        inputs.push_back(*file);
-    check_output_file(arguments.out, {".vtu"}, inputs);
-}
-
 void run(Arguments arguments) {
     Log log;
     const ConditionValues asked(arguments.conditions);
-    check_output(arguments, asked);
+    const auto file = asked.file();
+    check_picture(arguments.out, arguments.mesh.mesh, file ? Paths{*file} : Paths{});
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.out.empty())
         check_drawable(mesh);

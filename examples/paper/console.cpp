@@ -26,7 +26,9 @@ int write_all(int file, std::string_view text) noexcept {
         } else if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
             pollfd ready{file, POLLOUT, 0};
             ::poll(&ready, 1, -1);
-        } else if (count < 0 && errno != EINTR) {
+        } else if (count == 0) {
+            return EIO; // a device that takes nothing and does not say why
+        } else if (errno != EINTR) {
             return errno;
         }
     }

@@ -49,7 +49,8 @@ void watch(int signal) noexcept {
 
 /// All signals that end a program by default and can be caught.
 void watch_signals() noexcept {
-    alignas(16) static char stack[1 << 16]; // that of the program may be what has run out
+    alignas(16) static char
+        stack[removal_stack + (1 << 16)]; // that of the program may be what has run out
     stack_t other{};
     other.ss_sp = stack;
     other.ss_size = sizeof stack;

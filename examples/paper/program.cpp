@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/program.h"
 
+#include "base/errors.h"
 #include "examples/paper/console.h"
 #include "examples/paper/process.h"
 #include "examples/paper/reproductions.h"
@@ -15,6 +16,8 @@ namespace {
 const Reproduction* chosen = nullptr;
 
 int run(int argc, char** argv) {
+    if (chosen == nullptr)
+        throw InvalidInput("there is no reproduction of this name");
     const Reproduction& reproduction = *chosen;
     CLI::App app{reproduction.summary, "paper_" + reproduction.name};
     Request request;
@@ -39,6 +42,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int run_program(const char* reproduction, int argc, char** argv) {
+    chosen = nullptr;
     for (const auto& each : reproductions())
         if (each.name == reproduction)
             chosen = &each;

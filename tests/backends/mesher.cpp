@@ -3,6 +3,7 @@
 
 #include "tests/backends/mesher_support.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -103,6 +104,31 @@ TEST_F(MesherTest, parts_within_are_filled_unless_they_are_holes) {
         EXPECT_NEAR(volume(tetrahedralize(input)), 1.0, 1e-14);
         input.holes = Points::Constant(1, 3, 0.5);
         EXPECT_NEAR(volume(tetrahedralize(input)), 1.0 - 0.125, 1e-14);
+    });
+}
+
+TEST_F(MesherTest, thin_bodies_with_rounded_coordinates_are_filled) {
+    with_tetgen([] {
+        for (const double thickness : {1e-2, 1e-3}) {
+            auto input = cube();
+            input.points.col(2) *= thickness;
+            const Eigen::Matrix3d turn =
+                Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+            input.points = (input.points * turn).unaryExpr([](double x) {
+                return std::round(x * 1e8) / 1e8; // eight digits, as in many files
+            });
+            // squares that rounding has bent are triangles
+            const auto squares = input.corners;
+            input.corners.clear();
+            input.offsets = {0};
+            for (std::size_t i = 0; i < squares.size(); i += 4)
+                for (const std::size_t j : {1U, 2U}) {
+                    input.corners.insert(input.corners.end(),
+                                         {squares[i], squares[i + j], squares[i + j + 1]});
+                    input.offsets.push_back(static_cast<Index>(input.corners.size()));
+                }
+            EXPECT_NEAR(volume(tetrahedralize(input)), thickness, 1e-7);
+        }
     });
 }
 

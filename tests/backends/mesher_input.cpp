@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "backends/mesher_input.h"
+
 #include "backends/mesher.h"
 #include "tests/backends/mesher_support.h"
 
+#include <algorithm>
+#include <cmath>
+#include <ctime>
 #include <limits>
+#include <numbers>
+#include <numeric>
 
 namespace polydec {
 namespace {
@@ -19,6 +26,67 @@ TEST_F(MesherTest, coordinates_must_be_finite) {
               "mesher: hole 0 is at (inf, inf, inf): coordinates must be finite");
     EXPECT_EQ(refusal_of({.points = Points::Zero(5, 2)}),
               "mesher: a point has 2 coordinates; tetrahedra are made in three");
+}
+
+TEST_F(MesherTest, holes_are_inside_of_a_surface) {
+    auto input = cube(3.0, -1.0);
+    input.holes.resize(2, 3);
+    input.holes.row(0) << 0.5, 0.25, 0.3;
+    const auto refusal = [&](double x, double y, double z) {
+        input.holes.row(1) << x, y, z;
+        return refusal_of(input);
+    };
+    const char* on_facet = "mesher: hole 1 is on a facet: move it to the inside";
+    EXPECT_EQ(refusal(0.5, 0.25, 2.0), on_facet);
+    EXPECT_EQ(refusal(0.5, 2.0, 2.0), on_facet) << "on an edge";
+    EXPECT_EQ(refusal(2.0, 2.0, 2.0), on_facet) << "at a corner";
+    const char* outside = "mesher: hole 1 is outside of all surfaces: move it to the inside of the "
+                          "part that is to stay empty, or take it away";
+    for (const double far : {2.001, 40.0, 1e300})
+        EXPECT_EQ(refusal(0.5, 0.25, far), outside);
+    input = cube(1e-200);
+    input.holes.resize(2, 3);
+    input.holes.row(0).setConstant(5e-201);
+    EXPECT_EQ(refusal(0.0, 0.0, 2e-200), outside);
+    EXPECT_EQ(refusal(0.0, 5e-201, 5e-201), on_facet);
+}
+
+TEST(PlanePatches, take_time_in_proportion_to_the_corners) {
+    const auto seconds = [](Index sides) {
+        // a prism, whose top and bottom have all corners
+        MesherInput input{.points = Points(2 * sides, 3)};
+        for (Index i = 0; i < sides; ++i) {
+            const double angle = 2 * std::numbers::pi * i / sides;
+            input.points.row(i) << std::cos(angle), std::sin(angle), 0.0;
+            input.points.row(i + sides) << std::cos(angle), std::sin(angle), 1.0;
+        }
+        input.corners.resize(static_cast<std::size_t>(2 * sides));
+        std::iota(input.corners.begin(), input.corners.end(), Index{0});
+        input.offsets = {0, sides, 2 * sides};
+        for (Index i = 0; i < sides; ++i) {
+            const Index next = (i + 1) % sides;
+            input.corners.insert(input.corners.end(), {i, next, next + sides, i + sides});
+            input.offsets.push_back(static_cast<Index>(input.corners.size()));
+        }
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < 3; ++i) {
+            const auto begin = std::clock();
+            EXPECT_EQ(plane_patches(input).back(), facet_count(input) - 1);
+            least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+        }
+        return least;
+    };
+    EXPECT_LT(seconds(16000), 8 * seconds(4000)) << "4 times the corners";
+}
+
+TEST_F(MesherTest, surfaces_have_two_sides) {
+    // the projective plane on six vertices
+    MesherInput input{.points = cloud(6)};
+    input.corners = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1,
+                     1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3};
+    for (Index i = 0; i <= 30; i += 3)
+        input.offsets.push_back(i);
+    EXPECT_NE(refusal_of(input).find("has one side only and encloses nothing"), std::string::npos);
 }
 
 TEST_F(MesherTest, points_must_span_a_volume) {

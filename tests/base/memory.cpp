@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "base/memory.h"
 
+#include "base/control_group.h"
 #include "base/errors.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
+#include <string>
 
 namespace polydec {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string refusal(double bytes) {
     try {
@@ -21,6 +29,36 @@ std::string refusal(double bytes) {
 }
 
 } // namespace
+
+TEST(MemoryLimit, is_the_least_of_the_control_groups_around_the_process) {
+    std::string name = (fs::temp_directory_path() / "groups-XXXXXX").string();
+    const fs::path folder = ::mkdtemp(name.data());
+    const auto write = [&](const fs::path& path, const char* text) {
+        fs::create_directories((folder / path).parent_path());
+        std::ofstream(folder / path) << text;
+    };
+    const auto limit_of = [&](const char* groups) {
+        write("groups", groups);
+        return control_group_memory(folder / "groups", folder);
+    };
+    constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
+    EXPECT_EQ(limit_of("0::/user.slice/job\n"), unlimited);
+    EXPECT_EQ(control_group_memory(folder / "none", folder), unlimited);
+    write("memory.max", "5000\n");
+    write("user.slice/memory.max", "3000\n");
+    write("user.slice/a:b/memory.max", "max\n");
+    write("user.slice/a:b/inner/memory.max", "4000\n");
+    write("other/memory.max", "1\n");
+    EXPECT_EQ(control_group_memory(folder / "none", folder), 5000);
+    EXPECT_EQ(limit_of("0::/\n"), 5000);
+    EXPECT_EQ(limit_of("0::/user.slice/a:b/inner\n"), 3000);
+    EXPECT_EQ(limit_of("0::/not/below/the/mount\n"), 5000);
+    EXPECT_EQ(limit_of("0::/../user.slice\nnonsense\n"), 3000);
+    write("memory/job/memory.limit_in_bytes", "2000\n");
+    write("memory/other/memory.limit_in_bytes", "1\n");
+    EXPECT_EQ(limit_of("9:cpu,memory:/job/step\n3:cpuset:/other\n1:memory_like:/other\n"), 2000);
+    fs::remove_all(folder);
+}
 
 TEST(MemoryLimit, is_the_machines_at_first) {
     EXPECT_GT(machine_memory(), 1U << 20U);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -78,7 +79,7 @@ TEST_F(unfinished, a_signal_handler_can_remove_it_all) {
     Unfinished first, second, third;
     ASSERT_TRUE(first.note_file(file.c_str()));
     ASSERT_TRUE(second.note_folder((folder_ / "folder").c_str()));
-    third.note_process(child);
+    ASSERT_TRUE(third.note_process(child));
     const auto before = std::signal(SIGUSR1, [](int) { remove_unfinished(); });
     std::raise(SIGUSR1);
     std::signal(SIGUSR1, before);
@@ -87,12 +88,63 @@ TEST_F(unfinished, a_signal_handler_can_remove_it_all) {
     third.finish();
 }
 
+/// A stack of a handler; what is below it cannot be written.
+class HandlerStack {
+public:
+    HandlerStack() {
+        const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+        size_ = removal_stack + page;
+        start_ = ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        ::mprotect(start_, page, PROT_NONE);
+        stack_t stack{};
+        stack.ss_sp = static_cast<char*>(start_) + page;
+        stack.ss_size = removal_stack;
+        ::sigaltstack(&stack, &before_);
+    }
+    ~HandlerStack() {
+        ::sigaltstack(&before_, nullptr);
+        ::munmap(start_, size_);
+    }
+    HandlerStack(const HandlerStack&) = delete;
+    HandlerStack& operator=(const HandlerStack&) = delete;
+
+private:
+    stack_t before_{};
+    void* start_;
+    std::size_t size_;
+};
+
+TEST_F(unfinished, a_signal_handler_has_stack_for_folders_as_deep_as_they_are_removed) {
+    fs::path inner = "folder";
+    for (int i = 1; i < 64; ++i)
+        inner /= "d";
+    make_file(inner / "file");
+    Unfinished noted;
+    ASSERT_TRUE(noted.note_folder((folder_ / "folder").c_str()));
+    const HandlerStack stack;
+    struct sigaction action {
+    }, before{};
+    action.sa_handler = [](int) { remove_unfinished(); };
+    action.sa_flags = SA_ONSTACK;
+    ::sigaction(SIGUSR1, &action, &before);
+    std::raise(SIGUSR1);
+    ::sigaction(SIGUSR1, &before, nullptr);
+    EXPECT_TRUE(is_empty());
+}
+
 TEST_F(unfinished, places_are_limited_and_given_back) {
     std::vector<std::unique_ptr<Unfinished>> all;
     while (all.empty() || all.back()->has_place())
         all.push_back(std::make_unique<Unfinished>());
     EXPECT_EQ(all.size(), Unfinished::most + 1);
+    errno = 0;
+    EXPECT_FALSE(all.back()->note_file(make_file("kept").c_str()));
+    EXPECT_EQ(errno, EMFILE);
+    EXPECT_FALSE(all.back()->note_folder(folder_.c_str()));
+    EXPECT_FALSE(all.back()->note_process(::getpid()));
+    EXPECT_STREQ(all.back()->path(), "");
     all.clear();
+    EXPECT_FALSE(is_empty());
     EXPECT_TRUE(Unfinished().has_place());
 }
 

@@ -24,7 +24,8 @@
 namespace {
 
 /// Of which calls the n-th fails; `shortened` ones do their work a few bytes at a time.
-enum Kind : std::int32_t { nothing, allocation, writing, reading, shortened, signaled };
+/// `untaken` ones to standard output return 0, as those to a device may.
+enum Kind : std::int32_t { nothing, allocation, writing, reading, shortened, signaled, untaken };
 
 struct Request {
     std::int32_t kind, forever;
@@ -39,7 +40,7 @@ struct Answer {
 
 // Shared with the copies, so that the original can tell what they have counted.
 struct Counts {
-    std::atomic<std::int64_t> of[signaled + 1];
+    std::atomic<std::int64_t> of[untaken + 1];
 };
 
 Counts* counts = nullptr;
@@ -225,6 +226,8 @@ int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexce
 
 ssize_t write(int file, const void* data, std::size_t size) {
     NEXT(write);
+    if (file == STDOUT_FILENO && fails(untaken))
+        return 0;
     return no_space(file) ? -1 : original(file, data, piece(size));
 }
 

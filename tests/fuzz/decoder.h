@@ -14,8 +14,6 @@ class Decoder {
 public:
     explicit Decoder(std::string_view bytes) : bytes_(bytes) {}
 
-    bool at_end() const { return bytes_.empty(); }
-
     int byte() {
         if (bytes_.empty())
             return 0;

@@ -256,6 +256,10 @@ TEST(Generators, refuse_wrong_arguments_by_name_and_range) {
              fcc({1, 1, 1}, -2.0);
          }),
          "fcc: edge = -2 is not positive and finite"},
+        {refusal([] {
+             bcc({1, 4, 1}, 1e308);
+         }),
+         "bcc: cells[1] * edge = inf is not positive and finite"},
         {refusal([] { d4(0); }), "d4: cells = 0 is outside 1 .. 2147483647"},
         {refusal([] { d4(60); }), "d4: 2488320000 cells are more than 2^31 - 1; ask for fewer"},
         {refusal([] { split_boxes({}); }), "split_boxes: n = 0 is outside 1 .. 12"},

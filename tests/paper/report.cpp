@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/report.h"
 
+#include "examples/paper/process.h"
+#include "examples/paper/program.h"
 #include "examples/paper/reproductions.h"
 #include "tests/io/support.h"
 
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <sstream>
@@ -237,6 +240,11 @@ TEST(Table2, counts_pairs_of_files_and_tells_why_others_are_left_out) {
     EXPECT_EQ(error_of([&] { table2({.meshes = folder.path("none")}); }),
               "IoError: cannot read the folder " + folder.path("none").string() +
                   ": No such file or directory");
+}
+
+TEST(Program, refuses_a_reproduction_that_there_is_not) {
+    EXPECT_EXIT(std::_Exit(run_program("fig99", 0, nullptr)), testing::ExitedWithCode(bad_input),
+                "fig99: there is no reproduction of this name");
 }
 
 } // namespace

@@ -290,5 +290,22 @@ TEST(PoissonSolverRefuses, data_that_are_no_numbers_or_too_few) {
               "boundary data: 10 values for 9 places");
 }
 
+TEST(PoissonSolverRefuses, data_that_overflow_with_the_volumes) {
+    const std::string advice = ": data times volumes leave the range of numbers there; divide the "
+                               "right-hand side, boundary data and normal derivatives by a power "
+                               "of two, and multiply the solution by it";
+    const auto mesh = discretize(grid(2, 2));
+    for (const Side side : {Side::primal, Side::dual}) {
+        PoissonSolver solver(mesh, {.side = side});
+        const Vector f = Vector::Zero(solver.sites().rows());
+        const Vector values = Vector::Constant(solver.boundary_sites().rows(), -1.5e308);
+        EXPECT_EQ(refusal([&] { solver.solve(f, values); }),
+                  (side == Side::primal ? "the right-hand side of the system at 0-cell 4 is -inf"
+                                        : "the right-hand side of the system at 2-cell 0 is -inf") +
+                      advice);
+        EXPECT_TRUE(solver.solve(f, values / 16).allFinite());
+    }
+}
+
 } // namespace
 } // namespace polydec::test

@@ -37,6 +37,37 @@ class Json(TestCase):
         for name in ("kuhn1d.nsc", "kuhn3.nsc", "kuhn4.nsc"):
             self.assertNotIn("concyclic", self.ask("info", golden(name)))
 
+    def test_the_share_of_concyclic_triangles_is_of_those_that_flips_and_splits_have_made(self):
+        points = [(i + 3 * j, 0.5 * j) for j in range(2) for i in range(9)]
+        self.write("sheared.off", "OFF\n18 16 0\n"
+                   + "".join(f"{x} {y} 0\n" for x, y in points)
+                   + "".join(f"3 {i} {i + 1} {i + 10}\n3 {i} {i + 10} {i + 9}\n"
+                             for i in range(8)))
+        answer = self.ask("info", "sheared.off", "--delaunay=split-boundary")
+        triangles = answer["intrinsic"]["cells"][2]
+        self.assertGreater(triangles, answer["cells"]["input"][2])
+        share = answer["concyclic"]
+        self.assertGreater(share["faces"], 0)
+        self.assertEqual(share["percent"], 100 * share["faces"] / triangles)
+
+    def test_spectrum_tells_of_spurious_eigenvalues_beside_large_ones(self):
+        """The small triangle has an eigenvalue of 1e13."""
+        kite = "0 0 0\n1 -.2 0\n1 .25 0\n2 0 0\n"
+        small = "5 5 0\n5.000001 5 0\n5.0000004 5.0000009 0\n"
+        faces = "3 0 3 2\n3 0 1 3\n"
+        self.write("kite.off", f"OFF\n4 2 0\n{kite}{faces}")
+        self.write("both.off", f"OFF\n7 3 0\n{kite}{small}{faces}3 4 5 6\n")
+        for name, count in (("kite.off", 2), ("both.off", 2), ("both.off", 3)):
+            answer = self.ask("spectrum", name, "--side", "dual", "--degree", 0, "--count", count)
+            self.assertLess(answer["eigenvalues"][0], -0.2)
+            self.assertEqual(answer["warnings"], [
+                "1 of the eigenvalues is negative and spurious: 1 cell next to these forms has a "
+                "negative dual (the mesh is not Delaunay there); add --delaunay"])
+        warnings = self.ask("poisson", "kite.off", "--side", "dual", "--rhs", "1")["warnings"]
+        self.assertEqual(warnings, [
+            "1 of the 1-cells has a negative dual (the mesh is not Delaunay there): the solution "
+            "may be far off there; compare with --side primal; add --delaunay"])
+
     def test_spectrum(self):
         answer = self.ask("spectrum", golden("grid4.nsc"), "--side", "dual", "--degree", 1,
                           "--count", 7)

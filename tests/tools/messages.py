@@ -48,6 +48,17 @@ class Messages(TestCase):
             self.assertEqual(self.fail_with(1, *arguments), f"polydec: {message}{MORE}")
         self.assertEqual(os.listdir(self.folder), [])
 
+    def test_whole_numbers_are_decimal(self):
+        for text, squares in (("010", 10), ("08", 8), ("+0009", 9), ("+7", 7)):
+            answer = self.ask("generate", "grid", "--nx", text, "--ny", "01", "-o", "a.nsc")
+            self.assertEqual(answer["points"], (squares + 1) * 2)
+        for text in ("0x10", "0b1", "+-3", "1_0", "1'0"):
+            self.assertEqual(self.fail_with(1, "generate", "grid", "--nx", text, "-o", "a.nsc"),
+                             f"polydec: --nx: expected a whole number, not '{text}'{MORE}")
+        self.ask("generate", "clusters", "--seed", "010", "-o", "a.nsc")
+        self.ask("generate", "clusters", "--seed", "10", "-o", "b.nsc")
+        self.assertEqual(self.read("a.nsc"), self.read("b.nsc"))
+
     def test_a_file_whose_name_begins_with_a_dash_can_be_named(self):
         self.write("-dash.off", FLAT.replace("2 0 0", "0 1 0"))
         self.succeed("info", "./-dash.off")
@@ -100,6 +111,18 @@ class Messages(TestCase):
         message = self.fail_with(4, "info", "folder/" * 60 + "mesh.off")
         self.assertTrue(message.startswith("polydec: cannot read ..."), message)
         self.assertTrue(message.endswith("/mesh.off: No such file or directory"), message)
+
+    def test_names_in_answers_are_printable_as_text_and_whole_in_json(self):
+        name = "a\x1b[31m\nb"
+        for arguments in (("generate", "grid", "-o", f"{name}.off"), ("info", f"{name}.off"),
+                          ("merge", f"{name}.off", "-o", f"{name}.ply"),
+                          ("operators", f"{name}.off", "--out", name),
+                          ("reproduce", "fig6", "--levels", "1", "--out", name + "2")):
+            text = self.succeed(*arguments).out
+            self.assertIn("a\\x1b[31m\\nb", text)
+            self.assertNotIn("\x1b", text)
+            if arguments[0] in ("generate", "merge", "operators"):
+                self.assertEqual(self.ask(*arguments)["out"], arguments[-1])
 
 
 if __name__ == "__main__":

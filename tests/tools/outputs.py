@@ -3,8 +3,12 @@
 import hashlib
 import json
 import os
+import pty
 import shutil
+import signal
 import stat
+import subprocess
+import time
 
 import command
 from command import TestCase, golden
@@ -139,7 +143,7 @@ class Folders(TestCase):
 
     def test_foreign_files_are_not_lost(self):
         self.write_operators()
-        for name in ("notes.txt", "star_9.mtx.orig", "star_.mtx", "d_0.csv"):
+        for name in ("notes.txt", "star_9.mtx.orig", "star_9.mtx", "cells_7.txt", "d_0.csv"):
             self.write(f"out/{name}", "mine")
             self.assertEqual(
                 self.fail_with(2, "operators", "no-such.off", "--out", "out"),
@@ -151,6 +155,58 @@ class Folders(TestCase):
         self.assertIn("no part of an earlier result",
                       self.fail_with(2, "operators", "no-such.off", "--out", "out"))
         self.assertEqual(set(os.listdir(self.path("out"))), before)
+
+    def test_a_foreign_manifest_makes_nothing_ours(self):
+        for manifest in ('{"files":[{"name":"star_0.mtx","bytes":4}]}', "", "{", "[]",
+                         '{"program":"polydec","warnings":["\\"files\\":[{\\"name\\":'
+                         '\\"star_0.mtx\\",\\"bytes\\":4}]"]}',
+                         '{"program":"polydec","files":[{"name":"star_0.mtx'):
+            os.makedirs(self.path("out"), exist_ok=True)
+            self.write("out/manifest.json", manifest)
+            self.write("out/star_0.mtx", "mine")
+            self.assertIn("no part of an earlier result",
+                          self.fail_with(2, "operators", "no-such.off", "--out", "out"))
+
+    def test_the_manifest_tells_of_the_mesh_that_was_read(self):
+        """Whatever is under its name later on."""
+        self.succeed("generate", "grid", "--nx", "100", "--ny", "100", "-o", "mesh.nsc")
+        with open(self.path("mesh.nsc"), "rb") as file:
+            content = file.read()
+        self.write("other.nsc", "other")
+        with subprocess.Popen([command.COMMAND, "operators", "mesh.nsc", "--out", "out"],
+                              cwd=self.folder, stdout=subprocess.DEVNULL) as process:
+            while process.poll() is None and not any(
+                    name.endswith(".parts") for name in os.listdir(self.folder)):
+                time.sleep(0.001)
+            os.replace(self.path("other.nsc"), self.path("mesh.nsc"))
+        self.assertEqual(process.returncode, 0)
+        told = json.loads(self.read("out/manifest.json"))["mesh"]
+        self.assertEqual(told, [{"file": "mesh.nsc", "bytes": len(content),
+                                 "sha256": hashlib.sha256(content).hexdigest()}])
+
+    def test_a_mesh_that_changes_while_it_is_read_is_refused(self):
+        self.succeed("generate", "grid", "--nx", "200", "--ny", "200", "-o", "mesh.nsc")
+        shutil.copy(self.path("mesh.nsc"), self.path("other.nsc"))
+        with open(self.path("other.nsc"), "a", encoding="ascii") as file:
+            file.write("\n")
+        terminal, end = pty.openpty()  # on which the command tells what it does
+        with subprocess.Popen([command.COMMAND, "operators", "mesh.nsc", "--out", "out"],
+                              cwd=self.folder, stdout=subprocess.DEVNULL, stderr=end) as process:
+            os.close(end)
+            told = os.read(terminal, 1000)  # the first stage begins
+            process.send_signal(signal.SIGSTOP)
+            os.replace(self.path("other.nsc"), self.path("mesh.nsc"))
+            process.send_signal(signal.SIGCONT)
+            try:
+                while piece := os.read(terminal, 1000):
+                    told += piece
+            except OSError:  # the other end is closed
+                pass
+        os.close(terminal)
+        self.assertEqual(process.returncode, 4, told)
+        self.assertIn(b"polydec: mesh.nsc changed while it was read: try again when it is whole",
+                      told)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["mesh.nsc"])
 
     def test_an_empty_folder_and_folders_on_the_way_are_fine(self):
         os.mkdir(self.path("empty"))
@@ -187,8 +243,22 @@ class Folders(TestCase):
         self.write("file", "")
         for name, arguments in (("operators", (golden("grid4.nsc"),)), ("reproduce", ("fig6",))):
             self.assertEqual(self.fail_with(4, name, *arguments, "--out", "file"),
-                             "polydec: cannot make the folder file: a file of that name is in the "
-                             "way")
+                             "polydec: cannot make the folder file: the file "
+                             f"{os.path.realpath(self.path('file'))} is in the way")
+            self.assertEqual(self.fail_with(4, name, *arguments, "--out", "file/a/b"),
+                             "polydec: cannot make the folder file/a/b: the file "
+                             f"{os.path.realpath(self.path('file'))} is in the way")
+
+    def test_the_folder_around_one_that_is_replaced_must_be_writable(self):
+        os.makedirs(self.path("closed/out"))
+        os.chmod(self.path("closed"), stat.S_IRUSR | stat.S_IXUSR)
+        closed = os.path.realpath(self.path("closed"))
+        self.addCleanup(os.chmod, closed, stat.S_IRWXU)
+        for out in ("closed/out", "closed/out/"):
+            self.assertEqual(self.fail_with(4, "operators", "no-such.off", "--out", out),
+                             f"polydec: cannot write {out}: the folder {closed} is not writable")
+        # what is only added to needs no more than itself
+        self.succeed("reproduce", "fig6", "--levels", "1", "--out", "closed/out")
 
 
 if __name__ == "__main__":

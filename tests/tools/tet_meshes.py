@@ -42,7 +42,7 @@ NO_INVERSE = re.compile(r"polydec: the inverse star of degree (\d) divides by ze
 NO_FLUX = re.compile(r"polydec: the dual of facet \d+ \(vertices \d+(, \d+)+\) has no length, so "
                      r"the flux through it is not defined: let cospherical cells be merged")
 SPURIOUS = re.compile(r"polydec: warning: (\d+) of the eigenvalues (?:are|is) negative and spurious"
-                      r": (\d+) cells next to these forms have a negative dual \(the mesh is not "
+                      r": (\d+) cells? next to these forms (?:have|has) a negative dual \(the mesh is not "
                       r"Delaunay there\)\n")
 
 

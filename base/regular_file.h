@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/descriptor.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace polydec {
+
+/// A file opened for reading, which is only done if it is a regular one: a pipe or a device may
+/// never end. Throws IoError with the system's reason alone; who opens it knows its name.
+class RegularFile {
+public:
+    enum class Links { followed, refused };
+
+    /// Does not wait for the other end of a pipe.
+    explicit RegularFile(const std::filesystem::path& path, Links links = Links::followed);
+
+    bool is_regular() const { return is_regular_; }
+    std::size_t size() const { return size_; } ///< in bytes
+
+    /// All of it, once; less than size() bytes if it has become shorter.
+    std::string read() const;
+
+private:
+    Descriptor file_;
+    bool is_regular_ = false;
+    std::size_t size_ = 0;
+};
+
+} // namespace polydec
