@@ -23,6 +23,11 @@ void check_degree(const CellComplex& complex, const SpectrumOptions& options, in
                                        "degrees are 0 to {}",
                                        name(options.side), options.degree, complex.dimension(),
                                        complex.dimension()));
+    if (complex.size(k) == 0)
+        throw InvalidInput(
+            fmt::format("{} {}-forms have no eigenvalues here: with these conditions "
+                        "they are 0 on all {}-cells",
+                        name(options.side), options.degree, k));
     if (options.count < 1 || options.count > complex.size(k))
         throw InvalidInput(fmt::format("{} eigenvalues asked for: {} {}-forms live on {} {}-cells, "
                                        "so 1 to {} can be had",

@@ -92,8 +92,7 @@ Discretization load(const MeshArguments& arguments, Log& log) {
         options.criterion = MergeCriterion::none;
 
     stage("read");
-    const auto name = [&](const char* message) { return naming(arguments.mesh, message); };
-    auto result = reworded(name, [&] {
+    auto result = computed_on(arguments.mesh, [&] {
         return is_length_file(arguments.mesh)
                    ? discretize_checked(arguments, read_lengths(arguments.mesh), options, stage)
                    : discretize_checked(arguments, read_mesh(arguments.mesh), options, stage);

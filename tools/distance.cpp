@@ -6,6 +6,7 @@
 #include "solvers/geodesic_distance.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/messages.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
@@ -80,14 +81,14 @@ void run(const Arguments& arguments) {
     log.timing.begin("solve");
     const auto sources = cells_of(mesh, arguments.from);
     Index raised = 0;
-    const Vector distance = [&] {
+    const Vector distance = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         progress("solve");
         GeodesicDistance solver(mesh, arguments.geodesic);
         Vector result = in_input_units(solver.to(sources), mesh.unit, 1, "distances");
         raised = solver.raised();
         return result;
-    }();
+    });
     warn_of_negative_duals(mesh, 1, "distances may be far off", log);
     if (raised > 0)
         log.warn(fmt::format("{} of the distances fell below 0 and were raised to 0: triangles "

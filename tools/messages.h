@@ -33,4 +33,10 @@ std::string told(std::string message);
 /// The message with the file in front, unless it is named already; its name is printable then.
 std::string naming(const std::filesystem::path& file, std::string message);
 
+/// Calls work(), which computes on the mesh of a file; its errors name the file.
+template <class Work>
+auto computed_on(const std::filesystem::path& file, Work work) {
+    return reworded([&](const char* message) { return naming(file, message); }, work);
+}
+
 } // namespace polydec::tools

@@ -9,6 +9,7 @@
 #include "tools/common.h"
 #include "tools/conditions.h"
 #include "tools/expression.h"
+#include "tools/messages.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
@@ -161,17 +162,17 @@ void run(Arguments arguments) {
     if (!arguments.out.empty())
         check_drawable(mesh);
     log.timing.begin("solve");
-    PoissonSolver solver = [&] {
+    PoissonSolver solver = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         progress("solve");
         return PoissonSolver(mesh, arguments.poisson);
-    }();
+    });
     // at places of the file; derivatives of second and first order become those of the mesh
     const Vector f = in_input_units(data.rhs.at(mesh.unit * solver.sites()), mesh.unit, 2, "--rhs");
     const Vector g = data.boundary.at(mesh.unit * solver.boundary_sites());
     const Vector h =
         in_input_units(data.flux.at(mesh.unit * solver.flux_sites()), mesh.unit, 1, "--flux");
-    const Vector u = solver.solve(f, g, h);
+    const Vector u = computed_on(arguments.mesh.mesh, [&] { return solver.solve(f, g, h); });
     warn_of_compatibility(solver, log);
     constexpr const char* spoiled = "the solution may be far off there";
     if (arguments.poisson.side == Side::primal)

@@ -9,6 +9,7 @@
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"
+#include "tools/messages.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
@@ -140,13 +141,13 @@ void run(Arguments arguments) {
     const auto boundary = asked.on(mesh).value_or(built_in_conditions(arguments.spectrum.side));
     log.timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
-    auto result = [&] {
+    auto result = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         arguments.spectrum.progress = [&](std::string_view what) { progress(what); };
         if (!arguments.certify)
             arguments.spectrum.certification = Certification::waived;
         return spectrum(mesh, boundary, arguments.spectrum);
-    }();
+    });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
 
     if (const auto spurious = spurious_eigenvalues(mesh, result))

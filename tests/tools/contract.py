@@ -290,8 +290,8 @@ class Usage(TestCase):
                 (("merge", solid, "-o", "a.off"),
                  "a.off: merged cells of dimension 3 cannot be written in this format: use .vtu"),
                 (("spectrum", flat, "--side", "primal", "--degree", 0, "--count", 26),
-                 "26 eigenvalues asked for: primal 0-forms live on 25 0-cells, so 1 to 25 can be "
-                 "had"),
+                 f"{flat}: 26 eigenvalues asked for: primal 0-forms live on 25 0-cells, so 1 to "
+                 "25 can be had"),
                 (("spectrum", golden("kuhn4.nsc"), "--side", "dual", "--degree", 0, "--count", 1,
                   "-o", "a.vtu"),
                  "cells of dimension 4 in 4 coordinates cannot be drawn: a .vtu file shows at "

@@ -34,12 +34,13 @@ COSPHERICAL = {"beam-tet.vtk", "hand.mesh", "test_mesh_3d.msh"}
 
 ADVICE = ("\nspectra and decompositions need a positive mass: take dual 0-forms, whose mass are "
           "the volumes of the cells, or a mesh that is nearer to Delaunay there")
-MASS = re.compile(r"polydec: the mass of (primal|dual) (\d)-forms is not positive: the duals of "
+FILE = r"polydec: [^:]+: "
+MASS = re.compile(FILE + r"the mass of (primal|dual) (\d)-forms is not positive: the duals of "
                   r"(\d+) of (\d+) (\d)-cells have (negative|zero) volume \(cells? \d[^)]*\)"
                   + re.escape(ADVICE))
-NO_INVERSE = re.compile(r"polydec: the inverse star of degree (\d) divides by zero: the duals? of "
+NO_INVERSE = re.compile(FILE + r"the inverse star of degree (\d) divides by zero: the duals? of "
                         r"(\d+) \1-cells? ha(?:ve|s) no volume \(cells? \d[^)]*\)(\n.+)?")
-NO_FLUX = re.compile(r"polydec: the dual of facet \d+ \(vertices \d+(, \d+)+\) has no length, so "
+NO_FLUX = re.compile(FILE + r"the dual of facet \d+ \(vertices \d+(, \d+)+\) has no length, so "
                      r"the flux through it is not defined: let cospherical cells be merged")
 SPURIOUS = re.compile(r"polydec: warning: (\d+) of the eigenvalues (?:are|is) negative and spurious"
                       r": (\d+) cells? next to these forms (?:have|has) a negative dual \(the mesh is not "
