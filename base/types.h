@@ -40,9 +40,9 @@ public:
     Column() = default;
     explicit Column(Eigen::Index size) : Plain(size) {}
 
-    /// Column{{1, 2, 3}}, as Eigen has it.
+    /// Column{{1, 2, 3}} or Column{{1}, {2}, {3}}, as Eigen has it.
     Column(std::initializer_list<std::initializer_list<Scalar>> numbers)
-        : Column(Eigen::MatrixX<Scalar>(numbers).transpose()) {}
+        : Column(upright(numbers)) {}
 
     template <std::same_as<Plain> Vector>
     Column(Vector&& vector) noexcept : Plain(std::move(vector)) {}
@@ -63,6 +63,14 @@ public:
     }
 
 private:
+    static Eigen::MatrixX<Scalar>
+    upright(std::initializer_list<std::initializer_list<Scalar>> numbers) {
+        Eigen::MatrixX<Scalar> matrix(numbers);
+        if (numbers.size() == 1)
+            matrix.transposeInPlace();
+        return matrix;
+    }
+
     template <class Other>
     static const Other& checked(const Eigen::EigenBase<Other>& other) {
         if constexpr (!detail::is_vector<Other>)

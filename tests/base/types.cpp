@@ -71,6 +71,11 @@ TEST(Vector, is_what_it_is_made_of) {
           Vector(Eigen::Map<const Vector>(expected.data(), 3)),
           Vector(Eigen::Ref<const Vector>(expected)), Vector(expected.array() * 1)})
         EXPECT_EQ(made, expected);
+    const Vector upright{{1}, {2}, {3}};
+    EXPECT_EQ(upright, expected);
+    EXPECT_EQ((Vector{{7}}), Vector::Constant(1, 7));
+    EXPECT_EQ((Vector{{}}).size(), 0);
+    EXPECT_EQ(refusal([] { Vector{{1, 2}, {3, 4}}; }), refusal([] { sum(DenseMatrix(2, 2)); }));
     EXPECT_EQ(sum({}), 0);
     EXPECT_EQ(sum(expected.head(2)), 3);
 }
