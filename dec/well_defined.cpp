@@ -22,6 +22,10 @@ struct Faults {
     std::vector<Index> copies;       ///< cells whose dual is that of another one
 };
 
+std::string cells_with(std::size_t count, int k) {
+    return fmt::format("{} {}-cell{}", count, k, count == 1 ? " has" : "s have");
+}
+
 Index count(const std::vector<bool>& marks) {
     return static_cast<Index>(std::count(marks.begin(), marks.end(), true));
 }
@@ -229,19 +233,21 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const CellVolumes& volumes) {
         if (empty)
             verdict.reason = fmt::format("no {}-cell has a value that is not given", k);
         else if (negative[k] > 0)
-            verdict.reason = fmt::format(
-                "the mass is not positive: {} {}-cells have a negative dual", negative[k], k);
+            verdict.reason = fmt::format("the mass is not positive: {} a negative dual",
+                                         cells_with(negative[k], k));
         else if (zero[k] > 0)
-            verdict.reason = fmt::format(
-                "the mass is not positive: {} {}-cells have a dual without volume", zero[k], k);
+            verdict.reason = fmt::format("the mass is not positive: {} a dual without volume",
+                                         cells_with(zero[k], k));
         else if (!verdict.exists)
-            verdict.reason = fmt::format(
-                "an inverse star divides by zero: {} {}-cells have a dual without volume",
-                zero[k - 1], k - 1);
+            verdict.reason =
+                fmt::format("an inverse star divides by zero: {} a dual without volume",
+                            cells_with(zero[k - 1], k - 1));
         else if (spurious > 0)
-            verdict.reason = fmt::format("{} negative duals make about as many spurious negative "
-                                         "eigenvalues",
-                                         spurious);
+            verdict.reason = spurious == 1
+                                 ? "1 negative dual makes about one spurious negative eigenvalue"
+                                 : fmt::format("{} negative duals make about as many spurious "
+                                               "negative eigenvalues",
+                                               spurious);
         verdicts.push_back(std::move(verdict));
     }
     return verdicts;

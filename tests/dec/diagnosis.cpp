@@ -188,10 +188,9 @@ TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
         discretize(made_of({{-1, 0}, {1, 0}, {0, 0.5}, {0, -0.5}}, {{0, 1, 2}, {0, 3, 1}}));
     const auto verdicts = spectrum_verdicts(flat.volumes);
     EXPECT_FALSE(verdicts[1].exists);
-    EXPECT_EQ(verdicts[1].reason, "the mass is not positive: 1 1-cells have a negative dual");
+    EXPECT_EQ(verdicts[1].reason, "the mass is not positive: 1 1-cell has a negative dual");
     EXPECT_TRUE(verdicts[2].exists);
-    EXPECT_EQ(verdicts[2].reason,
-              "1 negative duals make about as many spurious negative eigenvalues");
+    EXPECT_EQ(verdicts[2].reason, "1 negative dual makes about one spurious negative eigenvalue");
 }
 
 } // namespace
