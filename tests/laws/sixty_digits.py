@@ -189,15 +189,19 @@ def check(polydec, folder, rng):
         assert found.returncode in (2, 3) and len(found.stderr) > 20, (points, cells, found)
         return None
     answer = json.loads(found.stdout)
+    facets = json.loads(run(polydec, "info", mesh, "--json").stdout)["facets"]
+    if facets["boundary_degenerate"] > 0 and (side == "dual" or k == n):
+        return None  # such forms are 0 on the cells there, which are left out
     out = folder / "operators"
     written = run(polydec, "operators", mesh, "--out", out)
     assert written.returncode == 0, written.stderr
     exact = [[mp.mpf(x) for x in point] for point in points]
     values = mpmath.eigsy(laplacian(out, stars(out, exact), k), eigvals_only=True)
     values = sorted(values)
+    noise = mp.mpf(10)**-45 * max(map(abs, values))  # of the 60 digits
     outside = []
     for i, (value, radius) in enumerate(zip(answer["eigenvalues"], answer["radii"])):
-        if abs(value - values[i]) > radius:
+        if abs(value - values[i]) > radius + noise:
             outside.append((i, value, radius, mpmath.nstr(values[i], 20)))
     return outside, len(answer["eigenvalues"]), (side, degree, points, cells)
 
