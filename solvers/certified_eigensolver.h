@@ -66,19 +66,21 @@ struct CertifiedEigenpairs {
 /// floating-point format there is, and the radii include their rounding and what the uncertainties
 /// of weights and masses can do. With the proof that none is missing they hold for the i-th
 /// smallest eigenvalue and the i-th value. Not covered: the inertia is counted in floating-point
-/// numbers, and trusted where the backward error of a solve is far below the gap around tau.
+/// numbers; InertiaCounter says where it is trusted.
 ///
 /// Scale-free. Keeps what it has found for further calls.
 class CertifiedEigensolver {
 public:
-    /// Throws InvalidInput for sizes that do not fit or an entry of M that is not positive.
+    /// Throws InvalidInput for sizes that do not fit, an entry of M that is not positive, numbers
+    /// that are not finite, and a matrix C that is not symmetric.
     explicit CertifiedEigensolver(const Pencil& pencil, EigensolverOptions options = {});
     CertifiedEigensolver(const SparseMatrix& A, const Vector& M, EigensolverOptions options = {});
     CertifiedEigensolver(CertifiedEigensolver&&) noexcept;
     ~CertifiedEigensolver();
 
     /// The `count` (algebraically) smallest eigenpairs, 1 <= count <= size.
-    /// Throws InvalidInput for an impossible count, SolverFailure if they cannot be had or proved.
+    /// Throws InvalidInput for an impossible count, SolverFailure if they cannot be had or proved,
+    /// or a radius does not tell one of them from the next ones.
     CertifiedEigenpairs smallest(Index count);
 
 private:

@@ -25,8 +25,9 @@ struct Enclosure {
 /// is 1: y = M^1/2 x.
 class ScaledPencil {
 public:
-    /// Throws InvalidInput for sizes that do not fit, or entries that are not finite or, of M,
-    /// positive.
+    /// Throws InvalidInput for sizes that do not fit, entries that are not finite or, of M,
+    /// positive, a matrix C that is not symmetric, uncertainties that are no shares or sizes, and
+    /// entries that differ by more than numbers can tell.
     explicit ScaledPencil(const Pencil& pencil);
 
     Index size() const { return static_cast<Index>(M_.size()); }
