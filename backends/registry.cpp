@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/registry.h"
 
-#include "backends/auto_solver.h"
 #include "backends/builtin_engines.h"
-#include "backends/tetgen.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -68,9 +66,8 @@ void add_builtin(Registry& registry) {
                             LinearSolverFactory factory) {
         add(registry.linear, {name, EngineKind::linear, true, description, ""}, std::move(factory));
     };
-    linear(
-        "auto", "chooses by the facts of the matrix, checks, falls back and says so",
-        [](const LinearSolverOptions& options) { return std::make_unique<AutoSolver>(options); });
+    linear("auto", "chooses by the facts of the matrix, checks, falls back and says so",
+           builtin::make_auto);
     linear("eigen.ldlt", "Eigen's sparse L D L^T (AMD): symmetric, direct, counts by inertia",
            builtin::make_eigen_ldlt);
     linear("eigen.lu", "Eigen's sparse LU (COLAMD): any regular matrix, direct",

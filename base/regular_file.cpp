@@ -11,10 +11,14 @@
 
 namespace polydec {
 
+std::string system_reason() {
+    return std::generic_category().message(errno);
+}
+
 namespace {
 
 [[noreturn]] void fail() {
-    throw IoError(std::generic_category().message(errno));
+    throw IoError(system_reason());
 }
 
 } // namespace

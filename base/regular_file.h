@@ -30,4 +30,7 @@ private:
     std::size_t size_ = 0;
 };
 
+/// The system's words for the current value of errno.
+std::string system_reason();
+
 } // namespace polydec

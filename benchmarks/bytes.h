@@ -2,8 +2,8 @@
 #pragma once
 
 #include "complex/simplicial_complex.h"
-#include "dec/cochain.h"
 #include "dec/discretization.h"
+#include "dec/forms/cochain.h"
 #include "meshes/mesh.h"
 
 #include <vector>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/chain.h"
 
-#include "dec/laplacian.h"
-#include "dec/star.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
+#include "dec/metric/circumcentric_volumes.h"
 
 namespace polydec::benchmarks {
 

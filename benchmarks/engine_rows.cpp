@@ -3,12 +3,12 @@
 #include "benchmarks/backends/bare_engines.h"
 #include "benchmarks/chain.h"
 #include "benchmarks/rows.h"
-#include "dec/boundary_conditions.h"
-#include "dec/laplacian.h"
-#include "dec/star.h"
+#include "dec/forms/boundary_conditions.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "solvers/poisson.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/spectrum.h"
 
 #include <algorithm>
 #include <cmath>

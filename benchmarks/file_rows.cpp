@@ -2,9 +2,9 @@
 #include "benchmarks/chain.h"
 #include "benchmarks/rows.h"
 #include "dec/discretization.h"
-#include "io/draw_cells.h"
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "io/meshes/read_mesh.h"
+#include "io/meshes/write_mesh.h"
+#include "io/pictures/draw_cells.h"
 #include "meshes/generate.h"
 #include "solvers/poisson.h"
 

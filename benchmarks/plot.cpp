@@ -5,7 +5,7 @@
 //   the last series)
 // The axes are logarithmic but for a linear_y.
 #include "base/errors.h"
-#include "io/svg_plot.h"
+#include "examples/plots/svg_plot.h"
 
 #include <iostream>
 #include <sstream>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/chain.h"
 #include "benchmarks/rows.h"
-#include "dec/cochain.h"
-#include "dec/derivative.h"
-#include "dec/laplacian.h"
-#include "dec/star.h"
+#include "dec/forms/cochain.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
+#include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 

@@ -2,7 +2,8 @@
 #include "benchmarks/chain.h"
 #include "benchmarks/rows.h"
 #include "benchmarks/threads.h"
-#include "dec/laplacian.h"
+#include "dec/forms/laplacian.h"
+#include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
 
 #include <cstring>

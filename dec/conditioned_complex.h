@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/boundary_conditions.h"
 #include "dec/discretization.h"
+#include "dec/forms/boundary_conditions.h"
 
 namespace polydec {
 

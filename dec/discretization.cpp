@@ -3,9 +3,11 @@
 
 #include "base/errors.h"
 #include "base/listed.h"
-#include "dec/facet_defects.h"
-#include "dec/glued_volumes.h"
-#include "dec/overlaps.h"
+#include "dec/merging/facet_defects.h"
+#include "dec/merging/merged_volumes.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/overlaps.h"
+#include "dec/surfaces/glued_volumes.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
 

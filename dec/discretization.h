@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/intrinsic_tessellation.h"
-#include "dec/merge.h"
+#include "dec/merging/merge.h"
+#include "dec/metric/simplex_metric.h"
+#include "dec/surfaces/intrinsic_tessellation.h"
 #include "meshes/length_mesh.h"
 #include "meshes/mesh.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/facets_without_dual.h"
 
-#include "dec/facet_defects.h"
+#include "dec/merging/facet_defects.h"
 
 #include <algorithm>
 #include <limits>

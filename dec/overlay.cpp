@@ -2,8 +2,8 @@
 #include "dec/overlay.h"
 
 #include "base/errors.h"
-#include "dec/simplex_metric.h"
-#include "dec/strand_places.h"
+#include "dec/metric/simplex_metric.h"
+#include "dec/surfaces/strand_places.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include "dec/well_defined.h"
 
 #include "dec/conditioned_complex.h"
-#include "dec/facet_defects.h"
-#include "dec/star.h"
+#include "dec/forms/star.h"
+#include "dec/merging/facet_defects.h"
 
 #include <fmt/format.h>
 

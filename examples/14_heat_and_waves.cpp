@@ -3,6 +3,8 @@
 // Heat and waves in 1, 2, 3 and 4 dimensions: not one line knows which. The boxes are of n!
 // simplices a cube, which merge into intervals, squares, cubes and tesseracts. With u = 0 at the
 // walls the product of sin(pi x_i) cools as exp(-n pi^2 t), and swings with the period 2 / sqrt(n).
+#include "examples/plots/svg_plot.h"
+
 #include <cmath>
 #include <fstream>
 #include <iostream>

@@ -51,8 +51,4 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
-std::string system_reason() {
-    return std::generic_category().message(errno);
-}
-
 } // namespace polydec

@@ -19,7 +19,4 @@ SourceFile read_source_file(const std::filesystem::path& path);
 /// The extension with its dot, in small letters.
 std::string lower_extension(const std::filesystem::path& path);
 
-/// The system's words for the current value of errno.
-std::string system_reason();
-
 } // namespace polydec

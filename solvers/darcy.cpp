@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/darcy.h"
 
-#include "dec/derivative.h"
+#include "dec/forms/derivative.h"
 #include "solvers/dual_fluxes.h"
 
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/cochain.h"
+#include "dec/forms/cochain.h"
 #include "solvers/poisson.h"
 
 namespace polydec {

@@ -2,10 +2,10 @@
 #include "solvers/dual_fluxes.h"
 
 #include "base/errors.h"
-#include "dec/dual_parts.h"
 #include "dec/facets_without_dual.h"
-#include "dec/rounding.h"
-#include "dec/star.h"
+#include "dec/forms/star.h"
+#include "dec/metric/dual_parts.h"
+#include "dec/metric/rounding.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

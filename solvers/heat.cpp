@@ -4,9 +4,9 @@
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "dec/conditioned_complex.h"
-#include "dec/laplacian.h"
-#include "dec/star.h"
-#include "solvers/positive_mass.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
+#include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backends/linear_solver.h"
-#include "dec/cochain.h"
 #include "dec/conditioned_complex.h"
+#include "dec/forms/cochain.h"
 
 #include <memory>
 #include <string>

@@ -4,9 +4,9 @@
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "complex/homology.h"
-#include "dec/derivative.h"
-#include "dec/star.h"
-#include "solvers/positive_mass.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/star.h"
+#include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/cell_volumes.h"
+#include "complex/cell_complex.h"
+#include "dec/metric/cell_volumes.h"
 
 namespace polydec {
 

@@ -2,10 +2,10 @@
 #include "solvers/poisson.h"
 
 #include "base/errors.h"
-#include "dec/cell_centers.h"
-#include "dec/dual_parts.h"
-#include "dec/gram.h"
-#include "dec/star.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/forms/gram.h"
+#include "dec/forms/star.h"
+#include "dec/metric/dual_parts.h"
 #include "solvers/dual_fluxes.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/boundary_conditions.h"
 #include "dec/discretization.h"
-#include "dec/side.h"
+#include "dec/forms/boundary_conditions.h"
+#include "dec/forms/side.h"
 #include "solvers/constrained_system.h"
 
 namespace polydec {

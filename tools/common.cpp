@@ -2,10 +2,10 @@
 #include "tools/common.h"
 
 #include "base/errors.h"
-#include "dec/star.h"
+#include "dec/forms/star.h"
 #include "examples/paper/console.h"
-#include "io/length_file.h"
-#include "io/read_mesh.h"
+#include "io/meshes/length_file.h"
+#include "io/meshes/read_mesh.h"
 #include "tools/messages.h"
 #include "tools/options.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/discretization.h"
-#include "dec/side.h"
+#include "dec/forms/side.h"
 #include "tools/answer.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/conditions.h"
 
-#include "dec/cell_centers.h"
+#include "dec/fields/cell_centers.h"
 
 namespace polydec::tools {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "io/draw_cells.h"
-#include "io/vtu.h"
+#include "io/pictures/draw_cells.h"
+#include "io/pictures/vtu.h"
 #include "meshes/unit_of_length.h"
-#include "solvers/geodesic_distance.h"
+#include "solvers/surfaces/geodesic_distance.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/messages.h"

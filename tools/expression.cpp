@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
-#include "dec/simplex_metric.h"
+#include "dec/metric/simplex_metric.h"
 #include "io/source_file.h"
 #include "tools/expression_syntax.h"
 

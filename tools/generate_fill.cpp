@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backends/registry.h"
-#include "io/read_mesh.h"
+#include "io/meshes/read_mesh.h"
 #include "meshes/tetrahedralize.h"
 #include "tools/common.h"
 #include "tools/generate.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tools/manifest.h"
 
+#include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/folder_names.h"
 #include "base/printable.h"
-#include "io/atomic_file.h"
-#include "io/folder_names.h"
-#include "io/source_file.h"
+#include "base/regular_file.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>

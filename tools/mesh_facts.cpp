@@ -3,7 +3,7 @@
 
 #include "complex/components.h"
 #include "complex/homology.h"
-#include "dec/star.h"
+#include "dec/forms/star.h"
 #include "meshes/unit_of_length.h"
 #include "tools/common.h"
 

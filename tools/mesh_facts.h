@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/discretization.h"
-#include "dec/facet_kinds.h"
+#include "dec/merging/facet_kinds.h"
 #include "dec/well_defined.h"
 #include "tools/answer.h"
 

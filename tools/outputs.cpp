@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tools/outputs.h"
 
+#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/printable.h"
-#include "io/atomic_file.h"
-#include "io/draw_cells.h"
+#include "base/regular_file.h"
+#include "io/pictures/draw_cells.h"
 #include "io/source_file.h"
 
 #include <fmt/format.h>

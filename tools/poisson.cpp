@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/poisson.h"
 
-#include "dec/cell_centers.h"
-#include "io/draw_cells.h"
-#include "io/vtu.h"
+#include "dec/fields/cell_centers.h"
+#include "io/pictures/draw_cells.h"
+#include "io/pictures/vtu.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"

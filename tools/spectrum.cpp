@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectrum.h"
+#include "solvers/spectra/spectrum.h"
 
 #include "base/memory.h"
-#include "dec/star.h"
-#include "io/draw_cells.h"
-#include "io/draw_modes.h"
+#include "dec/forms/star.h"
+#include "io/pictures/draw_cells.h"
+#include "io/pictures/draw_modes.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/types.h"
-#include "io/svg_drawing.h"
+#include "io/pictures/svg_drawing.h"
 
 namespace polydec::paper {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "examples/plots/svg_plot.h"
 #include "io/json_writer.h"
-#include "io/svg_drawing.h"
-#include "io/svg_plot.h"
+#include "io/pictures/svg_drawing.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/adapt.h"
+#include "backends/linear/adapt.h"
 
 #include "base/errors.h"
 #include "tests/backends/matrices.h"

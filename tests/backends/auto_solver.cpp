@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/auto_solver.h"
+#include "backends/linear/auto_solver.h"
 
 #include "base/errors.h"
 #include "tests/backends/matrices.h"

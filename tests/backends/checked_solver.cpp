@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/checked_solver.h"
+#include "backends/linear/checked_solver.h"
 
 #include "base/memory.h"
 #include "tests/backends/matrices.h"

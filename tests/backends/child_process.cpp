@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "backends/child_process.h"
+#include "backends/mesher/child_process.h"
 
-#include "backends/held_signals.h"
-#include "backends/temporary_folder.h"
+#include "backends/mesher/held_signals.h"
+#include "backends/mesher/temporary_folder.h"
 #include "base/errors.h"
 
 #include <gtest/gtest.h>

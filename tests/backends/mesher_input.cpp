@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher_input.h"
+#include "backends/mesher/mesher_input.h"
 
 #include "backends/mesher.h"
 #include "tests/backends/mesher_support.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/mesher.h"
+#include "backends/mesher/tetrahedron_sign.h"
 #include "backends/registry.h"
-#include "backends/tetrahedron_sign.h"
 #include "base/errors.h"
 #include "tests/backends/mesher_support.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backends/mesher.h"
+#include "backends/mesher/temporary_folder.h"
 #include "backends/registry.h"
-#include "backends/temporary_folder.h"
 #include "base/errors.h"
 
 #include <gtest/gtest.h>

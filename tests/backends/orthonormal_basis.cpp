@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/orthonormal_basis.h"
+#include "backends/eigen/orthonormal_basis.h"
 
 #include "base/errors.h"
 #include "tests/backends/matrices.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/petsc.h"
+#include "backends/linear/petsc.h"
 
 #include "base/errors.h"
 #include "tests/backends/matrices.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/registry.h"
 
-#include "backends/adapt.h"
+#include "backends/linear/adapt.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
 

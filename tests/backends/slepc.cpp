@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/slepc.h"
+#include "backends/eigen/slepc.h"
 
 #include "base/errors.h"
 #include "tests/backends/matrices.h"

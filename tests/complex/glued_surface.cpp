@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "complex/glued_surface.h"
+#include "complex/surfaces/glued_surface.h"
 
 #include "complex/homology.h"
-#include "complex/merged_surface.h"
-#include "complex/normal_coordinates.h"
+#include "complex/surfaces/merged_surface.h"
+#include "complex/surfaces/normal_coordinates.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/merged.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
 #include "complex/homology.h"
-#include "complex/merged_surface.h"
 #include "complex/relative.h"
+#include "complex/surfaces/merged_surface.h"
 #include "tests/support/glued.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/merged.h"

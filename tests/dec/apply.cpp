@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dec/apply.h"
+#include "dec/forms/apply.h"
 
-#include "dec/derivative.h"
-#include "dec/laplacian.h"
-#include "dec/star.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"

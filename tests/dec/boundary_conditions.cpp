@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "dec/boundary_conditions.h"
+#include "dec/forms/boundary_conditions.h"
 
-#include "complex/merged_surface.h"
-#include "dec/cell_centers.h"
-#include "dec/de_rham.h"
-#include "dec/derivative.h"
+#include "complex/surfaces/merged_surface.h"
 #include "dec/discretization.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/fields/de_rham.h"
+#include "dec/forms/derivative.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"

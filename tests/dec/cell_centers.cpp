@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/cell_centers.h"
+#include "dec/fields/cell_centers.h"
 
 #include "tests/support/over_meshes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/cell_volumes.h"
+#include "dec/metric/cell_volumes.h"
 
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dec/cochain.h"
+#include "dec/forms/cochain.h"
 
-#include "dec/derivative.h"
-#include "dec/dual_parts.h"
-#include "dec/laplacian.h"
-#include "dec/star.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
+#include "dec/metric/dual_parts.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"

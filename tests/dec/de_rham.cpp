@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dec/de_rham.h"
+#include "dec/fields/de_rham.h"
 
-#include "dec/circumsphere.h"
-#include "dec/derivative.h"
-#include "dec/star.h"
-#include "dec/whitney.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/star.h"
+#include "dec/metric/circumsphere.h"
+#include "dec/metric/whitney.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/facet_kinds.h"
+#include "dec/merging/facet_kinds.h"
 #include "dec/well_defined.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"

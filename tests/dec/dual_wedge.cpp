@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dec/dual_wedge.h"
+#include "dec/fields/dual_wedge.h"
 
-#include "dec/de_rham.h"
-#include "dec/lift.h"
-#include "dec/star.h"
+#include "dec/fields/de_rham.h"
+#include "dec/forms/star.h"
+#include "dec/merging/lift.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/dec/products.h"

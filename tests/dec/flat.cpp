@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dec/flat.h"
+#include "dec/fields/flat.h"
 
-#include "dec/cell_centers.h"
-#include "dec/de_rham.h"
-#include "dec/dual_parts.h"
-#include "dec/star.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/fields/de_rham.h"
+#include "dec/forms/star.h"
+#include "dec/metric/dual_parts.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "complex/relative.h"
-#include "dec/derivative.h"
-#include "dec/lift.h"
-#include "dec/star.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/star.h"
+#include "dec/merging/lift.h"
 #include "tests/support/golden_forms.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/wedge.h"
+#include "dec/fields/wedge.h"
 #include "tests/dec/products.h"
 #include "tests/support/golden_forms.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "complex/blocks.h"
 #include "complex/homology.h"
-#include "dec/facet_defects.h"
+#include "dec/merging/facet_defects.h"
+#include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
 #include "tests/support/over_meshes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
-#include "dec/laplacian.h"
-#include "dec/star.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
 #include "tests/support/over_meshes.h"
 
 #include <Eigen/Eigenvalues>

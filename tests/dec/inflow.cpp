@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
-#include "dec/derivative.h"
-#include "dec/interior_product.h"
+#include "dec/fields/interior_product.h"
+#include "dec/forms/derivative.h"
 #include "tests/dec/products.h"
 #include "tests/support/matrices.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dec/interior_product.h"
+#include "dec/fields/interior_product.h"
 
 #include "complex/components.h"
-#include "dec/derivative.h"
-#include "dec/wedge.h"
+#include "dec/fields/wedge.h"
+#include "dec/forms/derivative.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
-#include "dec/interior_product.h"
-#include "dec/lift.h"
+#include "dec/fields/interior_product.h"
+#include "dec/merging/lift.h"
 #include "meshes/generate.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"

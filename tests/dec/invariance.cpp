@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/star.h"
+#include "dec/forms/star.h"
+#include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"

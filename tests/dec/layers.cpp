@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "dec/discretization.h"
-#include "dec/facet_defects.h"
 #include "dec/facets_without_dual.h"
-#include "dec/star.h"
+#include "dec/forms/star.h"
+#include "dec/merging/facet_defects.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "meshes/rearrange.h"

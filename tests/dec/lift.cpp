@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/lift.h"
+#include "dec/merging/lift.h"
 
-#include "dec/derivative.h"
+#include "dec/forms/derivative.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

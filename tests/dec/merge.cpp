@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dec/merge.h"
+#include "dec/merging/merge.h"
 
 #include "complex/homology.h"
-#include "dec/facet_defects.h"
-#include "dec/star.h"
+#include "dec/forms/star.h"
+#include "dec/merging/facet_defects.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "complex/components.h"
-#include "dec/derivative.h"
-#include "dec/laplacian.h"
-#include "dec/star.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 

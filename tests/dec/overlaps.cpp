@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/overlaps.h"
+#include "dec/metric/overlaps.h"
 
 #include "dec/discretization.h"
 #include "meshes/generate.h"

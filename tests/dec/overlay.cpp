@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/overlay.h"
 
-#include "dec/strand_places.h"
-#include "dec/transfer.h"
+#include "dec/fields/transfer.h"
+#include "dec/surfaces/strand_places.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/dec/products.h"
 
-#include "dec/lift.h"
-#include "dec/whitney.h"
+#include "dec/merging/lift.h"
+#include "dec/metric/whitney.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/cochain.h"
+#include "dec/forms/cochain.h"
 #include "tests/support/over_meshes.h"
 
 namespace polydec::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/quadrature.h"
+#include "dec/metric/quadrature.h"
 
 #include "tests/support/refusal.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/discretization.h"
-#include "dec/glued_volumes.h"
-#include "dec/star.h"
+#include "dec/forms/star.h"
+#include "dec/surfaces/glued_volumes.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/glued.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dec/cell_centers.h"
-#include "dec/de_rham.h"
-#include "dec/sharp.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/fields/de_rham.h"
+#include "dec/fields/sharp.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 

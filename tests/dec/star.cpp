@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/star.h"
+#include "dec/forms/star.h"
 
 #include "base/errors.h"
 #include "tests/support/matrices.h"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Results are the same to the last bit for any number of threads.
-#include "dec/apply.h"
-#include "dec/laplacian.h"
-#include "dec/merge.h"
+#include "dec/forms/apply.h"
+#include "dec/forms/laplacian.h"
+#include "dec/merging/merge.h"
+#include "dec/merging/merged_volumes.h"
+#include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 

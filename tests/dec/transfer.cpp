@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dec/transfer.h"
+#include "dec/fields/transfer.h"
 
-#include "dec/derivative.h"
-#include "dec/laplacian.h"
-#include "dec/lift.h"
-#include "dec/star.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
+#include "dec/merging/lift.h"
 #include "meshes/generate.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"

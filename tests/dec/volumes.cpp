@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/cell_volumes.h"
-#include "dec/circumsphere.h"
-#include "dec/rounding.h"
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/circumsphere.h"
+#include "dec/metric/rounding.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dec/wedge.h"
+#include "dec/fields/wedge.h"
 
 #include "complex/corners.h"
-#include "dec/lift.h"
+#include "dec/merging/lift.h"
+#include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"

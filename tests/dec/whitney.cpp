@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/whitney.h"
+#include "dec/metric/whitney.h"
 
 #include "tests/support/forms.h"
 #include "tests/support/hand_made.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/whitney_interpolation.h"
+#include "dec/fields/whitney_interpolation.h"
 
-#include "dec/lift.h"
-#include "dec/quadrature.h"
+#include "dec/merging/lift.h"
+#include "dec/metric/quadrature.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"

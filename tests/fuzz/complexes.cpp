@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "complex/glued_surface.h"
 #include "complex/homology.h"
-#include "complex/merged_surface.h"
 #include "complex/merging.h"
 #include "complex/relative.h"
+#include "complex/surfaces/glued_surface.h"
+#include "complex/surfaces/merged_surface.h"
 #include "tests/fuzz/decoder.h"
 #include "tests/fuzz/targets.h"
 #include "tests/fuzz/topology.h"

@@ -2,7 +2,7 @@
 #include "tests/fuzz/laws.h"
 
 #include "complex/homology.h"
-#include "dec/star.h"
+#include "dec/forms/star.h"
 #include "solvers/poisson.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/topology.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/readers.h"
+#include "io/matrices/parse_matrix_market.h"
+#include "io/meshes/readers.h"
 #include "tests/fuzz/targets.h"
 
 #include <algorithm>

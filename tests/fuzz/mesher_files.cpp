@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "backends/temporary_folder.h"
-#include "backends/tetgen_files.h"
+#include "backends/mesher/temporary_folder.h"
+#include "backends/mesher/tetgen_files.h"
 #include "tests/fuzz/targets.h"
 
 #include <filesystem>

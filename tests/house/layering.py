@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Checks the order of the house: who includes whom, license lines, lengths, dimension branches.
 
-Usage: layering.py ROOT PUBLIC_HEADERS; the second is a file with a public header's path a line.
+Usage: layering.py ROOT PUBLIC_HEADERS COMPONENT_HEADERS; the last two are files with a public
+header's path a line, and of those the headers of components, which the umbrella leaves out.
 A complaint a line, as file:line: what is wrong. Exit code: 0 none, 1 some.
 """
 import re
@@ -14,6 +15,7 @@ CHAIN = ["base", "backends", "complex", "meshes", "dec", "solvers", "io", "polyd
          "examples", "tools"]
 LAST = {"tests", "benchmarks"}
 WITHOUT_DIMENSION = {"complex", "dec"}
+UMBRELLA = "polydec.h"
 LIBRARY = set(CHAIN[:CHAIN.index("polydec.h")])
 MAX_LINES = 400
 
@@ -112,9 +114,57 @@ def check_source(path, code):
         yield f"{path}:{len(lines)}: longer than {MAX_LINES} lines; divide it by concepts"
 
 
-def check(root, public):
-    """All complaints about the tree below root; public is the set of the installed headers."""
-    complaints = []
+def room(path):
+    """The folder of a file of the library: the rooms of one floor do not look back."""
+    return Path(path).parent.as_posix()
+
+
+def circles(root, paths):
+    """Rooms of one folder that include each other, in one step or in several."""
+    arrows = {}
+    for path in paths:
+        for target in included(root, path):
+            if place(target) == place(path) and room(target) != room(path):
+                arrows.setdefault(room(path), {}).setdefault(room(target), path)
+
+    def reached(start):
+        found, ahead = set(), [start]
+        while ahead:
+            new = arrows.get(ahead.pop(), {}).keys() - found
+            found |= new
+            ahead += new
+        return found
+
+    for here, targets in sorted(arrows.items()):
+        for there, path in sorted(targets.items()):
+            if here in reached(there):
+                yield f"{path}:1: {here} and {there} include each other"
+
+
+def included(root, path):
+    """What a file includes by its path from the root."""
+    lines = sources.text(root, path).splitlines()
+    return [match.group(2) for match in map(INCLUDE.match, lines)
+            if match and match.group(1) == '"']
+
+
+def not_reached(root, public):
+    """Installed headers that who includes the umbrella does not see."""
+    found, ahead = {UMBRELLA}, [UMBRELLA]
+    while ahead:
+        new = set(included(root, ahead.pop())) & public - found
+        found |= new
+        ahead += new
+    for header in sorted(public - found):
+        yield f"{header}:1: installed, but not reached from {UMBRELLA}"
+
+
+def check(root, public, components=frozenset()):
+    """All complaints about the tree below root; public is the set of the installed headers, of
+    which those of components are included one by one."""
+    library = [path for path in sources.files(root)
+               if sources.is_cpp(path) and place(path) in LIBRARY]
+    complaints = [*circles(root, library), *not_reached(root, public - components)]
     for path in filter(sources.is_source, sources.files(root)):
         code = sources.text(root, path)
         complaints += check_source(path, code)
@@ -124,7 +174,8 @@ def check(root, public):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
     headers = sources.public_headers(sys.argv[1], sys.argv[2])
-    sys.exit(sources.report(check(sys.argv[1], headers), "Every folder keeps to its place."))
+    components = sources.public_headers(sys.argv[1], sys.argv[3])
+    sys.exit(sources.report(check(sys.argv[1], headers, components), "Every folder keeps to its place."))

@@ -92,6 +92,21 @@ class Twins(unittest.TestCase):
                 self.assert_only(layering.check(self.root, PUBLIC), f"{name}:{line}", part)
                 (self.root / name).write_text(SOUND[name])
 
+    def test_a_header_is_reached_from_the_umbrella_or_not_installed(self):
+        complaints = layering.check(self.root, PUBLIC | {"dec/detail.h"})
+        self.assert_only(complaints[:1], "dec/detail.h:1", "not reached")
+        self.assertEqual(layering.check(self.root, PUBLIC | {"base/text.h"}, {"base/text.h"}), [])
+
+    def test_rooms_that_include_each_other_are_named(self):
+        star, cells = self.root / "dec/stars/star.h", self.root / "dec/cells.cpp"
+        star.parent.mkdir()
+        star.write_text(SPDX + '#include "dec/detail.h"\n')
+        self.assertEqual(layering.check(self.root, PUBLIC), [])
+        cells.write_text(SPDX + '#include "dec/stars/star.h"\n')
+        complaints = layering.check(self.root, PUBLIC)
+        self.assertEqual(len(complaints), 2)
+        self.assertIn("dec/cells.cpp:1: dec and dec/stars include each other", complaints)
+
     def test_every_kind_of_source_needs_the_license_line(self):
         for name in ("dec/a.h", "dec/a.cpp", "dec/CMakeLists.txt", "cmake/a.cmake",
                      "cmake/a.cmake.in", "scripts/a.sh", "tests/a.py"):

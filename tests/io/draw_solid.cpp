@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/draw_solid.h"
+#include "io/pictures/draw_solid.h"
 
-#include "dec/cell_centers.h"
+#include "dec/fields/cell_centers.h"
 #include "meshes/generate.h"
 #include "tests/support/refusal.h"
 

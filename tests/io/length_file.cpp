@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/length_file.h"
+#include "io/meshes/length_file.h"
 
-#include "io/draw_cells.h"
+#include "io/pictures/draw_cells.h"
 #include "tests/io/support.h"
 #include "tests/support/families.h"
 

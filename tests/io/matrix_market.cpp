@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/matrix_market.h"
+#include "io/matrices/matrix_market.h"
 
 #include "tests/io/support.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/draw_cells.h"
+#include "io/pictures/draw_cells.h"
 #include "tests/support/merged.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "io/readers.h"
-#include "io/vtu.h"
-#include "io/write_mesh.h"
+#include "io/matrices/parse_matrix_market.h"
+#include "io/meshes/readers.h"
+#include "io/meshes/write_mesh.h"
+#include "io/pictures/vtu.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "io/meshes/read_mesh.h"
+#include "io/meshes/write_mesh.h"
 #include "tests/io/support.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/write_mesh.h"
+#include "io/meshes/write_mesh.h"
 #include "tests/io/support.h"
 
 #include <gtest/gtest.h>

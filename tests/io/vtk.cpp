@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/readers.h"
+#include "io/meshes/readers.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/vtu.h"
+#include "io/pictures/vtu.h"
 
 #include "tests/io/support.h"
 

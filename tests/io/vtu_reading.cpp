@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/readers.h"
-#include "io/vtu.h"
+#include "io/meshes/readers.h"
+#include "io/pictures/vtu.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
 

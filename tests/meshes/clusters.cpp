@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 #include "dec/discretization.h"
-#include "dec/star.h"
+#include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
 

@@ -6,7 +6,7 @@
 #include "examples/paper/rivals/bunge_diamond.h"
 #include "examples/paper/rivals/bunge_virtual_vertex.h"
 #include "examples/paper/rivals/de_goes.h"
-#include "io/draw_cells.h"
+#include "io/pictures/draw_cells.h"
 #include "meshes/generate.h"
 #include "tests/support/matrices.h"
 

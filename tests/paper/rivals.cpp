@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/discretization.h"
-#include "dec/laplacian.h"
+#include "dec/forms/laplacian.h"
 #include "examples/paper/rivals/alexa_wardetzky.h"
 #include "examples/paper/rivals/bunge_diamond.h"
 #include "examples/paper/rivals/bunge_virtual_vertex.h"

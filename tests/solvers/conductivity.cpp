@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dec/cell_volumes.h"
-#include "dec/derivative.h"
-#include "dec/star.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/star.h"
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/circumcentric_volumes.h"
 #include "meshes/delaunay.h"
 #include "meshes/generate.h"
 #include "meshes/random.h"

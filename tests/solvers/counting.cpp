@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
-#include "solvers/certified_eigensolver.h"
-#include "solvers/coexact_spectrum.h"
-#include "solvers/inertia.h"
-#include "solvers/scaled_pencil.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/certified_eigensolver.h"
+#include "solvers/spectra/coexact_spectrum.h"
+#include "solvers/spectra/inertia.h"
+#include "solvers/spectra/scaled_pencil.h"
+#include "solvers/spectra/spectrum.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/refusal.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/darcy.h"
 
-#include "dec/de_rham.h"
-#include "dec/derivative.h"
-#include "dec/star.h"
+#include "dec/fields/de_rham.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "dec/discretization.h"
-#include "dec/laplacian.h"
-#include "dec/star.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -2,8 +2,8 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/geodesic_distance.h"
-#include "solvers/surface_metric.h"
+#include "solvers/surfaces/geodesic_distance.h"
+#include "solvers/surfaces/surface_metric.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/support/refusal.h"
 

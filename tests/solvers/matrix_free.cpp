@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "backends/matrix_free.h"
+#include "backends/linear/matrix_free.h"
 
 #include "backends/registry.h"
 #include "base/errors.h"
-#include "dec/apply.h"
 #include "dec/discretization.h"
-#include "dec/laplacian.h"
-#include "dec/star.h"
+#include "dec/forms/apply.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"

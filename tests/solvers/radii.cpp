@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "complex/simplicial_complex.h"
-#include "dec/derivative.h"
-#include "dec/star.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/star.h"
+#include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/certified_eigensolver.h"
-#include "solvers/coexact_spectrum.h"
-#include "solvers/spectrum.h"
+#include "solvers/spectra/certified_eigensolver.h"
+#include "solvers/spectra/coexact_spectrum.h"
+#include "solvers/spectra/spectrum.h"
 #include "tests/support/hand_made.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/parallel_transport.h"
+#include "solvers/surfaces/parallel_transport.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/support/refusal.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/forms.h"
 
-#include "dec/whitney.h"
+#include "dec/metric/whitney.h"
 
 #include <Eigen/LU>
 

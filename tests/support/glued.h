@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/glued_surface.h"
+#include "complex/surfaces/glued_surface.h"
 #include "meshes/mesh.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/golden_forms.h"
 
-#include "dec/whitney.h"
+#include "dec/metric/whitney.h"
 
 namespace polydec::test {
 

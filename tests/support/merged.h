@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/cell_volumes.h"
-#include "dec/merge.h"
+#include "dec/merging/merge.h"
+#include "dec/metric/cell_volumes.h"
 #include "meshes/mesh.h"
 
 #include <string>

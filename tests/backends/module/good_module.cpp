@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "backends/adapt.h"
 #include "backends/engine_module.h"
+#include "backends/linear/adapt.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "backends/eigen/slepc.h"
+
+#include "backends/linear/petsc_session.h"
+#include "backends/linked.h"
+#include "backends/registry.h"
+#include "base/errors.h"
+
+#include <algorithm>
+#include <exception>
+#include <slepceps.h>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+using petsc::Owned;
+using petsc::Session;
+using PetscVector = Owned<Vec, VecDestroy>;
+using PetscMatrix = Owned<Mat, MatDestroy>;
+
+// Below this size all eigenpairs of a dense matrix cost less than the iteration.
+constexpr Index dense_size = 40;
+
+// The operator as SLEPc calls it. An exception must not travel through C, so it waits here, and
+// from then on the operator is zero until SLEPc asks whether to stop: what comes back from it by an
+// error cannot be taken apart any more, and its memory would be lost.
+struct Shell {
+    const SymmetricOperator* A = nullptr;
+    Vector in = {};
+    Vector out = {};
+    Index operations = 0;
+    std::exception_ptr thrown = {};
+};
+
+void apply_to_arrays(Shell& shell, const double* x, double* y) {
+    Eigen::Map<Vector> result(y, shell.A->size);
+    result.setZero();
+    if (shell.thrown)
+        return;
+    try {
+        shell.in = Eigen::Map<const Vector>(x, shell.A->size);
+        shell.A->apply(shell.in, shell.out);
+        result = shell.out;
+        ++shell.operations;
+    } catch (...) {
+        shell.thrown = std::current_exception();
+    }
+}
+
+PetscErrorCode apply(Mat matrix, Vec x, Vec y) {
+    Shell* shell = nullptr;
+    const double* from = nullptr;
+    double* to = nullptr;
+    if (const auto error = MatShellGetContext(matrix, &shell))
+        return error;
+    if (const auto error = VecGetArrayRead(x, &from))
+        return error;
+    if (const auto error = VecGetArray(y, &to)) {
+        VecRestoreArrayRead(x, &from);
+        return error;
+    }
+    apply_to_arrays(*shell, from, to);
+    VecRestoreArray(y, &to);
+    return VecRestoreArrayRead(x, &from);
+}
+
+PetscErrorCode stop(EPS solver, Index restarts, Index most_restarts, Index converged, Index wanted,
+                    EPSConvergedReason* reason, void* shell) {
+    const auto error =
+        EPSStoppingBasic(solver, restarts, most_restarts, converged, wanted, reason, nullptr);
+    if (static_cast<Shell*>(shell)->thrown)
+        *reason = EPS_CONVERGED_USER;
+    return error;
+}
+
+void copy(const Session& session, const Vector& from, Vec to) {
+    double* entries = nullptr;
+    session.require(VecGetArray(to, &entries), "taking over a vector");
+    Eigen::Map<Vector>(entries, from.size()) = from;
+    session.require(VecRestoreArray(to, &entries), "taking over a vector");
+}
+
+void end_slepc() {
+    if (petsc::is_running() && SlepcInitializeCalled)
+        SlepcFinalize();
+}
+
+void start_slepc(const Session& session) {
+    if (SlepcInitializeCalled)
+        return;
+    session.require(SlepcInitialize(nullptr, nullptr, nullptr, nullptr), "starting SLEPc");
+    petsc::at_exit(end_slepc);
+}
+
+class SlepcSolver final : public EigenSolver {
+public:
+    std::string name() const override { return "slepc"; }
+
+protected:
+    EigenPairs compute(const SymmetricOperator& A, Index count,
+                       const EigenOptions& options) const override;
+};
+
+// One run of the eigensolver, and what it holds on to.
+class Run {
+public:
+    Run(const Session& session, Shell& shell, Index count, const EigenOptions& options);
+    void solve();
+    EigenPairs pairs(Index count) const;
+
+private:
+    void use_shell();
+    void choose_method(Index count, const EigenOptions& options);
+
+    const Session& session_;
+    Shell& shell_;
+    Index size_;
+    PetscMatrix matrix_;
+    PetscVector start_;
+    Owned<EPS, EPSDestroy> solver_;
+};
+
+Run::Run(const Session& session, Shell& shell, Index count, const EigenOptions& options)
+    : session_(session), shell_(shell), size_(shell.A->size) {
+    use_shell();
+    session_.require(EPSCreate(PETSC_COMM_SELF, solver_.put()), "making a solver");
+    session_.require(EPSSetOperators(solver_.get(), matrix_.get(), nullptr), "making a solver");
+    session_.require(EPSSetProblemType(solver_.get(), EPS_HEP), "making a solver");
+    session_.require(EPSSetWhichEigenpairs(solver_.get(), EPS_LARGEST_REAL), "making a solver");
+    choose_method(count, options);
+}
+
+void Run::use_shell() {
+    session_.require(
+        MatCreateShell(PETSC_COMM_SELF, size_, size_, size_, size_, &shell_, matrix_.put()),
+        "taking over the operator");
+    session_.require(
+        MatShellSetOperation(matrix_.get(), MATOP_MULT, reinterpret_cast<void (*)()>(apply)),
+        "taking over the operator");
+    session_.require(MatSetOption(matrix_.get(), MAT_SYMMETRIC, PETSC_TRUE),
+                     "taking over the operator");
+}
+
+void Run::choose_method(Index count, const EigenOptions& options) {
+    EPS solver = solver_.get();
+    if (size_ <= dense_size || options.krylov_dimension >= size_) {
+        session_.require(EPSSetType(solver, EPSLAPACK), "choosing the method");
+        return;
+    }
+    session_.require(EPSSetType(solver, EPSKRYLOVSCHUR), "choosing the method");
+    session_.require(EPSSetDimensions(solver, count, options.krylov_dimension, PETSC_DEFAULT),
+                     "choosing the method");
+    session_.require(EPSSetTolerances(solver, options.tolerance, std::max(options.max_restarts, 1)),
+                     "choosing the method");
+    session_.require(EPSSetConvergenceTest(solver, EPS_CONV_REL), "choosing the method");
+    session_.require(EPSSetStoppingTestFunction(solver, stop, &shell_, nullptr),
+                     "choosing the method");
+
+    session_.require(VecCreateSeq(PETSC_COMM_SELF, size_, start_.put()), "taking over the start");
+    copy(session_, options.start, start_.get());
+    Vec start = start_.get();
+    session_.require(EPSSetInitialSpace(solver, 1, &start), "taking over the start");
+}
+
+void Run::solve() {
+    const auto error = EPSSolve(solver_.get());
+    if (shell_.thrown)
+        std::rethrow_exception(shell_.thrown);
+    session_.require(error, "the iteration");
+}
+
+EigenPairs Run::pairs(Index count) const {
+    Index converged = 0;
+    session_.require(EPSGetConverged(solver_.get(), &converged), "reading the eigenpairs");
+    converged = std::min(converged, count);
+
+    EigenPairs result{Vector(converged), DenseMatrix(size_, converged), converged,
+                      shell_.operations};
+    for (Index i = 0; i < converged; ++i) {
+        PetscVector vector;
+        session_.require(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size_,
+                                               result.vectors.col(i).data(), vector.put()),
+                         "reading the eigenpairs");
+        session_.require(
+            EPSGetEigenpair(solver_.get(), i, &result.values[i], nullptr, vector.get(), nullptr),
+            "reading the eigenpairs");
+    }
+    return result;
+}
+
+EigenPairs SlepcSolver::compute(const SymmetricOperator& A, Index count,
+                                const EigenOptions& options) const {
+    const Session session(name());
+    start_slepc(session);
+    Shell shell{.A = &A};
+    Run run(session, shell, count, options);
+    run.solve();
+    return run.pairs(count);
+}
+
+} // namespace
+
+void register_slepc() {
+    [[maybe_unused]] static const bool is_done = [] {
+        register_eigen_solver(
+            {.name = "slepc",
+             .kind = EngineKind::eigen,
+             .available = true,
+             .description = {},
+             .how_to_get = "Debian package slepc-dev, CMake option POLYDEC_SLEPC=ON"},
+            [] { return std::make_unique<SlepcSolver>(); });
+        return true;
+    }();
+}
+
+} // namespace polydec
+
+extern "C" {
+extern const bool polydec_slepc_is_linked;
+const bool polydec_slepc_is_linked = polydec::registered(polydec::register_slepc);
+}

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "backends/linear/checked_solver.h"
+
+#include "base/memory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+constexpr double residual_limit = 1e-6;
+constexpr double backward_limit = 1e-10;
+constexpr double kernel_limit = 1e-8;
+
+// CG on a million unknowns of a good mesh needs a few thousand steps; what needs more than this
+// many will not come to an end in any reasonable time.
+constexpr Index most_iterations = 50000;
+
+double largest_row_sum(const SparseMatrix& A) {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < A.rows(); ++i) {
+        double sum = 0.0;
+        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
+            sum += std::abs(entry.value());
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
+bool same_pattern(const SparseMatrix& A, const SparseMatrix& B) {
+    return A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
+           std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.rows() + 1, B.outerIndexPtr()) &&
+           std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr());
+}
+
+void check_entries(const SparseMatrix& A, const std::string& name) {
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
+            if (!std::isfinite(entry.value()))
+                throw InvalidInput(fmt::format("{}: entry ({}, {}) of the matrix is {}", name, i,
+                                               entry.col(), entry.value()));
+}
+
+double ratio(double numerator, double denominator) {
+    return numerator == 0.0 ? 0.0 : numerator / denominator;
+}
+
+// The 2-norm of a vector whose largest entry is known: squares that neither overflow nor vanish are
+// summed in a third of the time.
+template <typename Column>
+double length(const Column& x, double largest) {
+    constexpr double safe = 1e100;
+    return largest < safe && largest > 1.0 / safe ? x.norm() : x.stableNorm();
+}
+
+// Squares and a few products of numbers within 2^-200 .. 2^200 are ordinary ones; beyond, the power
+// of two that brings the largest of them near 1.
+int exponent_to_remove(double largest) {
+    constexpr int harmless = 200;
+    if (!(largest > 0.0) || !std::isfinite(largest))
+        return 0;
+    const int exponent = std::ilogb(largest);
+    return std::abs(exponent) <= harmless ? 0 : exponent;
+}
+
+template <typename Numbers>
+void scale(Numbers&& numbers, int exponent) {
+    for (double& number : numbers)
+        number = std::ldexp(number, exponent);
+}
+
+// A residual that is not a number is larger than any.
+double worse(double a, double b) {
+    return b <= a ? a : b;
+}
+
+// What no matrix hits is what a forgotten kernel leaves behind.
+std::string describe_failure(double residual, double backward_error) {
+    return fmt::format("the solution is not to be trusted: |b - A x| / |b| = {:.2g}, backward "
+                       "error {:.2g}\nThe matrix is singular to working precision or its facts are "
+                       "wrong; if it has a kernel, give it in the facts.",
+                       residual, backward_error);
+}
+
+} // namespace
+
+void CheckedSolver::fail(const std::string& reason) const {
+    throw SolverFailure(fmt::format("{}: {}", name_, reason));
+}
+
+template <typename Work>
+auto CheckedSolver::within_memory(const char* purpose, Eigen::Index size, Work work) const {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        throw OutOfMemory(fmt::format(
+            "{0}: memory does not suffice to {1} a {2} x {2} matrix\n{3}", name_, purpose, size,
+            traits_.method == Method::direct ? "Take an iterative engine, or allow more memory."
+                                             : "Allow more memory."));
+    }
+}
+
+Index CheckedSolver::iteration_limit(Eigen::Index n) const {
+    if (options_.max_iterations > 0)
+        return options_.max_iterations;
+    return static_cast<Index>(std::min<Eigen::Index>(10 * n + 1000, most_iterations));
+}
+
+void CheckedSolver::check(const SparseMatrix& A, const MatrixFacts& facts) const {
+    if (A.rows() != A.cols())
+        throw InvalidInput(
+            fmt::format("{}: a {} x {} matrix is not square", name_, A.rows(), A.cols()));
+    if (facts.symmetry == Symmetry::general) {
+        if (traits_.symmetry == Symmetry::symmetric)
+            throw InvalidInput(name_ + ": takes symmetric matrices only, and the facts do not say "
+                                       "that this one is\nSay so in the facts, or take eigen.lu.");
+        if (facts.inertia == Inertia::wanted || facts.kernel.cols() > 0)
+            throw InvalidInput(name_ + ": inertia and kernels are for symmetric matrices, and the "
+                                       "facts do not say that this one is");
+    } else if (facts.definiteness > traits_.definiteness) {
+        throw InvalidInput(name_ + ": takes positive (semi)definite matrices only, and the facts "
+                                   "do not say that this one is\nTake eigen.ldlt or eigen.lu.");
+    }
+    if (facts.inertia == Inertia::wanted && traits_.inertia == Inertia::unneeded)
+        throw InvalidInput(name_ + ": does not count negative eigenvalues\n"
+                                   "Take eigen.ldlt or cholmod.");
+    check_entries(A, name_);
+}
+
+std::shared_ptr<const SparseMatrix>
+CheckedSolver::treat(const std::shared_ptr<const SparseMatrix>& A, MatrixFacts& facts) {
+    kernel_.reset();
+    if (facts.kernel.cols() == 0)
+        return A;
+    kernel_.emplace(*A, facts.kernel);
+    facts.kernel.resize(0, 0);
+    if (traits_.kernel == KernelTreatment::projection)
+        return A;
+
+    // Without its whole kernel, semidefinite is definite.
+    if (facts.definiteness == Definiteness::semidefinite)
+        facts.definiteness = Definiteness::positive;
+    return std::make_shared<const SparseMatrix>(kernel_->grounded(*A));
+}
+
+void CheckedSolver::factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) {
+    const auto previous = std::exchange(treated_, nullptr);
+    matrix_ = nullptr;
+    report_ = {};
+    if (!A)
+        throw InvalidInput(name_ + ": there is no matrix behind the pointer");
+    check(*A, facts);
+    const auto size = A->rows();
+    within_memory("factorize", size, [&] { factorize_valid(std::move(A), facts, previous); });
+}
+
+void CheckedSolver::factorize_valid(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts,
+                                    const std::shared_ptr<const SparseMatrix>& previous) {
+    if (!A->isCompressed()) {
+        auto compressed = std::make_shared<SparseMatrix>(*A);
+        compressed->makeCompressed();
+        A = std::move(compressed);
+    }
+    exponent_ = exponent_to_remove(A->nonZeros() > 0 ? A->coeffs().abs().maxCoeff() : 0.0);
+    if (exponent_ != 0) {
+        auto scaled = std::make_shared<SparseMatrix>(*A);
+        scale(scaled->coeffs(), -exponent_);
+        A = std::move(scaled);
+    }
+
+    MatrixFacts treated_facts = facts;
+    auto treated = treat(A, treated_facts);
+    const bool is_known = previous && same_pattern(*previous, *treated);
+    if (treated->rows() > 0)
+        compute(*treated, treated_facts, is_known ? Pattern::same : Pattern::fresh);
+
+    inertia_ = facts.inertia;
+    matrix_norm_ = largest_row_sum(*A);
+    treated_ = std::move(treated);
+    matrix_ = std::move(A);
+}
+
+void CheckedSolver::check_right_hand_side(const Eigen::Ref<const DenseMatrix>& B) const {
+    if (!matrix_)
+        throw InvalidInput(name_ + ": solve() needs a successful factorize() before");
+    if (B.rows() != matrix_->rows())
+        throw InvalidInput(fmt::format("{}: a right-hand side of {} rows for a {} x {} matrix",
+                                       name_, B.rows(), matrix_->rows(), matrix_->cols()));
+    if (B.allFinite())
+        return;
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        for (Eigen::Index i = 0; i < B.rows(); ++i)
+            if (!std::isfinite(B(i, j)))
+                throw InvalidInput(
+                    fmt::format("{}: entry {} of right-hand side {} is {}", name_, i, j, B(i, j)));
+}
+
+CheckedSolver::Solution CheckedSolver::invert(const DenseMatrix& B) {
+    const bool grounded = treated_ != matrix_;
+    Solution solution;
+    if (treated_->rows() == 0)
+        solution.columns = DenseMatrix::Zero(treated_->rows(), B.cols());
+    else
+        solution = apply_inverse(grounded ? kernel_->restrict(B) : B);
+    if (grounded)
+        solution.columns = kernel_->extend(solution.columns);
+    if (kernel_)
+        solution.columns = kernel_->project_out(solution.columns);
+    if (!solution.columns.allFinite())
+        fail("the solution overflows: the matrix is singular to working precision\n"
+             "If it has a kernel, give it in the facts.");
+    return solution;
+}
+
+CheckedSolver::Quality CheckedSolver::measure(const DenseMatrix& X, const DenseMatrix& B,
+                                              const DenseMatrix& R) const {
+    Quality worst;
+    for (Eigen::Index j = 0; j < B.cols(); ++j) {
+        const double r = R.col(j).lpNorm<Eigen::Infinity>();
+        const double b = B.col(j).lpNorm<Eigen::Infinity>();
+        const double x = X.col(j).lpNorm<Eigen::Infinity>();
+        const double residual = ratio(length(R.col(j), r), length(B.col(j), b));
+        worst.residual = worse(worst.residual, residual);
+        worst.backward_error = worse(worst.backward_error, ratio(r, matrix_norm_ * x + b));
+    }
+    return worst;
+}
+
+bool CheckedSolver::is_good(const Quality& quality) const {
+    const double wished = traits_.method == Method::iterative ? 10.0 * options_.tolerance : 0.0;
+    return quality.residual <= std::max(residual_limit, wished) &&
+           quality.backward_error <= std::max(backward_limit, wished);
+}
+
+CheckedSolver::Solution CheckedSolver::solve_checked(const DenseMatrix& B) {
+    Solution solution = invert(B);
+    DenseMatrix R = B;
+    R.noalias() -= *matrix_ * solution.columns;
+    Quality quality = measure(solution.columns, B, R);
+
+    // Where inertia is wanted, refinement would hide the sign of a count not to be trusted.
+    if (inertia_ == Inertia::unneeded && !is_good(quality) && R.allFinite()) {
+        const Solution correction = invert(kernel_ ? kernel_->project_out(R) : R);
+        solution.columns += correction.columns;
+        solution.iterations += correction.iterations;
+        R = B;
+        R.noalias() -= *matrix_ * solution.columns;
+        quality = measure(solution.columns, B, R);
+    }
+    if (!R.allFinite() || (inertia_ == Inertia::unneeded && !is_good(quality)))
+        fail(describe_failure(quality.residual, quality.backward_error));
+    report_ = {name_, solution.iterations, quality.residual, quality.backward_error, {name_}};
+    return solution;
+}
+
+DenseMatrix CheckedSolver::solve_columns(const Eigen::Ref<const DenseMatrix>& B) {
+    check_right_hand_side(B);
+    report_ = {name_, 0, 0.0, 0.0, {name_}};
+    if (B.size() == 0)
+        return B;
+    return within_memory("solve with", matrix_->rows(), [&] { return solve_valid(B); });
+}
+
+DenseMatrix CheckedSolver::solve_valid(const Eigen::Ref<const DenseMatrix>& B) {
+    std::vector<int> exponents;
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        exponents.push_back(exponent_to_remove(B.col(j).lpNorm<Eigen::Infinity>()));
+    if (exponent_ == 0 && std::all_of(exponents.begin(), exponents.end(), std::logical_not<>()))
+        return solve_scaled(B);
+
+    DenseMatrix scaled = B;
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        scale(scaled.col(j), -exponents[j]);
+    DenseMatrix X = solve_scaled(scaled);
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        scale(X.col(j), exponents[j] - exponent_);
+    if (!X.allFinite())
+        fail("the solution overflows: scale the right-hand side down");
+    return X;
+}
+
+DenseMatrix CheckedSolver::solve_scaled(const Eigen::Ref<const DenseMatrix>& B) {
+    if (!kernel_)
+        return solve_checked(B).columns;
+
+    // The part in the kernel is what no solution can give: rounding is taken away, more refused.
+    const DenseMatrix consistent = kernel_->project_out(B);
+    for (Eigen::Index j = 0; j < B.cols(); ++j) {
+        const double part =
+            ratio((B.col(j) - consistent.col(j)).stableNorm(), B.col(j).stableNorm());
+        if (!(part <= kernel_limit))
+            throw InvalidInput(fmt::format(
+                "{}: right-hand side {} has a part in the kernel of the matrix, {:.2g} of its "
+                "norm\nNo solution exists; take that part away (for Neumann data: make the mean "
+                "0).",
+                name_, j, part));
+    }
+    return solve_checked(consistent).columns;
+}
+
+} // namespace polydec

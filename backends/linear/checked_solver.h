@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backends/linear/grounding.h"
+#include "backends/linear_solver.h"
+
+namespace polydec {
+
+/// What every engine has in common: derive from it and write compute() and apply_inverse().
+/// It refuses bad input, takes known kernels out, and checks the true residual of every solve, with
+/// one step of iterative refinement where that is too large. Engines see numbers whose squares are
+/// numbers too: matrices and right-hand sides of extreme size are scaled by powers of two.
+class CheckedSolver : public LinearSolver {
+public:
+    std::string name() const final { return name_; }
+    EngineTraits traits() const final { return traits_; }
+    using LinearSolver::factorize;
+    void factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) final;
+    std::optional<Index> negative_pivots() const override { return std::nullopt; }
+    const SolveReport& report() const final { return report_; }
+
+protected:
+    enum class Pattern { fresh, same };
+
+    struct Solution {
+        DenseMatrix columns;
+        Index iterations = 0;
+    };
+
+    CheckedSolver(std::string name, const EngineTraits& traits, const LinearSolverOptions& options)
+        : name_(std::move(name)), traits_(traits), options_(options) {}
+
+    /// Prepares for A: square, finite, compressed, at least 1 x 1, alive until the next call.
+    /// pattern: same, if the last call succeeded with entries in the same places.
+    /// Throws SolverFailure, made by fail(), and std::bad_alloc where memory does not suffice.
+    virtual void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) = 0;
+
+    /// X with A X = B, for finite B with at least one column. Throws like compute().
+    virtual Solution apply_inverse(const DenseMatrix& B) = 0;
+
+    DenseMatrix solve_columns(const Eigen::Ref<const DenseMatrix>& B) final;
+
+    const LinearSolverOptions& options() const { return options_; }
+
+    /// Iterations allowed for n unknowns.
+    Index iteration_limit(Eigen::Index n) const;
+
+    /// Throws SolverFailure with the engine's name before the reason.
+    [[noreturn]] void fail(const std::string& reason) const;
+
+private:
+    struct Quality {
+        double residual = 0.0;
+        double backward_error = 0.0;
+    };
+
+    template <typename Work>
+    auto within_memory(const char* purpose, Eigen::Index size, Work work) const;
+    void factorize_valid(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts,
+                         const std::shared_ptr<const SparseMatrix>& previous);
+    DenseMatrix solve_valid(const Eigen::Ref<const DenseMatrix>& B);
+    void check(const SparseMatrix& A, const MatrixFacts& facts) const;
+    void check_right_hand_side(const Eigen::Ref<const DenseMatrix>& B) const;
+    std::shared_ptr<const SparseMatrix> treat(const std::shared_ptr<const SparseMatrix>& A,
+                                              MatrixFacts& facts);
+    Solution invert(const DenseMatrix& B);
+    Quality measure(const DenseMatrix& X, const DenseMatrix& B, const DenseMatrix& R) const;
+    bool is_good(const Quality& quality) const;
+    Solution solve_checked(const DenseMatrix& B);
+    DenseMatrix solve_scaled(const Eigen::Ref<const DenseMatrix>& B);
+
+    std::string name_;
+    EngineTraits traits_;
+    LinearSolverOptions options_;
+
+    std::shared_ptr<const SparseMatrix> matrix_;  // as given, or scaled; null until factorized
+    std::shared_ptr<const SparseMatrix> treated_; // what the engine holds: grounded or as given
+    int exponent_ = 0;                            // matrix_ is the one given times 2^-exponent_
+    std::optional<Kernel> kernel_;
+    Inertia inertia_ = Inertia::unneeded;
+    double matrix_norm_ = 0.0;
+    SolveReport report_;
+};
+
+} // namespace polydec

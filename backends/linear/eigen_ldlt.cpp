@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "backends/builtin_engines.h"
+#include "backends/linear/checked_solver.h"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace polydec::builtin {
+
+namespace {
+
+using ColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
+
+// Eigen counts the factor's entries in 32 bits and writes beyond its arrays where they wrap around.
+class CountingLdlt
+    : public Eigen::SimplicialLDLT<ColumnMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>> {
+public:
+    bool factor_fits() const {
+        return m_nonZerosPerCol.cast<std::int64_t>().sum() <= std::numeric_limits<Index>::max();
+    }
+};
+
+class EigenLdlt final : public CheckedSolver {
+public:
+    explicit EigenLdlt(const LinearSolverOptions& options)
+        : CheckedSolver("eigen.ldlt", {.symmetry = Symmetry::symmetric, .inertia = Inertia::wanted},
+                        options) {}
+
+    std::optional<Index> negative_pivots() const override { return negative_pivots_; }
+
+protected:
+    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
+
+    Solution apply_inverse(const DenseMatrix& B) override { return {ldlt_.solve(B)}; }
+
+private:
+    CountingLdlt ldlt_;
+    std::optional<Index> negative_pivots_;
+};
+
+void EigenLdlt::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) {
+    negative_pivots_.reset();
+
+    // The rows of a symmetric matrix are its columns.
+    const ColumnMatrix columns = Eigen::Map<const ColumnMatrix>(
+        A.rows(), A.cols(), A.nonZeros(), A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr());
+    if (pattern == Pattern::fresh)
+        ldlt_.analyzePattern(columns);
+    if (!ldlt_.factor_fits())
+        fail(fmt::format("the factor of this {} x {} matrix has more than 2^31 - 1 entries\n"
+                         "Take cholmod or eigen.cg.",
+                         A.rows(), A.cols()));
+    ldlt_.factorize(columns);
+    if (ldlt_.info() != Eigen::Success || !ldlt_.vectorD().allFinite())
+        fail("zero pivot: the matrix, or a leading block of it, is singular\n"
+             "Move the shift, give the kernel in the facts, or take eigen.lu.");
+
+    const auto negative = static_cast<Index>((ldlt_.vectorD().array() < 0.0).count());
+    if (facts.definiteness == Definiteness::positive && negative > 0)
+        fail(fmt::format("the matrix is not positive definite, as its facts say: {} pivots are "
+                         "negative",
+                         negative));
+    negative_pivots_ = negative;
+}
+
+} // namespace
+
+std::unique_ptr<LinearSolver> make_eigen_ldlt(const LinearSolverOptions& options) {
+    return std::make_unique<EigenLdlt>(options);
+}
+
+} // namespace polydec::builtin

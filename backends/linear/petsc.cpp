@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+#include "backends/linear/petsc.h"
+
+#include "backends/linear/checked_solver.h"
+#include "backends/linear/petsc_session.h"
+#include "backends/linked.h"
+#include "backends/registry.h"
+#include "base/errors.h"
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <petscksp.h>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+using petsc::Owned;
+using petsc::Session;
+using PetscMatrix = Owned<Mat, MatDestroy>;
+using PetscVector = Owned<Vec, VecDestroy>;
+
+// Multigrid that takes more steps than this is the wrong one for the matrix.
+constexpr Index most_iterations = 1000;
+
+// What stands before the names of the options of our solvers, so that they meet no others.
+constexpr const char* prefix = "polydec_";
+
+// The residual itself is what is asked for, not the one that the preconditioner sees.
+constexpr const char* conjugate_gradients = "-ksp_type cg -ksp_norm_type unpreconditioned ";
+
+// Dropping weak neighbors costs little where coefficients are even, and saves most of the
+// iterations where they are not.
+constexpr const char* gamg = "-pc_type gamg -pc_gamg_threshold 0.01 ";
+
+// With its own defaults BoomerAMG takes about twice the time in three dimensions.
+constexpr const char* boomeramg =
+    "-pc_type hypre -pc_hypre_type boomeramg -pc_hypre_boomeramg_coarsen_type HMIS "
+    "-pc_hypre_boomeramg_interp_type ext+i -pc_hypre_boomeramg_agg_nl 1 "
+    "-pc_hypre_boomeramg_P_max 4 -pc_hypre_boomeramg_strong_threshold 0.5 ";
+
+// The coarsest matrix of a singular one is singular as well, and must not be factorized, also where
+// the kernel is not known.
+constexpr const char* singular_gamg = "-mg_coarse_pc_type svd ";
+constexpr const char* singular_boomeramg =
+    "-pc_hypre_boomeramg_relax_type_coarse symmetric-SOR/Jacobi ";
+
+// The names among the words of a line of options; what follows a name is its value.
+std::vector<std::string> option_names(const std::string& options) {
+    std::vector<std::string> names;
+    std::istringstream words(options);
+    for (std::string word; words >> word;)
+        if (word.size() > 1 && word[0] == '-' &&
+            std::isalpha(static_cast<unsigned char>(word[1])) != 0)
+            names.push_back(prefix + word.substr(1));
+    return names;
+}
+
+// Options stand in PETSc's one table, under our prefix, as long as a solver is being set up.
+class SetOptions {
+public:
+    SetOptions(const Session& session, const std::string& options) : names_(option_names(options)) {
+        PetscOptionsPrefixPush(nullptr, prefix);
+        const auto error = PetscOptionsInsertString(nullptr, options.c_str());
+        PetscOptionsPrefixPop(nullptr);
+        if (error) {
+            clear();
+            session.require(error, "reading the options");
+        }
+    }
+    ~SetOptions() { clear(); }
+    SetOptions(const SetOptions&) = delete;
+    SetOptions& operator=(const SetOptions&) = delete;
+
+private:
+    void clear() const {
+        for (const auto& name : names_)
+            PetscOptionsClearValue(nullptr, ("-" + name).c_str());
+    }
+
+    std::vector<std::string> names_;
+};
+
+// A view of A: PETSc never writes to what it is given here, though its types do not say so.
+void view(const Session& session, const SparseMatrix& A, Definiteness definiteness,
+          PetscMatrix& result) {
+    session.require(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, static_cast<Index>(A.rows()),
+                                              static_cast<Index>(A.cols()),
+                                              const_cast<Index*>(A.outerIndexPtr()),
+                                              const_cast<Index*>(A.innerIndexPtr()),
+                                              const_cast<double*>(A.valuePtr()), result.put()),
+                    "taking over the matrix");
+    MatSetOption(result.get(), MAT_SYMMETRIC, PETSC_TRUE);
+    if (definiteness == Definiteness::positive)
+        MatSetOption(result.get(), MAT_SPD, PETSC_TRUE);
+}
+
+// PETSc takes a kernel as orthonormal vectors of its own.
+void set_kernel(const Session& session, Mat matrix, const DenseMatrix& kernel) {
+    DenseMatrix basis(kernel.rows(), kernel.cols());
+    for (Eigen::Index j = 0; j < kernel.cols(); ++j)
+        basis.col(j) = kernel.col(j).stableNormalized();
+    basis = Eigen::HouseholderQR<DenseMatrix>(basis).householderQ() *
+            DenseMatrix::Identity(basis.rows(), basis.cols());
+
+    std::vector<PetscVector> columns(static_cast<std::size_t>(basis.cols()));
+    std::vector<Vec> handles;
+    for (Eigen::Index j = 0; j < basis.cols(); ++j) {
+        auto& column = columns[static_cast<std::size_t>(j)];
+        session.require(
+            VecCreateSeq(PETSC_COMM_SELF, static_cast<Index>(basis.rows()), column.put()),
+            "taking over the kernel");
+        double* entries = nullptr;
+        session.require(VecGetArray(column.get(), &entries), "taking over the kernel");
+        Eigen::Map<Vector>(entries, basis.rows()) = basis.col(j);
+        VecRestoreArray(column.get(), &entries);
+        handles.push_back(column.get());
+    }
+    Owned<MatNullSpace, MatNullSpaceDestroy> space;
+    session.require(MatNullSpaceCreate(PETSC_COMM_SELF, PETSC_FALSE,
+                                       static_cast<Index>(handles.size()), handles.data(),
+                                       space.put()),
+                    "taking over the kernel");
+    session.require(MatSetNullSpace(matrix, space.get()), "taking over the kernel");
+}
+
+class CgMultigrid final : public CheckedSolver {
+public:
+    CgMultigrid(const std::string& name, std::string multigrid, std::string for_singular,
+                const LinearSolverOptions& options);
+    ~CgMultigrid() override;
+    CgMultigrid(const CgMultigrid&) = delete;
+    CgMultigrid& operator=(const CgMultigrid&) = delete;
+
+    /// The kernel that comes with the next matrix, which compute() does not hear of.
+    void expect_kernel(const DenseMatrix& kernel) { kernel_ = kernel; }
+
+protected:
+    void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
+    Solution apply_inverse(const DenseMatrix& B) override;
+
+private:
+    const SparseMatrix& without_zero_rows(const SparseMatrix& A, const MatrixFacts& facts);
+    void set_up(const Session& session);
+    void require_all_options_read() const;
+    void forget();
+    Index iterate(const Session& session, const Vector& b, Eigen::Ref<Vector> x);
+    [[noreturn]] void fail_because(KSPConvergedReason reason, Index iterations) const;
+
+    std::string multigrid_;
+    std::string for_singular_;
+    DenseMatrix kernel_;
+    SparseMatrix changed_;
+    PetscMatrix matrix_;
+    Owned<KSP, KSPDestroy> solver_;
+};
+
+CgMultigrid::CgMultigrid(const std::string& name, std::string multigrid, std::string for_singular,
+                         const LinearSolverOptions& options)
+    : CheckedSolver(name,
+                    {.method = Method::iterative,
+                     .symmetry = Symmetry::symmetric,
+                     .definiteness = Definiteness::semidefinite,
+                     .kernel = KernelTreatment::projection},
+                    options),
+      multigrid_(std::move(multigrid)),
+      for_singular_(std::move(for_singular)) {
+    const auto first = options.engine_options.find_first_not_of(" \t\n");
+    if (first != std::string::npos && options.engine_options[first] != '-')
+        throw InvalidInput(fmt::format("{}: the engine options `{}` must begin with a minus sign, "
+                                       "such as -ksp_type fcg",
+                                       name, options.engine_options));
+}
+
+CgMultigrid::~CgMultigrid() {
+    forget();
+}
+
+void CgMultigrid::forget() {
+    if (!petsc::is_running())
+        return;
+    const Session session(name());
+    solver_.reset();
+    matrix_.reset();
+}
+
+// Smoothers divide by the diagonal. A row of a semidefinite matrix whose diagonal is zero is all
+// zero, its unknown is without influence, and a one on the diagonal keeps it at zero.
+const SparseMatrix& CgMultigrid::without_zero_rows(const SparseMatrix& A,
+                                                   const MatrixFacts& facts) {
+    const Vector diagonal = A.diagonal();
+    const bool may_be_zero = facts.definiteness == Definiteness::semidefinite;
+    std::vector<Eigen::Triplet<double>> ones;
+    for (Index i = 0; i < static_cast<Index>(A.rows()); ++i) {
+        if (diagonal[i] > 0.0)
+            continue;
+        if (diagonal[i] < 0.0 || !may_be_zero || A.row(i).norm() > 0.0)
+            fail(fmt::format("the matrix is not positive {1}definite, as its facts say: entry "
+                             "({0}, {0}) is {2:.3g}",
+                             i, may_be_zero ? "semi" : "", diagonal[i]));
+        ones.emplace_back(i, i, 1.0);
+    }
+    if (ones.empty())
+        return A;
+
+    SparseMatrix added(A.rows(), A.cols());
+    added.setFromTriplets(ones.begin(), ones.end());
+    changed_ = A + added;
+    changed_.makeCompressed();
+    return changed_;
+}
+
+void CgMultigrid::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern) {
+    const Session session(name());
+    forget();
+    const bool is_singular = facts.definiteness == Definiteness::semidefinite;
+    const SparseMatrix& regular = without_zero_rows(A, facts);
+    const SetOptions set(session, conjugate_gradients + multigrid_ +
+                                      (is_singular ? for_singular_ : "") +
+                                      options().engine_options);
+    try {
+        view(session, regular, facts.definiteness, matrix_);
+        if (kernel_.cols() > 0)
+            set_kernel(session, matrix_.get(), kernel_);
+        set_up(session);
+    } catch (...) {
+        forget();
+        throw;
+    }
+    kernel_.resize(0, 0);
+}
+
+void CgMultigrid::set_up(const Session& session) {
+    const auto limit = options().max_iterations > 0 ? options().max_iterations : most_iterations;
+    session.require(KSPCreate(PETSC_COMM_SELF, solver_.put()), "making a solver");
+    KSP solver = solver_.get();
+    session.require(KSPSetOptionsPrefix(solver, prefix), "making a solver");
+    session.require(KSPSetOperators(solver, matrix_.get(), matrix_.get()), "making a solver");
+    session.require(
+        KSPSetTolerances(solver, std::min(options().tolerance, 0.5), 0.0, PETSC_MAX_REAL, limit),
+        "making a solver");
+    session.require(KSPSetFromOptions(solver), "reading the options");
+    session.require(KSPSetUp(solver), "the setup");
+    session.require(KSPSetUpOnBlocks(solver), "the setup");
+    require_all_options_read();
+}
+
+// A small matrix may have no levels between the finest and the coarsest to have options.
+void CgMultigrid::require_all_options_read() const {
+    for (const auto& option : option_names(options().engine_options)) {
+        PetscBool used = PETSC_FALSE;
+        PetscOptionsUsed(nullptr, option.c_str(), &used);
+        const std::string own_name = option.substr(std::string(prefix).size());
+        if (!used && !own_name.starts_with("mg_"))
+            throw InvalidInput(fmt::format("{}: nobody reads the engine option -{}\nIt is misspelt,"
+                                           " or belongs to another method of PETSc.",
+                                           name(), own_name));
+    }
+}
+
+void CgMultigrid::fail_because(KSPConvergedReason reason, Index iterations) const {
+    const char* text = nullptr;
+    KSPGetConvergedReasonString(solver_.get(), &text);
+    double residual = 0.0;
+    KSPGetResidualNorm(solver_.get(), &residual);
+
+    const char* cause = "the matrix is badly conditioned, indefinite, or the right-hand side is "
+                        "none of its images";
+    if (reason == KSP_DIVERGED_INDEFINITE_MAT)
+        cause = "the matrix is not positive semidefinite, as its facts say";
+    if (reason == KSP_DIVERGED_INDEFINITE_PC || reason == KSP_DIVERGED_PC_FAILED)
+        cause = "multigrid makes nothing of this matrix";
+    fail(fmt::format("no convergence after {} iterations ({}), residual {:.2g}: {}\nTake cholmod "
+                     "or another direct engine.",
+                     iterations, text ? text : "no reason known", residual, cause));
+}
+
+Index CgMultigrid::iterate(const Session& session, const Vector& b, Eigen::Ref<Vector> x) {
+    PetscVector right_hand_side;
+    PetscVector solution;
+    const auto size = static_cast<Index>(b.size());
+    session.require(
+        VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, b.data(), right_hand_side.put()),
+        "taking over a right-hand side");
+    session.require(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, x.data(), solution.put()),
+                    "taking over a solution");
+    session.require(KSPSolve(solver_.get(), right_hand_side.get(), solution.get()), "the solution");
+
+    Index iterations = 0;
+    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+    KSPGetIterationNumber(solver_.get(), &iterations);
+    KSPGetConvergedReason(solver_.get(), &reason);
+    if (reason <= 0 || !x.allFinite())
+        fail_because(reason, iterations);
+    return iterations;
+}
+
+CheckedSolver::Solution CgMultigrid::apply_inverse(const DenseMatrix& B) {
+    const Session session(name());
+    Solution solution{DenseMatrix::Zero(B.rows(), B.cols())};
+    for (Eigen::Index j = 0; j < B.cols(); ++j) {
+        // Squares of tiny numbers vanish, so the iteration sees a right-hand side of size one.
+        const double scale = B.col(j).lpNorm<Eigen::Infinity>();
+        if (scale == 0.0)
+            continue;
+        const Vector b = B.col(j) / scale;
+        solution.iterations =
+            std::max(solution.iterations, iterate(session, b, solution.columns.col(j)));
+        solution.columns.col(j) *= scale;
+    }
+    return solution;
+}
+
+// Hands the kernel on to where PETSc can be told of it; all else is the engine's.
+class PetscSolver final : public LinearSolver {
+public:
+    template <typename... Arguments>
+    explicit PetscSolver(Arguments&&... arguments)
+        : engine_(std::forward<Arguments>(arguments)...) {}
+
+    std::string name() const override { return engine_.name(); }
+    EngineTraits traits() const override { return engine_.traits(); }
+    using LinearSolver::factorize;
+    void factorize(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts) override {
+        engine_.expect_kernel(facts.kernel);
+        engine_.factorize(std::move(A), facts);
+    }
+    std::optional<Index> negative_pivots() const override { return std::nullopt; }
+    const SolveReport& report() const override { return engine_.report(); }
+
+protected:
+    DenseMatrix solve_columns(const Eigen::Ref<const DenseMatrix>& B) override {
+        return engine_.solve(B);
+    }
+
+private:
+    CgMultigrid engine_;
+};
+
+void add(const std::string& name, const std::string& multigrid, const std::string& for_singular) {
+    register_linear_solver(
+        {.name = name,
+         .kind = EngineKind::linear,
+         .available = true,
+         .description = {},
+         .how_to_get = "Debian package petsc-dev, CMake option POLYDEC_PETSC=ON"},
+        [=](const LinearSolverOptions& options) {
+            return std::make_unique<PetscSolver>(name, multigrid, for_singular, options);
+        });
+}
+
+} // namespace
+
+void register_petsc() {
+    [[maybe_unused]] static const bool is_done = [] {
+        add("petsc.cg-gamg", gamg, singular_gamg);
+#ifdef PETSC_HAVE_HYPRE
+        add("petsc.cg-hypre", boomeramg, singular_boomeramg);
+#endif
+        return true;
+    }();
+}
+
+} // namespace polydec
+
+extern "C" {
+extern const bool polydec_petsc_is_linked;
+const bool polydec_petsc_is_linked = polydec::registered(polydec::register_petsc);
+}

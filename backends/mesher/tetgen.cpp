@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "backends/builtin_engines.h"
+#include "backends/mesher/child_process.h"
+#include "backends/mesher/held_signals.h"
+#include "backends/mesher/mesher_input.h"
+#include "backends/mesher/temporary_folder.h"
+#include "backends/mesher/tetgen_files.h"
+#include "base/errors.h"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <tuple>
+
+namespace polydec::builtin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One mesh that is being made.
+struct Run {
+    const MesherInput& input;
+    const MesherOptions& options;
+    fs::path program, folder;
+    std::vector<Index> used; ///< which points of the input TetGen is told, in order
+    int exponent;            ///< it gets coordinates near 1: 1e100 and 1e-100 it cannot handle
+};
+
+int exponent_of(const Points& points) {
+    const double largest = points.cwiseAbs().maxCoeff();
+    return largest > 0.0 ? std::ilogb(largest) : 0;
+}
+
+fs::path require_program() {
+    const auto program = find_program("tetgen");
+    if (!program) {
+        throw BackendUnavailable("the mesher `tetgen` needs the program tetgen, which is not on "
+                                 "PATH\nTo get it: apt-get install tetgen (Debian package "
+                                 "tetgen).");
+    }
+    return *program;
+}
+
+std::string input_name(const Run& run) {
+    return facet_count(run.input) > 0 ? "mesh.smesh" : "mesh.node";
+}
+
+void write_input(const Run& run) {
+    const auto path = run.folder / input_name(run);
+    std::ofstream file(path, std::ios::binary);
+    file << tetgen_input(run.input, run.used, run.exponent);
+    file.close();
+    if (!file) {
+        throw IoError(fmt::format("cannot write {}: is the disk full?", path.string()));
+    }
+}
+
+/// Counting from zero (z) and quietly (Q); of a point set without faces (F) and their numbers (B).
+std::string switches(const Run& run) {
+    const auto& options = run.options;
+    std::string text = facet_count(run.input) > 0 ? "-zQp" : "-zQFB";
+    if (options.boundary == BoundarySplitting::forbidden) {
+        text += "Y";
+    }
+    if (options.quality > 0.0) {
+        text += fmt::format("q{:.6f}", options.quality);
+    }
+    if (options.largest_volume > 0.0) {
+        const double volume = std::ldexp(options.largest_volume, -3 * run.exponent);
+        text += fmt::format("a{:e}", std::clamp(volume, 1e-200, 1e200));
+    }
+    return text;
+}
+
+ChildOutcome start(const Run& run, const std::string& how) {
+    const ChildLimits limits{.seconds = run.options.seconds, .bytes = run.options.bytes};
+    return run_child(run.program, {how, input_name(run)}, run.folder, limits);
+}
+
+std::string in_gibibytes(std::size_t bytes) {
+    return fmt::format("{:.3g} GiB", static_cast<double>(bytes) / std::pow(2.0, 30));
+}
+
+/// The last line that it printed, which tells of a failed assertion, say.
+std::string last_words(std::string_view output) {
+    constexpr std::string_view blanks = " \t\r\n";
+    constexpr std::size_t most = 300;
+    output = output.substr(0, output.find_last_not_of(blanks) + 1);
+    output = output.substr(output.find_last_of('\n') + 1); // npos + 1 is 0
+    return std::string(output.substr(0, most));
+}
+
+/// TetGen does not say by itself which facets cross, but it has a mode that looks for them.
+void refuse_crossing_facets(const Run& run) {
+    if (facet_count(run.input) == 0) {
+        return;
+    }
+    const auto pairs = crossing_facets(start(run, "-zd").output, facet_count(run.input));
+    if (pairs.empty()) {
+        return;
+    }
+    constexpr std::size_t most = 5;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i) {
+        names +=
+            fmt::format("{}{} and {}", i == 0 ? "" : ", ", facet_name(run.input, pairs[i].first),
+                        facet_name(run.input, pairs[i].second));
+    }
+    throw InvalidInput(
+        fmt::format("mesher: {} {} of facets cross or overlap: {}{}\nThe facets must "
+                    "meet in common corners and edges only: take the surface apart "
+                    "there and join it anew.",
+                    pairs.size(), pairs.size() == 1 ? "pair" : "pairs", names,
+                    pairs.size() > most ? " .." : ""));
+}
+
+[[noreturn]] void fail(const Run& run, const ChildOutcome& outcome) {
+    const auto& options = run.options;
+    if (outcome.end == ChildEnd::interrupted) {
+        throw SolverFailure("tetgen was stopped, as this program was asked to end");
+    }
+    if (outcome.end == ChildEnd::timed_out) {
+        throw SolverFailure(fmt::format("tetgen was stopped, as it was not done within {} seconds\n"
+                                        "Allow more time, or ask for larger tetrahedra or less "
+                                        "quality.",
+                                        options.seconds));
+    }
+
+    refuse_crossing_facets(run);
+
+    // it does not say that an allocation failed, so what it had tells
+    const bool was_killed = outcome.end == ChildEnd::signaled;
+    const bool file_too_long = was_killed && outcome.code == SIGXFSZ;
+    const bool no_memory = outcome.output.find("bad_alloc") != std::string::npos ||
+                           outcome.peak_bytes > options.bytes / 2;
+    if (was_killed && (file_too_long || no_memory)) {
+        throw SolverFailure(fmt::format("tetgen gave up, most likely at the limit of {} of memory; "
+                                        "it had {}\nAllow more, or ask for larger tetrahedra or "
+                                        "less quality.",
+                                        in_gibibytes(options.bytes),
+                                        in_gibibytes(outcome.peak_bytes)));
+    }
+    const auto words = last_words(outcome.output);
+    throw SolverFailure(
+        fmt::format("tetgen {} {}{}\nProbable cause: facets that almost touch, points that are "
+                    "almost equal, angles near 0, or too little memory; mend the surface there.",
+                    was_killed ? "was ended by a signal," : "ended with exit code",
+                    was_killed ? ::strsignal(outcome.code) : fmt::format("{}", outcome.code),
+                    words.empty() ? "" : ", saying: " + words));
+}
+
+[[noreturn]] void fail_empty(const Run& run) {
+    refuse_crossing_facets(run);
+    throw SolverFailure(fmt::format("tetgen made no tetrahedra\nProbable cause: {}.",
+                                    run.input.holes.rows() > 0
+                                        ? "the holes take everything away"
+                                        : "the points are almost in one plane"));
+}
+
+/// TetGen orients all tetrahedra alike, and the sum tells how, whatever rounding does to flat ones.
+void orient(const Points& points, Simplices& cells) {
+    double volume = 0.0;
+    for (Eigen::Index i = 0; i < cells.rows(); ++i) {
+        Eigen::Matrix3d edges;
+        for (int j = 0; j < 3; ++j) {
+            edges.row(j) = points.row(cells(i, j + 1)) - points.row(cells(i, 0));
+        }
+        volume += edges.determinant();
+    }
+    if (volume < 0.0) {
+        cells.col(2).swap(cells.col(3));
+    }
+}
+
+MesherOutput collect(const Run& run) {
+    MesherOutput output;
+    output.points = read_tetgen_points(run.folder / "mesh.1.node");
+    output.tetrahedra = read_tetgen_cells(run.folder / "mesh.1.ele", output.points.rows());
+    if (output.tetrahedra.rows() == 0) {
+        fail_empty(run);
+    }
+    orient(output.points, output.tetrahedra);
+    if (facet_count(run.input) > 0) {
+        std::tie(output.faces, output.facets) = read_tetgen_faces(
+            run.folder / "mesh.1.face", output.points.rows(), facet_count(run.input));
+    }
+    for (double& coordinate : output.points.reshaped()) {
+        coordinate = std::ldexp(coordinate, run.exponent);
+    }
+    return output;
+}
+
+} // namespace
+
+bool has_tetgen() {
+    return find_program("tetgen").has_value();
+}
+
+MesherOutput run_tetgen(const MesherInput& input, const MesherOptions& options) {
+    auto program = require_program();
+    const HeldSignals held; // outlives the folder: a signal is delivered when that is gone
+    const TemporaryFolder folder;
+    const Run run{
+        input, options, program, folder.path(), used_points(input), exponent_of(input.points)};
+    write_input(run);
+
+    const auto outcome = start(run, switches(run));
+    if (outcome.end != ChildEnd::exited || outcome.code != 0) {
+        fail(run, outcome);
+    }
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(run.folder / "mesh.1.ele", ignored))) {
+        fail_empty(run);
+    }
+    return collect(run);
+}
+
+} // namespace polydec::builtin

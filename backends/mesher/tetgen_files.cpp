@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "backends/mesher/tetgen_files.h"
+
+#include "backends/mesher/mesher_input.h"
+#include "base/errors.h"
+#include "base/regular_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace polydec::builtin {
+
+namespace {
+
+void append_place(fmt::memory_buffer& text, Index number, const Points& points, Index row,
+                  int exponent) {
+    fmt::format_to(std::back_inserter(text), "{} {} {} {}\n", number,
+                   std::ldexp(points(row, 0), -exponent), std::ldexp(points(row, 1), -exponent),
+                   std::ldexp(points(row, 2), -exponent));
+}
+
+void append_facets(fmt::memory_buffer& text, const MesherInput& input,
+                   const std::vector<Index>& used) {
+    const auto new_number = [&](Index point) {
+        return std::lower_bound(used.begin(), used.end(), point) - used.begin();
+    };
+    // one number for facets in one plane: TetGen drops the edges between those that have the same
+    const auto patches = plane_patches(input);
+    fmt::format_to(std::back_inserter(text), "{} 1\n", facet_count(input));
+    for (std::size_t f = 0; f + 1 < input.offsets.size(); ++f) {
+        fmt::format_to(std::back_inserter(text), "{}", input.offsets[f + 1] - input.offsets[f]);
+        for (Index i = input.offsets[f]; i < input.offsets[f + 1]; ++i) {
+            fmt::format_to(std::back_inserter(text), " {}",
+                           new_number(input.corners[static_cast<std::size_t>(i)]));
+        }
+        fmt::format_to(std::back_inserter(text), " {}\n", patches[f] + 1);
+    }
+}
+
+/// The numbers of a file, one after the other.
+class Numbers {
+public:
+    explicit Numbers(const std::filesystem::path& path)
+        : name_(path.filename().string()), text_(read_regular_file(path)) {}
+
+    template <typename Number>
+    Number next() {
+        constexpr std::string_view blanks = " \t\r\n";
+        at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
+        Number number{};
+        const char* const begin = text_.data() + at_;
+        const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), number);
+        if (error != std::errc()) {
+            malformed(fmt::format("a number is missing after {} bytes", at_));
+        }
+        at_ += static_cast<std::size_t>(end - begin);
+        return number;
+    }
+
+    /// A count of rows of at least `width` numbers each, which must have room in the file.
+    Index count(std::size_t width) {
+        const auto rows = next<long long>();
+        const auto most =
+            std::min<std::size_t>(text_.size() / (2 * width), std::numeric_limits<Index>::max());
+        if (rows < 0 || std::cmp_greater(rows, most)) {
+            malformed(fmt::format("it promises {} rows in {} bytes", rows, text_.size()));
+        }
+        return static_cast<Index>(rows);
+    }
+
+    /// How many numbers follow in each row: not more than bytes.
+    std::size_t extras() {
+        const auto number = next<long long>();
+        if (number < 0 || std::cmp_greater(number, text_.size()))
+            malformed(fmt::format("it promises {} numbers more in a row", number));
+        return static_cast<std::size_t>(number);
+    }
+
+    void expect(Index value, const char* what) {
+        const auto found = next<long long>();
+        if (found != value) {
+            malformed(fmt::format("{} is {}, not {}", what, found, value));
+        }
+    }
+
+    /// Nothing may follow but a comment, and the last line must be whole.
+    void expect_end() {
+        const auto line = std::min(text_.find('\n', at_), text_.size());
+        const auto rest = text_.find_first_not_of(" \t\r\n", at_);
+        const bool is_comment = rest == std::string::npos || text_[rest] == '#';
+        if (line == text_.size() || !is_comment || text_.back() != '\n') {
+            malformed(fmt::format("it does not end after {} bytes, with its last row", at_));
+        }
+    }
+
+    [[noreturn]] void malformed(const std::string& what) const {
+        throw SolverFailure(fmt::format("tetgen wrote a file {} that makes no sense: {}\n"
+                                        "Is the program of that name on PATH the mesher?",
+                                        name_, what));
+    }
+
+private:
+    std::string read_regular_file(const std::filesystem::path& path) const;
+
+    std::string name_;
+    std::string text_;
+    std::size_t at_ = 0;
+};
+
+std::string Numbers::read_regular_file(const std::filesystem::path& path) const {
+    try {
+        const RegularFile file(path, RegularFile::Links::refused);
+        if (!file.is_regular()) {
+            malformed("it is no regular file");
+        }
+        auto text = file.read();
+        if (text.size() < file.size()) {
+            malformed("it cannot be read to its end");
+        }
+        return text;
+    } catch (const IoError& error) {
+        malformed(fmt::format("it cannot be read: {}", error.what()));
+    }
+}
+
+} // namespace
+
+std::string tetgen_input(const MesherInput& input, const std::vector<Index>& used, int exponent) {
+    fmt::memory_buffer text;
+    fmt::format_to(std::back_inserter(text), "{} 3 0 0\n", used.size());
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        append_place(text, static_cast<Index>(i), input.points, used[i], exponent);
+    }
+    if (facet_count(input) > 0) {
+        append_facets(text, input, used);
+        fmt::format_to(std::back_inserter(text), "{}\n", input.holes.rows());
+        for (Index i = 0; i < input.holes.rows(); ++i) {
+            append_place(text, i, input.holes, i, exponent);
+        }
+    }
+    return fmt::to_string(text);
+}
+
+Points read_tetgen_points(const std::filesystem::path& path) {
+    Numbers numbers(path);
+    const Index rows = numbers.count(4);
+    numbers.expect(3, "the dimension");
+    const auto attributes = numbers.extras();
+    const auto extras = attributes + numbers.extras(); // and the boundary marker
+    Points points(rows, 3);
+    for (Index i = 0; i < rows; ++i) {
+        numbers.expect(i, "the number of a point");
+        for (int j = 0; j < 3; ++j) {
+            points(i, j) = numbers.next<double>();
+        }
+        if (!points.row(i).allFinite()) {
+            numbers.malformed(fmt::format("point {} is not finite", i));
+        }
+        for (std::size_t j = 0; j < extras; ++j) {
+            numbers.next<double>();
+        }
+    }
+    numbers.expect_end();
+    return points;
+}
+
+Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index points) {
+    Numbers numbers(path);
+    const Index rows = numbers.count(5);
+    numbers.expect(4, "the number of corners");
+    const auto extras = numbers.extras();
+    Simplices cells(rows, 4);
+    for (Index i = 0; i < rows; ++i) {
+        numbers.expect(i, "the number of a tetrahedron");
+        for (int j = 0; j < 4; ++j) {
+            cells(i, j) = numbers.next<Index>();
+            if (cells(i, j) < 0 || cells(i, j) >= points) {
+                numbers.malformed(fmt::format("tetrahedron {} has the corner {}", i, cells(i, j)));
+            }
+        }
+        for (std::size_t j = 0; j < extras; ++j) {
+            numbers.next<double>();
+        }
+    }
+    numbers.expect_end();
+    return cells;
+}
+
+std::pair<Simplices, std::vector<Index>> read_tetgen_faces(const std::filesystem::path& path,
+                                                           Eigen::Index points, Index facets) {
+    Numbers numbers(path);
+    const Index rows = numbers.count(5);
+    numbers.expect(1, "the count of markers");
+    Simplices faces(rows, 3);
+    std::vector<Index> markers(static_cast<std::size_t>(rows));
+    for (Index i = 0; i < rows; ++i) {
+        numbers.expect(i, "the number of a face");
+        for (int j = 0; j < 3; ++j) {
+            faces(i, j) = numbers.next<Index>();
+            if (faces(i, j) < 0 || faces(i, j) >= points) {
+                numbers.malformed(fmt::format("face {} has the corner {}", i, faces(i, j)));
+            }
+        }
+        const Index marker = numbers.next<Index>();
+        if (marker < 1 || marker > facets) {
+            numbers.malformed(fmt::format("face {} is on facet {}", i, marker));
+        }
+        markers[static_cast<std::size_t>(i)] = marker - 1;
+    }
+    numbers.expect_end();
+    return {std::move(faces), std::move(markers)};
+}
+
+std::vector<std::pair<Index, Index>> crossing_facets(const std::string& output, Index facets) {
+    std::vector<std::pair<Index, Index>> pairs;
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+        int a = 0, b = 0;
+        const bool found =
+            std::sscanf(line.c_str(), " Facet #%d intersects facet #%d", &a, &b) == 2 ||
+            std::sscanf(line.c_str(), " Facet #%d duplicates facet #%d", &a, &b) == 2;
+        if (found && a >= 1 && b >= 1 && a <= facets && b <= facets && a != b) {
+            pairs.emplace_back(std::min(a, b) - 1, std::max(a, b) - 1);
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+} // namespace polydec::builtin

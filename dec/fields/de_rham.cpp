@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/de_rham.h"
+
+#include "base/errors.h"
+#include "dec/metric/circumsphere.h"
+#include "dec/metric/exterior_product.h"
+#include "dec/metric/quadrature.h"
+#include "dec/metric/simplex_geometry.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// What a callable gives at a point, if that is `size` finite numbers.
+Vector checked_value(const SmoothForm& form, const Vector& point, Index size, const char* what) {
+    Vector value = form(point);
+    if (value.size() != size)
+        throw InvalidInput(fmt::format("the {} has {} coefficients at the point ({}): {} expected",
+                                       what, value.size(), fmt::join(point, ", "), size));
+    if (!value.allFinite())
+        throw InvalidInput(fmt::format("the {} is not finite at the point ({}): the mesh must not "
+                                       "touch a singularity",
+                                       what, fmt::join(point, ", ")));
+    return value;
+}
+
+/// Integrals of one k-form over simplices given by their corners.
+class Integral {
+public:
+    Integral(const SmoothForm& form, Index N, int k, int quadrature_degree)
+        : form_(form),
+          rule_(grundmann_moeller(k, quadrature_degree)),
+          product_(static_cast<int>(N), k),
+          factorial_(std::tgamma(k + 1.0)) {
+        if (!form)
+            throw InvalidInput("an empty function is given for a smooth form");
+    }
+
+    /// Over the simplex whose corners are the k+1 rows.
+    double operator()(const DenseMatrix& corners) const {
+        Vector mean = Vector::Zero(product_.size());
+        for (Index q = 0; q < rule_.weights.size(); ++q) {
+            const Vector point = (rule_.points.row(q) * corners).transpose();
+            mean += rule_.weights[q] * checked_value(form_, point, mean.size(), "form");
+        }
+        const DenseMatrix edges = corners.bottomRows(corners.rows() - 1).rowwise() - corners.row(0);
+        return product_(edges).dot(mean) / factorial_;
+    }
+
+private:
+    const SmoothForm& form_;
+    SimplexQuadrature rule_;
+    ExteriorProduct product_;
+    double factorial_;
+};
+
+/// Integrals over the duals of the k-simplices, gathered going down from each n-simplex.
+class DualIntegrals {
+public:
+    DualIntegrals(const SimplicialComplex& complex, const Points& points, int k,
+                  const Integral& integral)
+        : complex_(complex),
+          integral_(integral),
+          k_(k),
+          corners_(complex.dimension() - k + 1, points.cols()),
+          result_(Vector::Zero(complex.size(k))) {
+        for (int i = 0; i <= complex.dimension(); ++i)
+            centers_.push_back(i < k ? Points() : circumcenters(points, complex.simplices(i)));
+    }
+
+    Vector all() {
+        const int n = complex_.dimension();
+        for (Index t = 0; t < complex_.size(n); ++t)
+            descend(n, t, 1);
+        return std::move(result_);
+    }
+
+private:
+    /// All flags that go on below i-simplex s.
+    void descend(int i, Index s, double sign) {
+        corners_.row(i - k_) = centers_[i].row(s);
+        if (i == k_) {
+            result_[s] += sign * integral_(corners_);
+            return;
+        }
+        const auto& coboundary = complex_.coboundary(i - 1);
+        for (Index entry = s * (i + 1); entry < (s + 1) * (i + 1); ++entry) {
+            const double step = (i % 2 == 0 ? 1 : -1) * coboundary.valuePtr()[entry];
+            descend(i - 1, coboundary.innerIndexPtr()[entry], sign * step);
+        }
+    }
+
+    const SimplicialComplex& complex_;
+    const Integral& integral_;
+    int k_;
+    DenseMatrix corners_;
+    Vector result_;
+    std::vector<Points> centers_; // by degree
+};
+
+} // namespace
+
+SmoothForm function_form(std::function<double(const Vector& point)> function) {
+    return [f = std::move(function)](const Vector& point) {
+        return Vector(Vector::Constant(1, f(point)));
+    };
+}
+
+SmoothForm circulation_form(std::function<Vector(const Vector& point)> field) {
+    return [X = std::move(field)](const Vector& point) {
+        return checked_value(X, point, static_cast<Index>(point.size()), "vector field");
+    };
+}
+
+SmoothForm flux_form(std::function<Vector(const Vector& point)> field) {
+    return [X = std::move(field)](const Vector& point) {
+        const auto N = static_cast<Index>(point.size());
+        const Vector value = checked_value(X, point, N, "vector field");
+        // the subset that omits the last axis comes first
+        Vector coefficients(N);
+        for (Index axis = 0; axis < N; ++axis)
+            coefficients[N - 1 - axis] = (axis % 2 == 0 ? 1 : -1) * value[axis];
+        return coefficients;
+    };
+}
+
+Vector de_rham(const SimplicialComplex& complex, const Points& points, int k,
+               const SmoothForm& form, int quadrature_degree) {
+    cell_degree(complex, Side::primal, k);
+    require_points(complex, points, "the de Rham map");
+    const Integral integral(form, static_cast<Index>(points.cols()), k, quadrature_degree);
+    Vector result(complex.size(k));
+    DenseMatrix corners(k + 1, points.cols());
+    for (Index s = 0; s < complex.size(k); ++s) {
+        for (int i = 0; i <= k; ++i)
+            corners.row(i) = points.row(complex.simplices(k)(s, i));
+        result[s] = orientation(complex, k, s) * integral(corners);
+    }
+    return result;
+}
+
+Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
+    const Vector values = de_rham(mesh.input(), mesh.points, k, form, quadrature_degree);
+    if (mesh.intrinsic)
+        return {Side::primal, k, carry(*mesh.intrinsic, k, values)};
+    return {Side::primal, k, mesh.merging.diamond(k).cast<double>() * values};
+}
+
+Vector dual_de_rham(const SimplicialComplex& complex, const Points& points, int j,
+                    const SmoothForm& form, int quadrature_degree) {
+    const int k = cell_degree(complex, Side::dual, j);
+    require_points(complex, points, "the de Rham map");
+    const Integral integral(form, static_cast<Index>(points.cols()), j, quadrature_degree);
+    return DualIntegrals(complex, points, k, integral).all();
+}
+
+Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
+                     int quadrature_degree) {
+    check_cells_in_space(mesh, "the de Rham map");
+    const int k = cell_degree(mesh.input(), Side::dual, j);
+    const Vector values = dual_de_rham(mesh.input(), mesh.points, j, form, quadrature_degree);
+    const Vector weighted = mesh.input_volumes.primal(k).cwiseProduct(values);
+    const Vector sums = mesh.merging.diamond(k).cast<double>() * weighted;
+    return {Side::dual, j, sums.cwiseQuotient(mesh.volumes.primal(k))};
+}
+
+} // namespace polydec

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/forms/cochain.h"
+
+#include <functional>
+
+namespace polydec {
+
+/// A k-form on R^N: at a point, its coefficients at dx_I for the k-subsets I of 0..N-1 in
+/// lexicographic order, N over k of them. For k = 1 these are the components of the vector field
+/// whose circulation it is.
+using SmoothForm = std::function<Vector(const Vector& point)>;
+
+/// A function as a 0-form; on R^N also the density f dx_1 ^ .. ^ dx_N, which has one coefficient
+/// too.
+SmoothForm function_form(std::function<double(const Vector& point)> function);
+
+/// The 1-form whose integrals along curves are the circulation of a vector field of N components.
+SmoothForm circulation_form(std::function<Vector(const Vector& point)> field);
+
+/// The (N-1)-form i_X vol: its integral over an oriented hypersurface is the flux of the field X,
+/// which counts outward on the facets of the boundary of cells of positive determinant, oriented as
+/// that boundary. d of it is div X vol.
+SmoothForm flux_form(std::function<Vector(const Vector& point)> field);
+
+/// The de Rham map: integrals of a k-form over the k-simplices as they are oriented. Size size(k);
+/// exact for coefficients that are polynomials up to the quadrature degree (5 by default, see
+/// grundmann_moeller). Source: Hirani 2003, sec. 3.3.
+/// Throws InvalidInput if there is no degree k, a vertex has no point, and, naming the point, if
+/// the form returns a wrong number of coefficients or one that is not finite.
+Vector de_rham(const SimplicialComplex& complex, const Points& points, int k,
+               const SmoothForm& form, int quadrature_degree = 5);
+
+/// The same over the merged cells, a primal k-form: the sums over their pieces, dia_k.
+Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form,
+                int quadrature_degree = 5);
+
+/// The de Rham map of dual j-forms: integrals over the circumcentric duals *s of the simplices s of
+/// degree k = n-j, so that s and *s together have the orientation of the n-simplices. *s consists
+/// of the elementary simplices [c(s_k), .., c(s_n)] over all flags s = s_k < .. < s_n, with the
+/// sign prod over i of (-1)^(i+1) [s_(i+1) : s_i], i = k .. n-1. Size size(k). Commutes with
+/// dual_derivative off the boundary of orientable meshes. The form is asked for values near
+/// circumcenters, which may lie outside of the mesh.
+/// Source: Hirani 2003, sec. 2.5. Throws like de_rham.
+Vector dual_de_rham(const SimplicialComplex& complex, const Points& points, int j,
+                    const SmoothForm& form, int quadrature_degree = 5);
+
+/// The same over the duals of merged cells: the mean by volume over the pieces.
+Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
+                     int quadrature_degree = 5);
+
+} // namespace polydec

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/dual_wedge.h"
+
+#include "base/errors.h"
+#include "dec/forms/star.h"
+#include "dec/merging/check_lift.h"
+#include "dec/merging/lift.h"
+#include "dec/metric/dual_parts.h"
+#include "dec/metric/exterior_product.h"
+#include "dec/metric/permutation_sign.h"
+#include "dec/metric/simplex_faces.h"
+#include "dec/metric/simplex_geometry.h"
+#include "dec/metric/whitney.h"
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+using Axes = std::vector<int>;
+
+Axes joined(const Axes& a, const Axes& b) {
+    Axes result = a;
+    result.insert(result.end(), b.begin(), b.end());
+    return result;
+}
+
+/// The axes 0..n-1 that are not in the ascending list.
+Axes complement(int n, const Axes& axes) {
+    Axes result;
+    for (int axis = 0; axis < n; ++axis)
+        if (!std::binary_search(axes.begin(), axes.end(), axis))
+            result.push_back(axis);
+    return result;
+}
+
+/// star^-1 (star v ^ star w) of a p-covector v and a q-covector w of R^n, of degree p + q - n.
+class Meet {
+public:
+    Meet(int n, int p, int q) {
+        const auto first = subsets(n, p), second = subsets(n, q), both = subsets(n, p + q - n);
+        size_ = static_cast<Index>(both.size());
+        for (std::size_t i = 0; i < first.size(); ++i)
+            for (std::size_t j = 0; j < second.size(); ++j) {
+                const Axes I = complement(n, first[i]), J = complement(n, second[j]);
+                Axes IJ = joined(I, J);
+                const double order = permutation_sign(IJ);
+                std::sort(IJ.begin(), IJ.end());
+                if (std::adjacent_find(IJ.begin(), IJ.end()) != IJ.end())
+                    continue;
+                const Axes rest = complement(n, IJ);
+                const auto place = std::lower_bound(both.begin(), both.end(), rest);
+                terms_.push_back({static_cast<Index>(i), static_cast<Index>(j),
+                                  static_cast<Index>(place - both.begin()),
+                                  order * permutation_sign(joined(first[i], I)) *
+                                      permutation_sign(joined(second[j], J)) *
+                                      permutation_sign(joined(rest, IJ))});
+            }
+    }
+
+    Vector operator()(const Vector& v, const Vector& w) const {
+        Vector result = Vector::Zero(size_);
+        for (const auto& term : terms_)
+            result[term.result] += term.sign * v[term.first] * w[term.second];
+        return result;
+    }
+
+private:
+    struct Term {
+        Index first, second, result;
+        double sign;
+    };
+    std::vector<Term> terms_;
+    Index size_;
+};
+
+/// An n-simplex in orthonormal coordinates of its plane.
+struct Chart {
+    DenseMatrix corners;   // (n+1) x n, the first one 0
+    DenseMatrix gradients; // of the barycentric coordinates, (n+1) x n
+    double orientation;    // of the axes against the simplex
+
+    Chart(const SimplicialComplex& complex, SimplexLayout& layout, Index t) {
+        const int n = complex.dimension();
+        const Corners simplex = layout.at(n, t);
+        const Points& points = simplex.points;
+        const auto row = simplex.vertices;
+        DenseMatrix edges(points.cols(), n);
+        for (int i = 0; i < n; ++i)
+            edges.col(i) = points.row(row[i + 1]) - points.row(row[0]);
+        const Eigen::HouseholderQR<DenseMatrix> qr(edges);
+        const DenseMatrix R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+        corners = DenseMatrix::Zero(n + 1, n);
+        corners.bottomRows(n) = R.transpose();
+
+        gradients = DenseMatrix::Zero(n + 1, n);
+        gradients.bottomRows(n) =
+            R.triangularView<Eigen::Upper>().solve(DenseMatrix::Identity(n, n));
+        gradients.row(0) = -gradients.bottomRows(n).colwise().sum();
+        orientation = complex.orientation(t) * R.diagonal().array().sign().prod();
+    }
+};
+
+/// Means of Whitney p-forms over n-simplices, as p-covectors in their charts.
+class Means {
+public:
+    Means(const SimplicialComplex& complex, const Cochain& form)
+        : complex_(complex),
+          form_(form),
+          faces_(complex, complex.dimension(), form.degree),
+          product_(complex.dimension(), form.degree) {}
+
+    Vector operator()(const Chart& chart, Index t) {
+        const int p = form_.degree;
+        const auto& faces = faces_.of(t);
+        Vector sum = Vector::Zero(product_.size());
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            const double value = orientation(complex_, p, faces[i]) * form_.values[faces[i]];
+            for (int omitted = 0; omitted <= p; ++omitted) {
+                auto others = faces_.positions()[i];
+                others.erase(others.begin() + omitted);
+                sum += (omitted % 2 == 0 ? value : -value) *
+                       product_(chart.gradients(others, Eigen::all));
+            }
+        }
+        return std::tgamma(p + 1.0) / (complex_.dimension() + 1) * sum;
+    }
+
+private:
+    const SimplicialComplex& complex_;
+    const Cochain& form_;
+    SimplexFaces faces_;
+    ExteriorProduct product_;
+};
+
+/// The product of the duals of two primal forms: the covector star^-1 (star a ^ star b) at the unit
+/// m-vector of s times the volume of the part of *s, which is the integral of star a ^ star b since
+/// s and *s are orthogonal.
+Vector product_of_stars(const SimplicialComplex& complex, const SimplexMetric& metric,
+                        const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
+    const int n = complex.dimension(), m = a.degree + b.degree - n;
+    const SparseMatrix parts = dual_parts(complex, metric, volumes, m, n);
+    const Meet meet(n, a.degree, b.degree);
+    const ExteriorProduct edges_of(n, m);
+    Means first(complex, a), second(complex, b);
+    SimplexFaces faces(complex, n, m);
+    SimplexLayout layout(complex, metric);
+
+    Vector values = Vector::Zero(complex.size(m));
+    for (Index t = 0; t < complex.size(n); ++t) {
+        const Chart chart(complex, layout, t);
+        const Vector covector = chart.orientation * meet(first(chart, t), second(chart, t));
+        // row t holds the parts of its faces in ascending order, as they stand in the list
+        SparseMatrix::InnerIterator part(parts, t);
+        for (std::size_t i = 0; i < faces.positions().size(); ++i, ++part) {
+            const auto s = static_cast<Index>(part.col());
+            auto corners = faces.positions()[i];
+            const DenseMatrix origin = chart.corners.row(corners[0]);
+            corners.erase(corners.begin());
+            const DenseMatrix edges =
+                chart.corners(corners, Eigen::all) - origin.replicate(corners.size(), 1);
+            const double size = std::tgamma(m + 1.0) * volumes.primal(m)[s];
+            values[s] +=
+                part.value() * orientation(complex, m, s) * covector.dot(edges_of(edges)) / size;
+        }
+    }
+    return values;
+}
+
+void check_product(const CellComplex& complex, const Cochain& a, const Cochain& b) {
+    check(complex, a);
+    check(complex, b);
+    if (a.side == Side::primal || b.side == Side::primal)
+        throw InvalidInput(fmt::format(
+            "the dual wedge product of a {} {}-form and a {} {}-form is asked for: expected two "
+            "dual forms; take wedge for primal forms, primal_dual_wedge for a primal k-form and "
+            "a dual (n-k)-form",
+            name(a.side), a.degree, name(b.side), b.degree));
+    if (a.degree + b.degree > complex.dimension())
+        throw InvalidInput(fmt::format(
+            "the wedge product of a dual {}-form and a dual {}-form has degree {}: in dimension "
+            "{} there is no such form",
+            a.degree, b.degree, a.degree + b.degree, complex.dimension()));
+}
+
+/// The primal form of which a dual form is the star.
+Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
+    const int p = complex.dimension() - form.degree;
+    return {Side::primal, p, inverse_star(volumes, p).cwiseProduct(form.values)};
+}
+
+} // namespace
+
+Cochain dual_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
+                   const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
+    check_product(complex, a, b);
+    return {Side::dual, a.degree + b.degree,
+            product_of_stars(complex, metric, volumes, without_star(complex, volumes, a),
+                             without_star(complex, volumes, b))};
+}
+
+Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
+                   const SimplexMetric& metric, const CellVolumes& input_volumes,
+                   const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
+    const auto& P = merging.merged();
+    check_product(P, a, b);
+    check_lift(merging, lift);
+    const auto lifted = [&](const Cochain& form) -> Cochain {
+        const Cochain primal = without_star(P, volumes, form);
+        return {Side::primal, primal.degree, lift[primal.degree] * primal.values};
+    };
+    const int m = P.dimension() - a.degree - b.degree;
+    const Vector fine =
+        product_of_stars(merging.input(), metric, input_volumes, lifted(a), lifted(b));
+    const Vector sums =
+        merging.diamond(m).cast<double>() * fine.cwiseProduct(input_volumes.primal(m));
+    return {Side::dual, a.degree + b.degree, sums.cwiseQuotient(volumes.primal(m))};
+}
+
+Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
+    check_not_flipped(mesh, "a wedge of dual forms");
+    check_product(mesh.complex(), a, b);
+    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.input_volumes);
+    return dual_wedge(mesh.merging, lift, mesh.metric(), mesh.input_volumes, mesh.volumes, a, b);
+}
+
+} // namespace polydec

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/flat.h"
+
+#include "base/errors.h"
+#include "dec/forms/star.h"
+#include "dec/metric/circumsphere.h"
+#include "dec/metric/dual_parts.h"
+#include "dec/metric/simplex_geometry.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace polydec {
+
+namespace {
+
+bool is_at_vertices(Flat kind) {
+    return kind != Flat::dpp && kind != Flat::dpd;
+}
+
+bool is_primal(Flat kind) {
+    return kind == Flat::ppp || kind == Flat::pdp || kind == Flat::dpp;
+}
+
+void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix& field) {
+    const auto N = mesh.points.cols();
+    require_points(N, "a flat");
+    const auto rows =
+        at_vertices ? mesh.points.rows() : Eigen::Index(mesh.complex().size(mesh.dimension()));
+    const char* place = at_vertices ? "vertex" : "merged cell";
+    if (field.rows() != rows || field.cols() != N)
+        throw InvalidInput(fmt::format("a field of {} x {} numbers is given: expected are {} x {}, "
+                                       "a row for each {}",
+                                       field.rows(), field.cols(), rows, N, place));
+    const auto check_row = [&](Index row) {
+        if (!field.row(row).allFinite())
+            throw InvalidInput(fmt::format("the vector at {} {} is not finite", place, row));
+    };
+    if (at_vertices)
+        for (const Index v : mesh.input().simplices(0).reshaped())
+            check_row(v);
+    else
+        for (Index cell = 0; cell < field.rows(); ++cell)
+            check_row(cell);
+}
+
+/// The means of the rows of the vertices of each k-simplex.
+Points means(const SimplicialComplex& complex, const DenseMatrix& field, int k) {
+    Points result = Points::Zero(complex.size(k), field.cols());
+    for (Index s = 0; s < complex.size(k); ++s)
+        for (const Index v : vertices(complex.simplices(k), s))
+            result.row(s) += field.row(v) / (k + 1);
+    return result;
+}
+
+/// The linear field at the circumcenter of each k-simplex, continued beyond its faces.
+Points at_circumcenters(const Discretization& mesh, const DenseMatrix& field, int k) {
+    const auto& simplices = mesh.input().simplices(k);
+    Points result = Points::Zero(simplices.rows(), field.cols());
+    SimplexLayout layout(mesh.input(), mesh.metric());
+    Circumsphere sphere;
+    for (Index s = 0; s < simplices.rows(); ++s) {
+        sphere.look_at(layout, k, s);
+        for (int i = 0; i <= k; ++i)
+            result.row(s) += sphere.barycentric(i) * field.row(simplices(s, i));
+    }
+    return result;
+}
+
+/// The vectors of the merged n-cells, copied to their pieces.
+Points on_pieces(const Discretization& mesh, const DenseMatrix& field) {
+    const auto& carriers = mesh.merging.carriers(mesh.dimension());
+    Points result(carriers.size(), field.cols());
+    for (std::size_t t = 0; t < carriers.size(); ++t)
+        result.row(t) = field.row(carriers[t].cell);
+    return result;
+}
+
+/// The product of the mean of the vectors of both ends with each edge.
+Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
+    const DenseMatrix edges = edge_vectors(mesh.input(), mesh.points);
+    return edges.cwiseProduct(means(mesh.input(), field, 1)).rowwise().sum();
+}
+
+void check_dual_volumes(const Discretization& mesh) {
+    if (const auto zero = zero_star_cells(mesh.volumes, 1); !zero.empty())
+        throw InvalidInput(fmt::format(
+            "the dpp flat divides by zero: the dual of the edge with vertices {} has no volume "
+            "({} such edges, see zero_star_cells of degree 1); let cells be merged, or take the "
+            "field at the vertices",
+            fmt::join(mesh.merging.vertices(1, zero.front()), ", "), zero.size()));
+}
+
+/// The product with each edge of the vectors of the n-simplices around, by parts of the dual.
+Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
+    check_dual_volumes(mesh);
+    const SparseMatrix parts =
+        dual_parts(mesh.input(), mesh.points, mesh.input_volumes, 1, mesh.dimension());
+    const DenseMatrix sums = parts.transpose() * DenseMatrix(on_pieces(mesh, field));
+    Vector result = sums.cwiseProduct(edge_vectors(mesh.input(), mesh.points)).rowwise().sum();
+
+    // edges inside of merged cells count for nothing, and their duals may well vanish
+    constexpr int own = 1;
+    const auto& carriers = mesh.merging.carriers(own);
+    for (Index e = 0; e < result.size(); ++e)
+        result[e] = carriers[e].dimension == own ? result[e] / mesh.input_volumes.dual(own)[e] : 0;
+    return result;
+}
+
+/// Along the dual edge of each facet f, piece by piece in the n-simplices t around; vector(t, f) is
+/// the mean of the field over the piece.
+template <class VectorOf>
+Vector along_dual_edges(const Discretization& mesh, VectorOf vector) {
+    const auto& K = mesh.input();
+    const int n = mesh.dimension();
+    const Points centers = circumcenters(mesh.points, K.simplices(n));
+    const Points facet_centers = circumcenters(mesh.points, K.simplices(n - 1));
+    const double sign = n % 2 == 0 ? 1 : -1;
+    Vector result = Vector::Zero(K.size(n - 1));
+    for (Index t = 0; t < K.size(n); ++t)
+        for (IncidenceMatrix::InnerIterator entry(K.coboundary(n - 1), t); entry; ++entry) {
+            const auto f = static_cast<Index>(entry.col());
+            const auto piece = centers.row(t) - facet_centers.row(f);
+            result[f] += sign * entry.value() * piece.dot(vector(t, f));
+        }
+    return result;
+}
+
+Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
+    const int n = mesh.dimension();
+    if (kind == Flat::ppd) {
+        const Points cells = at_circumcenters(mesh, field, n);
+        const Points facets = at_circumcenters(mesh, field, n - 1);
+        return along_dual_edges(
+            mesh, [&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
+    }
+    const Points vectors =
+        kind == Flat::pdd ? means(mesh.input(), field, n - 1) : on_pieces(mesh, field);
+    return along_dual_edges(
+        mesh, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
+}
+
+} // namespace
+
+Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
+    check_cells_in_space(mesh, "a flat");
+    check_field(mesh, is_at_vertices(kind), field);
+    if (is_primal(kind)) {
+        const Vector values =
+            kind == Flat::dpp ? around_edges(mesh, field) : along_edges(mesh, field);
+        return {Side::primal, 1, mesh.merging.diamond(1).cast<double>() * values};
+    }
+    const int k = mesh.dimension() - 1;
+    const Vector values = along_dual_edges(mesh, kind, field);
+    const Vector weighted = mesh.input_volumes.primal(k).cwiseProduct(values);
+    const Vector sums = mesh.merging.diamond(k).cast<double>() * weighted;
+    return {Side::dual, 1, sums.cwiseQuotient(mesh.volumes.primal(k))};
+}
+
+} // namespace polydec

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/forms/cochain.h"
+
+namespace polydec {
+
+/// The flats: from vector fields to 1-forms. The first letter says where the vectors are: p at
+/// vertices, d at merged n-cells. The second says how they are continued: p linearly on simplices
+/// (from vertices) or as a constant on each n-cell (from n-cells), d as a constant on each dual
+/// cell. The last says where the 1-form lives: p on edges, d on the dual edges, those of the
+/// (n-1)-cells.
+enum class Flat {
+    ppp, ///< (X_v + X_w) / 2 . e: the circulation along e of the linear field
+    pdp, ///< X_v . e/2 + X_w . e/2, half of the edge in each dual cell: the same value
+    dpp, ///< sum over the n-cells around e of |*e part| / |*e| times X_t . e
+    ppd, ///< the circulation of the linear field along the dual edge, a straight piece in each cell
+    pdd, ///< the mean of X over the vertices of the facet, times the dual edge
+    dpd, ///< sum over the two n-cells of X_t times the piece of the dual edge in t
+};
+
+/// The 1-form of a vector field on merged cells: a primal one on the edges or a dual one on the
+/// (n-1)-cells. Units those of the field times length. `field` has N columns and a row per vertex
+/// number of the points (rows of unused vertices are not read) or per merged n-cell. Each of them
+/// gives the exact integrals of constant fields on flat meshes; ppp those of linear fields too.
+///
+/// All is computed on the simplices, over which a merged cell's vector is copied, and mapped to
+/// merged cells by sums (primal) or means by volume (dual). The dual edge of a boundary facet ends
+/// at the facet's circumcenter. Source: Hirani 2003, ch. 5.
+/// Throws InvalidInput for a field of another shape, naming the row if it is not finite; for dpp
+/// also, naming the vertices, for edges whose dual volume is zero (zero_star_cells of degree 1).
+Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field);
+
+} // namespace polydec

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/sharp.h"
+
+#include "base/errors.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/forms/star.h"
+#include "dec/merging/check_lift.h"
+#include "dec/metric/dual_parts.h"
+#include "dec/metric/simplex_geometry.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace polydec {
+
+namespace {
+
+void check_form(const Discretization& mesh, const Cochain& form, int degree) {
+    check_cells_in_space(mesh, "a sharp");
+    if (form.side != Side::primal || form.degree != degree)
+        throw InvalidInput(fmt::format("a primal {}-form is expected: a {} {}-form is given",
+                                       degree, name(form.side), form.degree));
+    check(mesh.complex(), form);
+}
+
+void check_dual_cells(const Discretization& mesh) {
+    auto zero = zero_star_cells(mesh.input_volumes, 0);
+    if (zero.empty())
+        return;
+    const auto count = zero.size();
+    zero.resize(std::min<std::size_t>(count, 5));
+    for (Index& v : zero)
+        v = mesh.input().simplices(0)(v, 0);
+    throw InvalidInput(fmt::format("the sharp to vertices divides by zero: the dual cells of {} "
+                                   "vertices have no volume (vertices {}{}); take vectors at the "
+                                   "cells, sharp_pd, or move the vertices",
+                                   count, fmt::join(zero, ", "),
+                                   count > zero.size() ? ", .." : ""));
+}
+
+/// Row i: sum over the other vertices j of an n-simplex of a(i->j) grad lambda_j.
+DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vector& a, Index t) {
+    const auto& K = mesh.input();
+    const int n = mesh.dimension();
+    const DenseMatrix gradients = barycentric_gradients(mesh.points, vertices(K.simplices(n), t));
+    DenseMatrix result = DenseMatrix::Zero(n + 1, mesh.points.cols());
+    for (int i = 0; i <= n; ++i)
+        for (int j = i + 1; j <= n; ++j) {
+            const Index e = face_at(K, n, t, std::array{i, j});
+            const double value = orientation(K, 1, e) * a[e];
+            result.row(i) += value * gradients.row(j);
+            result.row(j) -= value * gradients.row(i);
+        }
+    return result;
+}
+
+/// An orthonormal basis of the mean tangent space of n-simplices, as columns: the n eigenvectors of
+/// largest eigenvalue of the mean of the projections onto their planes.
+DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
+    const auto& K = mesh.input();
+    const int n = mesh.dimension();
+    const auto N = mesh.points.cols();
+    DenseMatrix sum = DenseMatrix::Zero(N, N);
+    for (IncidenceMatrix::InnerIterator piece(mesh.merging.diamond(n), cell); piece; ++piece) {
+        const auto t = static_cast<Index>(piece.col());
+        const auto corners = vertices(K.simplices(n), t);
+        const DenseMatrix gradients = barycentric_gradients(mesh.points, corners);
+        DenseMatrix projection = DenseMatrix::Zero(N, N);
+        for (int i = 1; i <= n; ++i)
+            projection += (mesh.points.row(corners[i]) - mesh.points.row(corners[0])).transpose() *
+                          gradients.row(i);
+        sum += mesh.input_volumes.primal(n)[t] * projection;
+    }
+    return Eigen::SelfAdjointEigenSolver<DenseMatrix>(sum).eigenvectors().rightCols(n);
+}
+
+/// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.
+SparseMatrix edge_weights(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    const SparseMatrix parts = dual_parts(mesh.input(), mesh.points, mesh.input_volumes, 1, n);
+    const SparseMatrix cells = mesh.merging.diamond(n).cast<double>().cwiseAbs();
+    const SparseMatrix edges = mesh.merging.diamond(1).cast<double>().cwiseAbs();
+    // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
+    const Vector inverse_lengths = mesh.input_volumes.primal(1).cwiseInverse();
+    const SparseMatrix weighted = parts * inverse_lengths.asDiagonal();
+    const SparseMatrix on_cells = cells * weighted;
+    return on_cells * SparseMatrix(edges.transpose());
+}
+
+} // namespace
+
+DenseMatrix sharp_pp(const Discretization& mesh, const std::vector<SparseMatrix>& lift,
+                     const Cochain& form) {
+    check_form(mesh, form, 1);
+    check_lift(mesh.merging, lift);
+    check_dual_cells(mesh);
+    const auto& K = mesh.input();
+    const int n = mesh.dimension();
+    const SparseMatrix parts = dual_parts(K, mesh.points, mesh.input_volumes, 0, n);
+    const Vector a = lift[1] * form.values;
+    Points result = Points::Zero(mesh.points.rows(), mesh.points.cols());
+    for (Index t = 0; t < K.size(n); ++t) {
+        const DenseMatrix seen = gradients_seen_from_vertices(mesh, a, t);
+        for (int i = 0; i <= n; ++i) {
+            const Index v = face_at(K, n, t, std::array{i});
+            const double share = parts.coeff(t, v) / mesh.input_volumes.dual(0)[v];
+            result.row(K.simplices(0)(v, 0)) += share * seen.row(i);
+        }
+    }
+    return result;
+}
+
+DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
+    check_form(mesh, form, 1);
+    const SparseMatrix weights = edge_weights(mesh);
+    const DenseMatrix edges =
+        mesh.merging.diamond(1).cast<double>() * edge_vectors(mesh.input(), mesh.points);
+    const auto N = mesh.points.cols();
+    DenseMatrix result(weights.rows(), N);
+    for (Index cell = 0; cell < weights.rows(); ++cell) {
+        DenseMatrix M = DenseMatrix::Zero(N, N);
+        Vector right_side = Vector::Zero(N);
+        for (SparseMatrix::InnerIterator entry(weights, cell); entry; ++entry) {
+            const Vector e = edges.row(entry.col()).transpose();
+            M += entry.value() * e * e.transpose();
+            right_side += entry.value() * form.values[entry.col()] * e;
+        }
+
+        const DenseMatrix T = mean_tangents(mesh, cell);
+        Eigen::FullPivLU<DenseMatrix> solver(T.transpose() * M * T);
+        constexpr double rounding = 1e-12;
+        if (!solver.setThreshold(rounding).isInvertible())
+            throw InvalidInput(fmt::format(
+                "the vector at merged cell {} (vertices {}) is not determined by its edges, whose "
+                "weights cancel: move its vertices",
+                cell, fmt::join(mesh.merging.vertices(mesh.dimension(), cell), ", ")));
+        result.row(cell) = T * solver.solve(T.transpose() * right_side);
+    }
+    return result;
+}
+
+DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
+    const int n = mesh.dimension();
+    check_form(mesh, form, n - 1);
+    const Points centroids = cell_centroids(mesh.merging, mesh.points, mesh.input_volumes, n);
+    const Points facets = cell_centroids(mesh.merging, mesh.points, mesh.input_volumes, n - 1);
+    Points result = Points::Zero(centroids.rows(), centroids.cols());
+    for (Index cell = 0; cell < centroids.rows(); ++cell) {
+        for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(n - 1), cell); f; ++f)
+            result.row(cell) +=
+                f.value() * form.values[f.col()] * (facets.row(f.col()) - centroids.row(cell));
+        result.row(cell) /= mesh.volumes.primal(n)[cell];
+    }
+    return result;
+}
+
+} // namespace polydec

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/wedge.h"
+
+#include "base/errors.h"
+#include "dec/merging/check_lift.h"
+#include "dec/merging/lift.h"
+#include "dec/metric/dual_parts.h"
+#include "dec/metric/permutation_sign.h"
+#include "dec/metric/simplex_faces.h"
+#include "dec/metric/simplex_geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+using Positions = std::vector<int>;
+
+/// A k-face and an l-face of a (k+l)-simplex that share one vertex: where they stand in the lists
+/// of faces, the vertex, and the sign of their product.
+struct Pair {
+    std::size_t first, second;
+    int vertex;
+    double sign;
+};
+
+/// The list with the item moved to its front or end.
+Positions with_first(Positions list, int item) {
+    const auto place = std::find(list.begin(), list.end(), item);
+    std::rotate(list.begin(), place, place + 1);
+    return list;
+}
+Positions with_last(Positions list, int item) {
+    const auto place = std::find(list.begin(), list.end(), item);
+    std::rotate(place, place + 1, list.end());
+    return list;
+}
+
+/// Sign of the order (a without v, v, b without v) of 0..k+l, times those of the permutations that
+/// bring v to the end of a and to the front of b.
+double sign_of(const Positions& a, const Positions& b, int v) {
+    const Positions left = with_last(a, v), right = with_first(b, v);
+    Positions order = left;
+    order.insert(order.end(), right.begin() + 1, right.end());
+    return permutation_sign(order) * permutation_sign(left) * permutation_sign(right);
+}
+
+std::vector<Pair> pairs_of(const std::vector<Positions>& first,
+                           const std::vector<Positions>& second) {
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        for (std::size_t j = 0; j < second.size(); ++j) {
+            Positions common;
+            std::set_intersection(first[i].begin(), first[i].end(), second[j].begin(),
+                                  second[j].end(), std::back_inserter(common));
+            if (common.size() == 1)
+                pairs.push_back({i, j, common[0], sign_of(first[i], second[j], common[0])});
+        }
+    return pairs;
+}
+
+/// k! l! / (k+l)!
+double shuffle_weight(int k, int l) {
+    return std::tgamma(k + 1.0) * std::tgamma(l + 1.0) / std::tgamma(k + l + 1.0);
+}
+
+void check_product(const CellComplex& complex, const Cochain& a, const Cochain& b) {
+    check(complex, a);
+    check(complex, b);
+    if (a.side == Side::dual || b.side == Side::dual)
+        throw InvalidInput(fmt::format(
+            "the wedge product of a {} {}-form and a {} {}-form is asked for: wedge multiplies "
+            "primal forms; take primal_dual_wedge for a primal k-form and a dual (n-k)-form, "
+            "dual_wedge for two dual forms",
+            name(a.side), a.degree, name(b.side), b.degree));
+    if (a.degree + b.degree > complex.dimension())
+        throw InvalidInput(fmt::format(
+            "the wedge product of a {}-form and a {}-form has degree {}: in dimension {} there is "
+            "no such form",
+            a.degree, b.degree, a.degree + b.degree, complex.dimension()));
+}
+
+/// The sum over pairs of faces; share(s, v) is what weight the vertex at position v of s has, in
+/// all 1.
+template <class Share>
+Cochain product(const SimplicialComplex& complex, const Cochain& a, const Cochain& b, Share share) {
+    const int k = a.degree, l = b.degree, m = k + l;
+    SimplexFaces first(complex, m, k), second(complex, m, l);
+    const auto pairs = pairs_of(first.positions(), second.positions());
+    const double weight = shuffle_weight(k, l);
+
+    Vector values = Vector::Zero(complex.size(m));
+    for (Index s = 0; s < complex.size(m); ++s) {
+        const auto &sigma = first.of(s), &rho = second.of(s);
+        double sum = 0;
+        for (const auto& pair : pairs) {
+            const Index f = sigma[pair.first], g = rho[pair.second];
+            const double sign = orientation(complex, k, f) * orientation(complex, l, g);
+            sum += sign * pair.sign * share(s, pair.vertex) * a.values[f] * b.values[g];
+        }
+        values[s] = weight * orientation(complex, m, s) * sum;
+    }
+    return {Side::primal, m, values};
+}
+
+Cochain lifted(const std::vector<SparseMatrix>& lift, const Cochain& form) {
+    return {form.side, form.degree, lift[form.degree] * form.values};
+}
+
+/// What multiply makes of both forms on the simplices, added over the pieces of merged cells.
+template <class Multiply>
+Cochain on_merged_cells(const Merging& merging, const std::vector<SparseMatrix>& lift,
+                        const Cochain& a, const Cochain& b, Multiply multiply) {
+    check_product(merging.merged(), a, b);
+    check_lift(merging, lift);
+    const Cochain fine = multiply(lifted(lift, a), lifted(lift, b));
+    return {fine.side, fine.degree, merging.diamond(fine.degree).cast<double>() * fine.values};
+}
+
+} // namespace
+
+Cochain wedge(const SimplicialComplex& complex, const Cochain& a, const Cochain& b) {
+    check_product(complex, a, b);
+    const double share = 1.0 / (a.degree + b.degree + 1);
+    return product(complex, a, b, [share](Index, int) { return share; });
+}
+
+Cochain circumcentric_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
+                            const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
+    check_product(complex, a, b);
+    const int m = a.degree + b.degree;
+    const SparseMatrix parts = dual_parts(complex, metric, volumes, 0, m);
+    // row s holds the parts of its m+1 vertices in ascending order
+    return product(complex, a, b, [&](Index s, int v) {
+        return parts.valuePtr()[s * (m + 1) + v] / volumes.primal(m)[s];
+    });
+}
+
+Cochain wedge(const Merging& merging, const std::vector<SparseMatrix>& lift, const Cochain& a,
+              const Cochain& b) {
+    return on_merged_cells(merging, lift, a, b, [&](const Cochain& x, const Cochain& y) {
+        return wedge(merging.input(), x, y);
+    });
+}
+
+Cochain circumcentric_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
+                            const SimplexMetric& metric, const CellVolumes& volumes,
+                            const Cochain& a, const Cochain& b) {
+    return on_merged_cells(merging, lift, a, b, [&](const Cochain& x, const Cochain& y) {
+        return circumcentric_wedge(merging.input(), metric, volumes, x, y);
+    });
+}
+
+Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
+              WedgeWeights weights) {
+    check_not_flipped(mesh, "a wedge of forms");
+    check_product(mesh.complex(), a, b);
+    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.input_volumes);
+    return weights == WedgeWeights::uniform
+               ? wedge(mesh.merging, lift, a, b)
+               : circumcentric_wedge(mesh.merging, lift, mesh.metric(), mesh.input_volumes, a, b);
+}
+
+Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b) {
+    check(complex, a);
+    check(complex, b);
+    const int n = complex.dimension();
+    if (a.side != Side::primal || b.side != Side::dual || a.degree + b.degree != n)
+        throw InvalidInput(
+            fmt::format("the primal-dual product of a {} {}-form and a {} {}-form is asked for: "
+                        "expected a primal k-form and a dual ({}-k)-form, in this order",
+                        name(a.side), a.degree, name(b.side), b.degree, n));
+    return a.values.cwiseProduct(b.values);
+}
+
+} // namespace polydec

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/whitney_interpolation.h"
+
+#include "base/errors.h"
+#include "dec/merging/check_lift.h"
+#include "dec/metric/exterior_product.h"
+#include "dec/metric/simplex_geometry.h"
+#include "dec/metric/simplex_metric.h"
+#include "dec/metric/whitney.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+void check_primal(const CellComplex& complex, const Cochain& form) {
+    if (form.side != Side::primal)
+        throw InvalidInput(fmt::format("a dual {}-form has no Whitney form: take its star, which "
+                                       "is primal",
+                                       form.degree));
+    check(complex, form);
+}
+
+void check_place(const SimplicialComplex& complex, Index top, const Vector& barycentric) {
+    const int n = complex.dimension();
+    if (top < 0 || top >= complex.size(n))
+        throw InvalidInput(
+            fmt::format("{}-simplex {} is asked for: there are {}", n, top, complex.size(n)));
+    constexpr double rounding = 1e-9;
+    if (barycentric.size() != n + 1 ||
+        !(std::abs(barycentric.sum() - 1) <= rounding * (1 + barycentric.cwiseAbs().sum())))
+        throw InvalidInput(fmt::format("({}) are no barycentric coordinates in {}-simplex {}: {} "
+                                       "numbers of sum 1 are expected",
+                                       fmt::join(barycentric, ", "), n, top, n + 1));
+}
+
+/// Whitney k-forms of one simplex after another.
+class WhitneyForms {
+public:
+    WhitneyForms(const SimplicialComplex& complex, const Points& points, int k)
+        : complex_(complex),
+          points_(points),
+          k_(k),
+          faces_(subsets(complex.dimension() + 1, k + 1)),
+          product_(static_cast<int>(points.cols()), k) {
+        require_points(points.cols(), "a Whitney form");
+    }
+
+    /// At a point of a simplex; value(s) is that of the form on k-simplex s.
+    template <class Value>
+    Vector at(Index top, const Vector& barycentric, Value value) const {
+        const int n = complex_.dimension();
+        const DenseMatrix gradients =
+            barycentric_gradients(points_, vertices(complex_.simplices(n), top));
+        Vector result = Vector::Zero(product_.size());
+        for (const auto& positions : faces_) {
+            const Index face = face_at(complex_, n, top, positions);
+            const double sign = orientation(complex_, k_, face);
+            result += sign * value(face) * of_face(gradients, barycentric, positions);
+        }
+        return std::tgamma(k_ + 1.0) * result;
+    }
+
+    Index size() const { return product_.size(); }
+
+private:
+    Vector of_face(const DenseMatrix& gradients, const Vector& barycentric,
+                   const std::vector<int>& positions) const {
+        Vector sum = Vector::Zero(product_.size());
+        for (int p = 0; p <= k_; ++p) {
+            auto others = positions;
+            others.erase(others.begin() + p);
+            const double sign = p % 2 == 0 ? 1 : -1;
+            sum += sign * barycentric[positions[p]] * product_(gradients(others, Eigen::all));
+        }
+        return sum;
+    }
+
+    const SimplicialComplex& complex_;
+    const Points& points_;
+    int k_;
+    std::vector<std::vector<int>> faces_;
+    ExteriorProduct product_;
+};
+
+template <class Value>
+DenseMatrix at_centroids(const SimplicialComplex& complex, const Points& points, int k,
+                         Value value) {
+    const int n = complex.dimension();
+    const WhitneyForms whitney(complex, points, k);
+    const Vector centroid = Vector::Constant(n + 1, 1.0 / (n + 1));
+    DenseMatrix result(complex.size(n), whitney.size());
+    for (Index t = 0; t < complex.size(n); ++t)
+        result.row(t) = whitney.at(t, centroid, value);
+    return result;
+}
+
+} // namespace
+
+Vector whitney_form(const SimplicialComplex& complex, const Points& points, const Cochain& form,
+                    Index top, const Vector& barycentric) {
+    check_primal(complex, form);
+    check_place(complex, top, barycentric);
+    return WhitneyForms(complex, points, form.degree).at(top, barycentric, [&](Index s) {
+        return form.values[s];
+    });
+}
+
+DenseMatrix whitney_at_centroids(const SimplicialComplex& complex, const Points& points,
+                                 const Cochain& form) {
+    check_primal(complex, form);
+    return at_centroids(complex, points, form.degree, [&](Index s) { return form.values[s]; });
+}
+
+Vector whitney_form(const Merging& merging, const Points& points,
+                    const std::vector<SparseMatrix>& lift, const Cochain& form, Index top,
+                    const Vector& barycentric) {
+    check_primal(merging.merged(), form);
+    check_lift(merging, lift);
+    check_place(merging.input(), top, barycentric);
+    const WhitneyForms whitney(merging.input(), points, form.degree);
+    return whitney.at(top, barycentric,
+                      [&](Index s) { return lift[form.degree].row(s).dot(form.values); });
+}
+
+DenseMatrix whitney_at_centroids(const Merging& merging, const Points& points,
+                                 const std::vector<SparseMatrix>& lift, const Cochain& form) {
+    check_primal(merging.merged(), form);
+    check_lift(merging, lift);
+    const Vector values = lift[form.degree] * form.values;
+    return at_centroids(merging.input(), points, form.degree, [&](Index s) { return values[s]; });
+}
+
+} // namespace polydec

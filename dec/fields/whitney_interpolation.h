@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/merging.h"
+#include "complex/simplicial_complex.h"
+#include "dec/forms/cochain.h"
+
+namespace polydec {
+
+/// The Whitney form of a primal k-form on simplices, at one point of n-simplex `top`: the sum over
+/// its k-faces I of their values times k! sum_p (-1)^p lambda_(I_p) dlambda_(I_0) ^ .. (p omitted)
+/// .. ^ dlambda_(I_k). The point is given by its n+1 barycentric coordinates, vertices ascending.
+///
+/// The result is a k-covector of R^N, tangent to the simplex: its coefficients at dx_I for the
+/// k-subsets I of 0..N-1 in lexicographic order; units those of the values times length^-k. Its
+/// integral over every k-face is the value there; constant forms are returned exactly on flat
+/// meshes. Only its restrictions to shared faces are continuous from simplex to simplex.
+/// Source: Whitney 1957, ch. IV, sec. 27.
+/// Throws InvalidInput for dual forms, forms of another complex, a simplex that there is not, and
+/// coordinates that are not n+1 numbers of sum 1.
+Vector whitney_form(const SimplicialComplex& complex, const Points& points, const Cochain& form,
+                    Index top, const Vector& barycentric);
+
+/// The Whitney form at the centroids of the n-simplices: a row of N over k coefficients each.
+/// Throws like whitney_form.
+DenseMatrix whitney_at_centroids(const SimplicialComplex& complex, const Points& points,
+                                 const Cochain& form);
+
+/// The same of a form on merged cells, by its lift to the simplices: lift = commuting_lift(..).
+/// Constant forms are returned exactly on flat meshes. `top` is a simplex, and there is one row per
+/// simplex. Throws like the above.
+Vector whitney_form(const Merging& merging, const Points& points,
+                    const std::vector<SparseMatrix>& lift, const Cochain& form, Index top,
+                    const Vector& barycentric);
+DenseMatrix whitney_at_centroids(const Merging& merging, const Points& points,
+                                 const std::vector<SparseMatrix>& lift, const Cochain& form);
+
+} // namespace polydec

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "dec/forms/boundary_conditions.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+void check_number(const CellComplex& complex, const BoundaryConditions& conditions) {
+    const int n = complex.dimension();
+    if (!conditions.facets.empty() &&
+        static_cast<Index>(conditions.facets.size()) != complex.size(n - 1))
+        throw InvalidInput(fmt::format("{} boundary conditions are given: expected one for each of "
+                                       "the {} {}-cells, or one for all",
+                                       conditions.facets.size(), complex.size(n - 1), n - 1));
+}
+
+/// Of a form of this degree; where is "the boundary" or how many of its facets.
+std::string in_words(BoundaryCondition condition, int degree, int n, const BoundaryData& data,
+                     const std::string& where) {
+    const bool essential = condition == BoundaryCondition::essential;
+    if (degree > 0 && degree < n)
+        return fmt::format("{} part {} on {}", essential ? "tangential" : "normal",
+                           (essential ? data.values : data.flow) ? "given" : "0", where);
+    // the star takes an n-form to the 0-form that is its density
+    if (essential == (degree == 0))
+        return fmt::format("values {} on {} (Dirichlet)", data.values ? "given" : "0", where);
+    return fmt::format("{} through {} (Neumann)", data.flow ? "flow given" : "no flow", where);
+}
+
+} // namespace
+
+BoundaryConditions built_in_conditions(Side side) {
+    return {side == Side::primal ? BoundaryCondition::natural : BoundaryCondition::essential};
+}
+
+BoundaryConditions exchanged(BoundaryConditions conditions) {
+    const auto other = [](BoundaryCondition condition) {
+        return condition == BoundaryCondition::essential ? BoundaryCondition::natural
+                                                         : BoundaryCondition::essential;
+    };
+    conditions.everywhere = other(conditions.everywhere);
+    std::transform(conditions.facets.begin(), conditions.facets.end(), conditions.facets.begin(),
+                   other);
+    return conditions;
+}
+
+std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
+                     const BoundaryData& data) {
+    check_number(complex, conditions);
+    const int n = complex.dimension();
+    Index facets = 0, essential = 0;
+    for (Index f = 0; f < complex.size(n - 1); ++f)
+        if (complex.coface_counts(n - 1)[f] == 1) {
+            ++facets;
+            essential += conditions.at(f) == BoundaryCondition::essential ? 1 : 0;
+        }
+    if (facets == 0)
+        return "no boundary";
+    const auto words = [&](BoundaryCondition condition, Index count) {
+        return in_words(condition, degree, n, data,
+                        count == facets ? "the boundary"
+                                        : fmt::format("{} of {} boundary facets", count, facets));
+    };
+    if (essential == facets)
+        return words(BoundaryCondition::essential, facets);
+    if (essential == 0)
+        return words(BoundaryCondition::natural, facets);
+    return words(BoundaryCondition::essential, essential) + ", " +
+           words(BoundaryCondition::natural, facets - essential);
+}
+
+BoundaryConditions essential_where(const Points& sites,
+                                   const std::function<bool(const Vector& site)>& predicate) {
+    BoundaryConditions conditions;
+    for (Index f = 0; f < sites.rows(); ++f)
+        conditions.facets.push_back(predicate(sites.row(f).transpose())
+                                        ? BoundaryCondition::essential
+                                        : BoundaryCondition::natural);
+    return conditions;
+}
+
+CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions) {
+    check_number(complex, conditions);
+    const int n = complex.dimension();
+    CellMarks marks;
+    for (int k = 0; k <= n; ++k)
+        marks.emplace_back(complex.size(k), false);
+    for (Index f = 0; f < complex.size(n - 1); ++f)
+        marks[n - 1][f] = complex.coface_counts(n - 1)[f] == 1 &&
+                          conditions.at(f) == BoundaryCondition::essential;
+    mark_faces(complex, marks);
+    return marks;
+}
+
+CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes) {
+    std::vector<Vector> primal, dual, terms, rounding;
+    auto numbers = relative.cells;
+    for (int k = 0; k <= relative.complex.dimension(); ++k) {
+        primal.push_back(relative.restrict(k, volumes.primal(k)));
+        dual.push_back(relative.restrict(k, volumes.dual(k)));
+        terms.push_back(relative.restrict(k, volumes.terms(k)));
+        rounding.push_back(relative.restrict(k, volumes.rounding(k)));
+        for (Index& cell : numbers[k])
+            cell = volumes.number(k, cell);
+    }
+    return CellVolumes(std::move(primal), std::move(dual), std::move(terms), std::move(rounding))
+        .numbered(std::move(numbers));
+}
+
+SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {
+    const int n = complex.dimension(), k = n - j - 1;
+    check_number("boundary data of dual forms of degree", j, 0, n);
+    const auto marks = boundary_cells(complex);
+    const IncidenceMatrix cofaces = complex.boundary(n);
+    SparseMatrix B(complex.size(k), complex.size(k));
+    if (B.rows() == 0)
+        return B; // which Eigen could not compress
+    B.reserve(Eigen::VectorXi::Ones(complex.size(k)));
+    for (Index s = 0; s < complex.size(k); ++s) {
+        if (!marks[k][s])
+            continue;
+        // the dual of a facet within the boundary is a point, which has no orientation
+        const double facet_sign =
+            k == n - 1 ? IncidenceMatrix::InnerIterator(cofaces, s).value() : 1;
+        B.insert(s, s) = (k % 2 == 0 ? 1 : -1) * facet_sign;
+    }
+    B.makeCompressed();
+    return B;
+}
+
+} // namespace polydec

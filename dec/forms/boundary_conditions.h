@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/relative.h"
+#include "dec/forms/side.h"
+#include "dec/metric/cell_volumes.h"
+
+#include <functional>
+#include <string>
+
+namespace polydec {
+
+/// What is known at a facet of the boundary, for forms of any degree and of either side.
+enum class BoundaryCondition {
+    essential, ///< the values of the form (its trace) are given: Dirichlet for 0-forms
+    natural,   ///< what flows through is given, by default nothing: Neumann for 0-forms
+};
+
+/// The conditions on the boundary: one everywhere, or one for each facet.
+struct BoundaryConditions {
+    BoundaryCondition everywhere = BoundaryCondition::essential;
+    /// Empty, or one for each (n-1)-cell; those with other than one coface do not matter.
+    std::vector<BoundaryCondition> facets = {};
+
+    BoundaryCondition at(Index facet) const { return facets.empty() ? everywhere : facets[facet]; }
+};
+
+/// What holds where nothing is done about the boundary: natural everywhere for primal forms; for
+/// dual forms essential with values 0, because their derivative leaves out what lies on the
+/// boundary. So primal 0-forms have Neumann's condition by themselves, dual ones Dirichlet's.
+BoundaryConditions built_in_conditions(Side side);
+
+/// The conditions with essential and natural exchanged: those of the star of a form, which takes
+/// values at the boundary to what flows through it.
+BoundaryConditions exchanged(BoundaryConditions conditions);
+
+/// Whether what is known on the boundary can be other than 0.
+struct BoundaryData {
+    bool values = false;
+    bool flow = false;
+};
+
+/// What conditions mean for forms of this degree, in words: for 0-forms "values 0 on the boundary
+/// (Dirichlet)" or "no flow through the boundary (Neumann)", for n-forms the same of their density,
+/// in between "tangential part 0 on the boundary" or "normal part 0 on the boundary"; of mixed ones
+/// both with the numbers of facets; "no boundary" where there is none.
+/// Throws InvalidInput if there are conditions but not one for each facet.
+std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
+                     const BoundaryData& data = {});
+
+/// Mixed conditions: essential where the predicate holds of a facet's site, natural elsewhere.
+/// sites has a row of coordinates for each (n-1)-cell, e.g. their circumcenters (cell_centers).
+BoundaryConditions essential_where(const Points& sites,
+                                   const std::function<bool(const Vector& site)>& predicate);
+
+/// The cells on which an essential condition fixes primal forms: essential boundary facets and all
+/// their faces, in every degree. Relative to these cells a complex carries the forms that vanish
+/// there; relative_complex with none of them is the absolute one, natural everywhere.
+/// Throws InvalidInput if there are conditions but not one for each facet.
+CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions);
+
+/// The volumes of the cells of a relative complex, so that every operator that takes a complex and
+/// its volumes acts on forms that vanish on the dropped cells. Errors name cells by their numbers
+/// in the whole complex.
+CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes);
+
+/// What boundary data add to the derivative of a dual j-form: dual_derivative(j) w + B g is the
+/// derivative with the part of the duals' boundaries that lies on the boundary of the domain. With
+/// k = n-j-1, B is size(k) x size(k); g has the integral of the form over the dual within the
+/// boundary of every k-cell s on it (for j = 0 the value at the facet's circumcenter); values at
+/// other cells do not matter. For j > 0 that dual is oriented such that s followed by it is
+/// oriented as the boundary is by the outward normal.
+SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j);
+
+} // namespace polydec

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "dec/forms/cochain.h"
+
+#include "base/errors.h"
+#include "dec/forms/apply.h"
+#include "dec/forms/star.h"
+#include "dec/metric/cell_volumes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+template <class Values>
+std::string described(const Values& values, const char* what) {
+    return fmt::format("a {} {}-{} of {} values", name(values.side), values.degree, what,
+                       values.values.size());
+}
+
+template <class Values>
+void check_values(const CellComplex& complex, const Values& values, const char* what) {
+    const int k = cell_degree(complex, values.side, values.degree);
+    if (values.values.size() != complex.size(k))
+        throw InvalidInput(fmt::format("{} is given: the complex has {} {}-cells",
+                                       described(values, what), complex.size(k), k));
+}
+
+/// Whether both are forms of one kind, or a form and a chain of its cells.
+template <class Other>
+void check_alike(const Cochain& a, const Other& b, const char* what) {
+    if (a.side != b.side || a.degree != b.degree || a.values.size() != b.values.size())
+        throw InvalidInput(fmt::format("{} does not go with {}: side, degree and size must agree",
+                                       described(b, what), described(a, "form")));
+}
+
+/// The sign of the dual derivative that is d_k^T.
+double dual_sign(int k) {
+    return k % 2 == 0 ? -1 : 1;
+}
+
+} // namespace
+
+int cell_degree(const CellComplex& complex, Side side, int degree) {
+    const int n = complex.dimension();
+    if (degree < 0 || degree > n)
+        throw InvalidInput(fmt::format("{} forms and chains of degree {} are asked for: in "
+                                       "dimension {} the degrees are 0 to {}",
+                                       name(side), degree, n, n));
+    return side == Side::primal ? degree : n - degree;
+}
+
+void check(const CellComplex& complex, const Cochain& form) {
+    check_values(complex, form, "form");
+}
+
+void check(const CellComplex& complex, const Chain& chain) {
+    check_values(complex, chain, "chain");
+}
+
+Chain boundary(const CellComplex& complex, const Chain& chain) {
+    check(complex, chain);
+    const int k = cell_degree(complex, chain.side, chain.degree);
+    return {chain.side, chain.degree - 1,
+            chain.side == Side::primal
+                ? apply_transposed_derivative(complex, k - 1, chain.values)
+                : Vector(dual_sign(k) * apply_derivative(complex, k, chain.values))};
+}
+
+double pairing(const Cochain& form, const Chain& chain) {
+    check_alike(form, chain, "chain");
+    return form.values.dot(chain.values);
+}
+
+Cochain d(const CellComplex& complex, const Cochain& form) {
+    check(complex, form);
+    const int k = cell_degree(complex, form.side, form.degree);
+    return {
+        form.side, form.degree + 1,
+        form.side == Side::primal
+            ? apply_derivative(complex, k, form.values)
+            : Vector(dual_sign(k - 1) * apply_transposed_derivative(complex, k - 1, form.values))};
+}
+
+Cochain star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
+    check(complex, form);
+    check_fit(complex, volumes);
+    const int k = cell_degree(complex, form.side, form.degree);
+    const int other = complex.dimension() - form.degree;
+    if (form.side == Side::primal)
+        return {Side::dual, other, star(volumes, k).cwiseProduct(form.values)};
+    return {Side::primal, other, dual_star(volumes, k).cwiseProduct(form.values)};
+}
+
+Cochain codifferential(const CellComplex& complex, const CellVolumes& volumes,
+                       const Cochain& form) {
+    check(complex, form);
+    return {form.side, form.degree - 1,
+            form.side == Side::primal
+                ? apply_codifferential(complex, volumes, form.degree, form.values)
+                : apply_dual_codifferential(complex, volumes, form.degree, form.values)};
+}
+
+Cochain laplacian(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
+    check(complex, form);
+    return {form.side, form.degree,
+            form.side == Side::primal
+                ? apply_laplacian(complex, volumes, form.degree, form.values)
+                : apply_dual_laplacian(complex, volumes, form.degree, form.values)};
+}
+
+double inner_product(const CellComplex& complex, const CellVolumes& volumes, const Cochain& a,
+                     const Cochain& b) {
+    check(complex, a);
+    check_alike(a, b, "form");
+    check_fit(complex, volumes);
+    const int k = cell_degree(complex, a.side, a.degree);
+    const Vector mass = a.side == Side::primal ? star(volumes, k) : inverse_star(volumes, k);
+    return a.values.dot(mass.cwiseProduct(b.values));
+}
+
+double norm(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
+    const double square = inner_product(complex, volumes, form, form);
+    if (square < 0)
+        throw InvalidInput(fmt::format("the square of the norm of {} is {:.3g}: the duals of some "
+                                       "{}-cells are negative, so there is no norm",
+                                       described(form, "form"), square,
+                                       cell_degree(complex, form.side, form.degree)));
+    return std::sqrt(square);
+}
+
+Cochain operator+(const Cochain& a, const Cochain& b) {
+    check_alike(a, b, "form");
+    return {a.side, a.degree, a.values + b.values};
+}
+
+Cochain operator-(const Cochain& a, const Cochain& b) {
+    check_alike(a, b, "form");
+    return {a.side, a.degree, a.values - b.values};
+}
+
+Cochain operator*(double factor, const Cochain& form) {
+    return {form.side, form.degree, factor * form.values};
+}
+
+} // namespace polydec

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/cell_complex.h"
+#include "dec/forms/side.h"
+#include "dec/metric/cell_volumes.h"
+
+namespace polydec {
+
+/// A discrete k-form: its integral over each oriented cell of degree k, primal or dual. The dual
+/// k-cells are the duals of the (n-k)-cells and carry their numbers.
+struct Cochain {
+    Side side = Side::primal;
+    int degree = 0;
+    Vector values = {};
+};
+
+/// A formal sum of oriented cells of degree k, primal or dual: a coefficient for each.
+struct Chain {
+    Side side = Side::primal;
+    int degree = 0;
+    Vector values = {};
+};
+
+/// The degree of the primal cells that number the cells of a side and degree: k or n-k.
+/// Throws InvalidInput if there is no such degree.
+int cell_degree(const CellComplex& complex, Side side, int degree);
+
+/// Throw InvalidInput, naming side, degree and sizes, for what does not live on this complex.
+void check(const CellComplex& complex, const Cochain& form);
+void check(const CellComplex& complex, const Chain& chain);
+
+/// The boundary, of degree k-1: the transpose of the derivative of forms of that side, so that
+/// Stokes' theorem pairing(d w, c) = pairing(w, boundary(c)) is exact. That of a dual cell leaves
+/// out what lies on the boundary of the domain. Chains of degree 0 have the empty boundary, of
+/// degree -1. Throws like check.
+Chain boundary(const CellComplex& complex, const Chain& chain);
+
+/// The value of a form on a chain: the integral of the one over the other.
+/// Throws InvalidInput, naming both, if their sides, degrees or sizes differ.
+double pairing(const Cochain& form, const Chain& chain);
+
+/// Exterior derivative, of degree k+1, by derivative or dual_derivative; empty for k = n. Throws
+/// like check.
+Cochain d(const CellComplex& complex, const Cochain& form);
+
+/// Hodge star: primal k-forms to dual (n-k)-forms and back, star star = (-1)^(k(n-k)).
+/// Throws like check, like star for a primal form, and like dual_star for a dual one.
+Cochain star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form);
+
+/// Codifferential, of degree k-1, the adjoint of d in the inner products below; empty for k = 0.
+/// Throws like check and codifferential or dual_codifferential.
+Cochain codifferential(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form);
+
+/// Laplace-de Rham operator d delta + delta d. Throws like check and laplacian or dual_laplacian.
+Cochain laplacian(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form);
+
+/// L2 product: values weighted with |*s| / |s| for primal forms, |s| / |*s| for dual ones.
+/// Symmetric; positive definite iff every dual volume is positive; units those of the values
+/// squared times length^(n-2k). Throws like check and inverse_star, and InvalidInput, naming both,
+/// if sides or degrees differ.
+double inner_product(const CellComplex& complex, const CellVolumes& volumes, const Cochain& a,
+                     const Cochain& b);
+
+/// Square root of the inner product with itself.
+/// Throws like inner_product, and InvalidInput if negative duals make it negative.
+double norm(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form);
+
+/// Sums and multiples. Throw InvalidInput, naming both, if sides, degrees or sizes differ.
+Cochain operator+(const Cochain& a, const Cochain& b);
+Cochain operator-(const Cochain& a, const Cochain& b);
+Cochain operator*(double factor, const Cochain& form);
+
+} // namespace polydec

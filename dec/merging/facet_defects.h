@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/surfaces/glued_surface.h"
+#include "dec/merging/merge.h"
+#include "dec/metric/simplex_metric.h"
+
+namespace polydec {
+
+/// How far each facet's dual is from having no extent.
+struct FacetDefects {
+    Vector defect; ///< |V(f)| (length) beyond rounding, or the angle's distance from pi (radians)
+    Vector scale;  ///< what the tolerance multiplies: l(f), or 1
+    Vector height; ///< least height of an n-simplex over the facet; length
+    std::vector<bool> degenerate; ///< defect within tolerance * scale, and see is_degenerate
+
+    double ratio(Index facet) const { return defect[facet] / scale[facet]; }
+};
+
+/// Whether a dual edge counts as nothing: |V| <= tolerance * l beyond its rounding error, l the
+/// size of its facet, and |V| <= height / 10, so that thin layers, whose centers are as near to
+/// each other as their facets, stay layers. A facet without extent has no such dual.
+bool is_degenerate(double dual, double terms, double l, double height, double tolerance);
+
+/// Measures every facet, whatever its number of cofaces: one with m cofaces is compared with m
+/// right angles. A facet without extent (a vertex, n = 1) is never degenerate.
+FacetDefects facet_defects(const SimplicialComplex& complex, const SimplexMetric& metric,
+                           const CellVolumes& volumes, const MergeOptions& options);
+
+/// The same of the edges of a glued surface, by dual length. volumes are those of its triangles.
+FacetDefects facet_defects(const GluedSurface& surface, const CellVolumes& volumes,
+                           double tolerance);
+
+} // namespace polydec

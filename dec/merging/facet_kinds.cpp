@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merging/facet_kinds.h"
+
+#include "dec/merging/facet_defects.h"
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/circumsphere.h"
+#include "dec/metric/rounding.h"
+
+namespace polydec {
+
+namespace {
+
+/// How many of the n-simplices at each facet have their circumcenter on their own side of it.
+std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const SimplexMetric& metric,
+                                    const CellVolumes& volumes) {
+    const int n = complex.dimension();
+    std::vector<Index> counts(complex.size(n - 1), 0);
+    SimplexLayout layout(complex, metric);
+    Circumsphere sphere;
+    for (Index t = 0; t < complex.size(n); ++t) {
+        sphere.look_at(layout, n, t);
+        for (int i = 0; i <= n; ++i) {
+            const Index f = complex.face(n, t, i);
+            const double height = sphere.height(i, volumes.primal(n - 1)[f]);
+            if (height >= 0 || is_zero(height, sphere.uncertainty().of(height)))
+                ++counts[f];
+        }
+    }
+    return counts;
+}
+
+} // namespace
+
+FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& metric,
+                       const CellVolumes& volumes, const MergeOptions& options) {
+    check_fit(complex, volumes);
+    const int n = complex.dimension();
+    const auto degenerate = facet_defects(complex, metric, volumes, options).degenerate;
+    const auto centered = centered_cofaces(complex, metric, volumes);
+    FacetKinds kinds;
+    for (Index f = 0; f < complex.size(n - 1); ++f) {
+        if (complex.coface_counts(n - 1)[f] != 2)
+            continue;
+        if (degenerate[f])
+            ++kinds.cospherical;
+        else if (volumes.dual(n - 1)[f] < 0)
+            ++kinds.non_delaunay;
+        else if (centered[f] == 2)
+            ++kinds.well_centered;
+        else
+            ++kinds.delaunay;
+    }
+    return kinds;
+}
+
+MergedPairs merged_pairs(const MergedSurface& merging) {
+    const IncidenceMatrix& pieces = merging.diamonds[2];
+    MergedPairs pairs;
+    pairs.facets = static_cast<Index>(merging.diamonds[1].cols() - merging.diamonds[1].rows());
+    for (Index cell = 0; cell < pieces.rows(); ++cell) {
+        const Index triangles = pieces.outerIndexPtr()[cell + 1] - pieces.outerIndexPtr()[cell];
+        pairs.simplices += triangles > 1 ? triangles : 0;
+    }
+    return pairs;
+}
+
+MergedPairs merged_pairs(const Merging& merging) {
+    const auto& K = merging.input();
+    const int n = K.dimension();
+    const auto& carriers = merging.carriers(n - 1);
+    MergedPairs pairs;
+    for (const auto& carrier : carriers)
+        pairs.facets += carrier.dimension == n ? 1 : 0;
+    for (Index t = 0; t < K.size(n); ++t) {
+        bool in_pair = false;
+        for (int i = 0; i <= n; ++i)
+            in_pair = in_pair || carriers[K.face(n, t, i)].dimension == n;
+        pairs.simplices += in_pair ? 1 : 0;
+    }
+    return pairs;
+}
+
+} // namespace polydec

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/surfaces/merged_surface.h"
+#include "dec/merging/merge.h"
+#include "dec/metric/simplex_metric.h"
+
+namespace polydec {
+
+/// Pairs of n-simplices that share a facet with no third one, by where their circumcenters lie as
+/// seen from this facet. Source: Schier, section 4.2 and Fig. 2, for triangles; here in every
+/// dimension.
+struct FacetKinds {
+    Index well_centered = 0; ///< each on its own side, or on the facet: the dual crosses the facet
+    Index delaunay = 0;      ///< both on one side, in the right order: the dual is positive
+    Index non_delaunay = 0;  ///< in the wrong order: the dual is negative
+    Index cospherical = 0;   ///< in one place within the tolerance: concyclic triangles
+};
+
+/// Counts the pairs of each kind. volumes are those of `complex`; of the options the criterion and
+/// the tolerance matter (the relative dual length where nothing is to be merged).
+FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& metric,
+                       const CellVolumes& volumes, const MergeOptions& options = {});
+
+/// What a merging has joined.
+struct MergedPairs {
+    Index facets = 0; ///< removed (n-1)-simplices, each between two n-simplices; a surface's edges
+    Index simplices = 0; ///< n-simplices beside at least one of them: concyclic triangles
+};
+
+/// Counts the pairs that were merged, after all guards; compare FacetKinds::cospherical.
+/// Source: Schier, Table 2, counts concyclic triangles in this way.
+MergedPairs merged_pairs(const Merging& merging);
+
+/// The same for the polygons of flipped triangles.
+MergedPairs merged_pairs(const MergedSurface& merging);
+
+} // namespace polydec

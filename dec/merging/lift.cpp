@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merging/lift.h"
+
+#include "base/errors.h"
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/simplex_faces.h"
+#include "dec/metric/whitney.h"
+
+#include <Eigen/QR>
+#include <Eigen/SparseQR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace polydec {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+using ColumnMajor = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
+
+/// Lists by key, contiguous: those of key i are at first[i] .. first[i + 1].
+struct Groups {
+    std::vector<Index> first, items;
+
+    std::span<const Index> operator[](Index i) const {
+        return {items.data() + first[i], items.data() + first[i + 1]};
+    }
+};
+
+/// The j-simplices with a carrier of degree m, by carrier.
+Groups simplices_by_carrier(const Merging& merging, int m, int j) {
+    const auto& carriers = merging.carriers(j);
+    Groups groups{std::vector<Index>(merging.merged().size(m) + 1, 0), {}};
+    for (const auto& carrier : carriers)
+        if (carrier.dimension == m)
+            ++groups.first[carrier.cell + 1];
+    for (std::size_t i = 1; i < groups.first.size(); ++i)
+        groups.first[i] += groups.first[i - 1];
+    groups.items.resize(groups.first.back());
+    auto next = groups.first;
+    for (std::size_t s = 0; s < carriers.size(); ++s)
+        if (carriers[s].dimension == m)
+            groups.items[next[carriers[s].cell]++] = static_cast<Index>(s);
+    return groups;
+}
+
+/// Rows of a sparse matrix, appended in any order.
+struct RowStore {
+    std::vector<Index> first, last, columns;
+    std::vector<double> values;
+
+    explicit RowStore(Index rows) : first(rows, 0), last(rows, 0) {}
+
+    void begin(Index row) { first[row] = last[row] = static_cast<Index>(columns.size()); }
+    void append(Index row, Index column, double value) {
+        if (columns.size() >= std::size_t(std::numeric_limits<Index>::max()))
+            throw InvalidInput(
+                "the lift has more than 2^31 - 1 entries: a merged cell of p corners "
+                "takes of the order of p^2; lower the merge tolerance");
+        columns.push_back(column);
+        values.push_back(value);
+        last[row] = static_cast<Index>(columns.size());
+    }
+    template <class Visit>
+    void visit(Index row, Visit visitor) const {
+        for (Index i = first[row]; i < last[row]; ++i)
+            visitor(columns[i], values[i]);
+    }
+};
+
+Index position(std::span<const Index> ascending, Index item) {
+    return static_cast<Index>(std::lower_bound(ascending.begin(), ascending.end(), item) -
+                              ascending.begin());
+}
+
+class Lift {
+public:
+    Lift(const Merging& merging, const SimplexMetric& metric, const CellVolumes& volumes)
+        : merging_(merging),
+          K_(merging.input()),
+          P_(merging.merged()),
+          metric_(metric),
+          volumes_(volumes),
+          inside_(K_.dimension() + 1) {
+        const int n = K_.dimension();
+        for (int k = 0; k <= n; ++k)
+            rows_.emplace_back(K_.size(k));
+        for (int m = 0; m <= n; ++m) {
+            for (int j = 0; j <= m; ++j)
+                inside_[m].push_back(simplices_by_carrier(merging, m, j));
+            for (Index F = 0; F < P_.size(m); ++F)
+                fill_cell(m, F);
+        }
+    }
+
+    SparseMatrix matrix(int k) const {
+        SparseMatrix S(K_.size(k), P_.size(k));
+        S.reserve(static_cast<Index>(rows_[k].columns.size()));
+        for (Index s = 0; s < K_.size(k); ++s) {
+            S.startVec(s);
+            rows_[k].visit(s, [&](Index F, double value) { S.insertBack(s, F) = value; });
+        }
+        S.finalize();
+        return S;
+    }
+
+private:
+    void fill_cell(int m, Index F);
+    void fill_degree(int m, Index F, int j);
+    std::vector<Index> columns(int m, Index F, int j) const;
+    DenseMatrix least_energy(int m, Index F, int j, DenseMatrix x,
+                             const std::vector<Index>& cells) const;
+
+    bool is_inside(int m, Index F, int j, Index s) const {
+        const auto& carrier = merging_.carriers(j)[s];
+        return carrier.dimension == m && carrier.cell == F;
+    }
+
+    const Merging& merging_;
+    const SimplicialComplex& K_;
+    const CellComplex& P_;
+    SimplexMetric metric_;
+    const CellVolumes& volumes_;
+    std::vector<std::vector<Groups>> inside_; // inside_[m][j]
+    std::vector<RowStore> rows_;              // of S_k
+};
+
+void Lift::fill_cell(int m, Index F) {
+    const auto pieces = inside_[m][m][F];
+    double volume = 0;
+    for (const Index s : pieces)
+        volume += volumes_.primal(m)[s];
+    for (Row s(merging_.diamond(m), F); s; ++s) {
+        const auto piece = static_cast<Index>(s.col());
+        rows_[m].begin(piece);
+        rows_[m].append(piece, F, s.value() * volumes_.primal(m)[piece] / volume);
+    }
+    for (int j = m - 1; j > 0 && pieces.size() > 1; --j)
+        if (!inside_[m][j][F].empty())
+            fill_degree(m, F, j);
+}
+
+/// The j-cells of P that the values inside F depend on, ascending: those below its (j+1)-simplices
+/// and those of the simplices on its boundary.
+std::vector<Index> Lift::columns(int m, Index F, int j) const {
+    std::vector<Index> cells;
+    for (const Index t : inside_[m][j + 1][F]) {
+        rows_[j + 1].visit(t, [&](Index upper, double) {
+            for (Row E(P_.coboundary(j), upper); E; ++E)
+                cells.push_back(static_cast<Index>(E.col()));
+        });
+        for (Row s(K_.coboundary(j), t); s; ++s)
+            if (!is_inside(m, F, j, static_cast<Index>(s.col())))
+                rows_[j].visit(static_cast<Index>(s.col()),
+                               [&](Index E, double) { cells.push_back(E); });
+        std::sort(cells.begin(), cells.end());
+        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    }
+    return cells;
+}
+
+/// Solves d x = S_(j+1) d^P_j on the (j+1)-simplices inside F for x on the j-simplices inside it,
+/// the values on the boundary of F being known; a column for each j-cell of P.
+void Lift::fill_degree(int m, Index F, int j) {
+    const auto unknown = inside_[m][j][F], equations = inside_[m][j + 1][F];
+    const auto cells = columns(m, F, j);
+
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    DenseMatrix right_side = DenseMatrix::Zero(equations.size(), cells.size());
+    for (std::size_t r = 0; r < equations.size(); ++r) {
+        rows_[j + 1].visit(equations[r], [&](Index upper, double value) {
+            for (Row E(P_.coboundary(j), upper); E; ++E)
+                right_side(r, position(cells, E.col())) += value * E.value();
+        });
+        for (Row s(K_.coboundary(j), equations[r]); s; ++s) {
+            const auto face = static_cast<Index>(s.col());
+            if (is_inside(m, F, j, face))
+                entries.emplace_back(r, position(unknown, face), s.value());
+            else
+                rows_[j].visit(face, [&](Index E, double value) {
+                    right_side(r, position(cells, E)) -= s.value() * value;
+                });
+        }
+    }
+    ColumnMajor D(equations.size(), unknown.size());
+    D.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SparseQR<ColumnMajor, Eigen::COLAMDOrdering<Index>> qr(D);
+    DenseMatrix x = qr.solve(right_side);
+    if (!inside_[m][j - 1][F].empty())
+        x = least_energy(m, F, j, std::move(x), cells);
+
+    constexpr double rounding = 1e-15;
+    for (std::size_t i = 0; i < unknown.size(); ++i) {
+        rows_[j].begin(unknown[i]);
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            if (std::abs(x(i, c)) > rounding)
+                rows_[j].append(unknown[i], cells[c], x(i, c));
+    }
+}
+
+/// x + D y with y on the (j-1)-simplices inside F such that the Whitney energy of all j-simplices
+/// of F is least: D^T W_ii D y = -D^T (W_ii x + W_ib x_b).
+DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
+                               const std::vector<Index>& cells) const {
+    const auto unknown = inside_[m][j][F], free = inside_[m][j - 1][F];
+    DenseMatrix D = DenseMatrix::Zero(unknown.size(), free.size());
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+        for (Row s(K_.coboundary(j - 1), unknown[i]); s; ++s)
+            if (is_inside(m, F, j - 1, static_cast<Index>(s.col())))
+                D(i, position(free, s.col())) = s.value();
+
+    // W_ii and the force W_ii x + W_ib x_b, gathered over the pieces of F
+    DenseMatrix W = DenseMatrix::Zero(unknown.size(), unknown.size());
+    DenseMatrix force = DenseMatrix::Zero(unknown.size(), cells.size());
+    SimplexFaces faces_of_pieces(K_, m, j);
+    SimplexLayout layout(K_, metric_);
+    for (const Index piece : inside_[m][m][F]) {
+        const Corners corners = layout.at(m, piece);
+        const DenseMatrix mass = whitney_mass(corners.points, corners.vertices, j);
+        const auto& faces = faces_of_pieces.of(piece);
+        for (std::size_t a = 0; a < faces.size(); ++a) {
+            if (!is_inside(m, F, j, faces[a]))
+                continue;
+            const Index row = position(unknown, faces[a]);
+            for (std::size_t b = 0; b < faces.size(); ++b) {
+                if (is_inside(m, F, j, faces[b])) {
+                    const Index column = position(unknown, faces[b]);
+                    W(row, column) += mass(a, b);
+                    force.row(row) += mass(a, b) * x.row(column);
+                } else {
+                    rows_[j].visit(faces[b], [&](Index E, double value) {
+                        force(row, position(cells, E)) += mass(a, b) * value;
+                    });
+                }
+            }
+        }
+    }
+    const DenseMatrix energy = D.transpose() * W * D;
+    x -= D * energy.completeOrthogonalDecomposition().solve(D.transpose() * force);
+    return x;
+}
+
+} // namespace
+
+std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
+                                         const CellVolumes& volumes) {
+    check_fit(merging.input(), volumes);
+    const Lift lift(merging, metric, volumes);
+    std::vector<SparseMatrix> result;
+    for (int k = 0; k <= merging.input().dimension(); ++k)
+        result.push_back(lift.matrix(k));
+    return result;
+}
+
+} // namespace polydec

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/merging.h"
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/simplex_metric.h"
+
+namespace polydec {
+
+/// The lifts S_0, .., S_n of forms on merged cells to the simplices: S_k is size of K times size of
+/// P, with dia_k S_k = I and d_k S_k = S_(k+1) d^P_k, so Stokes' theorem holds inside every merged
+/// cell. S_n shares a cell's value among its pieces in proportion to volume, S_0 = I. Where the
+/// values inside a cell are not unique, those of least Whitney energy are taken; then the integrals
+/// of every constant form over a flat cell are returned exactly. Dimensionless.
+///
+/// S(s, E) is not 0 only for E in the closure of the carrier of s. Within a polygon of p corners
+/// that is of the order of p^2 entries.
+/// volumes are those of the input complex. Throws InvalidInput beyond 2^31 - 1 entries.
+std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
+                                         const CellVolumes& volumes);
+
+} // namespace polydec

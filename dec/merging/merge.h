@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/merging.h"
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/simplex_metric.h"
+
+namespace polydec {
+
+/// By what a facet between two n-simplices is called degenerate.
+enum class MergeCriterion {
+    dual_length, ///< relative dual length |V(f)| / l(f), l twice the circumradius of the facet
+    angle,       ///< Schier's test: the angles opposite to the facet add up to pi (radians)
+    none,        ///< nothing is merged
+};
+
+/// Whether the edges of a surface are flipped before it is merged, so that no dual edge is
+/// negative. The surface and its vertices stay as they are. Source: see intrinsic_delaunay.
+enum class Delaunay {
+    off,
+    flips,           ///< of interior edges; boundary edges keep negative duals
+    flips_and_splits ///< boundary edges are divided too, until every dual is positive
+};
+
+struct MergeOptions {
+    MergeCriterion criterion = MergeCriterion::dual_length;
+    /// Mesh files carry six or seven digits whatever they print, and merging all below 1e-3 moves
+    /// a Poisson error by less than 0.1 %: 1e-4 catches what was meant to be cospherical.
+    double tolerance = 1e-4;
+    Delaunay delaunay = Delaunay::off; ///< for discretize; merge_cospherical merges K as it is
+};
+
+/// Facets within the tolerance, before any guard, by number of cofaces. Only those with two can
+/// merge; the others are worth knowing about since no inverse star exists on them.
+struct DegenerateFacets {
+    Index interior = 0;
+    Index boundary = 0;
+    Index branching = 0;
+};
+
+struct CosphericalMerging {
+    Merging merging;
+    DegenerateFacets degenerate;
+    int rounds = 0; ///< how often a class of facets that made no proper cell was split up again
+};
+
+/// Merges n-simplices across facets whose dual is degenerate, then downwards their faces wherever
+/// exactly two are left that lie straight across each other, so that no dual cell of the result is
+/// degenerate. Facets on the boundary or with three or more cofaces never merge; vertices stay.
+///
+/// Since near-cospherical is not transitive, unions are made in ascending defect, equal ones
+/// together or not at all, and refused when the accumulated defect passes 10 tolerances; and every
+/// merged cell is checked to be a ball. So the result does not depend on the order of the input.
+/// volumes are those of `complex`. Time O(incidences + f log f), f the number of degenerate facets.
+/// Throws InvalidInput for a tolerance that is negative or not finite.
+CosphericalMerging merge_cospherical(SimplicialComplex complex, const SimplexMetric& metric,
+                                     const CellVolumes& volumes, const MergeOptions& options = {});
+
+} // namespace polydec

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merging/straightness.h"
+
+#include "complex/components.h"
+#include "dec/merging/facet_defects.h"
+#include "dec/metric/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+StraightnessTest::StraightnessTest(const SimplicialComplex& complex, const SimplexMetric& metric,
+                                   const CellVolumes& volumes, double tolerance)
+    : complex_(complex),
+      metric_(metric),
+      volumes_(volumes),
+      tolerance_(tolerance),
+      layout_(complex, metric) {
+    if (metric.ambient_dimension() == complex.dimension())
+        must_be_coplanar_ = boundary_cells(complex);
+}
+
+StraightnessTest::Side StraightnessTest::look(int k, Index s, Index f) {
+    int apex = 0;
+    while (complex_.face(k, f, apex) != s)
+        ++apex;
+    sphere_.look_at(layout_, k, f);
+    const double base = volumes_.primal(k - 1)[s], height = sphere_.height(apex, base);
+    return {apex, height, sphere_.uncertainty().of(height), k * volumes_.primal(k)[f] / base};
+}
+
+StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, int apex) const {
+    const auto& base = complex_.simplices(k - 1).row(s);
+    const Points& points = *metric_.points(); // what is flat in R^N has points
+    DenseMatrix edges(points.cols(), k - 1);
+    for (int i = 1; i < k; ++i)
+        edges.col(i - 1) = (points.row(base[i]) - points.row(base[0])).transpose();
+    Vector away = (points.row(complex_.simplices(k)(f, apex)) - points.row(base[0])).transpose();
+    for (int pass = 0; pass < 2; ++pass) // the second pass removes the rounding of the first
+        for (int i = 0; i < k - 1; ++i) {
+            for (int j = 0; j < i; ++j)
+                edges.col(i) -= edges.col(j) * edges.col(j).dot(edges.col(i));
+            edges.col(i).normalize();
+            away -= edges.col(i) * edges.col(i).dot(away);
+        }
+    const double length = away.norm();
+    return {length, away / length};
+}
+
+bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
+    const Side a = look(k, s, f), b = look(k, s, g);
+    sphere_.look_at(layout_, k - 1, s);
+    const double l = 2 * sphere_.radius(), terms = a.terms + b.terms;
+    const double lower = std::min(a.altitude, b.altitude);
+    if (!is_degenerate(a.height + b.height, terms, l, lower, tolerance_))
+        return false;
+
+    const double V = volumes_.dual(k)[f], W = volumes_.dual(k)[g];
+    const double size = std::max({std::abs(V), std::abs(W), std::pow(l, complex_.dimension() - k)});
+    const double noise = rounding_of(volumes_.terms(k)[f] + volumes_.terms(k)[g]);
+    if (std::abs(V - W) > tolerance_ * size + noise)
+        return false;
+
+    if (must_be_coplanar_.empty() || !must_be_coplanar_[k - 1][s])
+        return true;
+    const Altitude up = altitude(k, s, f, a.apex), down = altitude(k, s, g, b.apex);
+    const double angle_rounding = rounding_of(terms) / lower;
+    return (up.direction + down.direction).norm() <= tolerance_ + angle_rounding;
+}
+
+} // namespace polydec

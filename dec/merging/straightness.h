@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/circumsphere.h"
+
+namespace polydec {
+
+/// Decides whether two k-simplices f and g are one flat piece across their common (k-1)-face s:
+/// their circumcenters coincide, also against their heights over s, their duals agree, and, where s
+/// lies on the boundary of a flat complex (N = n), they lie in one k-plane. Inside, the first two
+/// imply the third; on a curved complex, and where only lengths are known, there is no such plane
+/// and none is asked for.
+class StraightnessTest {
+public:
+    /// Keeps references, those of the metric too: they must outlive the test.
+    StraightnessTest(const SimplicialComplex& complex, const SimplexMetric& metric,
+                     const CellVolumes& volumes, double tolerance);
+
+    bool operator()(int k, Index s, Index f, Index g);
+
+private:
+    /// What f and g look like from s.
+    struct Side {
+        int apex;        ///< which of the simplex's vertices is not in s
+        double height;   ///< signed distance from the circumcenter of s to that of the simplex
+        double terms;    ///< what cancels in it
+        double altitude; ///< of the apex over s
+    };
+    Side look(int k, Index s, Index f);
+
+    /// What of the edge from s to the apex is orthogonal to s: its length, and a unit vector.
+    struct Altitude {
+        double length;
+        Vector direction;
+    };
+    Altitude altitude(int k, Index s, Index f, int apex) const;
+
+    const SimplicialComplex& complex_;
+    SimplexMetric metric_;
+    const CellVolumes& volumes_;
+    double tolerance_;
+    SimplexLayout layout_;
+    Circumsphere sphere_;                             // looks at one simplex after the other
+    std::vector<std::vector<bool>> must_be_coplanar_; // by degree of s
+};
+
+} // namespace polydec

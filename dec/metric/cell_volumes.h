@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <vector>
+
+namespace polydec {
+
+class CellComplex;
+
+/// The metric of a complex: all that a Hodge star needs. Is whole from the start: every primal
+/// volume is a finite number above 0, every dual volume a finite one.
+class CellVolumes {
+public:
+    /// Of no cells; no degree can be asked for.
+    CellVolumes() = default;
+
+    /// One vector per degree 0..n, a number per cell. Without terms the duals are taken as they
+    /// are: terms are their own sizes, and nothing but their last digits is lost by rounding.
+    /// Throws InvalidInput, naming degree and cell, for sizes that differ, a primal volume that is
+    /// not a finite number above 0, and others that are not finite.
+    CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
+                std::vector<Vector> terms = {}, std::vector<Vector> rounding = {});
+
+    /// Dimension n; -1 without cells.
+    int dimension() const { return static_cast<int>(primal_.size()) - 1; }
+
+    /// k-volumes |s| > 0, 1 for vertices; length^k. These accessors throw InvalidInput for another
+    /// degree than 0..n.
+    const Vector& primal(int k) const& { return primal_[checked(k)]; }
+    Vector primal(int k) && { return std::move(primal_[checked(k)]); }
+
+    /// Signed (n-k)-volumes |*s|, 1 for n-cells; length^(n-k).
+    const Vector& dual(int k) const& { return dual_[checked(k)]; }
+    Vector dual(int k) && { return std::move(dual_[checked(k)]); }
+
+    /// Sizes of what cancels in the dual volumes, in heights of circumcenters too: to these their
+    /// errors are in proportion (see rounding_of) if the last digits of points or lengths are not
+    /// known. length^(n-k).
+    const Vector& terms(int k) const& { return terms_[checked(k)]; }
+    Vector terms(int k) && { return std::move(terms_[checked(k)]); }
+
+    /// How far |*s| / |s| may be off, times |s|: what computing has done if points are exact.
+    /// Lengths have been computed, so their last digits count. length^(n-k).
+    const Vector& rounding(int k) const& { return rounding_[checked(k)]; }
+    Vector rounding(int k) && { return std::move(rounding_[checked(k)]); }
+
+    /// The same with other duals of the k-cells, taken as they are. Throws like the constructor.
+    CellVolumes with_dual(int k, Vector dual) const;
+
+    /// The same with other numbers for the cells, by which messages name them: those of a relative
+    /// complex go by their numbers in the whole one. One list per degree. Throws InvalidInput
+    /// unless there is a number for each cell.
+    CellVolumes numbered(std::vector<std::vector<Index>> numbers) const;
+
+    /// The number by which messages name a k-cell of these: its own, unless others are given.
+    Index number(int k, Index cell) const {
+        return numbers_.empty() ? cell : numbers_[checked(k)][cell];
+    }
+
+private:
+    std::size_t checked(int k) const {
+        if (k < 0 || k > dimension())
+            refuse_degree(k);
+        return static_cast<std::size_t>(k);
+    }
+    [[noreturn]] void refuse_degree(int k) const;
+    void check(int k) const;
+
+    std::vector<Vector> primal_, dual_, terms_, rounding_;
+    std::vector<std::vector<Index>> numbers_; // empty: their own
+};
+
+/// Throws InvalidInput, naming the degree, unless the volumes are those of as many cells.
+void check_fit(const CellComplex& complex, const CellVolumes& volumes);
+
+} // namespace polydec

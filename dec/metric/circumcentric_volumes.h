@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/simplicial_complex.h"
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/simplex_metric.h"
+
+namespace polydec {
+
+/// Volumes of the simplices and signed volumes of their circumcentric duals, by the recursion
+/// |*s| = 1/(n-k) sum over cofaces t of h(s,t) |*t| with h the signed distance between the
+/// circumcenters. Needs no manifold and no Delaunay property; sum |s||*s| = C(n,k) |K| always.
+/// Needs lengths of edges only. Source: Hirani, Kalyanaraman, VanderZee 2013, with the sign
+/// taken from the coface, which makes it right for obtuse simplices too.
+/// Throws InvalidInput, naming the vertices, for a simplex without volume, vertices without point,
+/// or a simplex of least dimension that cannot have the lengths given (a triangle that violates the
+/// triangle inequality, in higher dimension edges whose products are not positive definite).
+CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const SimplexMetric& metric);
+
+} // namespace polydec

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "dec/metric/simplex_faces.h"
+
+#include "dec/metric/whitney.h"
+
+#include <algorithm>
+
+namespace polydec {
+
+SimplexFaces::SimplexFaces(const SimplicialComplex& complex, int m, int k)
+    : complex_(complex), m_(m), positions_(subsets(m + 1, k + 1)), faces_(positions_.size()) {
+    for (const auto& kept : positions_) {
+        std::vector<int> omitted;
+        for (int v = m; v >= 0; --v)
+            if (!std::binary_search(kept.begin(), kept.end(), v))
+                omitted.push_back(v);
+        omitted_.push_back(std::move(omitted));
+    }
+}
+
+const std::vector<Index>& SimplexFaces::of(Index s) {
+    // the last vertices go first, so that the positions of the others stay
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+        Index face = s;
+        int degree = m_;
+        for (const int v : omitted_[i])
+            face = complex_.face(degree--, face, v);
+        faces_[i] = face;
+    }
+    return faces_;
+}
+
+} // namespace polydec

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "dec/metric/simplex_geometry.h"
+
+#include "base/checks.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+
+namespace polydec {
+
+Index face_at(const SimplicialComplex& complex, int m, Index t, std::span<const int> positions) {
+    // leaving out the other vertices, the last one first, leads down to the face
+    for (int k = m, v = m; v >= 0; --v)
+        if (!std::binary_search(positions.begin(), positions.end(), v))
+            t = complex.face(k--, t, v);
+    return t;
+}
+
+DenseMatrix edge_vectors(const SimplicialComplex& complex, const Points& points) {
+    check_number("the point", complex.simplices(0).maxCoeff(), 0, points.rows() - 1);
+    const auto& edges = complex.simplices(1);
+    DenseMatrix vectors(edges.rows(), points.cols());
+    for (Index e = 0; e < edges.rows(); ++e)
+        vectors.row(e) =
+            orientation(complex, 1, e) * (points.row(edges(e, 1)) - points.row(edges(e, 0)));
+    return vectors;
+}
+
+DenseMatrix barycentric_gradients(const Points& points, std::span<const Index> vertices) {
+    const auto m = static_cast<Index>(vertices.size()) - 1;
+    DenseMatrix edges(m, points.cols());
+    for (Index i = 0; i < m; ++i)
+        edges.row(i) = points.row(vertices[i + 1]) - points.row(vertices[0]);
+    // the gradients of all but the first are dual to the edges, and all sum to zero
+    DenseMatrix gradients(m + 1, points.cols());
+    gradients.bottomRows(m) = edges.completeOrthogonalDecomposition().pseudoInverse().transpose();
+    gradients.row(0) = -gradients.bottomRows(m).colwise().sum();
+    return gradients;
+}
+
+} // namespace polydec

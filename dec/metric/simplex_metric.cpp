@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "dec/metric/simplex_metric.h"
+
+#include "base/errors.h"
+#include "meshes/distance.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace polydec {
+
+namespace {
+
+/// What rounding leaves of a squared height, relative to the squared edge it belongs to.
+constexpr double few_last_digits = 16 * std::numeric_limits<double>::epsilon();
+
+/// Squares of lengths, and products of a few of them, must neither overflow nor vanish.
+constexpr double largest_length = 1e100;
+
+/// The lengths of the edges of a triangle, the largest last.
+std::array<double, 3> sorted_lengths(const SimplicialComplex& complex, const Vector& lengths,
+                                     Index s) {
+    std::array<double, 3> sides{};
+    for (int i = 0; i < 3; ++i)
+        sides[i] = lengths[complex.face(2, s, i)];
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+
+} // namespace
+
+SimplexMetric::SimplexMetric(const SimplicialComplex& complex, const Vector& lengths)
+    : lengths_(&lengths) {
+    if (lengths.size() != complex.size(1))
+        throw InvalidInput(fmt::format("{} lengths are given: expected one for each of the {} "
+                                       "edges of the complex",
+                                       lengths.size(), complex.size(1)));
+    for (Index e = 0; e < complex.size(1); ++e) {
+        const double length = lengths[e];
+        const auto ends = vertices(complex.simplices(1), e);
+        if (!(length > 0) || !std::isfinite(length))
+            throw InvalidInput(fmt::format("edge {} with vertices {} and {} has length {}: "
+                                           "expected a finite number above 0",
+                                           e, ends[0], ends[1], length));
+        if (length > largest_length || length < 1 / largest_length)
+            throw InvalidInput(fmt::format("edge {} with vertices {} and {} has length {:.3g}: "
+                                           "scale the mesh to a size nearer to 1",
+                                           e, ends[0], ends[1], length));
+    }
+}
+
+SimplexLayout::SimplexLayout(const SimplicialComplex& complex, const SimplexMetric& metric)
+    : complex_(complex), metric_(metric) {
+    if (metric.points() != nullptr)
+        return;
+    const int corners = complex.dimension() + 1;
+    rows_.resize(corners);
+    std::iota(rows_.begin(), rows_.end(), 0);
+    lengths_.resize(rows_.size() * rows_.size());
+    for (int k = 0; k < corners; ++k)
+        tables_.emplace_back(k + 1, k);
+}
+
+void SimplexLayout::measure_edges(int k, Index s) {
+    for (int i = 0; i <= k; ++i)
+        for (int j = i + 1; j <= k; ++j) {
+            const double between = (*metric_.lengths())[face_at(complex_, k, s, std::array{i, j})];
+            lengths_[i * rows_.size() + j] = lengths_[j * rows_.size() + i] = between;
+        }
+}
+
+/// An end of the shortest edge: from there the products of edges lose the fewest digits.
+int SimplexLayout::base(int k) const {
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= k; ++i)
+        for (int j = i + 1; j <= k; ++j)
+            if (length(i, j) < least) {
+                least = length(i, j);
+                best = i;
+            }
+    return best;
+}
+
+/// Inner product of the edges from the origin to i and to j: by the law of cosines, with the
+/// difference of the two squares that cancel most as a product.
+double SimplexLayout::product(int origin, int i, int j) const {
+    const double a = length(origin, i), b = length(origin, j), opposite = length(i, j);
+    const double shorter = std::min(a, b), longer = std::max(a, b);
+    return (shorter * shorter + (longer - opposite) * (longer + opposite)) / 2;
+}
+
+Corners SimplexLayout::lay_out(int k, Index s) {
+    Points& table = tables_[k];
+    const Corners corners{table, {rows_.data(), static_cast<std::size_t>(k) + 1}, true};
+    table.setZero();
+    measure_edges(k, s);
+    const int origin = base(k);
+    const auto corner = [origin](int a) { return a < origin ? a : a + 1; };
+    for (int a = 0; a < k; ++a) {
+        double* const row = &table(corner(a), 0);
+        for (int b = 0; b < a; ++b) {
+            const double* const other = &table(corner(b), 0);
+            double rest = product(origin, corner(a), corner(b));
+            for (int c = 0; c < b; ++c)
+                rest -= row[c] * other[c];
+            row[b] = rest / other[b];
+        }
+        const double squared_length = length(origin, corner(a)) * length(origin, corner(a));
+        double squared_height = squared_length;
+        for (int b = 0; b < a; ++b)
+            squared_height -= row[b] * row[b];
+        if (!(squared_height > few_last_digits * squared_length)) {
+            table.setZero();
+            return corners;
+        }
+        // the height of an edge from the origin is its length, without rounding
+        row[a] = a == 0 ? length(origin, corner(a)) : std::sqrt(squared_height);
+    }
+    return corners;
+}
+
+Vector edge_lengths(const SimplicialComplex& complex, const Points& points) {
+    require_points(complex, points, "a length");
+    const auto& edges = complex.simplices(1);
+    Vector lengths(edges.rows());
+    for (Index e = 0; e < edges.rows(); ++e)
+        lengths[e] = distance(points, edges(e, 0), edges(e, 1));
+    return lengths;
+}
+
+std::string flaw_of_lengths(const SimplicialComplex& complex, const SimplexMetric& metric, int k,
+                            Index s) {
+    const auto list = vertices(complex.simplices(k), s);
+    const auto name = fmt::format("{}-simplex {} with vertices {}", k, s, fmt::join(list, ", "));
+    if (constexpr int triangle = 2; k == triangle) {
+        const auto [a, b, c] = sorted_lengths(complex, *metric.lengths(), s);
+        if (c > a + b)
+            return fmt::format("the lengths of {} violate the triangle inequality: {} is more than "
+                               "{} + {}; correct the lengths",
+                               name, c, a, b);
+        return fmt::format("the lengths of {}, {}, {} and {}, leave it a height below 1e-7 of "
+                           "them: what its area is hangs on their last digits; correct the lengths",
+                           name, a, b, c);
+    }
+    return fmt::format("the lengths of {} leave it no volume: the products of its edges are not "
+                       "positive definite; correct the lengths",
+                       name);
+}
+
+void require_points(Eigen::Index coordinates, std::string_view what) {
+    if (coordinates == 0)
+        throw InvalidInput(fmt::format("only lengths are known, there are no points, which {} "
+                                       "needs: give a mesh with points",
+                                       what));
+}
+
+void require_points(const SimplicialComplex& complex, const Points& points, std::string_view what) {
+    require_points(points.cols(), what);
+    const Index largest = complex.simplices(0).maxCoeff();
+    if (largest >= points.rows())
+        throw InvalidInput(fmt::format("a cell uses vertex {} but there are only {} points",
+                                       largest, points.rows()));
+}
+
+} // namespace polydec

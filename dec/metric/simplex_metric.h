@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/metric/simplex_geometry.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polydec {
+
+/// The metric of a simplicial complex: points of its vertices, or lengths of its edges alone, which
+/// need not come from any points. All simplices are flat. Whatever is measured simplex by simplex
+/// (volumes, duals, stars, merging, lift) can be had from either. A small value that keeps
+/// references: points and lengths must outlive it.
+class SimplexMetric {
+public:
+    /// Simplices between points, a row per vertex number; implicit, so that points can be given
+    /// wherever a metric is asked for, but not temporaries.
+    SimplexMetric(const Points& points) : points_(&points) {}
+    SimplexMetric(Points&&) = delete;
+
+    /// Simplices of which only the lengths of the edges are known: size(1) numbers. Whether each
+    /// simplex exists is checked by circumcentric_volumes.
+    /// Throws InvalidInput for another number of lengths and, naming the edge, for one that is not
+    /// a finite number above 0, or of a size whose square is none (below 1e-100, above 1e100).
+    SimplexMetric(const SimplicialComplex& complex, const Vector& lengths);
+    SimplexMetric(const SimplicialComplex&, Vector&&) = delete;
+
+    /// Null where only lengths are known.
+    const Points* points() const { return points_; }
+
+    /// Null where points are known.
+    const Vector* lengths() const { return lengths_; }
+
+    /// Number N of coordinates of the points; 0 where only lengths are known.
+    Index ambient_dimension() const {
+        return points_ == nullptr ? 0 : static_cast<Index>(points_->cols());
+    }
+
+private:
+    const Points* points_ = nullptr;
+    const Vector* lengths_ = nullptr;
+};
+
+/// Where the corners of one simplex are: rows of a table of coordinates.
+struct Corners {
+    const Points& points;
+    std::span<const Index> vertices; ///< the rows, in ascending order of the simplex's vertices
+    bool by_lengths = false;         ///< not points that were given: distances are what is known
+};
+
+/// Places the corners of one simplex of a complex after the other. Not for several threads at once.
+class SimplexLayout {
+public:
+    /// Keeps a reference to the complex: it must outlive the layout.
+    SimplexLayout(const SimplicialComplex& complex, const SimplexMetric& metric);
+
+    /// The corners of k-simplex s, until the next call. With points, these, as they are. With
+    /// lengths a table of its own, k coordinates for each corner: the Cholesky factor of the
+    /// products of the edges from one corner, which follow from the lengths. A simplex that does
+    /// not exist, or whose heights are below 6e-8 of its edges (the rounding of squared lengths),
+    /// is laid out without volume.
+    Corners at(int k, Index s) {
+        if (metric_.points() != nullptr)
+            return {*metric_.points(), vertices(complex_.simplices(k), s)};
+        return lay_out(k, s);
+    }
+
+    const SimplicialComplex& complex() const { return complex_; }
+
+private:
+    Corners lay_out(int k, Index s);
+    void measure_edges(int k, Index s);
+    int base(int k) const;
+    double length(int i, int j) const { return lengths_[i * rows_.size() + j]; }
+    double product(int origin, int i, int j) const;
+
+    const SimplicialComplex& complex_;
+    SimplexMetric metric_;
+    std::vector<Index> rows_;     // 0..n
+    std::vector<double> lengths_; // between corners i and j of one simplex, (n+1) x (n+1)
+    std::vector<Points> tables_;  // by degree
+};
+
+/// Lengths of the 1-simplices between points. Size size(1). Throws like require_points.
+Vector edge_lengths(const SimplicialComplex& complex, const Points& points);
+
+/// Says why k-simplex s, whose faces all exist, cannot have the lengths that it is given.
+std::string flaw_of_lengths(const SimplicialComplex& complex, const SimplexMetric& metric, int k,
+                            Index s);
+
+/// Throws InvalidInput if points have no coordinates, as those of a mesh of which only lengths are
+/// known; what says who needs them.
+void require_points(Eigen::Index coordinates, std::string_view what);
+
+/// The same, and if a vertex of the complex has no point.
+void require_points(const SimplicialComplex& complex, const Points& points, std::string_view what);
+
+} // namespace polydec

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "dec/surfaces/intrinsic_delaunay.h"
+
+#include "base/errors.h"
+#include "complex/surfaces/corner_fan.h"
+#include "dec/merging/facet_defects.h"
+#include "dec/metric/triangle.h"
+#include "dec/surfaces/glued_volumes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// The least part of its longest side by which the two others of a triangle must be longer
+/// together: below that, rounding of lengths leaves an area hardly a digit. The height is 3e-7 of
+/// the length then.
+constexpr double least_slack = 1e-13;
+
+/// Where points coincide (an edge is below the first part of the mean length), edges get the
+/// second: with less, stars there would be so large that those of all others are rounding beside
+/// them.
+constexpr double coinciding = 1e-10, apart = 1e-5;
+
+/// Lengths as points have them that may coincide or lie on a line: not negative, and no side longer
+/// than both others beyond rounding.
+void check_roughly(const GluedSurface& surface, const Vector& lengths) {
+    constexpr double rounding = 1e-9;
+    const auto is_triangle = [&](Index t) {
+        auto sides = side_lengths(surface, lengths, t);
+        std::sort(sides.begin(), sides.end());
+        return sides[0] >= 0 && sides[0] + sides[1] - sides[2] >= -rounding * sides[2];
+    };
+    bool rough = true;
+    for (Index t = 0; rough && t < surface.triangles(); ++t)
+        rough = is_triangle(t);
+    if (!rough)
+        check_lengths(surface, lengths); // says what is wrong
+}
+
+class Flipping {
+public:
+    Flipping(GluedSurface surface, Vector lengths, const IntrinsicDelaunayOptions& options)
+        : surface_(std::move(surface)),
+          lengths_(lengths.begin(), lengths.end()),
+          history_(surface_),
+          crossings_(surface_),
+          options_(options) {
+        for (const double l : lengths_)
+            mean_length_ += l / static_cast<double>(lengths_.size());
+        areas_.resize(static_cast<std::size_t>(surface_.triangles()));
+        if (const double missing = measure_all(); missing > 0)
+            give_needles_some_area(missing);
+    }
+
+    void run() {
+        for (Index e = 0; e < surface_.edges(); ++e) {
+            if (surface_.is_boundary(e)) {
+                ++boundary_edges_;
+                statistics_.negative_boundary_before += is_negative(e) ? 1 : 0;
+            } else {
+                look_at(e);
+            }
+        }
+        statistics_.negative_before = static_cast<Index>(queue_.size());
+        if (options_.boundary == BoundaryEdges::split)
+            refuse_sharp_corners();
+        flip_all();
+        while (options_.boundary == BoundaryEdges::split && split_boundary())
+            flip_all();
+        count_what_is_left();
+    }
+
+    IntrinsicDelaunay finish() {
+        return {std::move(surface_), as_vector(), std::move(history_), std::move(crossings_),
+                statistics_};
+    }
+
+private:
+    /// The triangle beside a half-edge: the length of this, of the next and the last side, area.
+    struct Beside {
+        double a, b, c, area;
+        double cotangent() const { return corner_cotangent(a, b, c, area); }
+        /// Rounding error of the cotangents of two such triangles: of lengths, whose squares
+        /// cancel, and by the shape.
+        double rounding() const {
+            constexpr double few = 64 * std::numeric_limits<double>::epsilon();
+            const double shape = triangle_circumradius(a, b, c, area) / a;
+            return few * std::max(shape * shape, (a * a + b * b + c * c) / (4 * area));
+        }
+        /// Where the apex is: along the half-edge from its tail.
+        double foot() const { return (a + (c - b) * ((c + b) / a)) / 2; }
+        double height() const { return 2 * area / a; }
+    };
+    Beside beside(Index halfedge) const {
+        return {length(halfedge), length(GluedSurface::next(halfedge)),
+                length(GluedSurface::previous(halfedge)), areas_[GluedSurface::triangle(halfedge)]};
+    }
+    Vector as_vector() const {
+        return Eigen::Map<const Vector>(lengths_.data(),
+                                        static_cast<Eigen::Index>(lengths_.size()));
+    }
+    double length(Index halfedge) const { return lengths_[surface_.edge(halfedge)]; }
+
+    double measure_all();
+    void give_needles_some_area(double missing);
+    bool is_negative(Index edge) const;
+    void count_what_is_left();
+
+    void look_at(Index edge) {
+        if (surface_.can_flip(edge) && is_negative(edge))
+            queue_.push_back(edge);
+    }
+    void flip_all();
+    void flip(Index edge);
+
+    bool split_boundary();
+    void split(Index edge, double fraction);
+    double place_of_split(Index edge) const;
+    double boundary_corner(Index halfedge, FanEnd end) const;
+    bool has_acute_corner(Index halfedge, FanEnd end) const;
+    double split_goal() const;
+    void refuse_sharp_corners() const;
+
+    GluedSurface surface_;
+    std::vector<double> lengths_, areas_;
+    FlipHistory history_;
+    NormalCoordinates crossings_;
+    IntrinsicDelaunayOptions options_;
+    IntrinsicStatistics statistics_;
+    std::vector<Index> queue_, stuck_;
+    double mean_length_ = 0;
+    Index boundary_edges_ = 0;
+};
+
+/// Measures the areas of all triangles; by how much sides must be longer so that all have some.
+double Flipping::measure_all() {
+    double missing = 0;
+    for (const double l : lengths_)
+        if (l <= coinciding * mean_length_)
+            missing = std::max(missing, apart * mean_length_ - l);
+    for (Index t = 0; t < surface_.triangles(); ++t) {
+        const double a = length(3 * t), b = length(3 * t + 1), c = length(3 * t + 2);
+        const double longest = std::max({a, b, c});
+        missing = std::max(missing, least_slack * longest - (a + b + c - 2 * longest));
+        areas_[t] = triangle_area(a, b, c);
+    }
+    return missing;
+}
+
+/// Flips of triangles without area would have lengths that are nothing but rounding. Lengthening
+/// all edges alike keeps whatever fits together fitting.
+void Flipping::give_needles_some_area(double missing) {
+    check_roughly(surface_, as_vector());
+    const auto area = [&] { return std::accumulate(areas_.begin(), areas_.end(), 0.0); };
+    const double before = area();
+    statistics_.added_length = missing;
+    for (double& l : lengths_)
+        l += missing;
+    mean_length_ += missing;
+    measure_all();
+    check_lengths(surface_, as_vector());
+    statistics_.added_area = before > 0 ? area() / before - 1 : 0;
+}
+
+/// The mean of the cotangents on both sides, beyond rounding.
+bool Flipping::is_negative(Index edge) const {
+    double sum = 0, rounding = 0;
+    for (const Index h : surface_.halfedges(edge))
+        sum += h < 0 ? 0 : beside(h).cotangent();
+    if (!(sum < 0))
+        return false;
+    for (const Index h : surface_.halfedges(edge))
+        rounding = std::max(rounding, h < 0 ? 0 : beside(h).rounding());
+    return sum / 2 < -rounding;
+}
+
+void Flipping::count_what_is_left() {
+    for (const Index e : stuck_)
+        statistics_.negative_interior += is_negative(e) ? 1 : 0;
+    for (Index e = 0; e < surface_.edges(); ++e)
+        statistics_.negative_boundary += surface_.is_boundary(e) && is_negative(e) ? 1 : 0;
+}
+
+void Flipping::flip_all() {
+    const std::int64_t limit = 1000 + 1000 * std::int64_t{surface_.edges()};
+    while (!queue_.empty()) {
+        const Index edge = queue_.back();
+        queue_.pop_back();
+        if (!surface_.can_flip(edge) || !is_negative(edge))
+            continue;
+        flip(edge);
+        if (statistics_.flips > limit)
+            throw SolverFailure(fmt::format("{} flips of {} edges and no end: the surface has "
+                                            "triangles of nearly no area; remesh it or tidy it",
+                                            statistics_.flips, surface_.edges()));
+    }
+}
+
+void Flipping::flip(Index edge) {
+    if (!surface_.is_coherent(edge)) {
+        const Index turned = GluedSurface::triangle(surface_.halfedges(edge)[1]);
+        surface_.reverse(turned);
+        history_.reverse(turned);
+    }
+    // both triangles laid flat: i at the origin, j on the first axis, k above it and l below
+    const auto [h, g] = surface_.halfedges(edge);
+    const auto above = beside(h), below = beside(g);
+    const double along = above.foot() - (below.a - below.foot());
+    const double diagonal = std::hypot(along, above.height() + below.height());
+    const double klj = triangle_area(diagonal, below.c, above.b);
+    const double lki = triangle_area(diagonal, above.c, below.b);
+    if (!(klj > 0 && lki > 0))
+        return stuck_.push_back(edge); // the corner at i or j is flat but for rounding
+
+    history_.flip(surface_, edge, above.area / (above.area + below.area), klj / (klj + lki));
+    crossings_.flip(surface_, edge);
+    surface_.flip(edge);
+    lengths_[edge] = diagonal;
+    areas_[GluedSurface::triangle(h)] = klj;
+    areas_[GluedSurface::triangle(g)] = lki;
+    ++statistics_.flips;
+    for (const Index side : surface_.halfedges(edge)) {
+        look_at(surface_.edge(GluedSurface::next(side)));
+        look_at(surface_.edge(GluedSurface::previous(side)));
+    }
+}
+
+/// The angle inside the surface at one end of a boundary half-edge.
+double Flipping::boundary_corner(Index halfedge, FanEnd end) const {
+    double angle = 0;
+    for_each_corner(surface_, halfedge, end, [&](Index corner) {
+        const auto opposite = beside(GluedSurface::next(corner));
+        angle += corner_angle(opposite.a, opposite.b, opposite.c, opposite.area);
+    });
+    return angle;
+}
+
+/// Whether the boundary turns by a right angle or more there.
+bool Flipping::has_acute_corner(Index halfedge, FanEnd end) const {
+    constexpr double rounding = 1e-9;
+    return boundary_corner(halfedge, end) <= std::numbers::pi / 2 + rounding;
+}
+
+/// Where to divide a boundary edge, as a part of it from its half-edge's tail. Splits on both sides
+/// of a sharp corner would provoke each other without end unless they have equal distances from it.
+double Flipping::place_of_split(Index edge) const {
+    const Index h = surface_.halfedges(edge)[0];
+    const bool tail = has_acute_corner(h, FanEnd::tail), head = has_acute_corner(h, FanEnd::head);
+    if (tail == head)
+        return 0.5;
+    const double l = lengths_[edge];
+    const double exponent = std::round(std::log2(l / 2 / mean_length_));
+    const double part = mean_length_ * std::exp2(exponent) / l;
+    return tail ? part : 1 - part;
+}
+
+/// Splits make boundary stars positive, but not as large as one likes: halves of a triangle can be
+/// like the whole.
+constexpr double most_a_split_can_promise = 1e-2;
+
+double Flipping::split_goal() const {
+    return std::min(options_.tolerance, most_a_split_can_promise);
+}
+
+/// In every Delaunay triangulation the angles opposite to the two edges at a corner of angle t add
+/// up to pi - t at least, so one of these edges has a star of tan(t/2) / 2 at most.
+void Flipping::refuse_sharp_corners() const {
+    for (Index e = 0; e < surface_.edges(); ++e) {
+        if (!surface_.is_boundary(e))
+            continue;
+        const Index h = surface_.halfedges(e)[0];
+        for (const FanEnd end : {FanEnd::tail, FanEnd::head}) {
+            const double angle = boundary_corner(h, end);
+            if (std::tan(std::min(angle, std::numbers::pi / 2) / 2) / 2 <= split_goal())
+                throw InvalidInput(fmt::format(
+                    "the boundary has a corner of angle {:.2g} at vertex {}: however its edges are "
+                    "divided, one keeps a dual below {:.2g} of its length; do without the splits",
+                    angle, end == FanEnd::tail ? surface_.tail(h) : surface_.head(h),
+                    split_goal()));
+        }
+    }
+}
+
+/// Splits all boundary edges that need it, together, so that their order does not matter.
+bool Flipping::split_boundary() {
+    const double goal = split_goal();
+    std::vector<std::pair<Index, double>> places;
+    for (Index e = 0; e < surface_.edges(); ++e)
+        if (surface_.is_boundary(e) && beside(surface_.halfedges(e)[0]).cotangent() / 2 <= goal)
+            places.emplace_back(e, place_of_split(e));
+    for (const auto& [edge, fraction] : places)
+        split(edge, fraction);
+    const std::int64_t limit = 10000 + 1000 * std::int64_t{boundary_edges_};
+    if (statistics_.splits > limit)
+        throw SolverFailure(fmt::format("{} splits of {} boundary edges and no end: the boundary "
+                                        "has corners of nearly no angle; do without the splits",
+                                        statistics_.splits, boundary_edges_));
+    return !places.empty();
+}
+
+void Flipping::split(Index edge, double fraction) {
+    const Index h = surface_.halfedges(edge)[0];
+    const auto whole = beside(h);
+    history_.split_boundary(surface_, edge, fraction);
+    crossings_.split_boundary(surface_, edge);
+    surface_.split_boundary(edge);
+    lengths_[edge] = fraction * whole.a;
+    lengths_.push_back((1 - fraction) * whole.a);
+    lengths_.push_back(std::hypot(whole.foot() - fraction * whole.a, whole.height()));
+    areas_.push_back((1 - fraction) * whole.area);
+    areas_[GluedSurface::triangle(h)] = fraction * whole.area;
+    ++statistics_.splits;
+    for (const Index t : {GluedSurface::triangle(h), surface_.triangles() - 1})
+        for (Index i = 0; i < 3; ++i)
+            look_at(surface_.edge(3 * t + i));
+}
+
+} // namespace
+
+IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
+                                     const IntrinsicDelaunayOptions& options) {
+    if (lengths.size() != surface.edges() || !lengths.allFinite())
+        check_lengths(surface, lengths); // says what is wrong
+    // products of lengths are numbers at every scale; by a power of two no digit changes
+    constexpr int moderate = 40;
+    const double longest = lengths.size() > 0 ? lengths.cwiseAbs().maxCoeff() : 0;
+    const bool is_extreme = longest > 0 && std::abs(std::ilogb(longest)) > moderate;
+    const double unit = is_extreme ? std::exp2(std::ilogb(longest)) : 1;
+    Flipping flipping(std::move(surface), lengths / unit, options);
+    flipping.run();
+    auto result = flipping.finish();
+    result.lengths *= unit;
+    result.statistics.added_length *= unit;
+    return result;
+}
+
+std::vector<Index> concyclic_edges(const GluedSurface& surface, const CellVolumes& volumes,
+                                   double tolerance) {
+    const auto defects = facet_defects(surface, volumes, tolerance);
+    std::vector<std::pair<double, Index>> found;
+    for (Index e = 0; e < surface.edges(); ++e)
+        if (!surface.is_boundary(e) && defects.degenerate[e])
+            found.emplace_back(defects.ratio(e), e);
+    std::sort(found.begin(), found.end());
+    std::vector<Index> edges;
+    for (const auto& [defect, e] : found)
+        edges.push_back(e);
+    return edges;
+}
+
+} // namespace polydec

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "examples/plots/svg_plot.h"
+#include "io/pictures/svg_canvas.h"
+
+namespace polydec {
+
+/// The color of a plot's series by its number: those of Okabe and Ito that show on white.
+const char* trace_color(std::size_t series);
+
+/// Draws a series at these pixels: line, markers or both, told apart by color, marker and dashes.
+void draw_trace(SvgCanvas& canvas, std::size_t series, SvgTrace trace,
+                const std::vector<SvgPoint>& points);
+
+/// The short piece of a line with one marker that stands in the legend.
+void draw_trace_sample(SvgCanvas& canvas, std::size_t series, SvgTrace trace, SvgPoint left,
+                       double width);
+
+} // namespace polydec

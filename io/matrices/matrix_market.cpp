@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "io/matrices/matrix_market.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "io/number_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+void check_finite(double value, const std::filesystem::path& path, Eigen::Index row,
+                  Eigen::Index column) {
+    if (!std::isfinite(value)) {
+        throw InvalidInput(fmt::format("entry ({}, {}), counted from 0, of what should be written "
+                                       "to {} is NaN or infinite; find out what made it so",
+                                       row, column, path.string()));
+    }
+}
+
+template <typename Matrix>
+void write_coordinates(const std::filesystem::path& path, const Matrix& matrix, const char* field) {
+    AtomicFile file(path);
+    file.write(fmt::format("%%MatrixMarket matrix coordinate {} general\n{} {} {}\n", field,
+                           matrix.rows(), matrix.cols(), matrix.nonZeros()));
+    std::string line;
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+        for (typename Matrix::InnerIterator entry(matrix, row); entry; ++entry) {
+            check_finite(entry.value(), path, row, entry.col());
+            line.clear();
+            append_number(line, row + 1);
+            line += ' ';
+            append_number(line, entry.col() + 1);
+            line += ' ';
+            append_number(line, +entry.value());
+            line += '\n';
+            file.write(line);
+        }
+    }
+    file.commit();
+}
+
+} // namespace
+
+void write_matrix_market(const std::filesystem::path& path, const SparseMatrix& matrix) {
+    write_coordinates(path, matrix, "real");
+}
+
+void write_matrix_market(const std::filesystem::path& path, const IncidenceMatrix& matrix) {
+    write_coordinates(path, matrix, "integer");
+}
+
+void write_matrix_market(const std::filesystem::path& path,
+                         const Eigen::Ref<const DenseMatrix>& matrix) {
+    AtomicFile file(path);
+    file.write(fmt::format("%%MatrixMarket matrix array real general\n{} {}\n", matrix.rows(),
+                           matrix.cols()));
+    std::string line;
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+        for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+            check_finite(matrix(row, column), path, row, column);
+            line.clear();
+            append_number(line, matrix(row, column));
+            line += '\n';
+            file.write(line);
+        }
+    file.commit();
+}
+
+} // namespace polydec

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "io/meshes/gmsh_groups.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace polydec {
+
+void GmshGroups::read(GmshSource& source, bool is_partitioned) {
+    if (is_partitioned) {
+        source.size("the number of partitions");
+        const Index ghosts = source.count("ghost entities", {.integers = 2});
+        for (std::int64_t ghost = 0; ghost < 2 * std::int64_t{ghosts}; ++ghost) {
+            source.integer("a ghost entity");
+        }
+    }
+    std::array<Index, CellLists::most_dimensions> counts{};
+    for (auto& count : counts) {
+        count = source.count("entities", {.integers = 1, .sizes = 1, .reals = 3});
+    }
+    for (std::size_t dimension = 0; dimension < counts.size(); ++dimension) {
+        for (Index entity = 0; entity < counts[dimension]; ++entity) {
+            read_entity(source, dimension, is_partitioned);
+        }
+        if (const auto twice = tags_[dimension].close()) {
+            source.fail(fmt::format("the entity {} of dimension {} is there twice; expected "
+                                    "it once; export it again",
+                                    *twice, dimension));
+        }
+    }
+}
+
+void GmshGroups::read_entity(GmshSource& source, std::size_t dimension, bool is_partitioned) {
+    const auto number = source.integer("the number of an entity");
+    if (is_partitioned) {
+        source.integer("the dimension of the parent");
+        source.integer("the number of the parent");
+        source.skip_integers("partitions");
+    }
+    source.skip_reals(dimension == 0 ? 3 : 6);
+    const Index groups = source.count("physical groups", {.integers = 1});
+    for (Index group = 0; group < groups; ++group) {
+        const auto tag = group_tag(source.integer("a physical group"), source);
+        if (group == 0) {
+            tags_[dimension].add(number, tag);
+        }
+    }
+    ambiguous_ += groups > 1 ? 1 : 0;
+    if (dimension > 0) {
+        source.skip_integers("entities of a boundary");
+    }
+}
+
+Index GmshGroups::tag_of(std::size_t dimension, std::int64_t entity) const {
+    return tags_[dimension].find(entity).value_or(0);
+}
+
+Index group_tag(std::int64_t number, const GmshSource& source) {
+    constexpr std::int64_t most = std::numeric_limits<Index>::max();
+    if (number > most || number < -most) {
+        source.fail(fmt::format("the physical group {}; expected a number of 32 bits; number "
+                                "the groups again",
+                                number));
+    }
+    return static_cast<Index>(number < 0 ? -number : number);
+}
+
+} // namespace polydec

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/meshes/cell_lists.h"
+#include "io/meshes/gmsh_source.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace polydec {
+
+/// To which physical group each entity of the model belongs, that is each of its points, curves,
+/// surfaces and volumes. In version 4 the cells have their group from the entity they lie on.
+class GmshGroups {
+public:
+    /// Reads the section Entities, or PartitionedEntities, of version 4.1.
+    void read(GmshSource& source, bool is_partitioned);
+
+    /// The first group of the entity, or 0.
+    Index tag_of(std::size_t dimension, std::int64_t entity) const;
+
+    /// How many entities belong to more than one group.
+    std::size_t ambiguous() const { return ambiguous_; }
+
+private:
+    void read_entity(GmshSource& source, std::size_t dimension, bool is_partitioned);
+
+    std::array<NumberTable, CellLists::most_dimensions> tags_; ///< by dimension
+    std::size_t ambiguous_ = 0;
+};
+
+/// The number of a physical group as a tag. A sign says that the group turns its cells around, not
+/// that it is another group. Throws InvalidInput for one that is too large.
+Index group_tag(std::int64_t number, const GmshSource& source);
+
+} // namespace polydec

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "io/meshes/length_file.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "io/meshes/readers.h"
+#include "io/number_text.h"
+#include "io/scanner.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+constexpr const char* first_line = "the first line, n V S E: dimension and numbers of vertices, "
+                                   "simplices and edges";
+
+bool is_length(double value) {
+    return value > 0 && std::isfinite(value);
+}
+
+/// Reads the edges with their lengths; gives the line of each.
+std::vector<std::size_t> read_edges(Scanner& scanner, Index count, LengthMesh& mesh) {
+    const std::string record = "an edge: two vertex numbers and a length";
+    mesh.edges.resize(count, 2);
+    mesh.lengths.resize(count);
+    std::vector<std::size_t> lines(static_cast<std::size_t>(count));
+    for (Index edge = 0; edge < count; ++edge) {
+        const Index a = mesh.edges(edge, 0) = scanner.vertex(mesh.vertices, 0);
+        lines[static_cast<std::size_t>(edge)] = scanner.line();
+        scanner.stay_on_line(record);
+        const Index b = mesh.edges(edge, 1) = scanner.vertex(mesh.vertices, 0);
+        scanner.stay_on_line(record);
+        const double length = mesh.lengths[edge] = scanner.number("a length");
+        if (!is_length(length))
+            scanner.fail(fmt::format("edge {} {} has length {}; expected a finite number above 0; "
+                                     "correct it",
+                                     a, b, length));
+        scanner.end_line(record);
+    }
+    return lines;
+}
+
+void check_edges(Scanner& scanner, const LengthMesh& mesh, const std::vector<std::size_t>& lines) {
+    const auto fault = edge_fault(mesh);
+    if (!fault)
+        return;
+    const auto line = [&](Index row) { return lines[static_cast<std::size_t>(row)]; };
+    const auto name = fmt::format("edge {} {}", fault->a, fault->b);
+    if (fault->kind == EdgeFault::Kind::missing)
+        throw InvalidInput(fmt::format("{}: {} of the simplices has no length; expected every edge "
+                                       "once; add a line for it",
+                                       scanner.name(), name));
+    scanner.set_line(line(fault->row));
+    if (fault->kind == EdgeFault::Kind::repeated)
+        scanner.fail(fmt::format("{} has a length on line {} already; expected every edge once; "
+                                 "remove one of the two",
+                                 name, line(fault->previous)));
+    scanner.fail(fmt::format("{} belongs to no simplex; expected edges of the simplices; remove "
+                             "the line or correct its vertices",
+                             name));
+}
+
+void write_row(AtomicFile& file, const Simplices& rows, Index row, const double* length) {
+    std::string line;
+    for (const Index v : rows.row(row)) {
+        line += line.empty() ? "" : " ";
+        append_number(line, v);
+    }
+    if (length != nullptr) {
+        line += ' ';
+        append_number(line, *length);
+    }
+    file.write(line + '\n');
+}
+
+} // namespace
+
+bool is_length_file(const std::filesystem::path& path) {
+    return lower_extension(path) == ".nsl";
+}
+
+LengthMesh parse_lengths(const SourceFile& file) {
+    Scanner scanner(file.name, file.text, {.comment = '#'});
+    const std::size_t bytes = 2; // a digit and what separates it
+    const Index dimension = scanner.count("dimensions", bytes);
+    if (dimension < 1)
+        scanner.fail(fmt::format("dimension {}; expected at least 1; the first line is n V S E: "
+                                 "dimension and numbers of vertices, simplices and edges",
+                                 dimension));
+    LengthMesh mesh;
+    mesh.vertices = scanner.count("vertices", bytes);
+    const Index simplices =
+        scanner.count("simplices", bytes * (static_cast<std::size_t>(dimension) + 1));
+    const Index edges = scanner.count("edges", 3 * bytes);
+    scanner.end_line(first_line);
+    try {
+        mesh.simplices = read_simplices(scanner, simplices, dimension, mesh.vertices);
+        const auto lines = read_edges(scanner, edges, mesh);
+        if (!scanner.at_end())
+            scanner.fail(fmt::format("more follows after {} edges; expected the end of the file; "
+                                     "correct the number in the first line",
+                                     edges));
+        if (simplices == 0)
+            throw InvalidInput(fmt::format("{}: the file holds no simplices; expected at least "
+                                           "one; write it again",
+                                           file.name));
+        check_edges(scanner, mesh, lines);
+    } catch (const std::bad_alloc&) {
+        throw IoError(fmt::format("cannot read {}: memory does not suffice", file.name));
+    }
+    return mesh;
+}
+
+LengthMesh read_lengths(const std::filesystem::path& path) {
+    if (!is_length_file(path))
+        throw InvalidInput(fmt::format("{}: lengths of edges are read from .nsl; expected this "
+                                       "extension; rename the file, or read it with read_mesh",
+                                       path.string()));
+    return parse_lengths(read_source_file(path));
+}
+
+void write_lengths(const std::filesystem::path& path, const LengthMesh& mesh) {
+    if (!is_length_file(path))
+        throw InvalidInput(fmt::format("cannot write {}: lengths of edges go to a file with the "
+                                       "extension .nsl",
+                                       path.string()));
+    check(mesh);
+    for (Index e = 0; e < mesh.edges.rows(); ++e)
+        if (!is_length(mesh.lengths[e]))
+            throw InvalidInput(fmt::format("cannot write {}: edge {} with vertices {} and {} has "
+                                           "length {}; expected a finite number above 0",
+                                           path.string(), e, mesh.edges(e, 0), mesh.edges(e, 1),
+                                           mesh.lengths[e]));
+    AtomicFile file(path);
+    file.write(fmt::format("{} {} {} {}\n", mesh.dimension(), mesh.vertices, mesh.simplices.rows(),
+                           mesh.edges.rows()));
+    for (Index s = 0; s < mesh.simplices.rows(); ++s)
+        write_row(file, mesh.simplices, s, nullptr);
+    for (Index e = 0; e < mesh.edges.rows(); ++e)
+        write_row(file, mesh.edges, e, &mesh.lengths[e]);
+    file.commit();
+}
+
+} // namespace polydec

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "io/meshes/ply_header.h"
+
+#include "io/scanner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+struct TypeName {
+    std::string_view name;
+    PlyType type;
+};
+
+constexpr std::array type_names{
+    TypeName{"char", PlyType::int8},      TypeName{"int8", PlyType::int8},
+    TypeName{"uchar", PlyType::uint8},    TypeName{"uint8", PlyType::uint8},
+    TypeName{"short", PlyType::int16},    TypeName{"int16", PlyType::int16},
+    TypeName{"ushort", PlyType::uint16},  TypeName{"uint16", PlyType::uint16},
+    TypeName{"int", PlyType::int32},      TypeName{"int32", PlyType::int32},
+    TypeName{"uint", PlyType::uint32},    TypeName{"uint32", PlyType::uint32},
+    TypeName{"float", PlyType::float32},  TypeName{"float32", PlyType::float32},
+    TypeName{"double", PlyType::float64}, TypeName{"float64", PlyType::float64},
+};
+
+PlyType read_type(Scanner& scanner) {
+    scanner.stay_on_line("a type");
+    const auto word = scanner.word("a type");
+    const auto found = std::find_if(type_names.begin(), type_names.end(),
+                                    [word](const TypeName& type) { return type.name == word; });
+    if (found == type_names.end()) {
+        scanner.fail(fmt::format("{} is not a type of PLY; expected char, uchar, short, ushort, "
+                                 "int, uint, float or double; correct the header",
+                                 quote_word(word)));
+    }
+    return found->type;
+}
+
+PlyEncoding read_encoding(Scanner& scanner) {
+    constexpr std::array<std::pair<std::string_view, PlyEncoding>, 3> encodings{{
+        {"ascii", PlyEncoding::ascii},
+        {"binary_little_endian", PlyEncoding::little_endian},
+        {"binary_big_endian", PlyEncoding::big_endian},
+    }};
+    const auto word = scanner.word("the encoding");
+    for (const auto& [name, encoding] : encodings) {
+        if (word == name) {
+            return encoding;
+        }
+    }
+    scanner.fail(fmt::format("{} is not an encoding of PLY; expected ascii, binary_little_endian "
+                             "or binary_big_endian; correct the header",
+                             quote_word(word)));
+}
+
+PlyProperty read_property(Scanner& scanner) {
+    PlyProperty property;
+    scanner.stay_on_line("a type");
+    const Scanner bookmark = scanner;
+    property.is_list = scanner.word("a type") == "list";
+    if (property.is_list) {
+        property.length_type = read_type(scanner);
+        if (property.length_type == PlyType::float32 || property.length_type == PlyType::float64) {
+            scanner.fail("the length of a list is a floating-point number; expected a whole "
+                         "number's type; correct the header");
+        }
+    } else {
+        scanner = bookmark;
+    }
+    property.type = read_type(scanner);
+    scanner.stay_on_line("the name of a property");
+    property.name = scanner.word("the name of a property");
+    return property;
+}
+
+/// A record without properties takes no bytes in a binary file: nothing bounds its count, and it
+/// can be passed over.
+void check_count(const Scanner& scanner, const PlyElement& element, PlyEncoding encoding,
+                 std::size_t line) {
+    std::size_t bytes = 0;
+    for (const auto& property : element.properties) {
+        const auto type = property.is_list ? property.length_type : property.type;
+        bytes += encoding == PlyEncoding::ascii ? 2 : size_of(type);
+    }
+    const auto count = static_cast<std::size_t>(element.count);
+    if (bytes > 0 && count > (scanner.remaining() + 1) / bytes) {
+        scanner.fail(fmt::format("{} elements {} are promised in line {}, but {} bytes follow; "
+                                 "expected at least {} bytes for each; correct the number, or "
+                                 "export again if the file was cut off",
+                                 count, quote_word(element.name), line, scanner.remaining(),
+                                 bytes));
+    }
+}
+
+class HeaderReader {
+public:
+    explicit HeaderReader(const SourceFile& file) : file_(file), scanner_(file.name, file.text) {}
+
+    PlyHeader read() {
+        begin();
+        while (read_line()) {
+        }
+        end();
+        return std::move(header_);
+    }
+
+private:
+    void begin() {
+        if (scanner_.at_end() || scanner_.word("ply") != "ply") {
+            scanner_.fail("the file does not begin with the word ply; expected a PLY file; check "
+                          "the format");
+        }
+        scanner_.end_line("the first line, ply");
+    }
+
+    /// False for the line that ends the header.
+    bool read_line() {
+        const auto keyword = scanner_.word("end_header");
+        if (keyword == "end_header") {
+            return false;
+        }
+        if (keyword == "format") {
+            header_.encoding = read_encoding(scanner_);
+            has_format_ = true;
+        } else if (keyword == "element") {
+            read_element();
+        } else if (keyword == "property") {
+            if (header_.elements.empty()) {
+                scanner_.fail("a property stands before the first element; expected an element; "
+                              "correct the header");
+            }
+            header_.elements.back().properties.push_back(read_property(scanner_));
+        } else if (keyword != "comment" && keyword != "obj_info") {
+            scanner_.fail(fmt::format("{} is not a keyword of PLY; expected format, comment, "
+                                      "element, property or end_header; correct the header",
+                                      quote_word(keyword)));
+        }
+        scanner_.next_line();
+        return true;
+    }
+
+    void read_element() {
+        PlyElement element;
+        scanner_.stay_on_line("the name of an element");
+        element.name = scanner_.word("the name of an element");
+        for (const auto& other : header_.elements) {
+            if (other.name == element.name) {
+                scanner_.fail(fmt::format("the element {} is there a second time; expected one; "
+                                          "correct the header",
+                                          quote_word(element.name)));
+            }
+        }
+        scanner_.stay_on_line("the number of elements");
+        element.count = scanner_.count(fmt::format("elements {}", quote_word(element.name)), 0);
+        header_.elements.push_back(std::move(element));
+        lines_.push_back(scanner_.line());
+    }
+
+    /// Only one line break belongs to the header: what follows may be binary.
+    void end() {
+        if (!has_format_) {
+            scanner_.fail("the header names no format; expected a line such as format ascii 1.0; "
+                          "correct the header");
+        }
+        const auto text = scanner_.rest();
+        const auto line_break = text.find_first_of("\r\n");
+        if (line_break == std::string_view::npos) {
+            scanner_.fail("the file ends with its header; expected the elements; export it again, "
+                          "it seems cut off");
+        }
+        const bool two = breaks_lines_with_two() && text.substr(line_break, 2) == "\r\n";
+        scanner_.skip(line_break);
+        header_.body_begin = file_.text.size() - scanner_.remaining() + (two ? 2 : 1);
+        header_.body_line = scanner_.line() + 1;
+        for (std::size_t i = 0; i < header_.elements.size(); ++i) {
+            check_count(scanner_, header_.elements[i], header_.encoding, lines_[i]);
+        }
+    }
+
+    /// The first line decides: after a lone CR a binary body may begin with the byte of LF.
+    bool breaks_lines_with_two() const {
+        const auto first = file_.text.find_first_of("\r\n");
+        return file_.text.compare(first, 2, "\r\n") == 0;
+    }
+
+    const SourceFile& file_;
+    Scanner scanner_;
+    PlyHeader header_;
+    std::vector<std::size_t> lines_;
+    bool has_format_ = false;
+};
+
+} // namespace
+
+std::size_t PlyElement::find(const std::string& property) const {
+    const auto found =
+        std::find_if(properties.begin(), properties.end(),
+                     [&property](const PlyProperty& each) { return each.name == property; });
+    return static_cast<std::size_t>(found - properties.begin());
+}
+
+PlyHeader read_ply_header(const SourceFile& file) {
+    return HeaderReader(file).read();
+}
+
+std::size_t size_of(PlyType type) {
+    constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
+    return sizes[static_cast<std::size_t>(type)];
+}
+
+} // namespace polydec

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "io/meshes/read_mesh.h"
+
+#include "base/errors.h"
+#include "io/meshes/length_file.h"
+#include "io/meshes/readers.h"
+#include "io/source_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <new>
+
+namespace polydec {
+
+namespace {
+
+struct Format {
+    const char* extension;
+    Mesh (*read)(const SourceFile&);
+};
+
+constexpr std::array formats{
+    Format{".off", read_off},  Format{".obj", read_obj},     Format{".ply", read_ply},
+    Format{".stl", read_stl},  Format{".nsc", read_nsc},     Format{".mesh", read_medit},
+    Format{".msh", read_gmsh}, Format{".node", read_tetgen}, Format{".ele", read_tetgen},
+    Format{".vtk", read_vtk},  Format{".vtu", read_vtu},
+};
+
+const Format& format_of(const std::filesystem::path& path) {
+    const auto extension = lower_extension(path);
+    std::string known;
+    for (const auto& format : formats) {
+        if (extension == format.extension) {
+            return format;
+        }
+        known += std::string(known.empty() ? "" : " ") + format.extension;
+    }
+    if (is_length_file(path))
+        throw InvalidInput(fmt::format("{}: .nsl holds lengths of edges and no points; expected a "
+                                       "mesh with points; read it with read_lengths",
+                                       path.string()));
+    throw InvalidInput(fmt::format("{}: the extension '{}' stands for no mesh format; expected one "
+                                   "of {}; rename or convert the file",
+                                   path.string(), extension, known));
+}
+
+} // namespace
+
+Mesh read_mesh(const std::filesystem::path& path) {
+    // An unknown format is said before the file is looked for.
+    format_of(path);
+    return parse_mesh(read_source_file(path));
+}
+
+Mesh parse_mesh(const SourceFile& file) {
+    const auto& format = format_of(file.name);
+    try {
+        Mesh mesh = format.read(file);
+        if (mesh.points.rows() == 0) {
+            throw InvalidInput(fmt::format("{}: the file holds no vertices; expected a mesh; "
+                                           "export it again",
+                                           file.name));
+        }
+        if (mesh.simplices.rows() == 0) {
+            throw InvalidInput(fmt::format("{}: the file holds {} vertices but no cells; expected "
+                                           "at least one cell; export it with its cells",
+                                           file.name, mesh.points.rows()));
+        }
+        return mesh;
+    } catch (const std::bad_alloc&) {
+        throw IoError(fmt::format("cannot read {}: memory does not suffice", file.name));
+    }
+}
+
+void reserve_faces(PolygonMesh& polygons, Index faces, std::size_t remaining) {
+    const auto count = std::min(static_cast<std::size_t>(faces), remaining);
+    polygons.offsets.reserve(count + 1);
+    polygons.corners.reserve(std::min(3 * count, remaining));
+}
+
+void close_face(PolygonMesh& polygons, const SourceFile& file) {
+    polygons.offsets.push_back(checked_count(polygons.corners.size(), "corners of faces", file));
+}
+
+Index checked_count(std::size_t count, const char* plural, const SourceFile& file) {
+    if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max())) {
+        throw InvalidInput(fmt::format("{}: more than 2^31 - 1 {}; expected fewer; divide the mesh",
+                                       file.name, plural));
+    }
+    return static_cast<Index>(count);
+}
+
+Points points_from(const std::vector<double>& coordinates) {
+    const auto rows = static_cast<Eigen::Index>(coordinates.size() / 3);
+    return Eigen::Map<const Points>(coordinates.data(), rows, 3);
+}
+
+} // namespace polydec

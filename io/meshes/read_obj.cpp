@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "io/meshes/readers.h"
+#include "io/scanner.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+class ObjReader {
+public:
+    explicit ObjReader(const SourceFile& file)
+        : file_(file), scanner_(file.name, file.text, {.comment = '#', .continuation = '\\'}) {}
+
+    Mesh read() {
+        while (!scanner_.at_end()) {
+            read_line();
+            scanner_.next_line();
+        }
+        if (farthest_ >= vertices()) {
+            fail_range(farthest_place_, farthest_ + 1);
+        }
+        polygons_.points = points_from(coordinates_);
+        Mesh mesh = split_polygons(std::move(polygons_));
+        if (left_out_ > 0) {
+            mesh.warnings.push_back(fmt::format("{} records of lines or points left out, the first "
+                                                "in line {}",
+                                                left_out_, first_left_out_));
+        }
+        return mesh;
+    }
+
+private:
+    void read_line() {
+        const auto keyword = scanner_.word("a keyword");
+        if (keyword == "v") {
+            read_vertex();
+        } else if (keyword == "f") {
+            read_face();
+        } else if (keyword == "l" || keyword == "p") {
+            first_left_out_ = left_out_ == 0 ? scanner_.line() : first_left_out_;
+            ++left_out_;
+        }
+    }
+
+    /// A weight or a color may follow; it is left out with the rest of the line.
+    void read_vertex() {
+        const Index vertex = checked_count(coordinates_.size() / 3, "vertices", file_);
+        for (int axis = 0; axis < 3; ++axis) {
+            scanner_.stay_on_line("three coordinates of a vertex");
+            coordinates_.push_back(scanner_.coordinate(vertex));
+        }
+    }
+
+    void read_face() {
+        while (!scanner_.at_line_end()) {
+            polygons_.corners.push_back(read_corner());
+        }
+        close_face(polygons_, file_);
+    }
+
+    /// a, a/b, a//c or a/b/c: the vertex a alone matters. It may come later in the file, so that
+    /// the greatest one is remembered and checked at the end.
+    Index read_corner() {
+        const auto number = scanner_.integer("a vertex number", '/');
+        const auto vertex = number > 0 ? number - 1 : vertices() + number;
+        if (number == 0 || vertex < 0 || vertex > std::numeric_limits<Index>::max()) {
+            fail_range(scanner_, number);
+        }
+        if (vertex > farthest_) {
+            farthest_ = vertex;
+            farthest_place_ = scanner_;
+        }
+        if (scanner_.remaining() > 0 && scanner_.rest()[0] == '/') {
+            scanner_.word("a corner");
+        }
+        return static_cast<Index>(vertex);
+    }
+
+    std::int64_t vertices() const { return static_cast<std::int64_t>(coordinates_.size() / 3); }
+
+    [[noreturn]] void fail_range(const Scanner& place, std::int64_t number) const {
+        const char* back = number < 0 ? " counted back from here" : "";
+        place.fail(fmt::format("vertex number {} is out of range; expected {} to {}{}; correct the "
+                               "index or add the vertex",
+                               number, number < 0 ? -vertices() : 1, number < 0 ? -1 : vertices(),
+                               back));
+    }
+
+    const SourceFile& file_;
+    Scanner scanner_;
+    std::vector<double> coordinates_;
+    PolygonMesh polygons_;
+    std::int64_t farthest_ = -1;
+    Scanner farthest_place_ = scanner_;
+    std::size_t left_out_ = 0;
+    std::size_t first_left_out_ = 0;
+};
+
+} // namespace
+
+Mesh read_obj(const SourceFile& file) {
+    return ObjReader(file).read();
+}
+
+} // namespace polydec

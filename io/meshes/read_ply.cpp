@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "io/byte_reader.h"
+#include "io/meshes/ply_header.h"
+#include "io/meshes/readers.h"
+#include "io/scanner.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// The numbers of a text body.
+class TextSource {
+public:
+    TextSource(const SourceFile& file, const PlyHeader& header)
+        : scanner_(file.name, std::string_view(file.text).substr(header.body_begin)) {
+        scanner_.set_line(header.body_line);
+    }
+
+    double value(PlyType) { return scanner_.number("a number"); }
+    void end_record() { scanner_.end_line("an element"); }
+    std::size_t remaining() const { return scanner_.remaining(); }
+    bool at_end() { return scanner_.at_end(); }
+    [[noreturn]] void fail(const std::string& text) const { scanner_.fail(text); }
+
+private:
+    Scanner scanner_;
+};
+
+/// The numbers of a binary body. Every type of PLY fits into a double exactly.
+class BinarySource {
+public:
+    BinarySource(const SourceFile& file, const PlyHeader& header)
+        : file_(file),
+          position_(header.body_begin),
+          order_(header.encoding == PlyEncoding::big_endian ? std::endian::big
+                                                            : std::endian::little) {}
+
+    double value(PlyType type) {
+        const auto size = size_of(type);
+        if (size > remaining()) {
+            fail("the file ends here; expected more elements; export it again, it seems cut off");
+        }
+        const char* place = file_.text.data() + position_;
+        position_ += size;
+        return value_at(place, type);
+    }
+
+    void end_record() const {}
+    std::size_t remaining() const { return file_.text.size() - position_; }
+    bool at_end() const { return remaining() == 0; }
+
+    [[noreturn]] void fail(const std::string& text) const {
+        throw InvalidInput(fmt::format("{}: before byte {}: {}", file_.name, position_, text));
+    }
+
+private:
+    double value_at(const char* place, PlyType type) const {
+        switch (type) {
+        case PlyType::int8:
+            return number_at<std::int8_t>(place, order_);
+        case PlyType::uint8:
+            return number_at<std::uint8_t>(place, order_);
+        case PlyType::int16:
+            return number_at<std::int16_t>(place, order_);
+        case PlyType::uint16:
+            return number_at<std::uint16_t>(place, order_);
+        case PlyType::int32:
+            return number_at<std::int32_t>(place, order_);
+        case PlyType::uint32:
+            return number_at<std::uint32_t>(place, order_);
+        case PlyType::float32:
+            return static_cast<double>(number_at<float>(place, order_));
+        case PlyType::float64:
+            break;
+        }
+        return number_at<double>(place, order_);
+    }
+
+    const SourceFile& file_;
+    std::size_t position_;
+    std::endian order_;
+};
+
+template <typename Source>
+class BodyReader {
+public:
+    BodyReader(const SourceFile& file, const PlyHeader& header)
+        : file_(file), header_(header), source_(file, header) {
+        for (const auto& element : header.elements) {
+            vertices_ = element.name == "vertex" ? element.count : vertices_;
+        }
+    }
+
+    Mesh read() {
+        for (const auto& element : header_.elements) {
+            if (element.name == "vertex") {
+                read_vertices(element);
+            } else if (element.name == "face") {
+                read_faces(element);
+            } else {
+                pass_over(element);
+            }
+        }
+        const bool is_rest = !source_.at_end();
+        Mesh mesh = split_polygons(std::move(polygons_));
+        if (is_rest) {
+            mesh.warnings.push_back(
+                fmt::format("{} bytes behind the last element left out", source_.remaining()));
+        }
+        return mesh;
+    }
+
+private:
+    void read_vertices(const PlyElement& element) {
+        std::vector<int> axis_of(element.properties.size(), -1);
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::string name(1, "xyz"[axis]);
+            const auto place = element.find(name);
+            if (place == element.properties.size() || element.properties[place].is_list) {
+                source_.fail(fmt::format("the element vertex has no number {}; expected x, y and "
+                                         "z; correct the header",
+                                         name));
+            }
+            axis_of[place] = axis;
+        }
+        polygons_.points.resize(element.count, 3);
+        for (Index vertex = 0; vertex < element.count; ++vertex) {
+            read_vertex(element, axis_of, vertex);
+        }
+    }
+
+    void read_vertex(const PlyElement& element, const std::vector<int>& axis_of, Index vertex) {
+        for (std::size_t i = 0; i < axis_of.size(); ++i) {
+            const auto& property = element.properties[i];
+            if (axis_of[i] < 0) {
+                pass_over(property);
+                continue;
+            }
+            const double value = source_.value(property.type);
+            if (!std::isfinite(value)) {
+                source_.fail(fmt::format(
+                    "vertex {} (counted from 0) has a coordinate that is NaN, infinite or beyond "
+                    "the doubles; expected finite numbers; repair or remove the vertex",
+                    vertex));
+            }
+            polygons_.points(vertex, axis_of[i]) = value;
+        }
+        source_.end_record();
+    }
+
+    void read_faces(const PlyElement& element) {
+        auto list = element.find("vertex_indices");
+        if (list == element.properties.size()) {
+            list = element.find("vertex_index");
+        }
+        if (list == element.properties.size() || !element.properties[list].is_list) {
+            source_.fail("the element face has no list vertex_indices; expected property list "
+                         "uchar int vertex_indices; correct the header");
+        }
+        reserve_faces(polygons_, element.count, source_.remaining());
+        for (Index face = 0; face < element.count; ++face) {
+            for (std::size_t i = 0; i < element.properties.size(); ++i) {
+                if (i == list) {
+                    read_corners(element.properties[i], face);
+                } else {
+                    pass_over(element.properties[i]);
+                }
+            }
+            source_.end_record();
+            close_face(polygons_, file_);
+        }
+    }
+
+    void read_corners(const PlyProperty& property, Index face) {
+        const auto length = read_length(property);
+        for (std::size_t i = 0; i < length; ++i) {
+            const double value = source_.value(property.type);
+            if (!(value >= 0.0 && value < vertices_) || value != std::floor(value)) {
+                source_.fail(fmt::format("face {} has the vertex number {}; expected 0 to {}; "
+                                         "correct the index or add the vertex",
+                                         face, value, vertices_ - 1));
+            }
+            polygons_.corners.push_back(static_cast<Index>(value));
+        }
+    }
+
+    std::size_t read_length(const PlyProperty& list) {
+        const double length = source_.value(list.length_type);
+        const auto most = static_cast<double>(source_.remaining());
+        if (!(length >= 0.0 && length <= most) || length != std::floor(length)) {
+            source_.fail(fmt::format("a list of length {}, but {} bytes follow; expected a whole "
+                                     "number that fits; export it again",
+                                     length, source_.remaining()));
+        }
+        return static_cast<std::size_t>(length);
+    }
+
+    void pass_over(const PlyProperty& property) {
+        const auto values = property.is_list ? read_length(property) : 1;
+        for (std::size_t i = 0; i < values; ++i) {
+            source_.value(property.type);
+        }
+    }
+
+    /// Elements without properties take no room.
+    void pass_over(const PlyElement& element) {
+        if (element.properties.empty()) {
+            return;
+        }
+        for (Index record = 0; record < element.count; ++record) {
+            for (const auto& property : element.properties) {
+                pass_over(property);
+            }
+            source_.end_record();
+        }
+    }
+
+    const SourceFile& file_;
+    const PlyHeader& header_;
+    Source source_;
+    PolygonMesh polygons_;
+    Index vertices_ = 0;
+};
+
+} // namespace
+
+Mesh read_ply(const SourceFile& file) {
+    const auto header = read_ply_header(file);
+    if (header.encoding == PlyEncoding::ascii) {
+        return BodyReader<TextSource>(file, header).read();
+    }
+    return BodyReader<BinarySource>(file, header).read();
+}
+
+} // namespace polydec

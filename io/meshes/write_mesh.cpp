@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+#include "io/meshes/write_mesh.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "io/number_text.h"
+#include "io/source_file.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+
+namespace polydec {
+
+namespace {
+
+using Path = std::filesystem::path;
+
+[[noreturn]] void refuse(const Path& path, const std::string& text) {
+    throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text));
+}
+
+void check_points(const Path& path, const Points& points) {
+    for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex) {
+        if (!points.row(vertex).allFinite()) {
+            refuse(path, fmt::format("vertex {} has a coordinate that is NaN or infinite; find out "
+                                     "what made it so",
+                                     vertex));
+        }
+    }
+}
+
+void check_simplices(const Path& path, const Mesh& mesh) {
+    for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
+        for (const Index vertex : mesh.simplices.row(cell)) {
+            if (vertex < 0 || vertex >= mesh.points.rows()) {
+                refuse(path, fmt::format("cell {} has the vertex {}; expected 0 to {}", cell,
+                                         vertex, mesh.points.rows() - 1));
+            }
+        }
+    }
+}
+
+/// Writes lines of numbers.
+class Lines {
+public:
+    explicit Lines(const Path& path) : file_(path) {}
+
+    void text(std::string_view text) { file_.write(text); }
+
+    template <typename Number>
+    void number(Number value) {
+        line_ += line_.empty() ? "" : " ";
+        append_number(line_, value);
+    }
+
+    void word(std::string_view word) { line_ += word; }
+
+    void end() {
+        line_ += '\n';
+        file_.write(line_);
+        line_.clear();
+    }
+
+    /// The coordinates of a vertex, with zeros up to `axes`.
+    void coordinates(const Points& points, Eigen::Index vertex, Eigen::Index axes) {
+        for (Eigen::Index axis = 0; axis < axes; ++axis) {
+            number(axis < points.cols() ? points(vertex, axis) : 0.0);
+        }
+    }
+
+    void commit() { file_.commit(); }
+
+private:
+    AtomicFile file_;
+    std::string line_;
+};
+
+/// Triangles and polygons alike, for the formats of surfaces.
+struct Faces {
+    const Points& points;
+    std::span<const Index> corners;
+    std::size_t count;
+    const std::vector<Index>* offsets; ///< none for triangles
+
+    std::span<const Index> operator[](std::size_t face) const {
+        if (offsets == nullptr) {
+            return corners.subspan(3 * face, 3);
+        }
+        const auto begin = static_cast<std::size_t>((*offsets)[face]);
+        return corners.subspan(begin, static_cast<std::size_t>((*offsets)[face + 1]) - begin);
+    }
+};
+
+void write_faces(Lines& lines, const Faces& faces) {
+    for (std::size_t face = 0; face < faces.count; ++face) {
+        lines.number(faces[face].size());
+        for (const Index corner : faces[face]) {
+            lines.number(corner);
+        }
+        lines.end();
+    }
+}
+
+void write_vertices(Lines& lines, const Points& points) {
+    for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex) {
+        lines.coordinates(points, vertex, 3);
+        lines.end();
+    }
+}
+
+void write_off(const Path& path, const Faces& faces) {
+    Lines lines(path);
+    lines.text(fmt::format("OFF\n{} {} 0\n", faces.points.rows(), faces.count));
+    write_vertices(lines, faces.points);
+    write_faces(lines, faces);
+    lines.commit();
+}
+
+void write_obj(const Path& path, const Faces& faces) {
+    Lines lines(path);
+    for (Eigen::Index vertex = 0; vertex < faces.points.rows(); ++vertex) {
+        lines.word("v");
+        lines.coordinates(faces.points, vertex, 3);
+        lines.end();
+    }
+    for (std::size_t face = 0; face < faces.count; ++face) {
+        lines.word("f");
+        for (const Index corner : faces[face]) {
+            lines.number(std::int64_t{corner} + 1);
+        }
+        lines.end();
+    }
+    lines.commit();
+}
+
+void write_ply(const Path& path, const Faces& faces) {
+    std::size_t most_corners = 3;
+    for (std::size_t face = 0; face < faces.count; ++face) {
+        most_corners = std::max(most_corners, faces[face].size());
+    }
+    Lines lines(path);
+    lines.text(fmt::format("ply\nformat ascii 1.0\nelement vertex {}\n"
+                           "property double x\nproperty double y\nproperty double z\n"
+                           "element face {}\nproperty list {} int vertex_indices\nend_header\n",
+                           faces.points.rows(), faces.count,
+                           most_corners < 256 ? "uchar" : "uint"));
+    write_vertices(lines, faces.points);
+    write_faces(lines, faces);
+    lines.commit();
+}
+
+/// Appends a number of four bytes, the lowest first.
+template <typename Number>
+void append_bytes(std::string& bytes, Number number) {
+    const auto bits = std::bit_cast<std::uint32_t>(number);
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+        bytes += static_cast<char>(bits >> shift & 0xFFU);
+    }
+}
+
+Eigen::Vector3d padded(const Points& points, Index vertex) {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    place.head(points.cols()) = points.row(vertex);
+    return place;
+}
+
+/// An STL file has floats, into which not every double fits.
+float to_float(const Path& path, double value, Index vertex) {
+    if (std::abs(value) > std::numeric_limits<float>::max()) {
+        refuse(path,
+               fmt::format("a coordinate of vertex {} is too large for the floats of STL; use "
+                           ".off, .obj or .ply",
+                           vertex));
+    }
+    return static_cast<float>(value);
+}
+
+void write_stl(const Path& path, const Faces& faces) {
+    AtomicFile file(path);
+    std::string bytes = "binary STL";
+    bytes.resize(80, ' ');
+    append_bytes(bytes, static_cast<std::uint32_t>(faces.count));
+    for (std::size_t face = 0; face < faces.count; ++face) {
+        const auto corners = faces[face];
+        const Eigen::Vector3d origin = padded(faces.points, corners[0]);
+        const Eigen::Vector3d normal = (padded(faces.points, corners[1]) - origin)
+                                           .cross(padded(faces.points, corners[2]) - origin)
+                                           .stableNormalized();
+        for (const double value : normal) {
+            append_bytes(bytes, std::isfinite(value) ? static_cast<float>(value) : 0.0F);
+        }
+        for (const Index vertex : corners) {
+            for (const double value : padded(faces.points, vertex)) {
+                append_bytes(bytes, to_float(path, value, vertex));
+            }
+        }
+        bytes.append(2, '\0');
+        file.write(bytes);
+        bytes.clear();
+    }
+    file.write(bytes);
+    file.commit();
+}
+
+void write_nsc(const Path& path, const Mesh& mesh) {
+    Lines lines(path);
+    lines.text(fmt::format("{} {} {} {}\n", mesh.ambient_dimension(), mesh.dimension(),
+                           mesh.points.rows(), mesh.simplices.rows()));
+    for (Eigen::Index vertex = 0; vertex < mesh.points.rows(); ++vertex) {
+        lines.coordinates(mesh.points, vertex, mesh.points.cols());
+        lines.end();
+    }
+    for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
+        for (const Index vertex : mesh.simplices.row(cell)) {
+            lines.number(vertex);
+        }
+        lines.end();
+    }
+    lines.commit();
+}
+
+void write_medit(const Path& path, const Mesh& mesh) {
+    const auto axes = mesh.ambient_dimension();
+    const auto dimension = mesh.dimension();
+    if (axes < 2 || axes > 3 || dimension < 1 || dimension > 3) {
+        refuse(path, fmt::format("MEDIT holds edges, triangles and tetrahedra in R^2 and R^3, not "
+                                 "{}-simplices in R^{}; use .nsc",
+                                 dimension, axes));
+    }
+    constexpr const char* keywords[] = {"Edges", "Triangles", "Tetrahedra"};
+
+    Lines lines(path);
+    lines.text(fmt::format("MeshVersionFormatted 2\nDimension {}\nVertices\n{}\n", axes,
+                           mesh.points.rows()));
+    for (Eigen::Index vertex = 0; vertex < mesh.points.rows(); ++vertex) {
+        lines.coordinates(mesh.points, vertex, axes);
+        lines.word(" 0");
+        lines.end();
+    }
+    lines.text(fmt::format("{}\n{}\n", keywords[dimension - 1], mesh.simplices.rows()));
+    for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
+        for (const Index vertex : mesh.simplices.row(cell)) {
+            lines.number(std::int64_t{vertex} + 1);
+        }
+        lines.number(mesh.tags.empty() ? 0 : mesh.tags[static_cast<std::size_t>(cell)]);
+        lines.end();
+    }
+    lines.text("End\n");
+    lines.commit();
+}
+
+void write_surface(const Path& path, const std::string& extension, const Faces& faces) {
+    if (extension == ".off") {
+        write_off(path, faces);
+    } else if (extension == ".obj") {
+        write_obj(path, faces);
+    } else if (extension == ".ply") {
+        write_ply(path, faces);
+    } else {
+        write_stl(path, faces);
+    }
+}
+
+} // namespace
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
+    check_points(path, mesh.points);
+    check_simplices(path, mesh);
+    if (!mesh.tags.empty() && static_cast<Eigen::Index>(mesh.tags.size()) != mesh.simplices.rows())
+        refuse(path, fmt::format("{} tags for {} simplices: expected one for each, or none",
+                                 mesh.tags.size(), mesh.simplices.rows()));
+    const auto extension = lower_extension(path);
+    if (extension == ".nsc") {
+        write_nsc(path, mesh);
+    } else if (extension == ".mesh") {
+        write_medit(path, mesh);
+    } else if (extension == ".off" || extension == ".obj" || extension == ".ply" ||
+               extension == ".stl") {
+        if (mesh.dimension() != 2 || mesh.ambient_dimension() > 3) {
+            refuse(path, fmt::format("{} holds triangles in R^2 and R^3, not {}-simplices in R^{}; "
+                                     "use .nsc",
+                                     extension, mesh.dimension(), mesh.ambient_dimension()));
+        }
+        const auto corners = static_cast<std::size_t>(mesh.simplices.size());
+        write_surface(path, extension,
+                      {mesh.points, {mesh.simplices.data(), corners}, corners / 3, nullptr});
+    } else {
+        refuse(path, fmt::format("the extension '{}' stands for no mesh format; use .off, .obj, "
+                                 ".ply, .stl, .mesh or .nsc",
+                                 extension));
+    }
+}
+
+void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh) {
+    check_polygons(mesh);
+    check_points(path, mesh.points);
+    const auto extension = lower_extension(path);
+    if (extension != ".off" && extension != ".obj" && extension != ".ply") {
+        refuse(path, fmt::format("the extension '{}' stands for no format of polygons; use .off, "
+                                 ".obj or .ply",
+                                 extension));
+    }
+    if (mesh.points.cols() > 3) {
+        refuse(path, fmt::format("{} holds polygons in R^2 and R^3, not in R^{}; write the "
+                                 "triangles as .nsc",
+                                 extension, mesh.points.cols()));
+    }
+    write_surface(path, extension,
+                  {mesh.points, mesh.corners, mesh.offsets.size() - 1, &mesh.offsets});
+}
+
+} // namespace polydec

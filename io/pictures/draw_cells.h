@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/forms/cochain.h"
+#include "io/pictures/vtu.h"
+#include "meshes/polygons.h"
+
+#include <string>
+
+namespace polydec {
+
+/// Throws InvalidInput unless cells of that dimension in that many coordinates can be drawn: both
+/// at most 3, and points known.
+void check_drawable(int dimension, int ambient_dimension);
+
+/// The cells of P that carry primal k-forms, as a picture: lines, polygons (VTK type 7) or
+/// polyhedra (42), whose faces look outward; for k = 0, whose values belong to points, the cells of
+/// largest dimension. Points keep the input's numbers, those of no cell too. points has a row per
+/// vertex number. Throws like check_drawable.
+VtuGrid draw_cells(const Merging& merging, const Points& points, int k);
+
+/// Adds the values of a primal k-form on P, or of the dual (n-k)-form on the same cells, to what
+/// draw_cells made for that k: point data for k = 0 (0 at points that belong to no cell), else
+/// cell data. Or a vector at each of these cells, a row of two or three numbers. Throws
+/// InvalidInput unless there is a row for every k-cell, and like vtu_array.
+void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
+                 const Eigen::Ref<const DenseMatrix>& values);
+
+/// The same for the cells of a bundle, at the places of the input (discretization.unit), and a form
+/// on them, whose values are taken as they are. After intrinsic flips, whose cells cross
+/// the input's, it is the input that is shown, with the form as to_input brings it there; dual
+/// 1-forms are shown by the primal ones that they are stars of.
+VtuGrid draw_cells(const Discretization& discretization, int k);
+void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
+              const Cochain& form);
+
+/// The merged 2-cells of a surface as polygons; vertices keep the input's numbers.
+PolygonMesh polygon_mesh(const Merging& merging, const Points& points);
+
+} // namespace polydec

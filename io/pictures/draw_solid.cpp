@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: MIT
+#include "io/pictures/draw_solid.h"
+
+#include "base/errors.h"
+#include "complex/corners.h"
+#include "dec/fields/cell_centers.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+namespace polydec {
+
+namespace {
+
+using Place = Eigen::Vector3d;
+using Color = Eigen::Vector3d; // red, green, blue, 0 to 255
+
+// lightness falls to the dark ends all the way
+const Color sequential_colors[] = {{255, 248, 222}, {253, 218, 150}, {244, 165, 104},
+                                   {214, 107, 107}, {160, 68, 118},  {92, 44, 112}};
+const Color diverging_colors[] = {{13, 59, 112},   {49, 125, 180}, {157, 202, 225}, {246, 244, 240},
+                                  {247, 190, 121}, {217, 108, 31}, {122, 48, 6}};
+
+/// The axes of the picture: to the right, up, towards the eye.
+struct Frame {
+    Place right, up, eye;
+
+    explicit Frame(const SolidView& view) {
+        for (const auto& [name, direction] : {std::pair("eye", &view.eye), {"up", &view.up}})
+            if (direction->size() != 3 || !direction->allFinite())
+                throw InvalidInput(fmt::format(
+                    "the view's direction '{}' must have three finite coordinates", name));
+        eye = Place(view.eye).normalized();
+        right = Place(view.up).normalized().cross(eye);
+        if (!(right.norm() > 1e-9))
+            throw InvalidInput("the view's directions 'eye' and 'up' are zero or parallel: choose "
+                               "another 'up'");
+        right.normalize();
+        up = eye.cross(right);
+    }
+
+    SvgPoint operator()(const Place& p) const { return {right.dot(p), up.dot(p)}; }
+};
+
+Index count(const SolidFaces& faces) {
+    return static_cast<Index>(faces.polygons.offsets.size()) - 1;
+}
+
+std::span<const Index> corners_of(const PolygonMesh& polygons, Index face) {
+    const Index begin = polygons.offsets[face];
+    return std::span(polygons.corners).subspan(begin, polygons.offsets[face + 1] - begin);
+}
+
+Place mean_of(const Points& points, std::span<const Index> corners) {
+    Place sum = Place::Zero();
+    for (const Index v : corners)
+        sum += points.row(v).transpose();
+    return sum / static_cast<double>(corners.size());
+}
+
+Place mean_of(const PolygonMesh& polygons, Index face) {
+    return mean_of(polygons.points, corners_of(polygons, face));
+}
+
+/// Twice the area times the normal (Newell): corners run counterclockwise around it.
+Place normal_of(const Points& points, std::span<const Index> corners) {
+    Place normal = Place::Zero();
+    const Place origin = points.row(corners.front());
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        const Place a = points.row(corners[i]), b = points.row(corners[i + 1]);
+        normal += (a - origin).cross(b - origin);
+    }
+    return normal;
+}
+
+Place normal_of(const PolygonMesh& polygons, Index face) {
+    return normal_of(polygons.points, corners_of(polygons, face));
+}
+
+bool is_color(const std::string& text) {
+    return text.size() == 7 && text[0] == '#' &&
+           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+}
+
+void check_size(const char* what, Eigen::Index given, Index polygons) {
+    if (given != 0 && given != polygons)
+        throw InvalidInput(fmt::format("{} {} are given: expected one for each of the {} polygons, "
+                                       "or none",
+                                       given, what, polygons));
+}
+
+void check_faces(const SolidFaces& faces) {
+    check_polygons(faces.polygons);
+    const Index polygons = count(faces);
+    if (polygons == 0)
+        throw InvalidInput("there are no polygons to draw: add one");
+    if (faces.polygons.points.cols() != 3)
+        throw InvalidInput(fmt::format("the polygons have {} coordinates a point: expected three",
+                                       faces.polygons.points.cols()));
+    check_size("values", faces.values.size(), polygons);
+    check_size("fills", static_cast<Eigen::Index>(faces.fills.size()), polygons);
+    check_size("depth sites", faces.depth_sites.rows(), polygons);
+    if (faces.depth_sites.rows() > 0 && faces.depth_sites.cols() != 3)
+        throw InvalidInput(fmt::format("the depth sites have {} coordinates: expected three",
+                                       faces.depth_sites.cols()));
+    for (Index f = 0; f < polygons; ++f) {
+        const auto complain = [f](const char* what) {
+            throw InvalidInput(fmt::format("polygon {} has {}", f, what));
+        };
+        if (corners_of(faces.polygons, f).size() < 3)
+            complain("fewer than three corners: leave it out");
+        if (!mean_of(faces.polygons, f).allFinite() ||
+            (faces.depth_sites.rows() > 0 && !faces.depth_sites.row(f).allFinite()))
+            complain("a coordinate that is NaN or infinite: find out what made it so");
+        if (faces.values.size() > 0 && !std::isfinite(faces.values[f]))
+            complain("a value that is NaN or infinite: find out what made it so");
+        if (!faces.fills.empty() && !faces.fills[f].empty() && !is_color(faces.fills[f]))
+            complain("a fill that is no color: expected \"#rrggbb\", or \"\" for that of its "
+                     "value");
+    }
+}
+
+std::vector<Index> order_of(const SolidFaces& faces, const Frame& frame) {
+    std::vector<Index> order;
+    Vector depth(count(faces));
+    for (Index f = 0; f < count(faces); ++f) {
+        const Place site = faces.depth_sites.rows() > 0 ? Place(faces.depth_sites.row(f))
+                                                        : mean_of(faces.polygons, f);
+        depth[f] = frame.eye.dot(site);
+        if (!faces.closed || frame.eye.dot(normal_of(faces.polygons, f)) > 0)
+            order.push_back(f);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return depth[a] < depth[b]; });
+    return order;
+}
+
+Color color_of(const std::string& text) {
+    Color color;
+    for (int i = 0; i < 3; ++i)
+        color[i] = std::stoi(text.substr(1 + 2 * i, 2), nullptr, 16);
+    return color;
+}
+
+std::string text_of(const Color& color) {
+    const auto part = [&](int i) { return static_cast<int>(std::lround(color[i])); };
+    return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
+}
+
+/// Values to colors.
+struct ColorScale {
+    ColorMap map;
+    SvgPoint range;
+
+    ColorScale(const Vector& values, const SolidView& view) {
+        const double low = values.minCoeff(), high = values.maxCoeff();
+        map = view.map.value_or(low < 0 && high > 0 ? ColorMap::diverging : ColorMap::sequential);
+        const double most = std::max(-low, high);
+        range = view.range.value_or(map == ColorMap::diverging ? SvgPoint{-most, most}
+                                                               : SvgPoint{low, high});
+        if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || range[0] > range[1])
+            throw InvalidInput(fmt::format("the view's range {} .. {} must be two finite numbers "
+                                           "in ascending order",
+                                           range[0], range[1]));
+    }
+
+    std::string operator()(double value) const {
+        const double length = range[1] - range[0];
+        return color_at(map, length > 0 ? (value - range[0]) / length : 0.5);
+    }
+};
+
+/// Light falls from the upper left, from behind the eye; a side and its back are lit alike.
+double brightness(const Place& normal, const Frame& frame) {
+    const Place light = (-0.35 * frame.right + 0.7 * frame.up + frame.eye).normalized();
+    const double size = normal.norm();
+    if (!(size > 0))
+        return 1;
+    const double turn = normal.dot(frame.eye) < 0 ? -1 : 1;
+    return 0.74 + 0.26 * std::max(0.0, turn * normal.dot(light) / size);
+}
+
+/// A bar with the colors below what is drawn, its ends in words beside it.
+void add_legend(SvgDrawing& drawing, const ColorScale& scale) {
+    SvgPoint low = std::get<SvgPolygon>(drawing.shapes.front()).points.front(), high = low;
+    for (const auto& shape : drawing.shapes)
+        for (const auto& p : std::get<SvgPolygon>(shape).points)
+            for (int axis = 0; axis < 2; ++axis) {
+                low[axis] = std::min(low[axis], p[axis]);
+                high[axis] = std::max(high[axis], p[axis]);
+            }
+
+    constexpr int pieces = 64;
+    const double pixel = (high[0] - low[0]) / (drawing.width - 2 * drawing.margin);
+    const double width = 0.4 * (high[0] - low[0]), left = 0.5 * (low[0] + high[0] - width);
+    const double top = low[1] - 18 * pixel, bottom = top - 12 * pixel;
+    for (int i = 0; i < pieces; ++i) {
+        const double x = left + width * i / pieces, next = left + width * (i + 1) / pieces;
+        const std::string color = color_at(scale.map, (i + 0.5) / pieces);
+        drawing.shapes.push_back(SvgPolygon{{{x, bottom}, {next, bottom}, {next, top}, {x, top}},
+                                            {.stroke = color, .fill = color, .width = 0.5}});
+    }
+    const double line = bottom + 1.5 * pixel, space = 8 * pixel;
+    drawing.shapes.push_back(SvgText{{left - space, line},
+                                     fmt::format("{:.3g}", scale.range[0]),
+                                     13,
+                                     SvgAnchor::end,
+                                     "#333333"});
+    drawing.shapes.push_back(SvgText{{left + width + space, line},
+                                     fmt::format("{:.3g}", scale.range[1]),
+                                     13,
+                                     SvgAnchor::start,
+                                     "#333333"});
+}
+
+/// The cells of a solid that are kept, with what all their faces have in common.
+class Kept {
+public:
+    Kept(const Discretization& mesh, const std::function<bool(const Vector&)>& keep,
+         const Vector& values)
+        : mesh_(mesh), values_(values) {
+        const Index n_cells = mesh.complex().size(3);
+        require_points(mesh.points.cols(), "a drawing");
+        if (mesh.dimension() != 3 || mesh.points.cols() != 3)
+            throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates are no solid: "
+                                           "expected 3 and 3",
+                                           mesh.dimension(), mesh.points.cols()));
+        if (values.size() != 0 && values.size() != n_cells)
+            throw InvalidInput(fmt::format(
+                "{} values are given: expected one for each of the {} merged 3-cells, or none",
+                values.size(), n_cells));
+        centroids_ = cell_centroids(mesh.merging, mesh.points, mesh.input_volumes, 3);
+        centers_ = cell_centers(mesh.merging, mesh.points, mesh.input_volumes, 3);
+        for (Index cell = 0; cell < n_cells; ++cell)
+            if (keep(centroids_.row(cell).transpose()))
+                cells_.push_back(cell);
+        if (cells_.empty())
+            throw InvalidInput("no cell is kept: let 'keep' be true of a centroid");
+    }
+
+    const std::vector<Index>& cells() const { return cells_; }
+    Place centroid(Index cell) const { return centroids_.row(cell); }
+
+    /// How many kept cells are on each 2-cell.
+    std::vector<int> cell_counts() const {
+        std::vector<int> counts(mesh_.complex().size(2), 0);
+        for (const Index cell : cells_)
+            for (IncidenceMatrix::InnerIterator f(mesh_.complex().coboundary(2), cell); f; ++f)
+                ++counts[f.col()];
+        return counts;
+    }
+
+    /// The corners of a cell's face, counterclockwise from outside.
+    std::vector<Index> outward(Index cell, Index face) const {
+        const auto ring = corners(mesh_.merging, face);
+        const Place out = mean_of(mesh_.points, ring) - centroid(cell);
+        const bool turned = normal_of(mesh_.points, ring).dot(out) < 0;
+        return turned ? std::vector<Index>(ring.rbegin(), ring.rend()) : ring;
+    }
+
+    /// Values and depth of the polygons, whose cells are known.
+    void finish(SolidFaces& faces) const {
+        faces.closed = true;
+        faces.depth_sites = centers_(faces.cells, Eigen::all);
+        if (values_.size() > 0)
+            faces.values = values_(faces.cells);
+    }
+
+private:
+    const Discretization& mesh_;
+    const Vector& values_;
+    Points centroids_, centers_;
+    std::vector<Index> cells_;
+};
+
+void add_polygon(SolidFaces& faces, const std::vector<Index>& corners, Index cell) {
+    auto& polygons = faces.polygons;
+    polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
+    polygons.offsets.push_back(static_cast<Index>(polygons.corners.size()));
+    faces.cells.push_back(cell);
+}
+
+} // namespace
+
+SolidFaces kept_faces(const Discretization& mesh,
+                      const std::function<bool(const Vector& centroid)>& keep,
+                      const Vector& values) {
+    const Kept kept(mesh, keep, values);
+    const auto counts = kept.cell_counts();
+    SolidFaces faces;
+    faces.polygons.points = mesh.points;
+    for (const Index cell : kept.cells())
+        for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(2), cell); f; ++f)
+            if (counts[f.col()] == 1)
+                add_polygon(faces, kept.outward(cell, static_cast<Index>(f.col())), cell);
+    kept.finish(faces);
+    return faces;
+}
+
+SolidFaces kept_cells(const Discretization& mesh,
+                      const std::function<bool(const Vector& centroid)>& keep, double gap,
+                      const Vector& values) {
+    if (!(gap >= 0 && gap < 1))
+        throw InvalidInput(fmt::format("the gap {} between cells is outside of 0 <= gap < 1", gap));
+    const Kept kept(mesh, keep, values);
+    SolidFaces faces;
+    std::vector<Place> points; // each face has its own corners
+    for (const Index cell : kept.cells())
+        for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(2), cell); f; ++f) {
+            auto ring = kept.outward(cell, static_cast<Index>(f.col()));
+            for (Index& v : ring) {
+                const Place corner = mesh.points.row(v);
+                v = static_cast<Index>(points.size());
+                points.push_back(corner + gap * (kept.centroid(cell) - corner));
+            }
+            add_polygon(faces, ring, cell);
+        }
+    faces.polygons.points.resize(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        faces.polygons.points.row(static_cast<Eigen::Index>(i)) = points[i];
+    kept.finish(faces);
+    return faces;
+}
+
+std::string color_at(ColorMap map, double t) {
+    if (std::isnan(t))
+        throw InvalidInput("the color of NaN is asked for: find out what made it so");
+    const std::span<const Color> colors = map == ColorMap::sequential
+                                              ? std::span<const Color>(sequential_colors)
+                                              : std::span<const Color>(diverging_colors);
+    const double at = std::clamp(t, 0.0, 1.0) * static_cast<double>(colors.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(at), colors.size() - 2);
+    const double part = at - static_cast<double>(i);
+    return text_of((1 - part) * colors[i] + part * colors[i + 1]);
+}
+
+SvgPoint seen_at(const SolidView& view, const Vector& point) {
+    if (point.size() != 3 || !point.allFinite())
+        throw InvalidInput("a point to be seen must have three finite coordinates");
+    return Frame(view)(point);
+}
+
+std::vector<Index> painting_order(const SolidFaces& faces, const SolidView& view) {
+    check_faces(faces);
+    return order_of(faces, Frame(view));
+}
+
+SvgDrawing draw_solid(const SolidFaces& faces, const SolidView& view) {
+    check_faces(faces);
+    const Frame frame(view);
+    if (!is_color(view.plain))
+        throw InvalidInput("the view's plain color must be \"#rrggbb\"");
+    std::optional<ColorScale> scale;
+    if (faces.values.size() > 0)
+        scale.emplace(faces.values, view);
+
+    SvgDrawing drawing{.title = view.title, .width = view.width};
+    for (const Index f : order_of(faces, frame)) {
+        std::string fill = scale ? (*scale)(faces.values[f]) : view.plain;
+        if (!faces.fills.empty() && !faces.fills[f].empty())
+            fill = faces.fills[f];
+        fill = text_of(brightness(normal_of(faces.polygons, f), frame) * color_of(fill));
+        // without lines a thin one of the same color closes the seams
+        SvgPolygon polygon{{}, {.stroke = fill, .fill = fill, .width = 0.4}};
+        if (view.line != "none")
+            polygon.style = {.stroke = view.line, .fill = fill, .width = view.line_width};
+        for (const Index v : corners_of(faces.polygons, f))
+            polygon.points.push_back(frame(faces.polygons.points.row(v)));
+        drawing.shapes.push_back(std::move(polygon));
+    }
+    if (scale && view.legend && !drawing.shapes.empty())
+        add_legend(drawing, *scale);
+    return drawing;
+}
+
+} // namespace polydec

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "io/pictures/svg_drawing.h"
+
+#include "base/errors.h"
+#include "io/pictures/svg_canvas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+constexpr double title_size = 18;
+constexpr double title_height = 34;
+
+/// The points that count in the extent of a drawing; a circle's are the corners around it.
+struct PointsOf {
+    std::vector<SvgPoint> operator()(const SvgPolyline& line) const { return line.points; }
+    std::vector<SvgPoint> operator()(const SvgPolygon& polygon) const { return polygon.points; }
+    std::vector<SvgPoint> operator()(const SvgCircle& circle) const {
+        const auto [x, y] = circle.center;
+        const double r = circle.radius;
+        return {{x - r, y - r}, {x + r, y + r}};
+    }
+    std::vector<SvgPoint> operator()(const SvgDot& dot) const { return {dot.center}; }
+    std::vector<SvgPoint> operator()(const SvgArrow& arrow) const { return {arrow.from, arrow.to}; }
+    std::vector<SvgPoint> operator()(const SvgText& text) const { return {text.at}; }
+};
+
+struct Extent {
+    SvgPoint low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    SvgPoint high{-low[0], -low[1]};
+
+    double size(int axis) const { return high[axis] - low[axis]; }
+};
+
+Extent extent_of(const SvgDrawing& drawing) {
+    if (drawing.shapes.empty())
+        throw InvalidInput("the drawing has no shapes: add one");
+    Extent extent;
+    for (std::size_t i = 0; i < drawing.shapes.size(); ++i) {
+        const auto points = std::visit(PointsOf{}, drawing.shapes[i]);
+        if (points.empty())
+            throw InvalidInput(
+                fmt::format("shape {} of the drawing has no points: leave it out", i));
+        for (const auto& point : points)
+            for (int axis = 0; axis < 2; ++axis) {
+                if (!std::isfinite(point[axis]))
+                    throw InvalidInput(fmt::format(
+                        "shape {} of the drawing has a coordinate or radius that is NaN or "
+                        "infinite: find out what made it so",
+                        i));
+                extent.low[axis] = std::min(extent.low[axis], point[axis]);
+                extent.high[axis] = std::max(extent.high[axis], point[axis]);
+            }
+    }
+    if (!(std::max(extent.size(0), extent.size(1)) > 0))
+        throw InvalidInput("all shapes of the drawing lie at one point: there is nothing to scale");
+    return extent;
+}
+
+/// From world coordinates to pixels.
+struct View {
+    double scale, left, top;
+    Extent extent;
+
+    SvgPoint operator()(const SvgPoint& p) const {
+        return {left + scale * (p[0] - extent.low[0]), top + scale * (extent.high[1] - p[1])};
+    }
+    std::vector<SvgPoint> operator()(std::vector<SvgPoint> points) const {
+        for (auto& point : points)
+            point = (*this)(point);
+        return points;
+    }
+};
+
+class Painter {
+public:
+    Painter(SvgCanvas& canvas, const View& view) : canvas_(canvas), view_(view) {}
+
+    void operator()(const SvgPolyline& line) const {
+        canvas_.polyline(view_(line.points), line.style);
+    }
+    void operator()(const SvgPolygon& polygon) const {
+        canvas_.polygon(view_(polygon.points), polygon.style);
+    }
+    void operator()(const SvgCircle& circle) const {
+        canvas_.circle(view_(circle.center), view_.scale * circle.radius, circle.style);
+    }
+    void operator()(const SvgDot& dot) const {
+        canvas_.circle(view_(dot.center), dot.radius, dot.style);
+    }
+    void operator()(const SvgText& text) const {
+        canvas_.text(view_(text.at), text.text,
+                     {.size = text.size, .anchor = text.anchor, .color = text.color});
+    }
+
+    /// The head is a triangle as long as a few widths of the line, but not longer than the arrow.
+    void operator()(const SvgArrow& arrow) const {
+        const SvgPoint a = view_(arrow.from), b = view_(arrow.to);
+        const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
+        if (length == 0)
+            return;
+        const double head = std::min(length, 4 + 3 * arrow.style.width), half = 0.4 * head;
+        const double ux = dx / length, uy = dy / length;
+        const SvgPoint base{b[0] - head * ux, b[1] - head * uy};
+        canvas_.polyline({a, base}, arrow.style);
+        SvgStyle solid = arrow.style;
+        solid.fill = solid.stroke;
+        solid.dashes.clear();
+        solid.stroke = "none";
+        canvas_.polygon({b,
+                         {base[0] - half * uy, base[1] + half * ux},
+                         {base[0] + half * uy, base[1] - half * ux}},
+                        solid);
+    }
+
+private:
+    SvgCanvas& canvas_;
+    const View& view_;
+};
+
+} // namespace
+
+std::string to_svg(const SvgDrawing& drawing) {
+    const Extent extent = extent_of(drawing);
+    const double inside = drawing.width - 2 * drawing.margin;
+    if (!(inside > 0))
+        throw InvalidInput(fmt::format("a drawing {} pixels wide has no room between margins of {}",
+                                       drawing.width, drawing.margin));
+
+    // what is much higher than wide stands in the middle instead of making a tower
+    const double across = std::max(extent.size(0), extent.size(1) / 2);
+    const double scale = inside / across;
+    const double above = drawing.title.empty() ? 0 : title_height;
+    const View view{scale, drawing.margin + 0.5 * scale * (across - extent.size(0)),
+                    drawing.margin + above, extent};
+
+    SvgCanvas canvas(drawing.width, 2 * drawing.margin + above + scale * extent.size(1));
+    if (!drawing.title.empty())
+        canvas.text({drawing.width / 2, drawing.margin + title_size - 4}, drawing.title,
+                    {.size = title_size});
+    for (const auto& shape : drawing.shapes)
+        std::visit(Painter(canvas, view), shape);
+    return canvas.finish();
+}
+
+} // namespace polydec

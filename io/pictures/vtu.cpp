@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+#include "io/pictures/vtu.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "io/base64.h"
+#include "io/xml_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& text) {
+    throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text));
+}
+
+/// How many corners a cell may have.
+bool corners_fit(VtuCell type, std::int64_t corners) {
+    switch (type) {
+    case VtuCell::vertex:
+        return corners == 1;
+    case VtuCell::line:
+        return corners == 2;
+    case VtuCell::triangle:
+        return corners == 3;
+    case VtuCell::quad:
+    case VtuCell::tetra:
+        return corners == 4;
+    case VtuCell::polygon:
+        return corners >= 3;
+    case VtuCell::polyhedron:
+        return corners >= 4;
+    }
+    return false;
+}
+
+class Checker {
+public:
+    Checker(const std::filesystem::path& path, const VtuGrid& grid) : path_(path), grid_(grid) {}
+
+    void check() const {
+        check_points();
+        check_sizes();
+        std::int64_t begin = 0;
+        std::int64_t faces_begin = 0;
+        for (std::size_t cell = 0; cell < grid_.types.size(); ++cell) {
+            check_cell(cell, begin, faces_begin);
+            begin = grid_.offsets[cell];
+            faces_begin = std::max(faces_begin, grid_.face_offsets[cell]);
+        }
+        check_arrays(grid_.point_data, static_cast<std::size_t>(grid_.points.rows()), "points");
+        check_arrays(grid_.cell_data, grid_.types.size(), "cells");
+    }
+
+private:
+    void check_points() const {
+        if (grid_.points.cols() > 3) {
+            refuse(path_, fmt::format("VTU holds points of R^3, not of R^{}; project them before",
+                                      grid_.points.cols()));
+        }
+        for (Eigen::Index point = 0; point < grid_.points.rows(); ++point) {
+            if (!grid_.points.row(point).allFinite()) {
+                refuse(path_, fmt::format("point {} has a coordinate that is NaN or infinite; find "
+                                          "out what made it so",
+                                          point));
+            }
+        }
+    }
+
+    void check_sizes() const {
+        const auto cells = grid_.types.size();
+        const bool same = grid_.offsets.size() == cells && grid_.face_offsets.size() == cells;
+        const auto last = grid_.offsets.empty() ? 0 : grid_.offsets.back();
+        if (!same || last != static_cast<std::int64_t>(grid_.corners.size())) {
+            refuse(path_, "types, offsets and corners of the cells do not belong together; append "
+                          "cells with add_cell and add_polyhedron");
+        }
+    }
+
+    void check_cell(std::size_t cell, std::int64_t begin, std::int64_t faces_begin) const {
+        const auto end = grid_.offsets[cell];
+        const auto all = static_cast<std::int64_t>(grid_.corners.size());
+        if (end < begin || end > all || !corners_fit(grid_.types[cell], end - begin)) {
+            refuse(path_,
+                   fmt::format("cell {} of VTK's type {} has {} corners; give it the corners "
+                               "of its type",
+                               cell, static_cast<int>(grid_.types[cell]), end - begin));
+        }
+        for (auto i = begin; i < end; ++i) {
+            check_corner(cell, grid_.corners[static_cast<std::size_t>(i)]);
+        }
+
+        const bool has_faces = grid_.face_offsets[cell] >= 0;
+        if (has_faces != (grid_.types[cell] == VtuCell::polyhedron)) {
+            refuse(path_, fmt::format("cell {}: polyhedra, and they alone, have faces; append it "
+                                      "with add_cell or add_polyhedron",
+                                      cell));
+        }
+        if (has_faces) {
+            check_faces(cell, faces_begin);
+        }
+    }
+
+    void check_corner(std::size_t cell, Index corner) const {
+        if (corner < 0 || corner >= grid_.points.rows()) {
+            refuse(path_, fmt::format("cell {} has the point {}; expected 0 to {}", cell, corner,
+                                      grid_.points.rows() - 1));
+        }
+    }
+
+    void check_faces(std::size_t cell, std::int64_t begin) const {
+        const auto all = static_cast<std::int64_t>(grid_.faces.size());
+        const auto end = grid_.face_offsets[cell];
+        auto next = begin + 1;
+        const auto count = begin < end && end <= all ? face_number(begin) : Index{-1};
+        bool fits = count >= 0;
+        for (Index face = 0; face < count && fits; ++face) {
+            const auto corners = next < end ? face_number(next) : Index{-1};
+            fits = corners >= 3 && next + corners < end;
+            for (Index i = 1; i <= corners && fits; ++i) {
+                check_corner(cell, face_number(next + i));
+            }
+            next += fits ? 1 + std::int64_t{corners} : 0;
+        }
+        if (!fits || next != end) {
+            refuse(path_, fmt::format("the faces of polyhedron {} do not fit together; append it "
+                                      "with add_polyhedron, with at least 3 corners a face",
+                                      cell));
+        }
+    }
+
+    Index face_number(std::int64_t place) const {
+        return grid_.faces[static_cast<std::size_t>(place)];
+    }
+
+    void check_arrays(const std::vector<VtuArray>& arrays, std::size_t count,
+                      const char* plural) const {
+        std::set<std::string_view> names;
+        for (const auto& array : arrays) {
+            const bool control = std::any_of(array.name.begin(), array.name.end(),
+                                             [](char c) { return c >= 0 && c < ' '; });
+            if (array.name.empty() || control || !names.insert(array.name).second) {
+                refuse(path_, fmt::format("the name '{}' of an array of {} is empty, not printable "
+                                          "or there twice; choose another",
+                                          control ? "?" : array.name, plural));
+            }
+            check_array(array, count, plural);
+        }
+    }
+
+    void check_array(const VtuArray& array, std::size_t count, const char* plural) const {
+        const auto size =
+            std::visit([](const auto& values) { return values.size(); }, array.values);
+        const auto components = static_cast<std::size_t>(array.components);
+        if ((components != 1 && components != 3) || size != count * components) {
+            refuse(path_, fmt::format("the array '{}' has {} values of {} components; expected one "
+                                      "entry of 1 or 3 components for each of {} {}",
+                                      array.name, size, array.components, count, plural));
+        }
+        const auto* numbers = std::get_if<std::vector<double>>(&array.values);
+        for (std::size_t i = 0; numbers != nullptr && i < size; ++i) {
+            if (!std::isfinite((*numbers)[i])) {
+                refuse(path_,
+                       fmt::format("the array '{}' of {} is NaN or infinite in entry {}; find "
+                                   "out what made it so",
+                                   array.name, plural, i / components));
+            }
+        }
+    }
+
+    const std::filesystem::path& path_;
+    const VtuGrid& grid_;
+};
+
+template <typename Number>
+const char* type_name() {
+    if constexpr (std::is_same_v<Number, double>) {
+        return "Float64";
+    } else if constexpr (std::is_same_v<Number, std::int64_t>) {
+        return "Int64";
+    } else if constexpr (std::is_same_v<Number, Index>) {
+        return "Int32";
+    } else {
+        static_assert(std::is_same_v<Number, std::uint8_t>);
+        return "UInt8";
+    }
+}
+
+/// Writes one DataArray: in front of the numbers stands how many bytes they take.
+template <typename Number>
+void write_array(AtomicFile& file, std::string_view name, int components,
+                 std::span<const Number> values) {
+    // The number 1 is the default, and spelled out some readers take it for a table of one column.
+    const auto columns =
+        components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : std::string();
+    file.write(fmt::format("<DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n",
+                           type_name<Number>(), xml_escaped(name), columns));
+    Base64Writer writer([&file](std::string_view text) { file.write(text); });
+    writer.write(std::uint64_t{values.size_bytes()});
+    for (const Number value : values) {
+        writer.write(value);
+    }
+    writer.finish();
+    file.write("\n</DataArray>\n");
+}
+
+template <typename Number>
+void write_array(AtomicFile& file, std::string_view name, int components,
+                 const std::vector<Number>& values) {
+    write_array(file, name, components, std::span<const Number>(values));
+}
+
+void write_data(AtomicFile& file, const char* tag, const std::vector<VtuArray>& arrays) {
+    file.write(fmt::format("<{}>\n", tag));
+    for (const auto& array : arrays) {
+        std::visit(
+            [&](const auto& values) { write_array(file, array.name, array.components, values); },
+            array.values);
+    }
+    file.write(fmt::format("</{}>\n", tag));
+}
+
+void write_points(AtomicFile& file, const Points& points) {
+    std::vector<double> padded(static_cast<std::size_t>(points.rows()) * 3, 0.0);
+    for (Eigen::Index point = 0; point < points.rows(); ++point) {
+        for (Eigen::Index axis = 0; axis < points.cols(); ++axis) {
+            padded[static_cast<std::size_t>(3 * point + axis)] = points(point, axis);
+        }
+    }
+    file.write("<Points>\n");
+    write_array(file, "Points", 3, padded);
+    file.write("</Points>\n");
+}
+
+void write_cells(AtomicFile& file, const VtuGrid& grid) {
+    std::vector<std::uint8_t> types;
+    types.reserve(grid.types.size());
+    for (const auto type : grid.types) {
+        types.push_back(static_cast<std::uint8_t>(type));
+    }
+    file.write("<Cells>\n");
+    write_array(file, "connectivity", 1, grid.corners);
+    write_array(file, "offsets", 1, grid.offsets);
+    write_array(file, "types", 1, types);
+    if (!grid.faces.empty()) {
+        write_array(file, "faces", 1, grid.faces);
+        write_array(file, "faceoffsets", 1, grid.face_offsets);
+    }
+    file.write("</Cells>\n");
+}
+
+} // namespace
+
+void add_cell(VtuGrid& grid, VtuCell type, std::span<const Index> corners) {
+    grid.types.push_back(type);
+    grid.corners.insert(grid.corners.end(), corners.begin(), corners.end());
+    grid.offsets.push_back(static_cast<std::int64_t>(grid.corners.size()));
+    grid.face_offsets.push_back(-1);
+}
+
+void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces) {
+    std::set<Index> corners;
+    grid.faces.push_back(static_cast<Index>(faces.size()));
+    for (const auto& face : faces) {
+        grid.faces.push_back(static_cast<Index>(face.size()));
+        grid.faces.insert(grid.faces.end(), face.begin(), face.end());
+        corners.insert(face.begin(), face.end());
+    }
+    grid.types.push_back(VtuCell::polyhedron);
+    grid.corners.insert(grid.corners.end(), corners.begin(), corners.end());
+    grid.offsets.push_back(static_cast<std::int64_t>(grid.corners.size()));
+    grid.face_offsets.push_back(static_cast<std::int64_t>(grid.faces.size()));
+}
+
+VtuArray vtu_array(std::string name, const Eigen::Ref<const DenseMatrix>& values) {
+    if (values.cols() < 1 || values.cols() > 3)
+        throw InvalidInput(fmt::format("the array `{}` has rows of {} numbers: expected 1, or 2 or "
+                                       "3 for vectors",
+                                       name, values.cols()));
+    const int components = values.cols() == 1 ? 1 : 3;
+    std::vector<double> numbers;
+    numbers.reserve(static_cast<std::size_t>(values.rows()) * components);
+    for (Eigen::Index i = 0; i < values.rows(); ++i)
+        for (int c = 0; c < components; ++c)
+            numbers.push_back(c < values.cols() ? values(i, c) : 0);
+    return {std::move(name), std::move(numbers), components};
+}
+
+void write_vtu(const std::filesystem::path& path, const VtuGrid& grid) {
+    Checker(path, grid).check();
+    AtomicFile file(path);
+    file.write("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+               "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n");
+    file.write(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+                           grid.points.rows(), grid.types.size()));
+    write_points(file, grid.points);
+    write_cells(file, grid);
+    write_data(file, "PointData", grid.point_data);
+    write_data(file, "CellData", grid.cell_data);
+    file.write("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+    file.commit();
+}
+
+} // namespace polydec

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/spectra/certified_eigensolver.h"
+
+#include "backends/registry.h"
+#include "base/errors.h"
+#include "solvers/spectra/found_pairs.h"
+#include "solvers/spectra/inertia.h"
+#include "solvers/spectra/scaled_pencil.h"
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+/// Rounds of asking for missing copies before giving up; each finds at least one.
+constexpr int patience = 60;
+
+/// From so many on blocks pay: their steps cost less, and Spectra's orthogonalization outgrows all.
+constexpr Index many = 20;
+
+/// More eigenvalues than asked for that are looked at in search of a gap.
+constexpr Index largest_cluster = 5000;
+
+/// Gaps in which no count can be trusted; others are looked for behind them.
+constexpr int most_failures = 3;
+
+enum class Proof { complete, missing, untrusted, no_gap };
+
+} // namespace
+
+struct CertifiedEigensolver::State {
+    State(const Pencil& given, EigensolverOptions options_)
+        : pencil(given),
+          options(std::move(options_)),
+          B(pencil.matrix()),
+          counter(B, options.linear_solver, options.domain_dimension, pencil.doubt()),
+          solver(make_linear_solver(options.linear_solver)),
+          norm(row_sum_norm(*B)),
+          small(small_length(*B)),
+          pairs(size(), small) {
+        choose_engine(1);
+    }
+
+    Index size() const { return static_cast<Index>(B->rows()); }
+    Index found() const { return pairs.count(); }
+    void tell(std::string_view what) const {
+        if (options.progress)
+            options.progress(what);
+    }
+
+    void choose_engine(Index count);
+    double lowest_shift(Index wanted);
+    void set_shift(double sigma, Definiteness definiteness);
+    Index ask(Index count);
+    bool improve(Index count);
+    bool smooth();
+    void rotate();
+    bool approach(Index rough);
+    Index gap_behind(Index count) const;
+    Proof certify(Index count);
+    Proof prove(Index count);
+    void move_shift(Index wanted);
+    CertifiedEigenpairs result(Index count) const;
+
+    ScaledPencil pencil;
+    EigensolverOptions options;
+    std::shared_ptr<const SparseMatrix> B; // M^-1/2 A M^-1/2
+    InertiaCounter counter;
+    std::unique_ptr<LinearSolver> solver; // of B - shift
+    std::unique_ptr<EigenSolver> eigensolver;
+    double norm;
+    double small;     // a length on the axis far below any eigenvalue that is not zero
+    double shift = 0; // below every eigenvalue that is not found
+    bool factorized = false;
+    bool smoothed = false; // with this shift
+    std::mt19937_64 random{20};
+
+    FoundPairs pairs;
+    Certificate certificate;
+    double untrusted = -std::numeric_limits<double>::infinity(); // no count was, in gaps up to here
+    int failures = 0;                                            // of counts to be trusted
+};
+
+/// The eigensolver asked for, or the one that suits the largest number asked for so far.
+void CertifiedEigensolver::State::choose_engine(Index count) {
+    const bool is_free = options.eigen_solver == "auto";
+    if (!eigensolver)
+        eigensolver = make_eigen_solver(is_free ? "spectra" : options.eigen_solver);
+    if (is_free && count >= many && eigensolver->name() != "block-lanczos")
+        eigensolver = make_eigen_solver("block-lanczos");
+}
+
+/// A shift below the whole spectrum: for indefinite A, close to the first `wanted` eigenvalues.
+double CertifiedEigensolver::State::lowest_shift(Index wanted) {
+    if (options.definiteness != Definiteness::indefinite ||
+        counter.below(-small, small) == Index{0})
+        return -small;
+    tell("counting");
+    return counter.shift_close_to(0, wanted, -2 * norm, -small, small);
+}
+
+void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiteness) {
+    tell("factorizing");
+    MatrixFacts facts;
+    facts.symmetry = Symmetry::symmetric;
+    facts.definiteness = definiteness;
+    facts.domain_dimension = options.domain_dimension;
+    facts.many_solves = true;
+    // next to eigenvalues so small beside the largest, residuals of solves are not
+    if (small < 1e-8 * norm)
+        facts.inertia = Inertia::wanted;
+    solver->factorize(std::make_shared<const SparseMatrix>(shifted(*B, sigma)), facts);
+    shift = sigma;
+    factorized = true;
+    smoothed = false;
+}
+
+/// Asks for `count` eigenpairs above the shift and apart from those found; how many came.
+Index CertifiedEigensolver::State::ask(Index count) {
+    tell("iterating");
+    count = std::min(count, size() - found());
+    choose_engine(count);
+    const auto apply = [&](const auto& X, auto& Y) {
+        if (found() == 0) {
+            Y = solver->solve(X);
+            return;
+        }
+        auto right = X;
+        pairs.project_out(right);
+        Y = solver->solve(right);
+        pairs.project_out(Y);
+    };
+    EigenOptions eigen_options;
+    eigen_options.max_restarts = 300;
+    eigen_options.start.resize(size());
+    for (double& entry : eigen_options.start)
+        entry = static_cast<double>(random() >> 11) * 0x1p-53 - 0.5;
+    pairs.project_out(eigen_options.start);
+    if (eigen_options.start.norm() == 0)
+        return 0;
+
+    const auto came = eigensolver->largest({size(), apply, apply}, count, eigen_options);
+    const double floor = 1e-3 / (norm + std::abs(shift)); // true ones are above 1 / (norm - shift)
+    Index good = 0;
+    while (good < came.converged && came.values[good] > floor)
+        ++good;
+    const DenseMatrix more = came.vectors.leftCols(good);
+    pairs.take(more, pencil.enclose(more));
+    smoothed = smoothed && good == 0;
+    return good;
+}
+
+/// Whether something could be done for the accuracy of the first `count`.
+bool CertifiedEigensolver::State::improve(Index count) {
+    const Index rough = pairs.fine_before(count);
+    return rough < count && (smooth() || approach(rough));
+}
+
+/// Rounding and the iteration leave noise of large eigenvalues in the vectors, which a step of
+/// inverse iteration takes away. As a correction from accurate residuals it is right in the small
+/// entries of a vector too. Nothing that would bring the noise back comes after it: no projection,
+/// no reflections.
+bool CertifiedEigensolver::State::smooth() {
+    if (std::exchange(smoothed, true))
+        return false;
+    tell("refining");
+    const auto fine = pairs.all(true);
+    DenseMatrix Y = pairs.vectors()(Eigen::all, pairs.all(false));
+    pairs.keep(fine);
+    pairs.project_out(Y);
+    DenseMatrix residuals;
+    pencil.enclose(Y, &residuals);
+    Y -= solver->solve(residuals);
+    Y.colwise().normalize();
+    pairs.take(Y, pencil.enclose(Y));
+    rotate();
+    return true;
+}
+
+/// Rayleigh-Ritz: of vectors that are not fine, the best in the space of all of them.
+void CertifiedEigensolver::State::rotate() {
+    const auto rough = pairs.all(false);
+    if (rough.size() < 2)
+        return;
+    const DenseMatrix Y = pairs.vectors()(Eigen::all, rough);
+    const DenseMatrix gram = Y.transpose() * Y;
+    const Eigen::LLT<DenseMatrix> factor(gram);
+    constexpr double dependent = 1e-5;
+    if (factor.info() != Eigen::Success || !(factor.matrixLLT().diagonal().minCoeff() > dependent))
+        return;
+    DenseMatrix images;
+    const auto enclosures = pencil.enclose(Y, &images);
+    for (Index i = 0; i < images.cols(); ++i)
+        images.col(i) += enclosures[i].value * Y.col(i);
+    const DenseMatrix projected = Y.transpose() * images;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> ritz(
+        (projected + projected.transpose()) / 2, gram);
+    if (ritz.info() != Eigen::Success)
+        return;
+    const DenseMatrix better = Y * ritz.eigenvectors();
+    pairs.keep(pairs.all(true));
+    pairs.take(better, pencil.enclose(better));
+}
+
+/// Eigenvalues far from the shift, seen from there, lie close together, and their vectors come out
+/// mixed. Moves the shift up to the first that is rough, as near as it is known, and gives up those
+/// that are; false if that is no gain.
+bool CertifiedEigensolver::State::approach(Index rough) {
+    const double value = pairs.values()[rough], radius = pairs.radii()[rough];
+    const double distance = std::max({64 * radius, std::abs(value) / 8, 1e-12 * norm, small});
+    const double next = value - distance;
+    if (distance > (value - shift) / 4)
+        return false;
+    if (rough > 0 && next <= pairs.values()[rough - 1] + pairs.radii()[rough - 1])
+        return false;
+    tell("counting");
+    if (counter.below(next, distance / 2) != rough)
+        return false;
+    pairs.keep(pairs.all(true));
+    set_shift(next, rough == 0 ? Definiteness::positive : Definiteness::indefinite);
+    return true;
+}
+
+/// Where the shift is far from what is still to be found, iterations stall: it moves up behind the
+/// longest part of what has been found that is proved complete. A part of a complete one is
+/// complete, so bisection finds it.
+void CertifiedEigensolver::State::move_shift(Index wanted) {
+    pairs.keep(pairs.all(true));
+    std::vector<Index> parts;
+    for (Index count = gap_behind(1); count > 0 && count < found(); count = gap_behind(count + 1))
+        parts.push_back(count);
+    if (found() > 0)
+        parts.push_back(found());
+    Certificate best;
+    for (std::size_t first = 0, last = parts.size(); first < last;) {
+        const std::size_t middle = (first + last) / 2;
+        if (certify(parts[middle]) == Proof::complete) {
+            best = certificate;
+            first = middle + 1;
+        } else {
+            last = middle;
+        }
+    }
+    if (!best.complete)
+        return;
+    tell("counting");
+    const double next =
+        counter.shift_close_to(best.below_shift, wanted, best.shift, 2 * norm, small);
+    if (next > shift)
+        set_shift(next, Definiteness::indefinite);
+}
+
+/// The first index i >= count such that a gap lies between values i-1 and i; -1 if none is seen.
+/// Behind all eigenvalues there is always one.
+Index CertifiedEigensolver::State::gap_behind(Index count) const {
+    const Index behind = pairs.gap_behind(count);
+    return behind < 0 && found() == size() ? size() : behind;
+}
+
+/// Proves that the first `count` are all there are below the gap behind them, or below some place
+/// behind them if these are all that are found.
+Proof CertifiedEigensolver::State::certify(Index count) {
+    if (count == size()) {
+        // no eigenvalue is larger than the norm, so there is nothing to count
+        certificate = {2 * norm + small, count, count, true};
+        return Proof::complete;
+    }
+    tell("counting");
+    const Vector &values = pairs.values(), &radii = pairs.radii();
+    const double low = values[count - 1] + radii[count - 1];
+    const double high =
+        count < found() ? values[count] - radii[count] : low + std::max(std::abs(low), small);
+    const auto counted = counter.between(low, high, count);
+    if (!counted)
+        return Proof::untrusted;
+    certificate = {counted->shift, counted->below, count, counted->below == count};
+    return certificate.complete ? Proof::complete : Proof::missing;
+}
+
+/// Proves that the first `count` and those up to the next gap where a count can be trusted are all.
+Proof CertifiedEigensolver::State::prove(Index count) {
+    for (Index i = gap_behind(count); i >= 0; i = gap_behind(i + 1)) {
+        if (i < size() && pairs.values()[i - 1] <= untrusted)
+            continue;
+        if (const Proof proof = certify(i); proof != Proof::untrusted)
+            return proof;
+        untrusted = pairs.values()[i - 1];
+        if (++failures > most_failures)
+            throw SolverFailure(fmt::format(
+                "the eigenvalues up to {:.6g} cannot be counted: the factorizations of A - tau M "
+                "near it are not accurate enough ({} found); ask for fewer or more eigenvalues, or "
+                "waive the proof",
+                pencil.eigenvalue(untrusted), i));
+    }
+    return Proof::no_gap;
+}
+
+CertifiedEigenpairs CertifiedEigensolver::State::result(Index count) const {
+    CertifiedEigenpairs result;
+    result.values = pencil.eigenvalues(pairs.values().head(count));
+    result.vectors = pencil.eigenvectors(pairs.vectors().leftCols(count));
+    result.radii = pencil.eigenvalues(pairs.radii().head(count));
+    result.residuals = pencil.eigenvalues(pairs.residuals().head(count));
+    result.certificate = certificate;
+    result.certificate.shift = pencil.eigenvalue(certificate.shift);
+    result.linear_solver = solver->report().engine;
+    result.eigen_solver = eigensolver->name();
+    result.rough = rough_values(pairs, pencil, count);
+    return result;
+}
+
+CertifiedEigensolver::CertifiedEigensolver(const Pencil& pencil, EigensolverOptions options)
+    : state_(std::make_unique<State>(pencil, std::move(options))) {}
+
+CertifiedEigensolver::CertifiedEigensolver(const SparseMatrix& A, const Vector& M,
+                                           EigensolverOptions options)
+    : CertifiedEigensolver(Pencil{.C = A, .M = M}, std::move(options)) {}
+
+CertifiedEigensolver::CertifiedEigensolver(CertifiedEigensolver&&) noexcept = default;
+CertifiedEigensolver::~CertifiedEigensolver() = default;
+
+CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
+    State& s = *state_;
+    if (count < 1 || count > s.size())
+        throw InvalidInput(
+            fmt::format("{} eigenvalues asked for: there are 1 to {} to be had", count, s.size()));
+    const Index least = std::max(count, std::min(s.options.zeros, s.size()));
+    Index wanted = least + std::max<Index>(3, least / 10);
+    if (!s.factorized)
+        s.set_shift(s.lowest_shift(wanted), Definiteness::positive);
+    for (int round = 0; round < patience; ++round) {
+        if (s.found() < std::min(wanted, s.size())) {
+            const Index asked = std::min(wanted, s.size()) - s.found();
+            const Index came = s.ask(asked);
+            if (came < asked && s.found() < count) {
+                s.move_shift(wanted);
+                continue;
+            }
+        }
+        if (s.found() >= count && s.improve(count))
+            continue;
+        if (s.found() >= count && s.options.certification == Certification::waived)
+            return s.result(count);
+        switch (s.found() < count ? Proof::no_gap : s.prove(count)) {
+        case Proof::complete:
+            return s.result(count);
+        case Proof::missing:
+            wanted = s.found() + s.certificate.below_shift - s.certificate.returned_below_shift;
+            break;
+        default:
+            // a cluster without end, or not yet seen
+            wanted = s.found() + std::max<Index>(3, s.found() / 3);
+            if (wanted > count + largest_cluster)
+                throw SolverFailure(fmt::format(
+                    "no gap in the spectrum within {} eigenvalues behind number {}: the count "
+                    "cannot be proved; waive the proof or ask for fewer",
+                    largest_cluster, count));
+        }
+    }
+    throw SolverFailure(fmt::format("{} eigenvalues asked for, {} found and the proof that none is "
+                                    "missing not reached in {} rounds; ask for fewer",
+                                    count, s.found(), patience));
+}
+
+} // namespace polydec

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/spectra/inertia.h"
+
+#include "backends/registry.h"
+#include "base/memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// Enough to know the smallest eigenvalue to a small factor.
+constexpr int inverse_iterations = 4;
+
+/// Halvings of an interval on the axis; each costs a factorization.
+constexpr int most_bisections = 40;
+
+} // namespace
+
+InertiaCounter::InertiaCounter(std::shared_ptr<const SparseMatrix> B, const std::string& engine,
+                               int domain_dimension, Doubt doubt)
+    : B_(std::move(B)), solver_(make_linear_solver(engine)), doubt_(std::move(doubt)) {
+    facts_.symmetry = Symmetry::symmetric;
+    facts_.definiteness = Definiteness::indefinite;
+    facts_.inertia = Inertia::wanted;
+    facts_.domain_dimension = domain_dimension;
+}
+
+InertiaCounter::~InertiaCounter() = default;
+
+/// D (B - shift I) D without rounding, D^2 (sizes + |shift|) from 1/4 to 1.
+SparseMatrix InertiaCounter::scaled(double shift) const {
+    const Vector D = doubt_.sizes.unaryExpr([=](double size) {
+        const double all = size + std::abs(shift);
+        return all > 0 ? std::ldexp(1.0, -((std::ilogb(all) + 2) >> 1)) : 1.0;
+    });
+    return D.asDiagonal() * shifted(*B_, shift) * D.asDiagonal();
+}
+
+std::optional<Index> InertiaCounter::below(double shift, double gap) {
+    if (!(doubt_.relative * std::abs(shift) < gap))
+        return std::nullopt;
+    const auto S = std::make_shared<const SparseMatrix>(scaled(shift));
+    Vector probe(S->rows());
+    for (Index i = 0; i < probe.size(); ++i)
+        probe[i] = std::sin(1.0 + i);
+    double lost = 0;
+    try {
+        solver_->factorize(S, facts_);
+        // growth of the pivots shows in solves
+        for (int step = 0; step < inverse_iterations; ++step) {
+            probe = solver_->solve(probe.normalized());
+            lost = std::max(lost, solver_->report().backward_error);
+        }
+    } catch (const OutOfMemory&) {
+        throw; // it would need as much at another shift
+    } catch (const SolverFailure&) {
+        return std::nullopt;
+    }
+    // inverse iteration comes to the smallest eigenvalue from above
+    constexpr double far_below = 1e-2, below = 0.25;
+    const double smallest = 1 / probe.norm();
+    if (!(doubt_.share < below * smallest && lost * row_sum_norm(*S) <= far_below * smallest))
+        return std::nullopt;
+    return solver_->negative_pivots();
+}
+
+std::optional<InertiaCounter::Counted> InertiaCounter::between(double low, double high,
+                                                               Index known) {
+    for (const double place : {0.5, 0.38, 0.63, 0.27, 0.71}) {
+        const double shift = low + place * (high - low);
+        const auto count = below(shift, std::min(place, 1 - place) * (high - low));
+        if (count && *count >= known)
+            return Counted{shift, *count};
+    }
+    return std::nullopt;
+}
+
+double InertiaCounter::shift_close_to(Index done, Index wanted, double low, double high,
+                                      double length) {
+    bool is_near = false; // whether `high` has no more than those wanted below it
+    for (int step = 0; step < most_bisections; ++step) {
+        // a multiplet of more copies than wanted has no shift that is near enough; nearer than this
+        // the factorization would lose digits
+        if (high - low < 1e-3 * std::max(std::abs(low), length))
+            break;
+        const double middle =
+            length * std::sinh((std::asinh(low / length) + std::asinh(high / length)) / 2);
+        const auto count = below(middle, 1e-3 * (high - low));
+        if (!count)
+            break;
+        if (*count <= done) {
+            low = middle;
+            continue;
+        }
+        high = middle;
+        if (std::exchange(is_near, *count <= done + wanted))
+            break;
+    }
+    return low;
+}
+
+SparseMatrix shifted(const SparseMatrix& B, double shift) {
+    SparseMatrix I(B.rows(), B.cols());
+    I.setIdentity();
+    return B - shift * I;
+}
+
+double row_sum_norm(const SparseMatrix& B) {
+    double norm = 0;
+    for (Index i = 0; i < B.rows(); ++i) {
+        double sum = 0;
+        for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry)
+            sum += std::abs(entry.value());
+        norm = std::max(norm, sum);
+    }
+    return norm;
+}
+
+double small_length(const SparseMatrix& B) {
+    Vector diagonal = B.diagonal().cwiseAbs();
+    std::sort(diagonal.begin(), diagonal.end());
+    const double norm = row_sum_norm(B);
+    double typical = diagonal[diagonal.size() / 64];
+    if (typical == 0)
+        typical = diagonal[diagonal.size() / 2];
+    if (typical == 0)
+        typical = norm > 0 ? norm : 1;
+    return std::max(1e-3 * typical / std::sqrt(static_cast<double>(B.rows())), 1e-12 * norm);
+}
+
+} // namespace polydec

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/spectra/spectrum.h"
+
+#include "base/errors.h"
+#include "complex/homology.h"
+#include "dec/conditioned_complex.h"
+#include "dec/forms/cochain.h"
+#include "dec/forms/star.h"
+#include "solvers/spectra/laplacian_pencil.h"
+#include "solvers/spectra/positive_mass.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+void check_degree(const CellComplex& complex, const SpectrumOptions& options, int k) {
+    if (k < 0 || k > complex.dimension())
+        throw InvalidInput(fmt::format("{} forms of degree {} asked for: in dimension {} the "
+                                       "degrees are 0 to {}",
+                                       name(options.side), options.degree, complex.dimension(),
+                                       complex.dimension()));
+    if (complex.size(k) == 0)
+        throw InvalidInput(
+            fmt::format("{} {}-forms have no eigenvalues here: with these conditions "
+                        "they are 0 on all {}-cells",
+                        name(options.side), options.degree, k));
+    if (options.count < 1 || options.count > complex.size(k))
+        throw InvalidInput(fmt::format("{} eigenvalues asked for: {} {}-forms live on {} {}-cells, "
+                                       "so 1 to {} can be had",
+                                       options.count, name(options.side), options.degree,
+                                       complex.size(k), k, complex.size(k)));
+}
+
+/// The Laplacian is semidefinite for sure if the stars around it are positive.
+Definiteness definiteness(const CellVolumes& volumes, int k) {
+    const auto positive = [&](int j) {
+        return j < 0 || j > volumes.dimension() || (volumes.dual(j).array() >= 0).all();
+    };
+    return positive(k - 1) && positive(k + 1) ? Definiteness::semidefinite
+                                              : Definiteness::indefinite;
+}
+
+} // namespace
+
+Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
+                  const SpectrumOptions& options) {
+    const int k =
+        options.side == Side::primal ? options.degree : complex.dimension() - options.degree;
+    check_degree(complex, options, k);
+    check_fit(complex, volumes);
+    check_positive_mass(volumes, options.side, options.degree, k);
+
+    const bool is_dual_function = k == complex.dimension();
+    CertifiedEigensolver solver(is_dual_function ? dual_function_pencil(complex, volumes, k)
+                                                 : laplacian_pencil(complex, volumes, k),
+                                {.linear_solver = options.linear_solver,
+                                 .eigen_solver = options.eigen_solver,
+                                 .certification = options.certification,
+                                 .domain_dimension = complex.dimension(),
+                                 .definiteness = definiteness(volumes, k),
+                                 .zeros = betti_numbers(complex)[k],
+                                 .progress = options.progress});
+    auto pairs = solver.smallest(options.count);
+    if (options.side == Side::dual && !is_dual_function)
+        pairs.vectors = star(volumes, k).asDiagonal() * pairs.vectors;
+    if (options.side == Side::primal && is_dual_function)
+        pairs.vectors = inverse_star(volumes, k).asDiagonal() * pairs.vectors;
+    return {options.side,
+            options.degree,
+            std::move(pairs.values),
+            std::move(pairs.radii),
+            std::move(pairs.vectors),
+            std::move(pairs.residuals),
+            pairs.certificate,
+            std::move(pairs.linear_solver),
+            std::move(pairs.eigen_solver),
+            std::move(pairs.rough)};
+}
+
+Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {
+    return spectrum(discretization, built_in_conditions(options.side), options);
+}
+
+Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
+                  const SpectrumOptions& options) {
+    const auto space =
+        conditioned_complex(discretization, options.side, options.degree, conditions);
+    auto result = spectrum(space.relative.complex, space.volumes, options);
+    const int k = cell_degree(discretization.complex(), options.side, options.degree);
+    result.modes = space.relative.extend(k, result.modes);
+    return result;
+}
+
+} // namespace polydec

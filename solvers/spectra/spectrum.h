@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/forms/boundary_conditions.h"
+#include "dec/forms/side.h"
+#include "solvers/spectra/certified_eigensolver.h"
+
+namespace polydec {
+
+struct SpectrumOptions {
+    Side side = Side::primal;
+    int degree = 0;
+    Index count = 10;
+    std::string linear_solver = "auto";
+    std::string eigen_solver = "auto"; ///< or the name of an engine
+    Certification certification = Certification::required;
+    std::function<void(std::string_view)> progress = {}; ///< told what is being done; may be empty
+};
+
+/// Smallest eigenpairs of a Laplace-de Rham operator.
+struct Spectrum {
+    Side side;
+    int degree;
+    Vector eigenvalues; ///< ascending, with multiplicity; length^-2
+    Vector radii;       ///< of each: how far the exact one is at most
+    DenseMatrix modes;  ///< columns: cochains of that side and degree, of norm 1 in the star
+    Vector residuals;   ///< |A x - lambda M x| / |M x|
+    Certificate certificate;
+    std::string linear_solver;
+    std::string eigen_solver;
+    /// Values that rounding hides: their radius is above 1e-6 of them and of the distance to the
+    /// next ones.
+    std::vector<Index> rough = {};
+};
+
+/// The `count` smallest eigenpairs of the Laplacian of primal or dual forms of a degree, proved
+/// complete, under the conditions that hold where nothing is done about the boundary (see
+/// built_in_conditions): for 0-forms no flow through the boundary (Neumann) if they are primal,
+/// values 0 on it (Dirichlet) if they are dual. Dual j-forms are treated as primal (n-j)-forms,
+/// which have the same eigenvalues, with the star between their modes.
+///
+/// Each eigenvalue comes with a radius: the i-th smallest eigenvalue of the mesh lies within
+/// radii[i] of eigenvalues[i]. That covers the iteration, all rounding on the way from the volumes
+/// to the values, and rounding in the volumes themselves as laplacian_pencil.h states it; it takes
+/// the inertia counted for right (see CertifiedEigensolver), and points or lengths to be known to
+/// their last digits.
+/// Throws InvalidInput if there is no such degree or count, or, naming the cells, if the star that
+/// is the mass of these forms is not positive or a star that must be inverted has a zero;
+/// SolverFailure if the eigenpairs cannot be had or proved.
+Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
+                  const SpectrumOptions& options = {});
+Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options = {});
+
+/// The same under homogeneous conditions on the boundary, those of conditioned_complex; modes have
+/// a value for every cell, 0 where the conditions fix them. Dual forms need no boundary facet to
+/// have a dual. Throws also if there are conditions but not one for each facet.
+Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
+                  const SpectrumOptions& options = {});
+
+} // namespace polydec

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/surfaces/geodesic_distance.h"
+
+#include "solvers/constrained_system.h"
+#include "solvers/surfaces/surface_metric.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace polydec {
+
+namespace {
+
+/// The cotangent Laplacian with the pins at 0.
+ConstrainedSystem poisson_system(const GluedSurface& surface, const SurfaceMetric& metric,
+                                 std::span<const Index> pins) {
+    const auto n = static_cast<std::size_t>(surface.vertices());
+    ConstrainedSystem system{
+        .A = surface_laplacian(surface, metric, Vector::Ones(metric.mean_lengths.size())),
+        .fixed = std::vector<bool>(n, false),
+        .tied = std::vector<bool>(n, false),
+        .weights = metric.vertex_areas,
+        .definiteness = Definiteness::semidefinite,
+        .domain_dimension = 2};
+    for (const Index v : pins)
+        system.fixed[v] = true;
+    return system;
+}
+
+/// What decides on the direction of the gradient of the heat in a triangle: its logarithms, which
+/// are nearly linear where the heat fades exponentially; or, where some are none, the values.
+Eigen::Vector3d levels(const Eigen::Vector3d& u) {
+    if (u.minCoeff() > 0)
+        return Eigen::Vector3d(std::log(u[0] / u.maxCoeff()), std::log(u[1] / u.maxCoeff()),
+                               std::log(u[2] / u.maxCoeff()));
+    return u / u.cwiseAbs().maxCoeff();
+}
+
+/// The corners of a triangle in the plane, the first at 0 and the second on the first axis.
+std::array<Eigen::Vector2d, 3> layout(const GluedSurface& surface, const SurfaceMetric& metric,
+                                      Index t) {
+    const double length = metric.lengths[surface.edge(3 * t)];
+    const double height = 2 * metric.areas[t] / length;
+    return {Eigen::Vector2d(0, 0), Eigen::Vector2d(length, 0),
+            Eigen::Vector2d(metric.cotangents[3 * t + 1] * height, height)};
+}
+
+/// For every vertex, the integral of X . grad(hat function), X the unit vectors against grad u.
+Vector against_gradient(const GluedSurface& surface, const SurfaceMetric& metric, const Vector& u) {
+    Vector b = Vector::Zero(surface.vertices());
+    for (Index t = 0; t < surface.triangles(); ++t) {
+        const auto corners = layout(surface, metric, t);
+        std::array<Eigen::Vector2d, 3> hats; // gradients, times twice the area
+        for (int i = 0; i < 3; ++i) {
+            const Eigen::Vector2d opposite = corners[(i + 2) % 3] - corners[(i + 1) % 3];
+            hats[i] = {-opposite.y(), opposite.x()};
+        }
+        const Eigen::Vector3d f = levels(
+            {u[surface.tail(3 * t)], u[surface.tail(3 * t + 1)], u[surface.tail(3 * t + 2)]});
+        const Eigen::Vector2d gradient = (f[1] - f[0]) * hats[1] + (f[2] - f[0]) * hats[2];
+        // a difference that is rounding has no direction
+        const double size = std::max(hats[1].norm(), hats[2].norm());
+        if (!(gradient.norm() > 1e-12 * size))
+            continue;
+        for (int i = 0; i < 3; ++i)
+            b[surface.tail(3 * t + i)] -= gradient.dot(hats[i]) / (2 * gradient.norm());
+    }
+    return b;
+}
+
+/// Marks the vertices opposite to an edge between two sources: away from such an edge the distance
+/// grows evenly.
+std::vector<bool> beside_source_edges(const GluedSurface& surface,
+                                      const std::vector<bool>& is_source) {
+    std::vector<bool> marks(is_source.size(), false);
+    for (Index h = 0; h < 3 * surface.triangles(); ++h)
+        if (is_source[surface.tail(h)] && is_source[surface.head(h)])
+            marks[surface.tail(surface.previous(h))] = true;
+    return marks;
+}
+
+/// What to subtract on each component from a function that is 0 at the sources. Around a source
+/// that stands alone the distance has a kink, of which a function that is linear on triangles knows
+/// nothing, so that all its other values are off by the same. Its neighbors tell by how much: their
+/// distances are the lengths of the edges to it.
+Vector shifts(const GluedSurface& surface, const SurfaceMetric& metric,
+              std::span<const Index> sources, const Vector& distance) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    std::vector<bool> is_source(std::size_t(surface.vertices()), false);
+    for (const Index v : sources)
+        is_source[v] = true;
+    Vector known = Vector::Constant(surface.vertices(), far);
+    for (Index e = 0; e < surface.edges(); ++e) {
+        const Index a = surface.first_vertex(e), b = surface.last_vertex(e);
+        if (is_source[a])
+            known[b] = std::min(known[b], metric.lengths[e]);
+        if (is_source[b])
+            known[a] = std::min(known[a], metric.lengths[e]);
+    }
+    const auto beside = beside_source_edges(surface, is_source);
+    Vector sum = Vector::Zero(metric.mean_lengths.size()), count = sum;
+    for (Index v = 0; v < surface.vertices(); ++v)
+        if (const Index c = metric.component[v]; known[v] < far && !is_source[v]) {
+            sum[c] += beside[v] ? 0 : distance[v] - known[v];
+            count[c] += 1;
+        }
+    return sum.cwiseQuotient(count.cwiseMax(1));
+}
+
+} // namespace
+
+struct GeodesicDistance::Parts {
+    GluedSurface surface;
+    SurfaceMetric metric;
+    std::string engine;
+    HeatStep step;
+    std::optional<ConstrainedSolver> poisson;
+    bool is_for_single_sources = false; // the pins of the last one
+
+    Parts(const GluedSurface& surface_, const Vector& lengths, const GeodesicOptions& options)
+        : surface(surface_),
+          metric(surface_metric(surface, lengths)),
+          engine(options.linear_solver),
+          step(surface, metric, options.time_scale * metric.mean_lengths.cwiseAbs2(), engine) {}
+
+    Vector heat(std::span<const Index> sources) {
+        Vector b = Vector::Zero(surface.vertices());
+        for (const Index v : sources)
+            b[v] = 1;
+        Vector u = step(b);
+        Vector times = step.longer(metric, u);
+        for (Vector last = step.times(); times != last;) {
+            HeatStep longer(surface, metric, times, engine);
+            u = longer(b);
+            last = times;
+            times = longer.longer(metric, u);
+        }
+        return u;
+    }
+
+    /// The function that is 0 at the sources and fits b elsewhere. If they are one on each
+    /// component, others differ by a constant alone, and a factorization serves them all.
+    Vector fit(const Vector& b, std::span<const Index> sources) {
+        std::vector<Index> pins(sources.begin(), sources.end());
+        std::sort(pins.begin(), pins.end());
+        pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
+        const bool single = Eigen::Index(pins.size()) == metric.mean_lengths.size();
+        if (!(single && poisson && is_for_single_sources)) {
+            poisson.emplace(poisson_system(surface, metric, pins), engine);
+            is_for_single_sources = single;
+        }
+        Vector u = poisson->solve(b, Vector::Zero(b.size()));
+        if (!single)
+            return u;
+        Vector at_source(metric.mean_lengths.size());
+        for (const Index v : pins)
+            at_source[metric.component[v]] = u[v];
+        return u - at_source(metric.component);
+    }
+};
+
+GeodesicDistance::GeodesicDistance(const GluedSurface& surface, const Vector& lengths,
+                                   const GeodesicOptions& options) {
+    check_time_scale(options.time_scale);
+    parts_ = std::make_unique<Parts>(surface, lengths, options);
+}
+
+GeodesicDistance::GeodesicDistance(const Discretization& discretization,
+                                   const GeodesicOptions& options)
+    : GeodesicDistance(discretization.intrinsic ? discretization.intrinsic->surface()
+                                                : GluedSurface(discretization.input()),
+                       discretization.intrinsic ? discretization.intrinsic->delaunay.lengths
+                                                : discretization.input_volumes.primal(1),
+                       options) {}
+
+GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;
+GeodesicDistance::~GeodesicDistance() = default;
+
+Vector GeodesicDistance::to(std::span<const Index> sources) {
+    const SurfaceMetric& metric = parts_->metric;
+    check_sources(parts_->surface, metric, sources);
+    Vector distance = explaining_failure(parts_->surface, metric, [&] {
+        const Vector b = against_gradient(parts_->surface, metric, parts_->heat(sources));
+        return parts_->fit(b, sources);
+    });
+
+    distance -= shifts(parts_->surface, metric, sources, distance)(metric.component);
+    for (const Index v : sources)
+        distance[v] = 0;
+    raised_ = static_cast<Index>((distance.array() < 0).count());
+    return metric.unit * distance.cwiseMax(0);
+}
+
+Vector geodesic_distance(const GluedSurface& surface, const Vector& lengths,
+                         std::span<const Index> sources, const GeodesicOptions& options) {
+    return GeodesicDistance(surface, lengths, options).to(sources);
+}
+
+Vector geodesic_distance(const Discretization& discretization, std::span<const Index> sources,
+                         const GeodesicOptions& options) {
+    return GeodesicDistance(discretization, options).to(sources);
+}
+
+} // namespace polydec

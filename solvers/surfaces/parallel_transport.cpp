@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/surfaces/parallel_transport.h"
+
+#include "backends/registry.h"
+#include "base/errors.h"
+#include "solvers/surfaces/surface_metric.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Entries of a complex matrix as 2 x 2 blocks of a real one.
+class ComplexEntries {
+public:
+    void add(Index row, Index column, Complex value) {
+        const double re = value.real(), im = value.imag();
+        entries_.emplace_back(2 * row, 2 * column, re);
+        entries_.emplace_back(2 * row, 2 * column + 1, -im);
+        entries_.emplace_back(2 * row + 1, 2 * column, im);
+        entries_.emplace_back(2 * row + 1, 2 * column + 1, re);
+    }
+
+    SparseMatrix matrix(Index size) const {
+        SparseMatrix A(2 * size, 2 * size);
+        A.setFromTriplets(entries_.begin(), entries_.end());
+        return A;
+    }
+
+private:
+    std::vector<Eigen::Triplet<double, Index>> entries_;
+};
+
+/// M + t L for vectors, L the connection Laplacian: the weight of an edge times the squared
+/// difference between the vector at its head and that carried there from its tail.
+SparseMatrix vector_heat_matrix(const GluedSurface& surface, const SurfaceMetric& metric,
+                                const TangentFrames& frames, const Vector& times) {
+    ComplexEntries entries;
+    for (Index v = 0; v < surface.vertices(); ++v)
+        entries.add(v, v, metric.vertex_areas[v]);
+    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
+        const Index i = surface.tail(h), j = surface.head(h);
+        const double weight = times[metric.component[i]] * metric.cotangents[h] / 2;
+        const Complex carried = frames.carried(h);
+        entries.add(i, i, weight), entries.add(j, j, weight);
+        entries.add(j, i, -weight * carried), entries.add(i, j, -weight * std::conj(carried));
+    }
+    return entries.matrix(surface.vertices());
+}
+
+/// The differences cost no energy below 0 if no weight is below 0; else, with curvature, they may.
+Definiteness definiteness(const GluedSurface& surface, const SurfaceMetric& metric) {
+    for (Index e = 0; e < surface.edges(); ++e) {
+        const auto& [h, g] = surface.halfedges(e);
+        const double weight = metric.cotangents[h] + (g < 0 ? 0 : metric.cotangents[g]);
+        if (weight < -1e-12)
+            return Definiteness::indefinite;
+    }
+    return Definiteness::positive;
+}
+
+/// A step of heat for functions and one for vectors, for the same times.
+struct Steps {
+    HeatStep functions;
+    std::unique_ptr<LinearSolver> vectors;
+
+    Steps(const GluedSurface& surface, const SurfaceMetric& metric, const TangentFrames& frames,
+          const Vector& times, const std::string& engine)
+        : functions(surface, metric, times, engine), vectors(make_linear_solver(engine)) {
+        vectors->factorize(vector_heat_matrix(surface, metric, frames, times),
+                           {.symmetry = Symmetry::symmetric,
+                            .definiteness = definiteness(surface, metric),
+                            .domain_dimension = 2,
+                            .many_solves = true});
+    }
+};
+
+/// What flows in a step: in the columns of functions, heat 1 from every source and heat of the size
+/// of the vector there; and the vectors.
+struct Heat {
+    DenseMatrix functions;
+    Vector vectors; // real and imaginary part in turn
+};
+
+void check_vectors(const GluedSurface& surface, std::span<const Index> sources,
+                   const TangentVectors& vectors) {
+    if (static_cast<std::size_t>(vectors.size()) != sources.size())
+        throw InvalidInput(fmt::format("{} vectors are given for {} sources: expected one for each",
+                                       vectors.size(), sources.size()));
+    std::vector<bool> given(std::size_t(surface.vertices()), false);
+    for (std::size_t s = 0; s < sources.size(); ++s) {
+        const Complex vector = vectors[static_cast<Eigen::Index>(s)];
+        if (given[sources[s]])
+            throw InvalidInput(fmt::format("vertex {} is given twice as a source: expected one "
+                                           "vector for it",
+                                           sources[s]));
+        given[sources[s]] = true;
+        if (!std::isfinite(std::abs(vector)))
+            throw InvalidInput(fmt::format("the vector at vertex {} is ({}, {}): expected finite "
+                                           "numbers",
+                                           sources[s], vector.real(), vector.imag()));
+    }
+}
+
+} // namespace
+
+struct ParallelTransport::Parts {
+    GluedSurface surface;
+    SurfaceMetric metric;
+    TangentFrames frames;
+    std::string engine;
+    Steps steps;
+
+    Parts(const GluedSurface& surface_, const Vector& lengths, const TransportOptions& options)
+        : surface(surface_),
+          metric(surface_metric(surface, lengths)),
+          frames(tangent_frames(surface, lengths)),
+          engine(options.linear_solver),
+          steps(made_for(options.time_scale * metric.mean_lengths.cwiseAbs2())) {}
+
+    Steps made_for(const Vector& times) const { return {surface, metric, frames, times, engine}; }
+
+    /// From vectors of size 1 at most at the sources.
+    Heat heat(std::span<const Index> sources, const TangentVectors& vectors) {
+        DenseMatrix functions = DenseMatrix::Zero(surface.vertices(), 2);
+        Vector blocks = Vector::Zero(2 * Eigen::Index(surface.vertices()));
+        for (std::size_t s = 0; s < sources.size(); ++s) {
+            const Complex vector = vectors[static_cast<Eigen::Index>(s)];
+            functions.row(sources[s]) << 1, std::abs(vector);
+            blocks[2 * Eigen::Index(sources[s])] = vector.real();
+            blocks[2 * Eigen::Index(sources[s]) + 1] = vector.imag();
+        }
+        Heat result{steps.functions(functions), {}};
+        Vector times = steps.functions.longer(metric, result.functions.col(0));
+        if (times == steps.functions.times())
+            return {result.functions, steps.vectors->solve(blocks)};
+        while (true) {
+            Steps longer = made_for(times);
+            result.functions = longer.functions(functions);
+            const Vector next = longer.functions.longer(metric, result.functions.col(0));
+            if (next == times)
+                return {result.functions, longer.vectors->solve(blocks)};
+            times = next;
+        }
+    }
+};
+
+ParallelTransport::ParallelTransport(const GluedSurface& surface, const Vector& lengths,
+                                     const TransportOptions& options) {
+    check_time_scale(options.time_scale);
+    parts_ = std::make_unique<Parts>(surface, lengths, options);
+}
+
+ParallelTransport::ParallelTransport(ParallelTransport&&) noexcept = default;
+ParallelTransport::~ParallelTransport() = default;
+
+const TangentFrames& ParallelTransport::frames() const {
+    return parts_->frames;
+}
+
+TangentVectors ParallelTransport::extend(std::span<const Index> sources,
+                                         const TangentVectors& vectors) {
+    const Parts& parts = *parts_;
+    check_sources(parts.surface, parts.metric, sources);
+    check_vectors(parts.surface, sources, vectors);
+    const Vector sizes = vectors.cwiseAbs();
+    const double least = sizes.minCoeff(), largest = sizes.maxCoeff();
+    TangentVectors result = TangentVectors::Zero(parts.surface.vertices());
+    if (largest == 0)
+        return result;
+
+    const Heat heat = explaining_failure(parts.surface, parts.metric,
+                                         [&] { return parts_->heat(sources, vectors / largest); });
+    for (Eigen::Index v = 0; v < result.size(); ++v) {
+        const Complex vector(heat.vectors[2 * v], heat.vectors[2 * v + 1]);
+        const double size = std::abs(vector), all = heat.functions(v, 0);
+        const double magnitude = std::clamp(heat.functions(v, 1) / all * largest, least, largest);
+        if (size > 1e-12 * std::abs(all))
+            result[v] = magnitude * (vector / size);
+    }
+    return result;
+}
+
+TangentVectors transported(const GluedSurface& surface, const Vector& lengths,
+                           std::span<const Index> sources, const TangentVectors& vectors,
+                           const TransportOptions& options) {
+    return ParallelTransport(surface, lengths, options).extend(sources, vectors);
+}
+
+} // namespace polydec

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/surfaces/surface_metric.h"
+
+#include "backends/registry.h"
+#include "complex/disjoint_sets.h"
+#include "dec/metric/triangle.h"
+#include "dec/surfaces/glued_volumes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+void find_components(const GluedSurface& surface, SurfaceMetric& metric) {
+    DisjointSets sets(surface.vertices());
+    for (Index e = 0; e < surface.edges(); ++e)
+        sets.join(surface.first_vertex(e), surface.last_vertex(e));
+    std::vector<Index> number(std::size_t(surface.vertices()), -1);
+    Index count = 0;
+    for (Index v = 0; v < surface.vertices(); ++v) {
+        Index& c = number[sets.find(v).element];
+        if (c < 0)
+            c = count++;
+        metric.component.push_back(c);
+    }
+    Vector edges = Vector::Zero(count);
+    metric.mean_lengths = Vector::Zero(count);
+    for (Index e = 0; e < surface.edges(); ++e) {
+        const Index c = metric.component[surface.first_vertex(e)];
+        metric.mean_lengths[c] += metric.lengths[e];
+        edges[c] += 1;
+    }
+    metric.mean_lengths.array() /= edges.array();
+}
+
+} // namespace
+
+SurfaceMetric surface_metric(const GluedSurface& surface, const Vector& lengths) {
+    check_lengths(surface, lengths);
+    if (surface.triangles() == 0)
+        throw InvalidInput("the surface has no triangles: expected one at least");
+    SurfaceMetric metric;
+    metric.unit = std::exp2(std::ilogb(lengths.maxCoeff()));
+    metric.lengths = lengths / metric.unit;
+    metric.areas.resize(surface.triangles());
+    metric.cotangents.resize(3 * Eigen::Index(surface.triangles()));
+    metric.vertex_areas = Vector::Zero(surface.vertices());
+    for (Index t = 0; t < surface.triangles(); ++t) {
+        const Index h = 3 * t;
+        const auto [a, b, c] = side_lengths(surface, metric.lengths, t);
+        const double area = triangle_area(a, b, c);
+        metric.areas[t] = area;
+        metric.cotangents[h] = corner_cotangent(a, b, c, area);
+        metric.cotangents[h + 1] = corner_cotangent(b, c, a, area);
+        metric.cotangents[h + 2] = corner_cotangent(c, a, b, area);
+        for (Index i = 0; i < 3; ++i)
+            metric.vertex_areas[surface.tail(h + i)] += metric.areas[t] / 3;
+    }
+    find_components(surface, metric);
+    return metric;
+}
+
+void check_sources(const GluedSurface& surface, const SurfaceMetric& metric,
+                   std::span<const Index> sources) {
+    std::vector<bool> reached(std::size_t(metric.mean_lengths.size()), false);
+    for (const Index v : sources) {
+        if (v < 0 || v >= surface.vertices())
+            throw InvalidInput(fmt::format("vertex {} is given as a source: expected one of 0 to "
+                                           "{}",
+                                           v, surface.vertices() - 1));
+        reached[metric.component[v]] = true;
+    }
+    for (Index v = 0; v < surface.vertices(); ++v)
+        if (!reached[metric.component[v]])
+            throw InvalidInput(fmt::format("no source is connected to vertex {}: give every "
+                                           "component of the surface a source",
+                                           v));
+}
+
+void check_time_scale(double time_scale) {
+    if (!(time_scale >= 1e-6 && time_scale <= 1e6))
+        throw InvalidInput(
+            fmt::format("a time scale of {} is given: expected one from 1e-6 to 1e6", time_scale));
+}
+
+std::string explained(const GluedSurface& surface, const SurfaceMetric& metric,
+                      const std::string& failure) {
+    Eigen::Index sharpest = 0;
+    metric.cotangents.cwiseAbs().maxCoeff(&sharpest);
+    const auto h = static_cast<Index>(sharpest);
+    return fmt::format("{}\nProbably because of an angle of cotangent {:.1g} at vertex {} in "
+                       "triangle {}: flip edges until the triangulation is Delaunay, which "
+                       "changes neither distances nor transport.",
+                       failure, metric.cotangents[sharpest], surface.tail(surface.previous(h)),
+                       h / 3);
+}
+
+SparseMatrix surface_laplacian(const GluedSurface& surface, const SurfaceMetric& metric,
+                               const Vector& factors) {
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    entries.reserve(12 * std::size_t(surface.triangles()));
+    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
+        const Index i = surface.tail(h), j = surface.head(h);
+        if (i == j)
+            continue; // no difference along a loop
+        const double weight = factors[metric.component[i]] * metric.cotangents[h] / 2;
+        entries.emplace_back(i, i, weight), entries.emplace_back(j, j, weight);
+        entries.emplace_back(i, j, -weight), entries.emplace_back(j, i, -weight);
+    }
+    SparseMatrix L(surface.vertices(), surface.vertices());
+    L.setFromTriplets(entries.begin(), entries.end());
+    return L;
+}
+
+HeatStep::HeatStep(HeatStep&&) noexcept = default;
+HeatStep::~HeatStep() = default;
+
+HeatStep::HeatStep(const GluedSurface& surface, const SurfaceMetric& metric, const Vector& times,
+                   const std::string& engine)
+    : times_(times), solver_(make_linear_solver(engine)) {
+    SparseMatrix A(surface.vertices(), surface.vertices());
+    A.setIdentity();
+    A = metric.vertex_areas.asDiagonal() * A;
+    A += surface_laplacian(surface, metric, times);
+    solver_->factorize(A, {.symmetry = Symmetry::symmetric,
+                           .definiteness = Definiteness::positive,
+                           .domain_dimension = 2,
+                           .many_solves = true});
+}
+
+DenseMatrix HeatStep::operator()(const DenseMatrix& b) {
+    DenseMatrix u = solver_->solve(b);
+    if (!u.allFinite())
+        throw SolverFailure(fmt::format("{} gives heat that is not finite: the triangles are too "
+                                        "badly shaped",
+                                        solver_->report().engine));
+    return u;
+}
+
+Vector HeatStep::longer(const SurfaceMetric& metric, const Vector& u) const {
+    // A factorization keeps the digits of a heat that fades by the same factor with every edge,
+    // until numbers underflow. Iterating keeps those alone that are not far below the largest.
+    const std::string& name = solver_->report().engine;
+    const EngineTraits traits =
+        has_linear_solver(name) ? make_linear_solver(name)->traits() : solver_->traits();
+    const bool iterative = traits.method == Method::iterative;
+    const double faintest = iterative ? 1e-8 : 1e-250;
+    Vector largest = Vector::Zero(times_.size()), result = times_;
+    for (Eigen::Index v = 0; v < u.size(); ++v)
+        largest[metric.component[v]] = std::max(largest[metric.component[v]], std::abs(u[v]));
+    for (Eigen::Index v = 0; v < u.size(); ++v)
+        if (const Index c = metric.component[v]; std::abs(u[v]) <= faintest * largest[c])
+            result[c] = 4 * times_[c];
+    return result;
+}
+
+} // namespace polydec

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/memory.h"
+#include "complex/surfaces/glued_surface.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+class LinearSolver;
+
+/// What heat on a glued surface needs of its metric. Lengths are in a unit near the longest edge,
+/// so that nothing here overflows or gets lost, whatever unit the user has.
+struct SurfaceMetric {
+    double unit;                  ///< a power of 2
+    Vector lengths;               ///< of edges
+    Vector areas;                 ///< of triangles, above 0
+    Vector cotangents;            ///< of half-edges: of the angle opposite to each
+    Vector vertex_areas;          ///< a third of the triangles around
+    std::vector<Index> component; ///< of vertices
+    Vector mean_lengths;          ///< of the edges of each component
+};
+
+/// Throws InvalidInput, naming edge or triangle, for lengths that are none of triangles with area.
+SurfaceMetric surface_metric(const GluedSurface& surface, const Vector& lengths);
+
+/// Throws InvalidInput for vertices that the surface has not, and if a component has none of them.
+void check_sources(const GluedSurface& surface, const SurfaceMetric& metric,
+                   std::span<const Index> sources);
+
+/// Throws InvalidInput unless it is from 1e-6 to 1e6.
+void check_time_scale(double time_scale);
+
+/// What an engine says of its failure, and the angle that is probably its cause.
+std::string explained(const GluedSurface& surface, const SurfaceMetric& metric,
+                      const std::string& failure);
+
+/// The result of a call, whose failures are explained.
+template <class Call>
+auto explaining_failure(const GluedSurface& surface, const SurfaceMetric& metric, Call call) {
+    try {
+        return call();
+    } catch (const OutOfMemory&) {
+        throw; // no angle is its cause
+    } catch (const SolverFailure& failure) {
+        throw SolverFailure(explained(surface, metric, failure.what()));
+    }
+}
+
+/// The cotangent Laplacian, positive semidefinite, with the part of each component multiplied by
+/// its factor.
+SparseMatrix surface_laplacian(const GluedSurface& surface, const SurfaceMetric& metric,
+                               const Vector& factors);
+
+/// One step of backward Euler for the heat equation, for functions: (M + t L) u = b, with times t
+/// for each component.
+class HeatStep {
+public:
+    HeatStep(const GluedSurface& surface, const SurfaceMetric& metric, const Vector& times,
+             const std::string& engine);
+    HeatStep(HeatStep&&) noexcept;
+    ~HeatStep();
+
+    /// A column per right-hand side.
+    DenseMatrix operator()(const DenseMatrix& b);
+
+    /// The times, longer on the components where u, a first column that the step gave for heat of
+    /// size 1 at the sources, is too faint at some vertex for its digits to be trusted.
+    Vector longer(const SurfaceMetric& metric, const Vector& u) const;
+
+    const Vector& times() const { return times_; }
+
+private:
+    Vector times_;
+    std::unique_ptr<LinearSolver> solver_;
+};
+
+} // namespace polydec

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "base/atomic_file.h"
+
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <memory>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace polydec::tests {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// While it lives, no file may grow beyond this size: the same as a full disk.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit limit = before_;
+        limit.rlim_cur = bytes;
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+    rlimit before_{};
+    void (*handler_)(int) = nullptr;
+};
+
+} // namespace
+
+TEST(AtomicFile, AppearsWholeWithItsCommit) {
+    const TemporaryFolder folder;
+    AtomicFile file(folder.path("a.txt"));
+    std::string expected;
+    for (int i = 0; i < 300000; ++i) {
+        const auto line = std::to_string(i) + "\n";
+        file.write(line);
+        expected += line;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a.txt")));
+    file.commit();
+    EXPECT_EQ(folder.names(), Names{"a.txt"});
+    EXPECT_EQ(read_text(folder.path("a.txt")), expected);
+}
+
+TEST(AtomicFile, LeavesNothingWithoutCommit) {
+    const TemporaryFolder folder;
+    folder.write("a.txt", "old");
+    {
+        AtomicFile file(folder.path("a.txt"));
+        file.write(std::string(3000000, 'x'));
+        EXPECT_EQ(folder.names().size(), 2U);
+    }
+    EXPECT_EQ(folder.names(), Names{"a.txt"});
+    EXPECT_EQ(read_text(folder.path("a.txt")), "old");
+}
+
+TEST(AtomicFile, ReplacesAFileAndKeepsItsPermissions) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("a.txt", "old");
+    ::chmod(path.c_str(), 0604);
+    AtomicFile file(path);
+    file.write("new");
+    file.commit();
+    EXPECT_EQ(read_text(path), "new");
+    struct stat status {};
+    ::stat(path.c_str(), &status);
+    EXPECT_EQ(status.st_mode & 0777U, 0604U);
+}
+
+TEST(AtomicFile, FollowsSymbolicLinks) {
+    const TemporaryFolder folder;
+    folder.write("a.txt", "old");
+    std::filesystem::create_symlink("a.txt", folder.path("link.txt"));
+    AtomicFile file(folder.path("link.txt"));
+    file.write("new");
+    file.commit();
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("link.txt")));
+    EXPECT_EQ(read_text(folder.path("a.txt")), "new");
+}
+
+TEST(AtomicFile, NamesWithManyLettersFit) {
+    const TemporaryFolder folder;
+    const std::string name(255, 'n');
+    AtomicFile file(folder.path(name));
+    file.commit();
+    EXPECT_EQ(folder.names(), Names{name});
+}
+
+TEST(AtomicFile, SaysThatTheFolderIsMissing) {
+    const TemporaryFolder folder;
+    const auto missing = folder.path("out");
+    EXPECT_EQ(error_of([&missing] { AtomicFile(missing / "a.txt"); }),
+              "IoError: cannot write " + (missing / "a.txt").string() +
+                  ": No such file or directory; make the folder " + missing.string() + " first");
+}
+
+TEST(AtomicFile, RefusesFoldersAndDevices) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(error_of([&folder] { AtomicFile(folder.path()); }),
+              "IoError: cannot write " + folder.path().string() +
+                  ": it is a folder, pipe or device; name a regular file");
+    EXPECT_EQ(error_of([] { AtomicFile("/dev/null"); }),
+              "IoError: cannot write /dev/null: it is a folder, pipe or device; name a regular "
+              "file");
+}
+
+TEST(AtomicFile, AReadOnlyFileStays) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("a.txt", "precious");
+    std::filesystem::create_symlink("a.txt", folder.path("link.txt"));
+    ::chmod(path.c_str(), 0444);
+    for (const auto& name : {path, folder.path("link.txt")})
+        EXPECT_EQ(error_of([&name] { AtomicFile(name).commit(); }),
+                  "IoError: cannot write " + name.string() +
+                      ": it is read-only; name another file, or make it writable");
+    EXPECT_EQ(read_text(path), "precious");
+    EXPECT_EQ(folder.names(), (Names{"a.txt", "link.txt"}));
+    ::chmod(path.c_str(), 0644);
+    AtomicFile(path).commit();
+    EXPECT_EQ(read_text(path), "");
+}
+
+TEST(AtomicFile, SaysThatThereIsNoRoom) {
+    const TemporaryFolder folder;
+    const auto path = folder.path("a.txt");
+    const FileSizeLimit limit(1000);
+    EXPECT_EQ(error_of([&path] {
+                  AtomicFile file(path);
+                  file.write(std::string(2000, 'x'));
+                  file.commit();
+              }),
+              "IoError: cannot write " + path.string() + ": File too large");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(AtomicFile, ASignalHandlerCanRemoveUnfinishedFiles) {
+    const TemporaryFolder folder;
+    AtomicFile done(folder.path("done.txt"));
+    done.commit();
+    const AtomicFile first(folder.path("first.txt"));
+    const AtomicFile second(folder.path("second.txt"));
+    EXPECT_EQ(folder.names().size(), 3U);
+    std::signal(SIGUSR1, [](int) { remove_unfinished(); });
+    std::raise(SIGUSR1);
+    std::signal(SIGUSR1, SIG_DFL);
+    EXPECT_EQ(folder.names(), Names{"done.txt"});
+}
+
+TEST(AtomicFile, RefusesMoreThanItCanRemove) {
+    const TemporaryFolder folder;
+    std::vector<std::unique_ptr<AtomicFile>> files;
+    for (int i = 0; i < 64; ++i) {
+        files.push_back(std::make_unique<AtomicFile>(folder.path(std::to_string(i))));
+    }
+    const auto path = folder.path("a.txt");
+    EXPECT_EQ(error_of([&path] { AtomicFile file(path); }),
+              "IoError: cannot write " + path.string() +
+                  ": 64 files are being written already; write fewer at a time");
+    files.clear();
+    EXPECT_TRUE(folder.names().empty());
+    AtomicFile(path).commit();
+}
+
+} // namespace polydec::tests
