@@ -2,14 +2,14 @@
 #include "backends/mesher/temporary_folder.h"
 
 #include "base/errors.h"
+#include "base/regular_file.h"
+#include "base/temporary_name.h"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdlib>
 #include <string>
+#include <sys/stat.h>
 #include <system_error>
-#include <unistd.h>
 
 namespace polydec {
 
@@ -32,15 +32,16 @@ TemporaryFolder::TemporaryFolder() {
     if (!noted_.has_place()) {
         refuse(fmt::format("{} of them, or of files, are in use already", Unfinished::most));
     }
-    std::string name = (parent / "polydec-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-        refuse(fmt::format("{}: {}", parent.string(), std::generic_category().message(errno)));
+    // noted before it is there, so that no signal comes in between
+    const bool made = make_under_new_name(parent, "", [&](const char* path) {
+        return noted_.note_folder(path) && ::mkdir(path, 0700) == 0;
+    });
+    if (!made) {
+        const auto reason = system_reason();
+        noted_.finish(); // what bears the last name is not ours
+        refuse(fmt::format("{}: {}", parent.string(), reason));
     }
-    if (!noted_.note_folder(name.c_str())) {
-        ::rmdir(name.c_str());
-        refuse(fmt::format("{}: {}", parent.string(), std::generic_category().message(errno)));
-    }
-    path_ = name;
+    path_ = noted_.path();
 }
 
 } // namespace polydec
