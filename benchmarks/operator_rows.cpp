@@ -8,7 +8,7 @@
 #include "dec/merging/merge.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/simplex_metric.h"
-#include "dec/surfaces/intrinsic_tessellation.h"
+#include "dec/surfaces/passage.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 
@@ -92,7 +92,11 @@ void flips_row(benchmark::State& state, const LazyMesh& mesh) {
     const SimplicialComplex complex(input.simplices);
     const Vector lengths = edge_lengths(complex, input.points);
     measure(state, {mesh.amount().cells, bytes(complex) + bytes(lengths)}, [&] {
-        return intrinsic_tessellation(GluedSurface(complex), lengths, {}).merging.merged;
+        const Passage passage(complex, intrinsic_delaunay(GluedSurface(complex), lengths),
+                              complex.size(0));
+        const SimplexMetric metric(passage.pieces(), passage.flips().lengths);
+        const auto volumes = circumcentric_volumes(passage.pieces(), metric);
+        return merge_cospherical(passage.pieces(), metric, volumes).merging.merged();
     });
 }
 

@@ -11,11 +11,9 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
 class Joining {
 public:
-    Joining(const SimplicialComplex& complex, const Straightness& straight)
+    Joining(const Pieces& complex, const Straightness& straight)
         : complex_(complex), straight_(straight) {
         for (int k = 0; k <= complex.dimension(); ++k) {
             auto& carriers = blocks_.carriers.emplace_back();
@@ -29,28 +27,28 @@ public:
 
     void join_tops(const std::vector<bool>& removed_facets) {
         const int n = complex_.dimension();
-        const IncidenceMatrix cofaces = complex_.boundary(n);
+        const Cofaces cofaces(complex_, n);
         for (Index f = 0; f < complex_.size(n - 1); ++f)
             if (removed_facets[f])
-                join(n, f, Row(cofaces, f));
+                join(n, f, cofaces.of(f));
     }
 
     /// Joins k-simplices across (k-1)-simplices and removes the latter where they lie inside.
     void join_degree(int k) {
-        const IncidenceMatrix cofaces = complex_.boundary(k);
+        const Cofaces cofaces(complex_, k);
         const auto& around = blocks_.active_cofaces[k];
         for (Index s = 0; s < complex_.size(k - 1); ++s) {
             Index active[2] = {-1, -1};
             Index count = 0;
-            for (Row f(cofaces, s); f; ++f)
-                if (is_active(k, static_cast<Index>(f.col())) && ++count <= 2)
-                    active[count - 1] = static_cast<Index>(f.col());
+            for (const Coface& f : cofaces.of(s))
+                if (is_active(k, f.cell) && ++count <= 2)
+                    active[count - 1] = f.cell;
 
             if (count == 0)
-                remove_inside(k, s, cofaces);
+                remove_inside(k, s, cofaces.of(s));
             else if (count == 2 && around[active[0]] == around[active[1]] &&
                      straight_(k, s, active[0], active[1]))
-                join(k, s, Row(cofaces, s));
+                join(k, s, cofaces.of(s));
         }
     }
 
@@ -59,10 +57,11 @@ public:
         auto& counts = blocks_.active_cofaces;
         counts.resize(complex_.dimension() + 1);
         counts[k].assign(complex_.size(k), 0);
+        const FaceTable faces = complex_.faces(k + 1);
         for (Index t = 0; t < complex_.size(k + 1); ++t)
             if (is_active(k + 1, t))
-                for (Row s(complex_.coboundary(k), t); s; ++s)
-                    ++counts[k][s.col()];
+                for (int i = 0; i <= k + 1; ++i)
+                    ++counts[k][faces(t, i)];
     }
 
     Blocks finish();
@@ -71,31 +70,31 @@ private:
     bool is_active(int k, Index s) const { return blocks_.carriers[k][s].dimension == k; }
 
     /// Unites the two active k-simplices around s; a coherent block has opposite signs there.
-    void join(int k, Index s, Row coface) {
+    void join(int k, Index s, std::span<const Coface> around) {
         std::optional<std::pair<Index, int>> first;
-        for (; coface; ++coface) {
-            const auto f = static_cast<Index>(coface.col());
+        for (const auto& [f, omitted] : around) {
             if (!is_active(k, f))
                 continue;
+            const int sign = complex_.sign(k, f, omitted);
             if (!first)
-                first = {f, coface.value()};
-            else if (!sets_[k].join(first->first, f, -first->second * coface.value()))
+                first = {f, sign};
+            else if (!sets_[k].join(first->first, f, -first->second * sign))
                 clashes_[k].push_back(f);
         }
         blocks_.carriers[k - 1][s] = {k, first->first};
     }
 
     /// The carrier of s is the smallest among those of its cofaces.
-    void remove_inside(int k, Index s, const IncidenceMatrix& cofaces) {
-        for (Row f(cofaces, s); f; ++f) {
-            const auto& carrier = blocks_.carriers[k][f.col()];
+    void remove_inside(int k, Index s, std::span<const Coface> around) {
+        for (const Coface& f : around) {
+            const auto& carrier = blocks_.carriers[k][f.cell];
             auto& own = blocks_.carriers[k - 1][s];
             if (own.dimension < k || carrier.dimension < own.dimension)
                 own = carrier;
         }
     }
 
-    const SimplicialComplex& complex_;
+    const Pieces& complex_;
     const Straightness& straight_;
     Blocks blocks_;
     std::vector<DisjointSets> sets_;
@@ -137,7 +136,7 @@ Blocks Joining::finish() {
 
 } // namespace
 
-Blocks join_blocks(const SimplicialComplex& complex, const std::vector<bool>& removed_facets,
+Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facets,
                    const Straightness& straight) {
     const int n = complex.dimension();
     check_as_many("marks of facets", static_cast<std::int64_t>(removed_facets.size()),
@@ -153,25 +152,18 @@ Blocks join_blocks(const SimplicialComplex& complex, const std::vector<bool>& re
     return joining.finish();
 }
 
-std::vector<bool> facets_within_labels(const SimplicialComplex& complex,
-                                       const std::vector<Index>& labels) {
+std::vector<bool> facets_within_labels(const Pieces& complex, const std::vector<Index>& labels) {
     const int n = complex.dimension();
     check_as_many("labels of simplices", static_cast<std::int64_t>(labels.size()), complex.size(n));
-    const IncidenceMatrix cofaces = complex.boundary(n);
+    const Cofaces cofaces(complex, n);
     std::vector<bool> removed(complex.size(n - 1), false);
-    for (Index f = 0; f < complex.size(n - 1); ++f) {
-        if (complex.coface_counts(n - 1)[f] != 2)
-            continue;
-        Row side(cofaces, f);
-        const auto first = side.col();
-        ++side;
-        removed[f] = labels[first] == labels[side.col()];
-    }
+    for (Index f = 0; f < complex.size(n - 1); ++f)
+        if (const auto sides = cofaces.of(f); sides.size() == 2)
+            removed[f] = labels[sides[0].cell] == labels[sides[1].cell];
     return removed;
 }
 
-std::vector<InadmissibleBlock> inadmissible_blocks(const SimplicialComplex& complex,
-                                                   const Blocks& blocks) {
+std::vector<InadmissibleBlock> inadmissible_blocks(const Pieces& complex, const Blocks& blocks) {
     const int n = complex.dimension();
     std::vector<std::vector<Index>> euler(n + 1);
     for (int k = 0; k <= n; ++k)
@@ -188,8 +180,8 @@ std::vector<InadmissibleBlock> inadmissible_blocks(const SimplicialComplex& comp
                         (blocks.twisted[k][s] || euler[k][s] != (k % 2 == 0 ? 1 : -1));
     }
     for (Index e = 0; e < complex.size(1); ++e)
-        for (Row v(complex.coboundary(0), e); v; ++v)
-            if (blocks.active_cofaces[0][v.col()] == 0)
+        for (int i = 0; i <= 1; ++i)
+            if (blocks.active_cofaces[0][complex.face(1, e, i)] == 0)
                 bad[blocks.carriers[1][e].dimension][blocks.carriers[1][e].piece] = true;
 
     std::vector<InadmissibleBlock> result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/simplicial_complex.h"
+#include "complex/pieces.h"
 
 #include <functional>
 
@@ -10,7 +10,7 @@ namespace polydec {
 /// Whether the k-simplices f and g are one flat piece across their common (k-1)-face s.
 using Straightness = std::function<bool(int k, Index s, Index f, Index g)>;
 
-/// A simplicial complex divided into open blocks, the cells of the merged complex before they are
+/// Pieces divided into open blocks, the cells of the merged complex before they are
 /// numbered. Every open simplex lies in the interior of one block, its carrier; a simplex whose
 /// carrier has its own dimension is a piece of it, any other has been removed.
 struct Blocks {
@@ -30,13 +30,12 @@ struct Blocks {
 /// Vertices are never removed. removed_facets has one entry per (n-1)-simplex and may be true only
 /// for facets with two cofaces. Near-linear in the number of incidences. Throws InvalidInput for
 /// another number of entries.
-Blocks join_blocks(const SimplicialComplex& complex, const std::vector<bool>& removed_facets,
+Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facets,
                    const Straightness& straight);
 
 /// The facets that a merging by label removes: two cofaces, both with the same label. labels has
 /// one entry per n-simplex. Throws InvalidInput for another number of them.
-std::vector<bool> facets_within_labels(const SimplicialComplex& complex,
-                                       const std::vector<Index>& labels);
+std::vector<bool> facets_within_labels(const Pieces& complex, const std::vector<Index>& labels);
 
 /// A block that is no open ball, so no cell: its pieces induce clashing orientations, its Euler
 /// number (the sum of (-1)^dim over its open simplices) is not (-1)^dimension, or a vertex at it
@@ -46,7 +45,6 @@ struct InadmissibleBlock {
     Index piece;                   ///< first piece
     std::vector<Index> interfaces; ///< removed simplices of one dimension less that joined it
 };
-std::vector<InadmissibleBlock> inadmissible_blocks(const SimplicialComplex& complex,
-                                                   const Blocks& blocks);
+std::vector<InadmissibleBlock> inadmissible_blocks(const Pieces& complex, const Blocks& blocks);
 
 } // namespace polydec

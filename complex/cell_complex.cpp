@@ -82,32 +82,35 @@ CellComplex::CellComplex(std::vector<IncidenceMatrix> coboundaries,
     for (std::size_t k = 0; k + 1 < coboundaries.size(); ++k)
         check_product(coboundaries[k + 1], coboundaries[k], k);
     auto counts = count_cofaces(coboundaries, canceled);
-    assign(std::move(coboundaries), std::move(counts), std::move(canceled));
+    tower_ = tower(std::move(coboundaries), std::move(counts), std::move(canceled));
 }
 
 CellComplex::CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
                          std::vector<std::vector<Index>> coface_counts,
                          std::vector<std::vector<Incidence>> canceled) {
     check_shapes(coboundaries);
-    assign(std::move(coboundaries), std::move(coface_counts), std::move(canceled));
+    tower_ = tower(std::move(coboundaries), std::move(coface_counts), std::move(canceled));
 }
 
-void CellComplex::assign(std::vector<IncidenceMatrix> coboundaries,
-                         std::vector<std::vector<Index>> coface_counts,
-                         std::vector<std::vector<Incidence>> canceled) {
+std::shared_ptr<const CellComplex::Tower>
+CellComplex::tower(std::vector<IncidenceMatrix> coboundaries,
+                   std::vector<std::vector<Index>> coface_counts,
+                   std::vector<std::vector<Incidence>> canceled) {
     const auto vertices = coboundaries.front().cols();
     const auto tops = coboundaries.back().rows();
+    auto result = std::make_shared<Tower>();
     // Eigen's sparse matrices are swapped at no cost, but copied where one would move them
-    coboundaries_ = std::vector<IncidenceMatrix>(coboundaries.size() + 2);
-    coboundaries_.front().resize(vertices, 0);
+    result->coboundaries = std::vector<IncidenceMatrix>(coboundaries.size() + 2);
+    result->coboundaries.front().resize(vertices, 0);
     for (std::size_t k = 0; k < coboundaries.size(); ++k)
-        coboundaries_[k + 1].swap(coboundaries[k]);
-    coboundaries_.back().resize(0, tops);
+        result->coboundaries[k + 1].swap(coboundaries[k]);
+    result->coboundaries.back().resize(0, tops);
 
-    coface_counts_ = std::move(coface_counts);
-    coface_counts_.emplace_back(static_cast<std::size_t>(tops), 0);
-    canceled_ = std::move(canceled);
-    canceled_.resize(coboundaries.size());
+    result->coface_counts = std::move(coface_counts);
+    result->coface_counts.emplace_back(static_cast<std::size_t>(tops), 0);
+    result->canceled = std::move(canceled);
+    result->canceled.resize(coboundaries.size());
+    return result;
 }
 
 void CellComplex::refuse_degree(int k) const {

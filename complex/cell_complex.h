@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/types.h"
 
+#include <memory>
 #include <vector>
 
 namespace polydec {
@@ -14,7 +15,8 @@ struct Incidence {
 };
 
 /// A finite complex of oriented cells of degrees 0..n: simplices, merged polytopes, cubes or cells
-/// made by hand. It is its tower of signed incidence matrices and knows no lengths.
+/// made by hand. It is its tower of signed incidence matrices and knows no lengths. A handle on
+/// what never changes: copies share it and cost nothing.
 /// Where a degree is asked for that there is not, InvalidInput is thrown, by all that takes one.
 /// What refers into a complex is handed out by value where the complex is a temporary.
 class CellComplex {
@@ -35,11 +37,15 @@ public:
                 std::vector<std::vector<Index>> coface_counts,
                 std::vector<std::vector<Incidence>> canceled = {});
 
-    int dimension() const { return static_cast<int>(coface_counts_.size()) - 1; }
+    // no moves, which would leave a handle on nothing
+    CellComplex(const CellComplex&) = default;
+    CellComplex& operator=(const CellComplex&) = default;
+
+    int dimension() const { return static_cast<int>(tower_->coface_counts.size()) - 1; }
 
     /// Number of cells of degree k; 0 outside 0..n.
     Index size(int k) const {
-        return k < 0 || k > dimension() ? 0 : static_cast<Index>(coface_counts_[k].size());
+        return k < 0 || k > dimension() ? 0 : static_cast<Index>(tower_->coface_counts[k].size());
     }
 
     /// d_k, size(k+1) x size(k), entries -1, 0, 1 (2 on one-sided surfaces), for k = -1..n: the
@@ -47,7 +53,7 @@ public:
     const IncidenceMatrix& coboundary(int k) const& {
         if (k < -1 || k > dimension())
             refuse_degree(k);
-        return coboundaries_[k + 1];
+        return tower_->coboundaries[k + 1];
     }
     IncidenceMatrix coboundary(int k) && { return coboundary(k); }
 
@@ -59,7 +65,7 @@ public:
     /// on both sides of s cancels. All zero for k = n.
     const std::vector<Index>& coface_counts(int k) const& {
         check_number("the number of cofaces in degree", k, 0, dimension());
-        return coface_counts_[k];
+        return tower_->coface_counts[k];
     }
     std::vector<Index> coface_counts(int k) && { return coface_counts(k); }
 
@@ -69,22 +75,22 @@ public:
     /// n.
     const std::vector<Incidence>& canceled(int k) const& {
         check_number("the incidences that cancel in the coboundary", k, 0, dimension() - 1);
-        return canceled_[k];
+        return tower_->canceled[k];
     }
     std::vector<Incidence> canceled(int k) && { return canceled(k); }
 
-protected:
-    CellComplex() = default;
-    void assign(std::vector<IncidenceMatrix> coboundaries,
-                std::vector<std::vector<Index>> coface_counts,
-                std::vector<std::vector<Incidence>> canceled = {});
-
 private:
+    struct Tower {
+        std::vector<IncidenceMatrix> coboundaries;     // at k + 1: d_k, for k = -1..n
+        std::vector<std::vector<Index>> coface_counts; // at k: for k = 0..n
+        std::vector<std::vector<Incidence>> canceled;  // at k: for k = 0..n-1
+    };
+    static std::shared_ptr<const Tower> tower(std::vector<IncidenceMatrix> coboundaries,
+                                              std::vector<std::vector<Index>> coface_counts,
+                                              std::vector<std::vector<Incidence>> canceled);
     [[noreturn]] void refuse_degree(int k) const;
 
-    std::vector<IncidenceMatrix> coboundaries_;     // at k + 1: d_k, for k = -1..n
-    std::vector<std::vector<Index>> coface_counts_; // at k: for k = 0..n
-    std::vector<std::vector<Incidence>> canceled_;  // at k: for k = 0..n-1
+    std::shared_ptr<const Tower> tower_;
 };
 
 /// Euler characteristic: the alternating sum of the numbers of cells.

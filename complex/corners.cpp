@@ -20,7 +20,7 @@ struct HalfEdge {
 };
 
 std::vector<HalfEdge> half_edges(const Merging& merging, Index cell) {
-    const auto& K = merging.input();
+    const auto& K = merging.pieces();
     std::vector<HalfEdge> sides;
     for (Row piece(merging.diamond(2), cell); piece; ++piece)
         for (Row edge(K.coboundary(1), static_cast<Index>(piece.col())); edge; ++edge) {

@@ -2,25 +2,25 @@
 #pragma once
 
 #include "complex/blocks.h"
-#include "complex/simplicial_complex.h"
+#include "complex/pieces.h"
 
 #include <utility>
 
 namespace polydec {
 
-/// A simplicial complex K, the complex P of its merged cells, and how they belong together.
+/// Pieces K, the complex P of the cells that they are merged into, and how they belong together.
 ///
 /// Cells of P are numbered in the order of their first pieces and oriented like them.
 class Merging {
 public:
     /// The merged complex that the blocks make; d^P d^P = 0 and dia d = d^P dia hold by
     /// construction. Linear time.
-    Merging(SimplicialComplex input, const Blocks& blocks);
+    Merging(Pieces pieces, const Blocks& blocks);
 
-    const SimplicialComplex& input() const& { return input_; }
+    const Pieces& pieces() const& { return pieces_; }
     const CellComplex& merged() const& { return merged_; }
-    SimplicialComplex input() && { return std::move(input_); }
-    CellComplex merged() && { return std::move(merged_); }
+    Pieces pieces() && { return pieces_; }
+    CellComplex merged() && { return merged_; }
 
     /// Where an open simplex of K lies: in the interior of this cell of P.
     struct Carrier {
@@ -28,7 +28,7 @@ public:
         Index cell;
     };
     const std::vector<Carrier>& carriers(int k) const& {
-        check_number("the carriers of simplices of degree", k, 0, input_.dimension());
+        check_number("the carriers of simplices of degree", k, 0, pieces_.dimension());
         return carriers_[k];
     }
     std::vector<Carrier> carriers(int k) && { return carriers(k); }
@@ -36,7 +36,7 @@ public:
     /// dia_k, size of P times size of K: the orientation 1 or -1 of each piece s in its cell F, 0
     /// for removed simplices. Primal k-forms on K are mapped to P by it; it is a cochain map.
     const IncidenceMatrix& diamond(int k) const& {
-        check_number("the map to merged cells in degree", k, 0, input_.dimension());
+        check_number("the map to merged cells in degree", k, 0, pieces_.dimension());
         return diamonds_[k];
     }
     IncidenceMatrix diamond(int k) && { return diamond(k); }
@@ -48,13 +48,13 @@ public:
     std::vector<Index> vertices(int k, Index cell) const;
 
 private:
-    SimplicialComplex input_;
+    Pieces pieces_;
     std::vector<std::vector<Carrier>> carriers_;
     std::vector<IncidenceMatrix> diamonds_;
     CellComplex merged_;
 };
 
 /// The merging that merges nothing: P is K.
-Merging unmerged(SimplicialComplex complex);
+Merging unmerged(Pieces complex);
 
 } // namespace polydec

@@ -177,32 +177,38 @@ Orientation orient(const IncidenceMatrix& D, const std::vector<Index>& coface_co
 
 } // namespace
 
-SimplicialComplex::SimplicialComplex(const Simplices& tops) {
+SimplicialComplex::Sorted SimplicialComplex::sorted(const Simplices& tops) {
     auto sorted = sort_tops(tops);
     check_cost(sorted.simplices);
     const auto n = static_cast<int>(tops.cols()) - 1;
-    simplices_.resize(n + 1);
-    simplices_[n] = std::move(sorted.simplices);
-    input_rows_ = std::move(sorted.input_rows);
+    std::vector<Simplices> simplices(n + 1);
+    simplices[n] = std::move(sorted.simplices);
 
     std::vector<IncidenceMatrix> coboundaries(n);
     std::vector<std::vector<Index>> counts(n);
     for (int k = n - 1; k >= 0; --k) {
-        auto faces = faces_of(simplices_[k + 1]);
+        auto faces = faces_of(simplices[k + 1]);
         coboundaries[k].swap(faces.coboundary);
-        simplices_[k] = std::move(faces.simplices);
+        simplices[k] = std::move(faces.simplices);
         counts[k] = std::move(faces.counts);
     }
 
     auto orientation = orient(coboundaries[n - 1], counts[n - 1], sorted.signs);
-    orientations_ = std::move(orientation.signs);
-    orientable_ = orientation.coherent;
-    turned_ = orientation.turned;
     std::int8_t* sign = coboundaries[n - 1].valuePtr();
-    for (const std::int8_t turn : orientations_)
+    for (const std::int8_t turn : orientation.signs)
         for (int i = 0; i <= n; ++i, ++sign)
             *sign = static_cast<std::int8_t>(*sign * turn);
-    assign(std::move(coboundaries), std::move(counts));
+    CellComplex cells(Unchecked{}, std::move(coboundaries), std::move(counts));
+    return {Pieces(Unchecked{}, std::move(cells), std::move(simplices),
+                   std::move(orientation.signs), orientation.coherent),
+            std::move(sorted.input_rows), orientation.turned};
 }
+
+SimplicialComplex::SimplicialComplex(const Simplices& tops) : SimplicialComplex(sorted(tops)) {}
+
+SimplicialComplex::SimplicialComplex(Sorted sorted)
+    : Pieces(std::move(sorted.pieces)),
+      input_rows_(std::make_shared<const std::vector<Index>>(std::move(sorted.input_rows))),
+      turned_(sorted.turned) {}
 
 } // namespace polydec

@@ -3,11 +3,9 @@
 
 #include "base/errors.h"
 #include "base/listed.h"
-#include "dec/merging/facet_defects.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/overlaps.h"
-#include "dec/surfaces/glued_volumes.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
 
@@ -70,16 +68,16 @@ void warn_of_unit(double unit, std::vector<std::string>& warnings) {
 }
 
 /// Tags of the merged n-cells; one that joins simplices with different tags has none.
-std::vector<Index> merged_tags(const Merging& merging, const std::vector<Index>& tags,
-                               std::vector<std::string>& warnings) {
+std::vector<Index> merged_tags(const SimplicialComplex& complex, const Merging& merging,
+                               const std::vector<Index>& tags, std::vector<std::string>& warnings) {
     if (tags.empty())
         return {};
     const int n = merging.merged().dimension();
     std::vector<Index> result(static_cast<std::size_t>(merging.merged().size(n)), 0);
     std::vector<char> state(result.size(), 'n'); // new, tagged, or of different tags
-    for (Index t = 0; t < merging.input().size(n); ++t) {
+    for (Index t = 0; t < complex.size(n); ++t) {
         const Index cell = merging.carriers(n)[t].cell;
-        const Index tag = tags[merging.input().input_row(t)];
+        const Index tag = tags[complex.input_row(t)];
         if (state[cell] == 'n')
             state[cell] = 't', result[cell] = tag;
         else if (result[cell] != tag)
@@ -90,17 +88,6 @@ std::vector<Index> merged_tags(const Merging& merging, const std::vector<Index>&
         warnings.push_back(
             fmt::format("{} merged cell{} simplices of different groups; {} tag is 0", different,
                         different == 1 ? " joins" : "s join", different == 1 ? "its" : "their"));
-    return result;
-}
-
-/// Degenerate edges of the flipped triangles.
-DegenerateFacets count_degenerate(const IntrinsicTessellation& tessellation, double tolerance) {
-    const auto& surface = tessellation.surface();
-    const auto defects = facet_defects(surface, tessellation.triangle_volumes, tolerance);
-    DegenerateFacets result;
-    for (Index e = 0; e < surface.edges(); ++e)
-        if (defects.degenerate[e])
-            ++(surface.is_boundary(e) ? result.boundary : result.interior);
     return result;
 }
 
@@ -116,32 +103,16 @@ void warn_of_flips(const IntrinsicStatistics& flips, double unit,
                                        flips.negative_interior));
 }
 
-/// The way by intrinsic flips: K is kept for looking, and nothing of it is merged.
-Discretization flip_and_merge(SimplicialComplex complex, Mesh mesh, Vector lengths, double unit,
-                              const MergeOptions& options) {
-    const GluedSurface surface(complex);
-    const bool has_points = mesh.points.cols() > 0;
-    const Vector given = has_points ? edge_lengths(complex, mesh.points) : lengths;
-    auto tessellation =
-        std::make_shared<IntrinsicTessellation>(intrinsic_tessellation(surface, given, options));
-    auto input_volumes = circumcentric_volumes(
-        surface, given.array() + tessellation->delaunay.statistics.added_length);
-    if (!mesh.tags.empty())
-        mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
-    warn_of_flips(tessellation->delaunay.statistics, unit, mesh.warnings);
-    auto volumes = merged_volumes(tessellation->merging, tessellation->triangle_volumes);
-    const auto degenerate = count_degenerate(*tessellation, options.tolerance);
-    return {std::move(mesh.points),
-            unmerged(std::move(complex)),
-            std::move(input_volumes),
-            std::move(volumes),
-            options,
-            degenerate,
-            std::move(mesh.warnings),
-            {},
-            std::move(lengths),
-            std::move(tessellation),
-            unit};
+/// Flips and splits as the options say; lengths are those of the edges.
+IntrinsicDelaunay flipped(const SimplicialComplex& complex, Vector lengths,
+                          const MergeOptions& options) {
+    if (options.criterion == MergeCriterion::angle)
+        throw InvalidInput("intrinsic flips go with the relative dual length, not with the test of "
+                           "opposite angles: leave out the angle tolerance");
+    const auto boundary =
+        options.delaunay == Delaunay::flips_and_splits ? BoundaryEdges::split : BoundaryEdges::keep;
+    return intrinsic_delaunay(GluedSurface(complex), std::move(lengths),
+                              {.boundary = boundary, .tolerance = options.tolerance});
 }
 
 using Stage = std::function<void(std::string_view)>;
@@ -151,36 +122,69 @@ void begin(const Stage& stage, std::string_view what) {
         stage(what);
 }
 
+/// What is measured: the simplices, or the triangles that flips make of them, and the volumes of
+/// both.
+struct Measured {
+    Passage passage;
+    CellVolumes input_volumes, piece_volumes;
+};
+
+Measured measure(const SimplicialComplex& complex, Mesh& mesh, const Vector& lengths, double unit,
+                 const MergeOptions& options) {
+    const bool has_points = mesh.points.cols() > 0;
+    if (options.delaunay == Delaunay::off) {
+        const auto volumes = circumcentric_volumes(
+            complex, has_points ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths));
+        return {Passage(complex), volumes, volumes};
+    }
+    const Vector given = has_points ? edge_lengths(complex, mesh.points) : lengths;
+    Passage passage(complex, flipped(complex, given, options),
+                    static_cast<Index>(mesh.points.rows()));
+    const auto& flips = passage.flips();
+    warn_of_flips(flips.statistics, unit, mesh.warnings);
+    const Vector longer = given.array() + flips.statistics.added_length;
+    const auto of_input = circumcentric_volumes(complex, {complex, longer});
+    const auto of_pieces =
+        circumcentric_volumes(passage.pieces(), {passage.pieces(), flips.lengths});
+    const auto known = mesh.points.rows();
+    const auto made = passage.pieces().size(0) - complex.size(0);
+    const Points on_complex = mesh.points(complex.simplices(0).col(0), Eigen::all);
+    mesh.points.conservativeResize(known + made, Eigen::NoChange);
+    mesh.points.bottomRows(made) = passage.forth(0, on_complex).bottomRows(made);
+    return {std::move(passage), of_input, of_pieces};
+}
+
 /// Measures and merges; mesh holds whatever goes with the simplices, lengths are empty if it has
 /// points.
-Discretization measured(SimplicialComplex complex, Mesh mesh, Vector lengths, double unit,
+Discretization measured(const SimplicialComplex& complex, Mesh mesh, Vector lengths, double unit,
                         const MergeOptions& options, const Stage& stage) {
     warn_of_orientation(complex, mesh.warnings);
     warn_of_branching(complex, mesh.warnings);
     warn_of_overlaps(complex, mesh.points, mesh.warnings);
-    if (options.delaunay != Delaunay::off) {
-        begin(stage, "merge");
-        return flip_and_merge(std::move(complex), std::move(mesh), std::move(lengths), unit,
-                              options);
-    }
     begin(stage, "volumes");
-    const SimplexMetric metric =
-        mesh.points.cols() > 0 ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths);
-    auto input_volumes = circumcentric_volumes(complex, metric);
+    auto [passage, of_input, of_pieces] = measure(complex, mesh, lengths, unit, options);
     begin(stage, "merge");
-    auto merged = merge_cospherical(std::move(complex), metric, input_volumes, options);
-    auto volumes = merged_volumes(merged.merging, input_volumes);
-    auto tags = merged_tags(merged.merging, mesh.tags, mesh.warnings);
+    const bool flips = !passage.is_identity();
+    const SimplexMetric metric = flips ? SimplexMetric(passage.pieces(), passage.flips().lengths)
+                                 : mesh.points.cols() > 0 ? SimplexMetric(mesh.points)
+                                                          : SimplexMetric(complex, lengths);
+    auto merged = merge_cospherical(passage.pieces(), metric, of_pieces, options);
+    const auto volumes = merged_volumes(merged.merging, of_pieces);
+    if (flips && !mesh.tags.empty())
+        mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
+    auto tags = flips ? std::vector<Index>()
+                      : merged_tags(complex, merged.merging, mesh.tags, mesh.warnings);
     return {std::move(mesh.points),
+            std::move(passage),
             std::move(merged.merging),
-            std::move(input_volumes),
-            std::move(volumes),
+            of_input,
+            of_pieces,
+            volumes,
             options,
             merged.degenerate,
             std::move(mesh.warnings),
             std::move(tags),
             std::move(lengths),
-            {},
             unit};
 }
 
@@ -195,7 +199,7 @@ Discretization discretize(Mesh mesh, const MergeOptions& options, const Stage& s
     if (unit != 1)
         mesh = in_units(std::move(mesh), unit);
     SimplicialComplex complex(mesh.simplices);
-    return measured(std::move(complex), std::move(mesh), {}, unit, options, stage);
+    return measured(complex, std::move(mesh), {}, unit, options, stage);
 }
 
 Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, const Stage& stage) {
@@ -208,32 +212,15 @@ Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, c
     warn_of_unit(unit, without_points.warnings);
     // the complex numbers its edges in lexicographic order
     Vector lengths = mesh.lengths(edges_in_order(mesh)) / unit;
-    return measured(std::move(complex), std::move(without_points), std::move(lengths), unit,
-                    options, stage);
+    return measured(complex, std::move(without_points), std::move(lengths), unit, options, stage);
 }
 
 Points vertex_points(const Discretization& discretization) {
-    const auto numbers = discretization.input().simplices(0).col(0);
-    const Points points = discretization.points(numbers, Eigen::all);
-    if (!discretization.intrinsic)
-        return points;
-    Points result(discretization.complex().size(0), points.cols());
-    for (Eigen::Index axis = 0; axis < points.cols(); ++axis)
-        result.col(axis) = discretization.intrinsic->delaunay.history.carry(0, points.col(axis));
-    return result;
+    return discretization.points(discretization.pieces().simplices(0).col(0), Eigen::all);
 }
 
 std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell) {
-    if (!discretization.intrinsic)
-        return discretization.merging.vertices(k, cell);
-    const auto& intrinsic = *discretization.intrinsic;
-    auto list = vertices(intrinsic.surface(), intrinsic.merging, k, cell);
-    const auto& numbers = discretization.input().simplices(0);
-    const auto known = static_cast<Index>(numbers.rows());
-    for (Index& v : list)
-        v = v < known ? numbers(v, 0)
-                      : static_cast<Index>(discretization.points.rows()) + v - known;
-    return list;
+    return discretization.merging.vertices(k, cell);
 }
 
 void check_cells_in_space(const Discretization& discretization, std::string_view what) {
@@ -242,7 +229,7 @@ void check_cells_in_space(const Discretization& discretization, std::string_view
 }
 
 void check_not_flipped(const Discretization& discretization, std::string_view what) {
-    if (discretization.intrinsic)
+    if (!discretization.passage.is_identity())
         throw InvalidInput(fmt::format("{} cannot be had after intrinsic flips: the cells are no "
                                        "longer made of the input's triangles; do without the flips",
                                        what));

@@ -3,12 +3,11 @@
 
 #include "dec/merging/merge.h"
 #include "dec/metric/simplex_metric.h"
-#include "dec/surfaces/intrinsic_tessellation.h"
+#include "dec/surfaces/passage.h"
 #include "meshes/length_mesh.h"
 #include "meshes/mesh.h"
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -17,13 +16,15 @@ namespace polydec {
 /// A mesh made ready for calculus: its complex, merged where cells are cospherical, and the metric.
 /// Each member can be made by itself; this bundle only holds them together.
 ///
-/// Where intrinsic Delaunay flips were asked for, complex() and volumes are those of the polygons
-/// that they lead to, whose edges are geodesics on the input; `merging` merges nothing then.
+/// Where intrinsic Delaunay flips were asked for, the pieces are the flipped triangles, whose edges
+/// are geodesics on the input.
 struct Discretization {
-    Points points; ///< a row per vertex number of the input; without columns if only lengths are
-                   ///< known
-    Merging merging;
+    Points points;   ///< a row per vertex number of the input, and behind them of the vertices that
+                     ///< splits have made; without columns if only lengths are known
+    Passage passage; ///< from the simplices of the input to the pieces
+    Merging merging; ///< of the pieces
     CellVolumes input_volumes; ///< of the simplices
+    CellVolumes piece_volumes; ///< of the pieces: the same, unless edges were flipped
     CellVolumes volumes;       ///< of the cells of complex()
     MergeOptions options;
     DegenerateFacets degenerate;
@@ -31,27 +32,33 @@ struct Discretization {
     std::vector<Index> tags = {};      ///< of each merged n-cell the tag of its simplices, 0 where
                                        ///< they have different ones; or empty
     Vector lengths = {};               ///< of the input's edges if only these are known; or empty
-    std::shared_ptr<const IntrinsicTessellation> intrinsic = {}; ///< after flips; else none
     /// What points, lengths and volumes are measured in, as a length of the input: 1, or a power of
     /// 4 where the input is so large or small that products of its lengths would be no numbers. So
     /// distances are to be multiplied by it, solutions of Delta u = f by its square, eigenvalues
     /// of Delta to be divided by its square (in_input_units).
     double unit = 1;
 
-    const SimplicialComplex& input() const& { return merging.input(); }
-    const CellComplex& complex() const& {
-        return intrinsic ? intrinsic->merging.merged : merging.merged();
-    }
+    const SimplicialComplex& input() const& { return passage.input(); }
+    const Pieces& pieces() const& { return merging.pieces(); }
+    const CellComplex& complex() const& { return merging.merged(); }
     SimplicialComplex input() && { return input(); }
+    Pieces pieces() && { return pieces(); }
     CellComplex complex() && { return complex(); }
     int dimension() const { return complex().dimension(); }
 
-    /// The points, or the lengths if only these are known. Refers to this bundle, so there is none
-    /// of a temporary.
+    /// The metric of the pieces: the points, or lengths if only these are known or edges were
+    /// flipped. Refers to this bundle, so there is none of a temporary.
     SimplexMetric metric() const& {
-        return points.cols() > 0 ? SimplexMetric(points) : SimplexMetric(input(), lengths);
+        return passage.is_identity() ? input_metric()
+                                     : SimplexMetric(pieces(), passage.flips().lengths);
     }
     SimplexMetric metric() const&& = delete;
+
+    /// The metric of the simplices of the input.
+    SimplexMetric input_metric() const& {
+        return points.cols() > 0 ? SimplexMetric(points) : SimplexMetric(input(), lengths);
+    }
+    SimplexMetric input_metric() const&& = delete;
 };
 
 /// The whole way from a mesh to its merged complex and volumes. Untidy input is tidied with a

@@ -12,24 +12,17 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 
-/// What the duals of the pieces are compared with.
-FacetDefects defects_of_pieces(const Discretization& mesh) {
-    if (mesh.intrinsic)
-        return facet_defects(mesh.intrinsic->surface(), mesh.intrinsic->triangle_volumes,
-                             mesh.options.tolerance);
-    return facet_defects(mesh.input(), mesh.metric(), mesh.input_volumes,
-                         {MergeCriterion::dual_length, mesh.options.tolerance});
-}
-
 } // namespace
 
 std::vector<bool> boundary_facets_without_dual(const Discretization& discretization) {
     const int n = discretization.dimension();
     const auto& complex = discretization.complex();
     const auto& volumes = discretization.volumes;
-    const auto& facets = discretization.intrinsic ? discretization.intrinsic->merging.diamonds[1]
-                                                  : discretization.merging.diamond(n - 1);
-    const auto pieces = defects_of_pieces(discretization);
+    const auto& facets = discretization.merging.diamond(n - 1);
+    // what the duals of the pieces are compared with
+    const auto pieces = facet_defects(
+        discretization.pieces(), discretization.metric(), discretization.piece_volumes,
+        {MergeCriterion::dual_length, discretization.options.tolerance});
     std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         if (complex.coface_counts(n - 1)[f] != 1)

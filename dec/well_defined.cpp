@@ -30,102 +30,81 @@ Index count(const std::vector<bool>& marks) {
     return static_cast<Index>(std::count(marks.begin(), marks.end(), true));
 }
 
-/// The k-cells of the stage whose dual has no extent.
-Index without_dual(const Discretization& mesh, Stage stage, int k,
-                   const std::vector<bool>& degenerate) {
-    const auto& carriers = mesh.merging.carriers(k);
+/// What is looked at: pieces, what becomes of them, and the cells whose duals count, which are the
+/// pieces themselves at the stage of the input.
+struct View {
+    Merging merging;
+    CellVolumes volumes;          ///< of the cells
+    std::vector<bool> degenerate; ///< facets of the pieces
+    bool of_pieces;
+
+    Index size(int k) const { return static_cast<Index>(volumes.primal(k).size()); }
+};
+
+View view(const Discretization& mesh, Stage stage) {
     const bool input = stage == Stage::input;
-    const auto& volumes = input ? mesh.input_volumes : mesh.volumes;
-    std::vector<bool> marks(volumes.dual(k).size(), false);
-    for (const Index s : zero_star_cells(volumes, k))
+    if (!input || mesh.passage.is_identity())
+        return {mesh.merging, input ? mesh.piece_volumes : mesh.volumes,
+                facet_defects(mesh.pieces(), mesh.metric(), mesh.piece_volumes, mesh.options)
+                    .degenerate,
+                input};
+    const auto lengths = mesh.input_volumes.primal(1);
+    return {unmerged(mesh.input()), mesh.input_volumes,
+            facet_defects(mesh.input(), {mesh.input(), lengths}, mesh.input_volumes, mesh.options)
+                .degenerate,
+            true};
+}
+
+/// The k-cells whose dual has no extent.
+Index without_dual(const View& view, int k) {
+    const auto& carriers = view.merging.carriers(k);
+    std::vector<bool> marks(static_cast<std::size_t>(view.size(k)), false);
+    for (const Index s : zero_star_cells(view.volumes, k))
         marks[s] = true;
-    const int facet_degree = mesh.dimension() - 1;
-    const bool facets = k == facet_degree;
+    const bool facets = k == view.merging.merged().dimension() - 1;
     for (std::size_t s = 0; s < carriers.size(); ++s) {
         const bool removed = carriers[s].dimension > k;
-        if (input && (removed || (facets && degenerate[s])))
+        if (view.of_pieces && (removed || (facets && view.degenerate[s])))
             marks[s] = true;
-        if (!input && !removed && facets && degenerate[s])
+        if (!view.of_pieces && !removed && facets && view.degenerate[s])
             marks[carriers[s].cell] = true;
     }
     return count(marks);
 }
 
 /// Marks the n-cells whose circumcenter is that of a neighbor, across a degenerate facet.
-void mark_concentric(const Discretization& mesh, Stage stage, const std::vector<bool>& degenerate,
-                     std::vector<bool>& marks) {
-    const int n = mesh.dimension();
-    const IncidenceMatrix cofaces = mesh.input().boundary(n);
-    for (Index f = 0; f < cofaces.rows(); ++f) {
-        if (!degenerate[f] || mesh.input().coface_counts(n - 1)[f] != 2)
+void mark_concentric(const View& view, std::vector<bool>& marks) {
+    const Pieces& pieces = view.merging.pieces();
+    const int n = pieces.dimension();
+    const Cofaces cofaces(pieces, n);
+    for (Index f = 0; f < pieces.size(n - 1); ++f) {
+        if (!view.degenerate[f] || cofaces.of(f).size() != 2)
             continue;
-        if (stage == Stage::merged && mesh.merging.carriers(n - 1)[f].dimension == n)
+        if (!view.of_pieces && view.merging.carriers(n - 1)[f].dimension == n)
             continue;
-        for (Row t(cofaces, f); t; ++t) {
-            const auto top = static_cast<Index>(t.col());
-            marks[stage == Stage::input ? top : mesh.merging.carriers(n)[top].cell] = true;
-        }
+        for (const Coface& t : cofaces.of(f))
+            marks[view.of_pieces ? t.cell : view.merging.carriers(n)[t.cell].cell] = true;
     }
 }
 
-/// The k-cells of the stage whose dual is that of another one: pieces of one merged cell.
-Index copies(const Discretization& mesh, Stage stage, int k, const std::vector<bool>& degenerate) {
-    const auto& volumes = stage == Stage::input ? mesh.input_volumes : mesh.volumes;
-    std::vector<bool> marks(volumes.dual(k).size(), false);
-    const IncidenceMatrix& dia = mesh.merging.diamond(k);
-    for (Index cell = 0; stage == Stage::input && cell < dia.rows(); ++cell)
+/// The k-cells whose dual is that of another one: pieces of one merged cell.
+Index copies(const View& view, int k) {
+    std::vector<bool> marks(static_cast<std::size_t>(view.size(k)), false);
+    const IncidenceMatrix& dia = view.merging.diamond(k);
+    for (Index cell = 0; view.of_pieces && cell < dia.rows(); ++cell)
         if (dia.outerIndexPtr()[cell + 1] - dia.outerIndexPtr()[cell] > 1)
             for (Row piece(dia, cell); piece; ++piece)
                 marks[piece.col()] = true;
-    if (k == mesh.dimension())
-        mark_concentric(mesh, stage, degenerate, marks);
+    if (k == view.merging.merged().dimension())
+        mark_concentric(view, marks);
     return count(marks);
 }
 
-/// Edges of the stage whose dual counts as nothing: of the triangles before flips, or of polygons.
-std::vector<bool> degenerate_edges(const Discretization& mesh, Stage stage) {
-    const double tolerance = mesh.options.tolerance;
-    if (stage == Stage::input)
-        return facet_defects(GluedSurface(mesh.input()), mesh.input_volumes, tolerance).degenerate;
-    const auto& flipped = *mesh.intrinsic;
-    const auto all =
-        facet_defects(flipped.surface(), flipped.triangle_volumes, tolerance).degenerate;
-    std::vector<bool> degenerate(static_cast<std::size_t>(mesh.complex().size(1)), false);
-    for (Index e = 0; e < mesh.complex().size(1); ++e)
-        for (Row piece(flipped.merging.diamonds[1], e); piece; ++piece)
-            degenerate[e] = all[piece.col()];
-    return degenerate;
-}
-
-/// The same after intrinsic flips, by the metric of the glued triangles and polygons alone.
-Faults intrinsic_faults(const Discretization& mesh, Stage stage) {
-    const auto& volumes = stage == Stage::input ? mesh.input_volumes : mesh.volumes;
-    const auto& complex = stage == Stage::input ? mesh.input() : mesh.complex();
-    const int n = mesh.dimension();
-    const auto degenerate = degenerate_edges(mesh, stage);
-    std::vector<bool> concentric(complex.size(n), false);
-    for (Index t = 0; t < complex.size(n); ++t)
-        for (Row f(complex.coboundary(n - 1), t); f; ++f)
-            if (degenerate[f.col()] && complex.coface_counts(n - 1)[f.col()] == 2)
-                concentric[t] = true;
+Faults find_faults(const View& view) {
     Faults faults;
-    for (int k = 0; k <= n; ++k) {
-        const auto zero = static_cast<Index>(zero_star_cells(volumes, k).size());
-        faults.without_dual.push_back(k == n - 1 ? count(degenerate) : zero);
-        faults.copies.push_back(k == n ? count(concentric) : 0);
-    }
-    return faults;
-}
-
-Faults find_faults(const Discretization& mesh, Stage stage) {
-    if (mesh.intrinsic)
-        return intrinsic_faults(mesh, stage);
-    const auto degenerate =
-        facet_defects(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options).degenerate;
-    Faults faults;
-    for (int k = 0; k <= mesh.dimension(); ++k) {
-        faults.without_dual.push_back(without_dual(mesh, stage, k, degenerate));
-        faults.copies.push_back(copies(mesh, stage, k, degenerate));
+    for (int k = 0; k <= view.merging.merged().dimension(); ++k) {
+        faults.without_dual.push_back(without_dual(view, k));
+        faults.copies.push_back(copies(view, k));
     }
     return faults;
 }
@@ -170,7 +149,7 @@ private:
 
 std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretization, Stage stage) {
     const int n = discretization.dimension();
-    Table table(find_faults(discretization, stage));
+    Table table(find_faults(view(discretization, stage)));
     for (int k = 0; k < n; ++k) {
         table.add("d", k, Side::primal, {}, {});
         table.add("d", k, Side::dual, {}, {});

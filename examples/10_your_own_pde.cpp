@@ -17,7 +17,7 @@ int main() {
     polydec::Points wind = polydec::Points::Zero(sphere.points.rows(), 3);
     wind.col(0) = -sphere.points.col(1);
     wind.col(1) = sphere.points.col(0);
-    const auto lift = polydec::commuting_lift(sphere.merging, sphere.points, sphere.input_volumes);
+    const auto lift = polydec::commuting_lift(sphere.merging, sphere.points, sphere.piece_volumes);
     const polydec::SparseMatrix transport = polydec::lie_derivative(
         sphere.merging, lift, sphere.points, wind, 0, polydec::Sampling::upwind);
 

@@ -29,7 +29,7 @@ std::string with_vertices(const Discretization& discretization, Index facet) {
 void check_two_sided(const Discretization& discretization) {
     const auto& complex = discretization.complex();
     const int n = complex.dimension();
-    if (!discretization.input().orientable())
+    if (!discretization.pieces().orientable())
         throw InvalidInput("the mesh is non-orientable, so dual 0-forms change sign around it: "
                            "solve for primal 0-forms");
     const auto& counts = complex.coface_counts(n - 1);
@@ -55,10 +55,9 @@ Resistances resistances(const Discretization& discretization, const Vector& cond
     const int n = discretization.dimension();
     if (conductivity.size() == 0)
         return {discretization.volumes.dual(n - 1), discretization.volumes.terms(n - 1)};
-    check_not_flipped(discretization, "a conductivity for each cell");
-    const auto& volumes = discretization.input_volumes;
+    const auto& volumes = discretization.piece_volumes;
     const SparseMatrix parts =
-        dual_parts(discretization.input(), discretization.metric(), volumes, n - 1, n);
+        dual_parts(discretization.pieces(), discretization.metric(), volumes, n - 1, n);
     const SparseMatrix pieces = discretization.merging.diamond(n).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
     const SparseMatrix facets = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
@@ -67,8 +66,10 @@ Resistances resistances(const Discretization& discretization, const Vector& cond
             .cwiseQuotient(discretization.volumes.primal(n - 1));
     };
     // a part is as exact as the whole dual
-    const SparseMatrix beside = discretization.input().boundary(n).cast<double>().cwiseAbs();
-    const Vector sums = beside * of_pieces;
+    Vector sums = Vector::Zero(volumes.terms(n - 1).size());
+    for (Index t = 0; t < of_pieces.size(); ++t)
+        for (int i = 0; i <= n; ++i)
+            sums[discretization.pieces().face(n, t, i)] += of_pieces[t];
     return {over_merged(parts.transpose() * of_pieces),
             over_merged(sums.cwiseProduct(volumes.terms(n - 1)))};
 }

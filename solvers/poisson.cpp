@@ -96,12 +96,11 @@ Vector edge_weights(const Discretization& discretization, const Vector& conducti
             weights[edge] = 0;
         return weights;
     }
-    check_not_flipped(discretization, "a conductivity for each cell");
     const auto& merging = discretization.merging;
-    const auto& volumes = discretization.input_volumes;
+    const auto& volumes = discretization.piece_volumes;
     const int n = discretization.dimension();
     const SparseMatrix parts =
-        dual_parts(discretization.input(), discretization.metric(), volumes, 1, n);
+        dual_parts(discretization.pieces(), discretization.metric(), volumes, 1, n);
     const SparseMatrix pieces = merging.diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = merging.diamond(1).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity;
@@ -122,24 +121,14 @@ Vector edge_weights(const Discretization& discretization, const Vector& conducti
     return (weights.array().abs() <= rounding * sizes.array()).select(0, weights);
 }
 
-/// Half of the length of every edge that counts, for each of its ends.
-SparseMatrix halves_of_edges(const CellComplex& complex, const CellVolumes& volumes,
-                             const Vector& counts) {
-    const Vector halves = counts.cwiseProduct(volumes.primal(1)) / 2;
-    const SparseMatrix ends = complex.coboundary(0).cast<double>().cwiseAbs();
-    return ends.transpose() * halves.asDiagonal();
-}
-
 /// What each vertex gets of the (n-1)-cells that count: each piece is shared among its vertices as
 /// their duals divide it.
 SparseMatrix shares_of_vertices(const Discretization& discretization, const Vector& counts) {
     const int n = discretization.dimension();
     if (counts.isZero(0))
         return SparseMatrix(discretization.complex().size(0), counts.size());
-    if (discretization.intrinsic)
-        return halves_of_edges(discretization.complex(), discretization.volumes, counts);
-    const SparseMatrix parts = dual_parts(discretization.input(), discretization.metric(),
-                                          discretization.input_volumes, 0, n - 1);
+    const SparseMatrix parts = dual_parts(discretization.pieces(), discretization.metric(),
+                                          discretization.piece_volumes, 0, n - 1);
     const SparseMatrix pieces = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
     const SparseMatrix shares = counts.asDiagonal() * pieces * parts;
     return shares.transpose();

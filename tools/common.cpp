@@ -111,7 +111,7 @@ bool is_flippable(const Discretization& mesh) {
 std::string flip_advice(const Discretization& mesh) {
     if (!is_flippable(mesh) || mesh.options.delaunay == Delaunay::flips_and_splits)
         return "";
-    return mesh.intrinsic ? "; add --delaunay=split-boundary" : "; add --delaunay";
+    return !mesh.passage.is_identity() ? "; add --delaunay=split-boundary" : "; add --delaunay";
 }
 
 void warn_of_negative_duals(const Discretization& mesh, int k, std::string_view consequence,

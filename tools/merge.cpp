@@ -30,7 +30,8 @@ void write_merged(const std::filesystem::path& out, const Discretization& mesh) 
                                        "subcommand operators writes them as matrices",
                                        out.string(), mesh.dimension()));
     if (lower_extension(out) == ".vtu") {
-        auto grid = mesh.intrinsic ? draw_overlay(mesh) : draw_cells(mesh, mesh.dimension());
+        auto grid =
+            !mesh.passage.is_identity() ? draw_overlay(mesh) : draw_cells(mesh, mesh.dimension());
         if (!mesh.tags.empty())
             grid.cell_data.push_back({"tag", mesh.tags});
         write_vtu(out, grid);

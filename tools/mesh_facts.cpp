@@ -96,11 +96,9 @@ std::map<std::size_t, Index> vertices_per_cell(const Discretization& mesh) {
     return histogram;
 }
 
-FlipNumbers flip_numbers(const IntrinsicTessellation& tessellation, double unit) {
-    const auto& surface = tessellation.surface();
-    FlipNumbers numbers{tessellation.delaunay.statistics,
-                        {surface.vertices(), surface.edges(), surface.triangles()}};
-    numbers.statistics.added_length *= unit;
+FlipNumbers flip_numbers(const Discretization& mesh) {
+    FlipNumbers numbers{mesh.passage.flips().statistics, cell_counts(mesh.pieces())};
+    numbers.statistics.added_length *= mesh.unit;
     return numbers;
 }
 
@@ -139,8 +137,8 @@ void examine_metric(const Discretization& mesh, MeshFacts& facts) {
     facts.volume =
         in_input_units(mesh.volumes.primal(mesh.dimension()).sum(), mesh.unit, mesh.dimension());
     facts.facets = mesh.degenerate;
-    if (mesh.intrinsic)
-        facts.flips = flip_numbers(*mesh.intrinsic, mesh.unit);
+    if (!mesh.passage.is_identity())
+        facts.flips = flip_numbers(mesh);
     else
         facts.pairs = facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options);
     facts.stars = star_numbers(mesh.volumes, mesh.unit);
@@ -148,8 +146,7 @@ void examine_metric(const Discretization& mesh, MeshFacts& facts) {
     facts.operators = operators(mesh);
     facts.laplacians = laplacians(mesh, facts.operators);
     if (mesh.dimension() == 2)
-        facts.concyclic =
-            mesh.intrinsic ? merged_pairs(mesh.intrinsic->merging) : merged_pairs(mesh.merging);
+        facts.concyclic = merged_pairs(mesh.merging);
     facts.advice = advice(mesh);
 }
 

@@ -31,7 +31,7 @@ struct StarNumbers {
 /// What intrinsic flips have done.
 struct FlipNumbers {
     IntrinsicStatistics statistics;
-    std::array<Index, 3> cells{}; ///< of the flipped triangulation
+    std::vector<Index> cells; ///< of the flipped triangulation
 };
 
 /// The verdicts on one operator, on primal and on dual forms; for some there is only one of them.

@@ -45,18 +45,16 @@ struct Maps {
 
 Maps maps(const Discretization& mesh) {
     Maps result;
-    if (!mesh.intrinsic) {
-        for (const auto& diamond : mesh.merging.diamonds())
-            result.diamonds.emplace_back(diamond.cast<double>());
-        result.lifts = commuting_lift(mesh.merging, mesh.metric(), mesh.input_volumes);
-        return result;
-    }
-    const auto& history = mesh.intrinsic->delaunay.history;
-    const auto lift = commuting_lift(*mesh.intrinsic);
+    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
     for (int k = 0; k <= mesh.dimension(); ++k) {
-        const SparseMatrix pieces = mesh.intrinsic->merging.diamonds[k].cast<double>();
-        result.diamonds.emplace_back(pieces * history.matrix(k));
-        result.lifts.emplace_back(history.matrix_back(k) * lift[k]);
+        const SparseMatrix pieces = mesh.merging.diamond(k).cast<double>();
+        if (mesh.passage.is_identity()) {
+            result.diamonds.push_back(pieces);
+            result.lifts.push_back(lift[k]);
+        } else {
+            result.diamonds.emplace_back(pieces * mesh.passage.matrix(k));
+            result.lifts.emplace_back(mesh.passage.matrix_back(k) * lift[k]);
+        }
     }
     return result;
 }

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "complex/disjoint_sets.h"
+#include "complex/incidence_rows.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ std::vector<std::array<Index, 2>> pair_halfedges(const std::vector<GluedSurface:
     return pairs;
 }
 
-void check_edges(const SimplicialComplex& surface) {
+void check_edges(const Pieces& surface) {
     const auto& counts = surface.coface_counts(1);
     for (std::size_t e = 0; e < counts.size(); ++e)
         if (counts[e] > 2)
@@ -54,21 +55,21 @@ Index count_edges(const std::vector<std::array<GluedSurface::Side, 3>>& triangle
 
 } // namespace
 
-GluedSurface::GluedSurface(const SimplicialComplex& surface) : vertices_(surface.size(0)) {
+GluedSurface::GluedSurface(const Pieces& surface) : vertices_(surface.size(0)) {
     if (surface.dimension() != 2)
         throw InvalidInput(fmt::format("a complex of dimension {} is given: only surfaces can be "
                                        "glued from triangles",
                                        surface.dimension()));
     check_edges(surface);
     const Index triangles = surface.size(2);
-    const Index* const ends = surface.coboundary(0).innerIndexPtr();
     sides_.resize(std::size_t(triangles) * 3);
     tails_.resize(sides_.size());
     for (Index t = 0; t < triangles; ++t) {
-        // the ascending corners a, b, c are passed in this order, or the other way round
+        // the corners a, b, c are passed in their order, or the other way round
         const Index ab = surface.face(2, t, 2), bc = surface.face(2, t, 0);
         const Index ac = surface.face(2, t, 1);
-        const Index a = ends[2 * ab], b = ends[2 * ab + 1], c = ends[2 * ac + 1];
+        const Index a = surface.face(1, ab, 1), b = surface.face(1, ab, 0);
+        const Index c = surface.face(1, ac, 0);
         const Index h = 3 * t;
         if (surface.orientation(t) > 0) {
             sides_[h] = {ab, 1}, sides_[h + 1] = {bc, 1}, sides_[h + 2] = {ac, -1};
@@ -191,6 +192,28 @@ Simplices simplices(const GluedSurface& surface) {
     for (Index h = 0; h < 3 * surface.triangles(); ++h)
         corners(h / 3, h % 3) = surface.tail(h);
     return corners;
+}
+
+CellComplex cell_complex(const GluedSurface& surface) {
+    std::vector<IncidenceMatrix> d(2);
+    std::vector<std::vector<Index>> counts(2);
+    std::vector<std::vector<Incidence>> canceled(2);
+    IncidenceRows edges(surface.edges(), surface.vertices(), std::size_t(surface.edges()) * 2);
+    for (Index e = 0; e < surface.edges(); ++e) {
+        edges.add(surface.first_vertex(e), -1);
+        edges.add(surface.last_vertex(e), 1);
+        edges.end_cell();
+    }
+    edges.finish(d[0], counts[0], canceled[0]);
+    IncidenceRows triangles(surface.triangles(), surface.edges(),
+                            std::size_t(surface.triangles()) * 3);
+    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
+        triangles.add(surface.edge(h), surface.sign(h));
+        if (h % 3 == 2)
+            triangles.end_cell();
+    }
+    triangles.finish(d[1], counts[1], canceled[1]);
+    return {CellComplex::Unchecked{}, std::move(d), std::move(counts), std::move(canceled)};
 }
 
 } // namespace polydec

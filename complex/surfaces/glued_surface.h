@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/simplicial_complex.h"
+#include "complex/pieces.h"
 
 #include <array>
 #include <cstdint>
@@ -24,11 +24,10 @@ public:
         std::int8_t sign;
     };
 
-    /// The triangles of a simplicial surface. Vertices, edges and triangles keep their numbers and
-    /// orientations. Linear time.
-    /// Throws InvalidInput, naming the edge, if three triangles meet there, or if the dimension is
-    /// not 2.
-    explicit GluedSurface(const SimplicialComplex& surface);
+    /// The triangles of pieces, such as those of a simplicial surface. Vertices, edges and
+    /// triangles keep their numbers and orientations. Linear time. Throws InvalidInput, naming the
+    /// edge, if three triangles meet there, or if the dimension is not 2.
+    explicit GluedSurface(const Pieces& surface);
 
     /// Triangles whose sides are glued wherever they name the same edge: three sides for each
     /// triangle, edges numbered from 0 without a gap. Corners that the gluing identifies are one
@@ -111,5 +110,9 @@ private:
 /// Throws InvalidInput, naming triangles or edges, if the surface is none: if it has loops or
 /// several edges between the same vertices.
 Simplices simplices(const GluedSurface& surface);
+
+/// The surface as its incidence matrices, whose entries are sums of signs: 0 where a triangle lies
+/// on both sides of an edge, or for loops, and 2 or -2 where it does so on a one-sided surface.
+CellComplex cell_complex(const GluedSurface& surface);
 
 } // namespace polydec

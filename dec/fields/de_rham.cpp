@@ -63,8 +63,7 @@ private:
 /// Integrals over the duals of the k-simplices, gathered going down from each n-simplex.
 class DualIntegrals {
 public:
-    DualIntegrals(const SimplicialComplex& complex, const Points& points, int k,
-                  const Integral& integral)
+    DualIntegrals(const Pieces& complex, const Points& points, int k, const Integral& integral)
         : complex_(complex),
           integral_(integral),
           k_(k),
@@ -89,14 +88,13 @@ private:
             result_[s] += sign * integral_(corners_);
             return;
         }
-        const auto& coboundary = complex_.coboundary(i - 1);
-        for (Index entry = s * (i + 1); entry < (s + 1) * (i + 1); ++entry) {
-            const double step = (i % 2 == 0 ? 1 : -1) * coboundary.valuePtr()[entry];
-            descend(i - 1, coboundary.innerIndexPtr()[entry], sign * step);
+        for (int omitted = i; omitted >= 0; --omitted) {
+            const double step = (i % 2 == 0 ? 1 : -1) * complex_.sign(i, s, omitted);
+            descend(i - 1, complex_.face(i, s, omitted), sign * step);
         }
     }
 
-    const SimplicialComplex& complex_;
+    const Pieces& complex_;
     const Integral& integral_;
     int k_;
     DenseMatrix corners_;
@@ -130,8 +128,8 @@ SmoothForm flux_form(std::function<Vector(const Vector& point)> field) {
     };
 }
 
-Vector de_rham(const SimplicialComplex& complex, const Points& points, int k,
-               const SmoothForm& form, int quadrature_degree) {
+Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothForm& form,
+               int quadrature_degree) {
     cell_degree(complex, Side::primal, k);
     require_points(complex, points, "the de Rham map");
     const Integral integral(form, static_cast<Index>(points.cols()), k, quadrature_degree);
@@ -147,13 +145,12 @@ Vector de_rham(const SimplicialComplex& complex, const Points& points, int k,
 
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
     const Vector values = de_rham(mesh.input(), mesh.points, k, form, quadrature_degree);
-    if (mesh.intrinsic)
-        return {Side::primal, k, carry(*mesh.intrinsic, k, values)};
-    return {Side::primal, k, mesh.merging.diamond(k).cast<double>() * values};
+    return {Side::primal, k,
+            mesh.merging.diamond(k).cast<double>() * mesh.passage.forth(k, values)};
 }
 
-Vector dual_de_rham(const SimplicialComplex& complex, const Points& points, int j,
-                    const SmoothForm& form, int quadrature_degree) {
+Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
+                    int quadrature_degree) {
     const int k = cell_degree(complex, Side::dual, j);
     require_points(complex, points, "the de Rham map");
     const Integral integral(form, static_cast<Index>(points.cols()), j, quadrature_degree);
@@ -163,9 +160,9 @@ Vector dual_de_rham(const SimplicialComplex& complex, const Points& points, int 
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree) {
     check_cells_in_space(mesh, "the de Rham map");
-    const int k = cell_degree(mesh.input(), Side::dual, j);
-    const Vector values = dual_de_rham(mesh.input(), mesh.points, j, form, quadrature_degree);
-    const Vector weighted = mesh.input_volumes.primal(k).cwiseProduct(values);
+    const int k = cell_degree(mesh.pieces(), Side::dual, j);
+    const Vector values = dual_de_rham(mesh.pieces(), mesh.points, j, form, quadrature_degree);
+    const Vector weighted = mesh.piece_volumes.primal(k).cwiseProduct(values);
     const Vector sums = mesh.merging.diamond(k).cast<double>() * weighted;
     return {Side::dual, j, sums.cwiseQuotient(mesh.volumes.primal(k))};
 }

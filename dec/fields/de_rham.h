@@ -30,8 +30,8 @@ SmoothForm flux_form(std::function<Vector(const Vector& point)> field);
 /// grundmann_moeller). Source: Hirani 2003, sec. 3.3.
 /// Throws InvalidInput if there is no degree k, a vertex has no point, and, naming the point, if
 /// the form returns a wrong number of coefficients or one that is not finite.
-Vector de_rham(const SimplicialComplex& complex, const Points& points, int k,
-               const SmoothForm& form, int quadrature_degree = 5);
+Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothForm& form,
+               int quadrature_degree = 5);
 
 /// The same over the merged cells, a primal k-form: the sums over their pieces, dia_k.
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form,
@@ -44,8 +44,8 @@ Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form,
 /// dual_derivative off the boundary of orientable meshes. The form is asked for values near
 /// circumcenters, which may lie outside of the mesh.
 /// Source: Hirani 2003, sec. 2.5. Throws like de_rham.
-Vector dual_de_rham(const SimplicialComplex& complex, const Points& points, int j,
-                    const SmoothForm& form, int quadrature_degree = 5);
+Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
+                    int quadrature_degree = 5);
 
 /// The same over the duals of merged cells: the mean by volume over the pieces.
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,

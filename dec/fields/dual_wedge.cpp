@@ -85,7 +85,7 @@ struct Chart {
     DenseMatrix gradients; // of the barycentric coordinates, (n+1) x n
     double orientation;    // of the axes against the simplex
 
-    Chart(const SimplicialComplex& complex, SimplexLayout& layout, Index t) {
+    Chart(const Pieces& complex, SimplexLayout& layout, Index t) {
         const int n = complex.dimension();
         const Corners simplex = layout.at(n, t);
         const Points& points = simplex.points;
@@ -109,7 +109,7 @@ struct Chart {
 /// Means of Whitney p-forms over n-simplices, as p-covectors in their charts.
 class Means {
 public:
-    Means(const SimplicialComplex& complex, const Cochain& form)
+    Means(const Pieces& complex, const Cochain& form)
         : complex_(complex),
           form_(form),
           faces_(complex, complex.dimension(), form.degree),
@@ -132,7 +132,7 @@ public:
     }
 
 private:
-    const SimplicialComplex& complex_;
+    const Pieces& complex_;
     const Cochain& form_;
     SimplexFaces faces_;
     ExteriorProduct product_;
@@ -141,7 +141,7 @@ private:
 /// The product of the duals of two primal forms: the covector star^-1 (star a ^ star b) at the unit
 /// m-vector of s times the volume of the part of *s, which is the integral of star a ^ star b since
 /// s and *s are orthogonal.
-Vector product_of_stars(const SimplicialComplex& complex, const SimplexMetric& metric,
+Vector product_of_stars(const Pieces& complex, const SimplexMetric& metric,
                         const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
     const int n = complex.dimension(), m = a.degree + b.degree - n;
     const SparseMatrix parts = dual_parts(complex, metric, volumes, m, n);
@@ -196,8 +196,8 @@ Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, con
 
 } // namespace
 
-Cochain dual_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
-                   const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
+Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
+                   const Cochain& a, const Cochain& b) {
     check_product(complex, a, b);
     return {Side::dual, a.degree + b.degree,
             product_of_stars(complex, metric, volumes, without_star(complex, volumes, a),
@@ -216,17 +216,16 @@ Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift
     };
     const int m = P.dimension() - a.degree - b.degree;
     const Vector fine =
-        product_of_stars(merging.input(), metric, input_volumes, lifted(a), lifted(b));
+        product_of_stars(merging.pieces(), metric, input_volumes, lifted(a), lifted(b));
     const Vector sums =
         merging.diamond(m).cast<double>() * fine.cwiseProduct(input_volumes.primal(m));
     return {Side::dual, a.degree + b.degree, sums.cwiseQuotient(volumes.primal(m))};
 }
 
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
-    check_not_flipped(mesh, "a wedge of dual forms");
     check_product(mesh.complex(), a, b);
-    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.input_volumes);
-    return dual_wedge(mesh.merging, lift, mesh.metric(), mesh.input_volumes, mesh.volumes, a, b);
+    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
+    return dual_wedge(mesh.merging, lift, mesh.metric(), mesh.piece_volumes, mesh.volumes, a, b);
 }
 
 } // namespace polydec

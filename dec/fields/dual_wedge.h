@@ -20,8 +20,8 @@ namespace polydec {
 ///
 /// Throws like check; like inverse_star, naming the cells, where star_(n-k) or star_(n-l) has a
 /// zero; and InvalidInput for primal forms and for k + l > n.
-Cochain dual_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
-                   const CellVolumes& volumes, const Cochain& a, const Cochain& b);
+Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
+                   const Cochain& a, const Cochain& b);
 
 /// The product on the duals of merged cells: star^-1 of both forms is lifted to the simplices,
 /// with the lift of commuting_lift(merging, ..), and the product there is averaged by volume over

@@ -37,7 +37,7 @@ void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix
             throw InvalidInput(fmt::format("the vector at {} {} is not finite", place, row));
     };
     if (at_vertices)
-        for (const Index v : mesh.input().simplices(0).reshaped())
+        for (const Index v : mesh.pieces().simplices(0).reshaped())
             check_row(v);
     else
         for (Index cell = 0; cell < field.rows(); ++cell)
@@ -45,7 +45,7 @@ void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix
 }
 
 /// The means of the rows of the vertices of each k-simplex.
-Points means(const SimplicialComplex& complex, const DenseMatrix& field, int k) {
+Points means(const Pieces& complex, const DenseMatrix& field, int k) {
     Points result = Points::Zero(complex.size(k), field.cols());
     for (Index s = 0; s < complex.size(k); ++s)
         for (const Index v : vertices(complex.simplices(k), s))
@@ -55,9 +55,9 @@ Points means(const SimplicialComplex& complex, const DenseMatrix& field, int k) 
 
 /// The linear field at the circumcenter of each k-simplex, continued beyond its faces.
 Points at_circumcenters(const Discretization& mesh, const DenseMatrix& field, int k) {
-    const auto& simplices = mesh.input().simplices(k);
+    const auto& simplices = mesh.pieces().simplices(k);
     Points result = Points::Zero(simplices.rows(), field.cols());
-    SimplexLayout layout(mesh.input(), mesh.metric());
+    SimplexLayout layout(mesh.pieces(), mesh.metric());
     Circumsphere sphere;
     for (Index s = 0; s < simplices.rows(); ++s) {
         sphere.look_at(layout, k, s);
@@ -78,8 +78,8 @@ Points on_pieces(const Discretization& mesh, const DenseMatrix& field) {
 
 /// The product of the mean of the vectors of both ends with each edge.
 Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
-    const DenseMatrix edges = edge_vectors(mesh.input(), mesh.points);
-    return edges.cwiseProduct(means(mesh.input(), field, 1)).rowwise().sum();
+    const DenseMatrix edges = edge_vectors(mesh.pieces(), mesh.points);
+    return edges.cwiseProduct(means(mesh.pieces(), field, 1)).rowwise().sum();
 }
 
 void check_dual_volumes(const Discretization& mesh) {
@@ -95,15 +95,15 @@ void check_dual_volumes(const Discretization& mesh) {
 Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     check_dual_volumes(mesh);
     const SparseMatrix parts =
-        dual_parts(mesh.input(), mesh.points, mesh.input_volumes, 1, mesh.dimension());
+        dual_parts(mesh.pieces(), mesh.points, mesh.piece_volumes, 1, mesh.dimension());
     const DenseMatrix sums = parts.transpose() * DenseMatrix(on_pieces(mesh, field));
-    Vector result = sums.cwiseProduct(edge_vectors(mesh.input(), mesh.points)).rowwise().sum();
+    Vector result = sums.cwiseProduct(edge_vectors(mesh.pieces(), mesh.points)).rowwise().sum();
 
     // edges inside of merged cells count for nothing, and their duals may well vanish
     constexpr int own = 1;
     const auto& carriers = mesh.merging.carriers(own);
     for (Index e = 0; e < result.size(); ++e)
-        result[e] = carriers[e].dimension == own ? result[e] / mesh.input_volumes.dual(own)[e] : 0;
+        result[e] = carriers[e].dimension == own ? result[e] / mesh.piece_volumes.dual(own)[e] : 0;
     return result;
 }
 
@@ -111,17 +111,17 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
 /// the mean of the field over the piece.
 template <class VectorOf>
 Vector along_dual_edges(const Discretization& mesh, VectorOf vector) {
-    const auto& K = mesh.input();
+    const auto& K = mesh.pieces();
     const int n = mesh.dimension();
     const Points centers = circumcenters(mesh.points, K.simplices(n));
     const Points facet_centers = circumcenters(mesh.points, K.simplices(n - 1));
     const double sign = n % 2 == 0 ? 1 : -1;
     Vector result = Vector::Zero(K.size(n - 1));
     for (Index t = 0; t < K.size(n); ++t)
-        for (IncidenceMatrix::InnerIterator entry(K.coboundary(n - 1), t); entry; ++entry) {
-            const auto f = static_cast<Index>(entry.col());
+        for (int i = n; i >= 0; --i) {
+            const Index f = K.face(n, t, i);
             const auto piece = centers.row(t) - facet_centers.row(f);
-            result[f] += sign * entry.value() * piece.dot(vector(t, f));
+            result[f] += sign * K.sign(n, t, i) * piece.dot(vector(t, f));
         }
     return result;
 }
@@ -135,7 +135,7 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
             mesh, [&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
     }
     const Points vectors =
-        kind == Flat::pdd ? means(mesh.input(), field, n - 1) : on_pieces(mesh, field);
+        kind == Flat::pdd ? means(mesh.pieces(), field, n - 1) : on_pieces(mesh, field);
     return along_dual_edges(
         mesh, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
 }
@@ -152,7 +152,7 @@ Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     }
     const int k = mesh.dimension() - 1;
     const Vector values = along_dual_edges(mesh, kind, field);
-    const Vector weighted = mesh.input_volumes.primal(k).cwiseProduct(values);
+    const Vector weighted = mesh.piece_volumes.primal(k).cwiseProduct(values);
     const Vector sums = mesh.merging.diamond(k).cast<double>() * weighted;
     return {Side::dual, 1, sums.cwiseQuotient(mesh.volumes.primal(k))};
 }

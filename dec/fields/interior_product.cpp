@@ -25,7 +25,7 @@ void check_degree(int k, int largest) {
                                        k, largest));
 }
 
-void check_field(const SimplicialComplex& complex, const Points& points, const Points& field) {
+void check_field(const Pieces& complex, const Points& points, const Points& field) {
     require_points(complex, points, "a vector field");
     if (field.rows() != points.rows() || field.cols() != points.cols())
         throw InvalidInput(fmt::format("a vector field of {} x {} numbers is given: expected {} x "
@@ -40,7 +40,7 @@ void check_field(const SimplicialComplex& complex, const Points& points, const P
 /// The (k-1)-faces of n-simplices, and how the field leaves them within these.
 class Contraction {
 public:
-    Contraction(const SimplicialComplex& complex, const Points& points, const Points& field, int k)
+    Contraction(const Pieces& complex, const Points& points, const Points& field, int k)
         : complex_(complex),
           points_(points),
           field_(field),
@@ -106,7 +106,7 @@ private:
         return extensions;
     }
 
-    const SimplicialComplex& complex_;
+    const Pieces& complex_;
     const Points& points_;
     const Points& field_;
     int k_;
@@ -116,7 +116,7 @@ private:
 
 using Terms = std::vector<Contraction::Term>;
 
-Vector top_volumes(const SimplicialComplex& complex, const Points& points) {
+Vector top_volumes(const Pieces& complex, const Points& points) {
     const int n = complex.dimension();
     Circumsphere sphere(points);
     Vector volumes(complex.size(n));
@@ -139,7 +139,7 @@ double upwindness(const Terms& terms) {
 /// What part the n-simplices t around a (k-1)-simplex s have in its value; for each s 1 in all.
 class Weights {
 public:
-    Weights(const SimplicialComplex& complex, const Points& points, Contraction& contraction, int k,
+    Weights(const Pieces& complex, const Points& points, Contraction& contraction, int k,
             Sampling sampling)
         : sampling_(sampling),
           volumes_(top_volumes(complex, points)),
@@ -175,8 +175,8 @@ enum class Beyond {
     nothing,
 };
 
-SparseMatrix contraction(const SimplicialComplex& complex, const Points& points,
-                         const Points& field, int k, Sampling sampling, Beyond beyond) {
+SparseMatrix contraction(const Pieces& complex, const Points& points, const Points& field, int k,
+                         Sampling sampling, Beyond beyond) {
     check_degree(k, complex.dimension() + 1);
     check_field(complex, points, field);
     SparseMatrix result(complex.size(k - 1), complex.size(k));
@@ -204,7 +204,7 @@ SparseMatrix contraction(const Merging& merging, const std::vector<SparseMatrix>
                          const Points& points, const Points& field, int k, Sampling sampling,
                          Beyond beyond) {
     check_lift(merging, lift);
-    const SparseMatrix fine = contraction(merging.input(), points, field, k, sampling, beyond);
+    const SparseMatrix fine = contraction(merging.pieces(), points, field, k, sampling, beyond);
     if (fine.rows() == 0 || fine.cols() == 0)
         return SparseMatrix(merging.merged().size(k - 1), merging.merged().size(k));
     const SparseMatrix contracted = fine * lift[k];
@@ -222,8 +222,8 @@ SparseMatrix cartan(const CellComplex& complex, int k, Interior interior) {
 
 } // namespace
 
-SparseMatrix interior_product(const SimplicialComplex& complex, const Points& points,
-                              const Points& field, int k, Sampling sampling) {
+SparseMatrix interior_product(const Pieces& complex, const Points& points, const Points& field,
+                              int k, Sampling sampling) {
     return contraction(complex, points, field, k, sampling, Beyond::the_same);
 }
 
@@ -232,8 +232,8 @@ SparseMatrix interior_product(const Merging& merging, const std::vector<SparseMa
     return contraction(merging, lift, points, field, k, sampling, Beyond::the_same);
 }
 
-SparseMatrix lie_derivative(const SimplicialComplex& complex, const Points& points,
-                            const Points& field, int k, Sampling sampling) {
+SparseMatrix lie_derivative(const Pieces& complex, const Points& points, const Points& field, int k,
+                            Sampling sampling) {
     const SparseMatrix L = cartan(complex, k, [&](int degree) {
         return contraction(complex, points, field, degree, sampling, Beyond::nothing);
     });
@@ -249,8 +249,7 @@ SparseMatrix lie_derivative(const Merging& merging, const std::vector<SparseMatr
                                         : L;
 }
 
-SparseMatrix inflow(const SimplicialComplex& complex, const Points& points, const Points& field,
-                    int k) {
+SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& field, int k) {
     const int n = complex.dimension();
     check_degree(k, n);
     check_field(complex, points, field);
@@ -278,7 +277,7 @@ SparseMatrix inflow(const SimplicialComplex& complex, const Points& points, cons
 SparseMatrix inflow(const Merging& merging, const std::vector<SparseMatrix>& lift,
                     const Points& points, const Points& field, int k) {
     check_lift(merging, lift);
-    const SparseMatrix rates = inflow(merging.input(), points, field, k) * lift[k];
+    const SparseMatrix rates = inflow(merging.pieces(), points, field, k) * lift[k];
     return merging.diamond(k).cast<double>() * rates;
 }
 

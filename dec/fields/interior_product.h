@@ -29,8 +29,8 @@ enum class Sampling {
 /// incidences. Source: Bossavit 2003; Mullen et al. 2011 for upwinding. Throws InvalidInput for a
 /// field of another shape than points, for a vector that is not finite, naming the vertex, and for
 /// a degree outside 0..n+1.
-SparseMatrix interior_product(const SimplicialComplex& complex, const Points& points,
-                              const Points& field, int k, Sampling sampling);
+SparseMatrix interior_product(const Pieces& complex, const Points& points, const Points& field,
+                              int k, Sampling sampling);
 
 /// Lie derivative of primal k-forms by Cartan's formula i_X d + d i_X: size(k) x size(k), k = 0..n.
 /// Commutes with d; exact for constant forms where X is linear on the n-simplices. Units those of X
@@ -43,8 +43,8 @@ SparseMatrix interior_product(const SimplicialComplex& complex, const Points& po
 /// size up to 1 over the largest diagonal entry they lie between the least and the largest of their
 /// values before and of g. On boundary simplices with inflow, and those that they are faces of, it
 /// is exact for neither constant nor linear forms; L_X - inflow(..) commutes with d.
-SparseMatrix lie_derivative(const SimplicialComplex& complex, const Points& points,
-                            const Points& field, int k, Sampling sampling);
+SparseMatrix lie_derivative(const Pieces& complex, const Points& points, const Points& field, int k,
+                            Sampling sampling);
 
 /// Interior product on merged cells: forms are lifted to the simplices and contracted there, and
 /// the values added over the pieces; dia_(k-1) i_X S_k, with the lift of commuting_lift(merging,
@@ -64,8 +64,7 @@ SparseMatrix lie_derivative(const Merging& merging, const std::vector<SparseMatr
 /// facets alone: of any degree, what i_X a is to be on the (k-1)-simplices with inflow is added as
 /// d_(k-1) of it. Outside, every simplex at the boundary is taken to be the mirror image of that
 /// inside. Throws like interior_product.
-SparseMatrix inflow(const SimplicialComplex& complex, const Points& points, const Points& field,
-                    int k);
+SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& field, int k);
 
 /// On merged cells: dia_k inflow S_k. Throws like interior_product.
 SparseMatrix inflow(const Merging& merging, const std::vector<SparseMatrix>& lift,

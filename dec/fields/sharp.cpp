@@ -29,13 +29,13 @@ void check_form(const Discretization& mesh, const Cochain& form, int degree) {
 }
 
 void check_dual_cells(const Discretization& mesh) {
-    auto zero = zero_star_cells(mesh.input_volumes, 0);
+    auto zero = zero_star_cells(mesh.piece_volumes, 0);
     if (zero.empty())
         return;
     const auto count = zero.size();
     zero.resize(std::min<std::size_t>(count, 5));
     for (Index& v : zero)
-        v = mesh.input().simplices(0)(v, 0);
+        v = mesh.pieces().simplices(0)(v, 0);
     throw InvalidInput(fmt::format("the sharp to vertices divides by zero: the dual cells of {} "
                                    "vertices have no volume (vertices {}{}); take vectors at the "
                                    "cells, sharp_pd, or move the vertices",
@@ -45,7 +45,7 @@ void check_dual_cells(const Discretization& mesh) {
 
 /// Row i: sum over the other vertices j of an n-simplex of a(i->j) grad lambda_j.
 DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vector& a, Index t) {
-    const auto& K = mesh.input();
+    const auto& K = mesh.pieces();
     const int n = mesh.dimension();
     const DenseMatrix gradients = barycentric_gradients(mesh.points, vertices(K.simplices(n), t));
     DenseMatrix result = DenseMatrix::Zero(n + 1, mesh.points.cols());
@@ -62,7 +62,7 @@ DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vecto
 /// An orthonormal basis of the mean tangent space of n-simplices, as columns: the n eigenvectors of
 /// largest eigenvalue of the mean of the projections onto their planes.
 DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
-    const auto& K = mesh.input();
+    const auto& K = mesh.pieces();
     const int n = mesh.dimension();
     const auto N = mesh.points.cols();
     DenseMatrix sum = DenseMatrix::Zero(N, N);
@@ -74,7 +74,7 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
         for (int i = 1; i <= n; ++i)
             projection += (mesh.points.row(corners[i]) - mesh.points.row(corners[0])).transpose() *
                           gradients.row(i);
-        sum += mesh.input_volumes.primal(n)[t] * projection;
+        sum += mesh.piece_volumes.primal(n)[t] * projection;
     }
     return Eigen::SelfAdjointEigenSolver<DenseMatrix>(sum).eigenvectors().rightCols(n);
 }
@@ -82,11 +82,11 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
 /// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.
 SparseMatrix edge_weights(const Discretization& mesh) {
     const int n = mesh.dimension();
-    const SparseMatrix parts = dual_parts(mesh.input(), mesh.points, mesh.input_volumes, 1, n);
+    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.points, mesh.piece_volumes, 1, n);
     const SparseMatrix cells = mesh.merging.diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging.diamond(1).cast<double>().cwiseAbs();
     // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
-    const Vector inverse_lengths = mesh.input_volumes.primal(1).cwiseInverse();
+    const Vector inverse_lengths = mesh.piece_volumes.primal(1).cwiseInverse();
     const SparseMatrix weighted = parts * inverse_lengths.asDiagonal();
     const SparseMatrix on_cells = cells * weighted;
     return on_cells * SparseMatrix(edges.transpose());
@@ -99,16 +99,16 @@ DenseMatrix sharp_pp(const Discretization& mesh, const std::vector<SparseMatrix>
     check_form(mesh, form, 1);
     check_lift(mesh.merging, lift);
     check_dual_cells(mesh);
-    const auto& K = mesh.input();
+    const auto& K = mesh.pieces();
     const int n = mesh.dimension();
-    const SparseMatrix parts = dual_parts(K, mesh.points, mesh.input_volumes, 0, n);
+    const SparseMatrix parts = dual_parts(K, mesh.points, mesh.piece_volumes, 0, n);
     const Vector a = lift[1] * form.values;
     Points result = Points::Zero(mesh.points.rows(), mesh.points.cols());
     for (Index t = 0; t < K.size(n); ++t) {
         const DenseMatrix seen = gradients_seen_from_vertices(mesh, a, t);
         for (int i = 0; i <= n; ++i) {
             const Index v = face_at(K, n, t, std::array{i});
-            const double share = parts.coeff(t, v) / mesh.input_volumes.dual(0)[v];
+            const double share = parts.coeff(t, v) / mesh.piece_volumes.dual(0)[v];
             result.row(K.simplices(0)(v, 0)) += share * seen.row(i);
         }
     }
@@ -119,7 +119,7 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
     check_form(mesh, form, 1);
     const SparseMatrix weights = edge_weights(mesh);
     const DenseMatrix edges =
-        mesh.merging.diamond(1).cast<double>() * edge_vectors(mesh.input(), mesh.points);
+        mesh.merging.diamond(1).cast<double>() * edge_vectors(mesh.pieces(), mesh.points);
     const auto N = mesh.points.cols();
     DenseMatrix result(weights.rows(), N);
     for (Index cell = 0; cell < weights.rows(); ++cell) {
@@ -147,8 +147,8 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
 DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
     const int n = mesh.dimension();
     check_form(mesh, form, n - 1);
-    const Points centroids = cell_centroids(mesh.merging, mesh.points, mesh.input_volumes, n);
-    const Points facets = cell_centroids(mesh.merging, mesh.points, mesh.input_volumes, n - 1);
+    const Points centroids = cell_centroids(mesh.merging, mesh.points, mesh.piece_volumes, n);
+    const Points facets = cell_centroids(mesh.merging, mesh.points, mesh.piece_volumes, n - 1);
     Points result = Points::Zero(centroids.rows(), centroids.cols());
     for (Index cell = 0; cell < centroids.rows(); ++cell) {
         for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(n - 1), cell); f; ++f)

@@ -3,86 +3,73 @@
 
 #include "base/errors.h"
 #include "dec/forms/star.h"
+#include "dec/merging/lift.h"
 #include "dec/metric/cell_volumes.h"
-#include "dec/overlay.h"
+#include "dec/metric/simplex_geometry.h"
+#include "dec/surfaces/overlay.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cmath>
 
 namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
 SparseMatrix transposed(const SparseMatrix& A) {
     return A.transpose();
 }
 
+/// From forms on the pieces to those on the cells, and back.
 SparseMatrix merged_from(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
                ? primal_to_merged(mesh.merging, kind.degree)
-               : dual_to_merged(mesh.merging, mesh.input_volumes, kind.degree);
+               : dual_to_merged(mesh.merging, mesh.piece_volumes, kind.degree);
 }
 
-SparseMatrix input_from(const Discretization& mesh, FormKind kind) {
+SparseMatrix pieces_from(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
-               ? primal_to_input(mesh.merging, mesh.input_volumes, kind.degree)
+               ? primal_to_input(mesh.merging, mesh.piece_volumes, kind.degree)
                : dual_to_input(mesh.merging, kind.degree);
 }
 
-/// The cell that each flipped triangle is a piece of, and its sign there.
-struct Piece {
-    Index cell;
-    double sign;
-};
-
-std::vector<Piece> pieces_of_cells(const IntrinsicTessellation& tessellation) {
-    const IncidenceMatrix& diamond = tessellation.merging.diamonds[2];
-    std::vector<Piece> pieces(static_cast<std::size_t>(diamond.cols()));
-    for (Index cell = 0; cell < diamond.rows(); ++cell)
-        for (Row t(diamond, cell); t; ++t)
-            pieces[t.col()] = {cell, static_cast<double>(t.value())};
-    return pieces;
+/// From forms on the input's simplices to those on the pieces, and back. Dual forms are paired with
+/// primal ones, so they go by the transposed way of these.
+SparseMatrix forth(const Discretization& mesh, FormKind kind) {
+    return kind.side == Side::primal
+               ? mesh.passage.matrix(kind.degree)
+               : transposed(mesh.passage.matrix_back(mesh.dimension() - kind.degree));
 }
 
-/// Functions of the cells as means over what the input's triangles have in common with them; one
-/// without area gets the value of a cell at its first corner.
-Vector means_over_input(const Discretization& mesh, const Vector& values) {
-    const auto& surface = mesh.intrinsic->surface();
-    const auto of = pieces_of_cells(*mesh.intrinsic);
-    const Overlay pieces = overlay(mesh);
-    Vector sums = Vector::Zero(mesh.input().size(2)), areas = sums;
-    for (Index p = 0; p < pieces.size(); ++p) {
-        const Piece& piece = of[pieces.triangle[p]];
-        areas[pieces.input[p]] += pieces.areas[p];
-        sums[pieces.input[p]] +=
-            pieces.areas[p] * pieces.signs[p] * piece.sign * values[piece.cell];
-    }
+SparseMatrix back(const Discretization& mesh, FormKind kind) {
+    return kind.side == Side::primal
+               ? mesh.passage.matrix_back(kind.degree)
+               : transposed(mesh.passage.matrix(mesh.dimension() - kind.degree));
+}
 
-    std::vector<Index> beside(static_cast<std::size_t>(surface.vertices()), 0);
-    for (Index h = 0; h < 3 * surface.triangles(); ++h)
-        beside[surface.tail(h)] = of[GluedSurface::triangle(h)].cell;
-    const auto& K = mesh.input();
-    for (Index t = 0; t < sums.size(); ++t) {
-        const Index corner = K.coboundary(0).innerIndexPtr()[2 * K.face(2, t, 2)];
-        sums[t] = areas[t] > 0 ? sums[t] / areas[t] : values[beside[corner]];
+/// Functions of flipped triangles as means over what the input's triangles have in common with
+/// them; one without area gets the value of a triangle at its first corner.
+Vector means_over_input(const Discretization& mesh, const Vector& values) {
+    const int n = mesh.dimension();
+    const Pieces &K = mesh.input(), &pieces = mesh.pieces();
+    const Overlay common = overlay(mesh.passage, mesh.points);
+    Vector sums = Vector::Zero(K.size(n)), areas = sums;
+    for (Index p = 0; p < common.size(); ++p) {
+        areas[common.input[p]] += common.areas[p];
+        sums[common.input[p]] += common.areas[p] * common.signs[p] * values[common.triangle[p]];
     }
+    Vector beside = Vector::Zero(pieces.size(0));
+    for (Index t = 0; t < pieces.size(n); ++t)
+        for (int i = 0; i <= n; ++i)
+            beside[face_at(pieces, n, t, std::array{i})] = values[t];
+    for (Index t = 0; t < sums.size(); ++t)
+        sums[t] = areas[t] > 0 ? sums[t] / areas[t] : beside[face_at(K, n, t, std::array{0})];
     return sums;
 }
 
-/// Primal forms by the inverse flips, functions of the cells by means.
-Cochain flipped_to_input(const Discretization& mesh, const Cochain& form) {
-    if (form.side == Side::primal)
-        return {form.side, form.degree, carry_back(*mesh.intrinsic, form.degree, form.values)};
-    if (form.degree > 0)
-        check_not_flipped(mesh, "a dual form of this degree on the input's triangles");
-    return {form.side, form.degree, means_over_input(mesh, form.values)};
-}
-
-std::string simplex(const SimplicialComplex& K, int k, Index s) {
+std::string simplex(const Pieces& K, int k, Index s) {
     return fmt::format("the {}-simplex {} with vertices {}", k, s,
                        fmt::join(K.simplices(k).row(s), ", "));
 }
@@ -99,7 +86,7 @@ SparseMatrix primal_to_input(const Merging& merging, const CellVolumes& volumes,
 
 SparseMatrix dual_to_merged(const Merging& merging, const CellVolumes& volumes, int j) {
     const int k = merging.merged().dimension() - j;
-    check_fit(merging.input(), volumes);
+    check_fit(merging.pieces(), volumes);
     const SparseMatrix dia = merging.diamond(k).cast<double>();
     const Vector merged_volume = dia.cwiseAbs() * volumes.primal(k);
     return merged_volume.cwiseInverse().asDiagonal() * dia * volumes.primal(k).asDiagonal();
@@ -111,7 +98,6 @@ SparseMatrix dual_to_input(const Merging& merging, int j) {
 
 SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& O, FormKind from,
                       FormKind to) {
-    check_not_flipped(discretization, "an operator on the input's simplices");
     const auto& P = discretization.complex();
     const Index columns = P.size(cell_degree(P, from.side, from.degree));
     const Index rows = P.size(cell_degree(P, to.side, to.degree));
@@ -121,31 +107,44 @@ SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& 
                                        name(from.side), from.degree, name(to.side), to.degree, rows,
                                        columns, O.rows(), O.cols()));
     const SparseMatrix down = O * merged_from(discretization, from);
-    return input_from(discretization, to) * down;
+    const SparseMatrix result = pieces_from(discretization, to) * down;
+    if (discretization.passage.is_identity())
+        return result;
+    const SparseMatrix on_pieces = result * forth(discretization, from);
+    return back(discretization, to) * on_pieces;
 }
 
 Cochain to_merged(const Discretization& discretization, const Cochain& form) {
     check(discretization.input(), form);
-    if (discretization.intrinsic) {
-        if (form.side == Side::dual)
-            check_not_flipped(discretization, "a dual form of the input on the polygons");
-        return {form.side, form.degree, carry(*discretization.intrinsic, form.degree, form.values)};
-    }
-    return {form.side, form.degree,
-            merged_from(discretization, {form.side, form.degree}) * form.values};
+    const FormKind kind{form.side, form.degree};
+    Vector values = form.values;
+    if (form.side == Side::primal)
+        values = discretization.passage.forth(form.degree, values);
+    else if (!discretization.passage.is_identity())
+        values = forth(discretization, kind) * values;
+    return {form.side, form.degree, merged_from(discretization, kind) * values};
 }
 
 Cochain to_input(const Discretization& discretization, const Cochain& form) {
     check(discretization.complex(), form);
-    if (discretization.intrinsic)
-        return flipped_to_input(discretization, form);
+    const FormKind kind{form.side, form.degree};
+    if (discretization.passage.is_identity())
+        return {form.side, form.degree, pieces_from(discretization, kind) * form.values};
+    if (form.side == Side::primal) {
+        // where derivatives are taken afterwards, values inside the cells must commute with them
+        const auto lift = commuting_lift(discretization.merging, discretization.metric(),
+                                         discretization.piece_volumes);
+        return {form.side, form.degree,
+                discretization.passage.back(form.degree, lift[form.degree] * form.values)};
+    }
+    const Vector values = pieces_from(discretization, kind) * form.values;
     return {form.side, form.degree,
-            input_from(discretization, {form.side, form.degree}) * form.values};
+            form.degree == 0 ? means_over_input(discretization, values)
+                             : Vector(back(discretization, kind) * values)};
 }
 
 Consistency consistency(const Discretization& discretization, const Cochain& form) {
-    check_not_flipped(discretization, "the consistency of a dual form");
-    const auto& K = discretization.input();
+    const auto& K = discretization.pieces();
     check(K, form);
     if (form.side != Side::dual)
         throw InvalidInput(fmt::format("consistency is asked of a primal {}-form: it is a question "
@@ -154,7 +153,9 @@ Consistency consistency(const Discretization& discretization, const Cochain& for
     if (!form.values.allFinite())
         throw InvalidInput("consistency is asked of a form with a value that is not finite");
     const int k = cell_degree(K, form.side, form.degree);
-    const Vector expected = to_input(discretization, to_merged(discretization, form)).values;
+    const FormKind kind{form.side, form.degree};
+    const Vector expected =
+        pieces_from(discretization, kind) * (merged_from(discretization, kind) * form.values);
 
     Consistency result;
     for (Index s = 0; s < form.values.size(); ++s)

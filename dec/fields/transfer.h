@@ -41,7 +41,7 @@ SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& 
 
 /// The form on merged cells of a form on the input's simplices, primal or dual; after intrinsic
 /// flips primal ones alone, by the product of the flips, a cochain map.
-/// Throws InvalidInput if the form does not live on the simplices.
+/// Throws InvalidInput if the form does not live on the pieces.
 Cochain to_merged(const Discretization& discretization, const Cochain& form);
 
 /// The form on the input's simplices of a form on merged cells, by primal_to_input or
@@ -62,10 +62,11 @@ struct Consistency {
     bool within(double tolerance) const { return worst <= tolerance; }
 };
 
-/// Whether a dual form on the simplices could be the integrals of a smooth one: pieces of one
-/// merged cell, whose duals coincide, must have one value, and removed simplices, whose duals have
-/// no extent, the value 0. Source: Schier, Definitions 6.1 and 6.2, carried to every degree.
-/// Throws InvalidInput if the form is primal, not finite or does not live on the simplices.
+/// Whether a dual form on the pieces (the simplices, unless edges were flipped) could be the
+/// integrals of a smooth one: pieces of one merged cell, whose duals coincide, must have one value,
+/// and removed simplices, whose duals have no extent, the value 0. Source: Schier, Definitions 6.1
+/// and 6.2, carried to every degree. Throws InvalidInput if the form is primal, not finite or does
+/// not live on the simplices.
 Consistency consistency(const Discretization& discretization, const Cochain& form);
 
 } // namespace polydec

@@ -87,7 +87,7 @@ void check_product(const CellComplex& complex, const Cochain& a, const Cochain& 
 /// The sum over pairs of faces; share(s, v) is what weight the vertex at position v of s has, in
 /// all 1.
 template <class Share>
-Cochain product(const SimplicialComplex& complex, const Cochain& a, const Cochain& b, Share share) {
+Cochain product(const Pieces& complex, const Cochain& a, const Cochain& b, Share share) {
     const int k = a.degree, l = b.degree, m = k + l;
     SimplexFaces first(complex, m, k), second(complex, m, l);
     const auto pairs = pairs_of(first.positions(), second.positions());
@@ -123,27 +123,25 @@ Cochain on_merged_cells(const Merging& merging, const std::vector<SparseMatrix>&
 
 } // namespace
 
-Cochain wedge(const SimplicialComplex& complex, const Cochain& a, const Cochain& b) {
+Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b) {
     check_product(complex, a, b);
     const double share = 1.0 / (a.degree + b.degree + 1);
     return product(complex, a, b, [share](Index, int) { return share; });
 }
 
-Cochain circumcentric_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
+Cochain circumcentric_wedge(const Pieces& complex, const SimplexMetric& metric,
                             const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
     check_product(complex, a, b);
     const int m = a.degree + b.degree;
-    const SparseMatrix parts = dual_parts(complex, metric, volumes, 0, m);
-    // row s holds the parts of its m+1 vertices in ascending order
-    return product(complex, a, b, [&](Index s, int v) {
-        return parts.valuePtr()[s * (m + 1) + v] / volumes.primal(m)[s];
-    });
+    const DenseMatrix parts = corner_parts(complex, metric, volumes, m);
+    return product(complex, a, b,
+                   [&](Index s, int v) { return parts(s, v) / volumes.primal(m)[s]; });
 }
 
 Cochain wedge(const Merging& merging, const std::vector<SparseMatrix>& lift, const Cochain& a,
               const Cochain& b) {
     return on_merged_cells(merging, lift, a, b, [&](const Cochain& x, const Cochain& y) {
-        return wedge(merging.input(), x, y);
+        return wedge(merging.pieces(), x, y);
     });
 }
 
@@ -151,18 +149,17 @@ Cochain circumcentric_wedge(const Merging& merging, const std::vector<SparseMatr
                             const SimplexMetric& metric, const CellVolumes& volumes,
                             const Cochain& a, const Cochain& b) {
     return on_merged_cells(merging, lift, a, b, [&](const Cochain& x, const Cochain& y) {
-        return circumcentric_wedge(merging.input(), metric, volumes, x, y);
+        return circumcentric_wedge(merging.pieces(), metric, volumes, x, y);
     });
 }
 
 Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
               WedgeWeights weights) {
-    check_not_flipped(mesh, "a wedge of forms");
     check_product(mesh.complex(), a, b);
-    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.input_volumes);
+    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
     return weights == WedgeWeights::uniform
                ? wedge(mesh.merging, lift, a, b)
-               : circumcentric_wedge(mesh.merging, lift, mesh.metric(), mesh.input_volumes, a, b);
+               : circumcentric_wedge(mesh.merging, lift, mesh.metric(), mesh.piece_volumes, a, b);
 }
 
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b) {

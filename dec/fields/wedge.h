@@ -19,7 +19,7 @@ enum class WedgeWeights { uniform, circumcentric };
 /// closed. Needs no metric. Time of the order of the pairs, (k+l+1)! / (k! l!) per simplex.
 /// Source: the antisymmetrized cup product; Wilson 2007.
 /// Throws like check, and InvalidInput for dual forms and for k + l > n.
-Cochain wedge(const SimplicialComplex& complex, const Cochain& a, const Cochain& b);
+Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b);
 
 /// The same with Hirani's weights: sign k! l! / (k+l)! |s n *v| / |s| for a pair of faces with the
 /// common vertex v; may be negative where s is obtuse. Anticommutative, with the same unit, exact
@@ -27,7 +27,7 @@ Cochain wedge(const SimplicialComplex& complex, const Cochain& a, const Cochain&
 /// are alike. volumes are those of `complex`.
 /// Source: Hirani 2003, Def. 7.1.1.
 /// Throws like wedge.
-Cochain circumcentric_wedge(const SimplicialComplex& complex, const SimplexMetric& metric,
+Cochain circumcentric_wedge(const Pieces& complex, const SimplexMetric& metric,
                             const CellVolumes& volumes, const Cochain& a, const Cochain& b);
 
 /// The products on merged cells: both forms are lifted to the simplices, multiplied there, and

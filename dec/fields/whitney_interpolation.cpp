@@ -25,7 +25,7 @@ void check_primal(const CellComplex& complex, const Cochain& form) {
     check(complex, form);
 }
 
-void check_place(const SimplicialComplex& complex, Index top, const Vector& barycentric) {
+void check_place(const Pieces& complex, Index top, const Vector& barycentric) {
     const int n = complex.dimension();
     if (top < 0 || top >= complex.size(n))
         throw InvalidInput(
@@ -41,7 +41,7 @@ void check_place(const SimplicialComplex& complex, Index top, const Vector& bary
 /// Whitney k-forms of one simplex after another.
 class WhitneyForms {
 public:
-    WhitneyForms(const SimplicialComplex& complex, const Points& points, int k)
+    WhitneyForms(const Pieces& complex, const Points& points, int k)
         : complex_(complex),
           points_(points),
           k_(k),
@@ -80,7 +80,7 @@ private:
         return sum;
     }
 
-    const SimplicialComplex& complex_;
+    const Pieces& complex_;
     const Points& points_;
     int k_;
     std::vector<std::vector<int>> faces_;
@@ -88,8 +88,7 @@ private:
 };
 
 template <class Value>
-DenseMatrix at_centroids(const SimplicialComplex& complex, const Points& points, int k,
-                         Value value) {
+DenseMatrix at_centroids(const Pieces& complex, const Points& points, int k, Value value) {
     const int n = complex.dimension();
     const WhitneyForms whitney(complex, points, k);
     const Vector centroid = Vector::Constant(n + 1, 1.0 / (n + 1));
@@ -101,8 +100,8 @@ DenseMatrix at_centroids(const SimplicialComplex& complex, const Points& points,
 
 } // namespace
 
-Vector whitney_form(const SimplicialComplex& complex, const Points& points, const Cochain& form,
-                    Index top, const Vector& barycentric) {
+Vector whitney_form(const Pieces& complex, const Points& points, const Cochain& form, Index top,
+                    const Vector& barycentric) {
     check_primal(complex, form);
     check_place(complex, top, barycentric);
     return WhitneyForms(complex, points, form.degree).at(top, barycentric, [&](Index s) {
@@ -110,8 +109,7 @@ Vector whitney_form(const SimplicialComplex& complex, const Points& points, cons
     });
 }
 
-DenseMatrix whitney_at_centroids(const SimplicialComplex& complex, const Points& points,
-                                 const Cochain& form) {
+DenseMatrix whitney_at_centroids(const Pieces& complex, const Points& points, const Cochain& form) {
     check_primal(complex, form);
     return at_centroids(complex, points, form.degree, [&](Index s) { return form.values[s]; });
 }
@@ -121,8 +119,8 @@ Vector whitney_form(const Merging& merging, const Points& points,
                     const Vector& barycentric) {
     check_primal(merging.merged(), form);
     check_lift(merging, lift);
-    check_place(merging.input(), top, barycentric);
-    const WhitneyForms whitney(merging.input(), points, form.degree);
+    check_place(merging.pieces(), top, barycentric);
+    const WhitneyForms whitney(merging.pieces(), points, form.degree);
     return whitney.at(top, barycentric,
                       [&](Index s) { return lift[form.degree].row(s).dot(form.values); });
 }
@@ -132,7 +130,7 @@ DenseMatrix whitney_at_centroids(const Merging& merging, const Points& points,
     check_primal(merging.merged(), form);
     check_lift(merging, lift);
     const Vector values = lift[form.degree] * form.values;
-    return at_centroids(merging.input(), points, form.degree, [&](Index s) { return values[s]; });
+    return at_centroids(merging.pieces(), points, form.degree, [&](Index s) { return values[s]; });
 }
 
 } // namespace polydec

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complex/merging.h"
-#include "complex/simplicial_complex.h"
+#include "complex/pieces.h"
 #include "dec/forms/cochain.h"
 
 namespace polydec {
@@ -18,13 +18,12 @@ namespace polydec {
 /// Source: Whitney 1957, ch. IV, sec. 27.
 /// Throws InvalidInput for dual forms, forms of another complex, a simplex that there is not, and
 /// coordinates that are not n+1 numbers of sum 1.
-Vector whitney_form(const SimplicialComplex& complex, const Points& points, const Cochain& form,
-                    Index top, const Vector& barycentric);
+Vector whitney_form(const Pieces& complex, const Points& points, const Cochain& form, Index top,
+                    const Vector& barycentric);
 
 /// The Whitney form at the centroids of the n-simplices: a row of N over k coefficients each.
 /// Throws like whitney_form.
-DenseMatrix whitney_at_centroids(const SimplicialComplex& complex, const Points& points,
-                                 const Cochain& form);
+DenseMatrix whitney_at_centroids(const Pieces& complex, const Points& points, const Cochain& form);
 
 /// The same of a form on merged cells, by its lift to the simplices: lift = commuting_lift(..).
 /// Constant forms are returned exactly on flat meshes. `top` is a simplex, and there is one row per

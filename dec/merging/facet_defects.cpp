@@ -16,8 +16,8 @@ namespace {
 
 /// Per facet, the sum over its cofaces of the angle under which they see it, from the apex: the
 /// cotangent is the signed distance of the circumcenters over the facet's circumradius.
-Vector apex_angles(const SimplicialComplex& complex, const SimplexMetric& metric,
-                   const CellVolumes& volumes, const Vector& radii) {
+Vector apex_angles(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
+                   const Vector& radii) {
     const int n = complex.dimension();
     Vector angles = Vector::Zero(complex.size(n - 1));
     SimplexLayout layout(complex, metric);
@@ -47,7 +47,7 @@ FacetDefects length_defects(const CellVolumes& volumes, int degree, Vector scale
 }
 
 /// Least height n |t| / |f| of the n-simplices over each facet.
-Vector least_heights(const SimplicialComplex& complex, const CellVolumes& volumes) {
+Vector least_heights(const Pieces& complex, const CellVolumes& volumes) {
     const int n = complex.dimension();
     Vector heights = Vector::Constant(complex.size(n - 1), std::numeric_limits<double>::infinity());
     for (Index t = 0; t < complex.size(n); ++t)
@@ -66,7 +66,7 @@ bool is_degenerate(double dual, double terms, double l, double height, double to
            std::abs(dual) <= thin * height;
 }
 
-FacetDefects facet_defects(const SimplicialComplex& complex, const SimplexMetric& metric,
+FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options) {
     const int n = complex.dimension();
     const Vector radii = circumradii(complex, metric, n - 1);
@@ -82,17 +82,6 @@ FacetDefects facet_defects(const SimplicialComplex& complex, const SimplexMetric
         result.degenerate[f] = radii[f] > 0 && result.defect[f] <= options.tolerance;
     }
     return result;
-}
-
-FacetDefects facet_defects(const GluedSurface& surface, const CellVolumes& volumes,
-                           double tolerance) {
-    const Vector &lengths = volumes.primal(1), &areas = volumes.primal(2);
-    Vector heights = Vector::Constant(lengths.size(), std::numeric_limits<double>::infinity());
-    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
-        const Index e = surface.edge(h);
-        heights[e] = std::min(heights[e], 2 * areas[GluedSurface::triangle(h)] / lengths[e]);
-    }
-    return length_defects(volumes, 1, lengths, std::move(heights), tolerance);
 }
 
 } // namespace polydec

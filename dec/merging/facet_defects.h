@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/surfaces/glued_surface.h"
 #include "dec/merging/merge.h"
 #include "dec/metric/simplex_metric.h"
 
@@ -24,11 +23,7 @@ bool is_degenerate(double dual, double terms, double l, double height, double to
 
 /// Measures every facet, whatever its number of cofaces: one with m cofaces is compared with m
 /// right angles. A facet without extent (a vertex, n = 1) is never degenerate.
-FacetDefects facet_defects(const SimplicialComplex& complex, const SimplexMetric& metric,
+FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options);
-
-/// The same of the edges of a glued surface, by dual length. volumes are those of its triangles.
-FacetDefects facet_defects(const GluedSurface& surface, const CellVolumes& volumes,
-                           double tolerance);
 
 } // namespace polydec

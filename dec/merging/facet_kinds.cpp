@@ -11,7 +11,7 @@ namespace polydec {
 namespace {
 
 /// How many of the n-simplices at each facet have their circumcenter on their own side of it.
-std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const SimplexMetric& metric,
+std::vector<Index> centered_cofaces(const Pieces& complex, const SimplexMetric& metric,
                                     const CellVolumes& volumes) {
     const int n = complex.dimension();
     std::vector<Index> counts(complex.size(n - 1), 0);
@@ -31,7 +31,7 @@ std::vector<Index> centered_cofaces(const SimplicialComplex& complex, const Simp
 
 } // namespace
 
-FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& metric,
+FacetKinds facet_kinds(const Pieces& complex, const SimplexMetric& metric,
                        const CellVolumes& volumes, const MergeOptions& options) {
     check_fit(complex, volumes);
     const int n = complex.dimension();
@@ -53,19 +53,8 @@ FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& me
     return kinds;
 }
 
-MergedPairs merged_pairs(const MergedSurface& merging) {
-    const IncidenceMatrix& pieces = merging.diamonds[2];
-    MergedPairs pairs;
-    pairs.facets = static_cast<Index>(merging.diamonds[1].cols() - merging.diamonds[1].rows());
-    for (Index cell = 0; cell < pieces.rows(); ++cell) {
-        const Index triangles = pieces.outerIndexPtr()[cell + 1] - pieces.outerIndexPtr()[cell];
-        pairs.simplices += triangles > 1 ? triangles : 0;
-    }
-    return pairs;
-}
-
 MergedPairs merged_pairs(const Merging& merging) {
-    const auto& K = merging.input();
+    const auto& K = merging.pieces();
     const int n = K.dimension();
     const auto& carriers = merging.carriers(n - 1);
     MergedPairs pairs;

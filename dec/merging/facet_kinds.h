@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/surfaces/merged_surface.h"
+#include "complex/merging.h"
 #include "dec/merging/merge.h"
 #include "dec/metric/simplex_metric.h"
 
@@ -19,7 +19,7 @@ struct FacetKinds {
 
 /// Counts the pairs of each kind. volumes are those of `complex`; of the options the criterion and
 /// the tolerance matter (the relative dual length where nothing is to be merged).
-FacetKinds facet_kinds(const SimplicialComplex& complex, const SimplexMetric& metric,
+FacetKinds facet_kinds(const Pieces& complex, const SimplexMetric& metric,
                        const CellVolumes& volumes, const MergeOptions& options = {});
 
 /// What a merging has joined.
@@ -31,8 +31,5 @@ struct MergedPairs {
 /// Counts the pairs that were merged, after all guards; compare FacetKinds::cospherical.
 /// Source: Schier, Table 2, counts concyclic triangles in this way.
 MergedPairs merged_pairs(const Merging& merging);
-
-/// The same for the polygons of flipped triangles.
-MergedPairs merged_pairs(const MergedSurface& merging);
 
 } // namespace polydec

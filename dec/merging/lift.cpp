@@ -80,7 +80,7 @@ class Lift {
 public:
     Lift(const Merging& merging, const SimplexMetric& metric, const CellVolumes& volumes)
         : merging_(merging),
-          K_(merging.input()),
+          K_(merging.pieces()),
           P_(merging.merged()),
           metric_(metric),
           volumes_(volumes),
@@ -120,7 +120,7 @@ private:
     }
 
     const Merging& merging_;
-    const SimplicialComplex& K_;
+    const Pieces& K_;
     const CellComplex& P_;
     SimplexMetric metric_;
     const CellVolumes& volumes_;
@@ -247,10 +247,10 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
 
 std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
                                          const CellVolumes& volumes) {
-    check_fit(merging.input(), volumes);
+    check_fit(merging.pieces(), volumes);
     const Lift lift(merging, metric, volumes);
     std::vector<SparseMatrix> result;
-    for (int k = 0; k <= merging.input().dimension(); ++k)
+    for (int k = 0; k <= merging.pieces().dimension(); ++k)
         result.push_back(lift.matrix(k));
     return result;
 }

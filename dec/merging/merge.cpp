@@ -18,7 +18,6 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
 using Kept = std::vector<std::vector<bool>>; // by degree: simplices that must not be removed
 
 /// What a class may gather, and what still may be removed inside one, in tolerances.
@@ -40,15 +39,15 @@ struct Classes {
 /// that then lie inside a class and are degenerate enough themselves.
 class FacetChoice {
 public:
-    FacetChoice(const SimplicialComplex& complex, const FacetDefects& defects, double tolerance)
+    FacetChoice(const Pieces& complex, const FacetDefects& defects, double tolerance)
         : complex_(complex), defects_(defects), limit_(spread_limit * tolerance) {
         const int n = complex.dimension();
         const auto& counts = complex.coface_counts(n - 1);
         sides_.resize(complex.size(n - 1), {-1, -1});
         for (Index t = 0; t < complex.size(n); ++t)
-            for (Row f(complex.coboundary(n - 1), t); f; ++f)
-                if (counts[f.col()] == 2)
-                    sides_[f.col()][sides_[f.col()][0] < 0 ? 0 : 1] = t;
+            for (int i = 0; i <= n; ++i)
+                if (const Index f = complex.face(n, t, i); counts[f] == 2)
+                    sides_[f][sides_[f][0] < 0 ? 0 : 1] = t;
         for (Index f = 0; f < complex.size(n - 1); ++f)
             if (counts[f] == 2 && defects.degenerate[f])
                 candidates_.push_back(f);
@@ -82,7 +81,7 @@ private:
     void join_tied(const std::vector<Index>& tied, Classes& classes,
                    std::vector<Index>& place) const;
 
-    const SimplicialComplex& complex_;
+    const Pieces& complex_;
     const FacetDefects& defects_;
     double limit_;
     std::vector<std::array<Index, 2>> sides_; // cofaces of facets with two, -1 otherwise
@@ -179,7 +178,7 @@ void keep_worst(const std::vector<InadmissibleBlock>& blocks, const FacetDefects
     }
 }
 
-DegenerateFacets count_degenerate(const SimplicialComplex& complex, const FacetDefects& defects) {
+DegenerateFacets count_degenerate(const Pieces& complex, const FacetDefects& defects) {
     DegenerateFacets result;
     const auto& counts = complex.coface_counts(complex.dimension() - 1);
     for (std::size_t f = 0; f < counts.size(); ++f)
@@ -192,7 +191,7 @@ DegenerateFacets count_degenerate(const SimplicialComplex& complex, const FacetD
 
 } // namespace
 
-CosphericalMerging merge_cospherical(SimplicialComplex complex, const SimplexMetric& metric,
+CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric,
                                      const CellVolumes& volumes, const MergeOptions& options) {
     if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
         throw InvalidInput(fmt::format("the merge tolerance is {}: expected a number >= 0, such as "

@@ -53,7 +53,7 @@ struct CosphericalMerging {
 /// merged cell is checked to be a ball. So the result does not depend on the order of the input.
 /// volumes are those of `complex`. Time O(incidences + f log f), f the number of degenerate facets.
 /// Throws InvalidInput for a tolerance that is negative or not finite.
-CosphericalMerging merge_cospherical(SimplicialComplex complex, const SimplexMetric& metric,
+CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric,
                                      const CellVolumes& volumes, const MergeOptions& options = {});
 
 } // namespace polydec

@@ -10,7 +10,7 @@
 
 namespace polydec {
 
-StraightnessTest::StraightnessTest(const SimplicialComplex& complex, const SimplexMetric& metric,
+StraightnessTest::StraightnessTest(const Pieces& complex, const SimplexMetric& metric,
                                    const CellVolumes& volumes, double tolerance)
     : complex_(complex),
       metric_(metric),

@@ -14,8 +14,8 @@ namespace polydec {
 class StraightnessTest {
 public:
     /// Keeps references, those of the metric too: they must outlive the test.
-    StraightnessTest(const SimplicialComplex& complex, const SimplexMetric& metric,
-                     const CellVolumes& volumes, double tolerance);
+    StraightnessTest(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
+                     double tolerance);
 
     bool operator()(int k, Index s, Index f, Index g);
 
@@ -36,7 +36,7 @@ private:
     };
     Altitude altitude(int k, Index s, Index f, int apex) const;
 
-    const SimplicialComplex& complex_;
+    const Pieces& complex_;
     SimplexMetric metric_;
     const CellVolumes& volumes_;
     double tolerance_;

@@ -14,31 +14,29 @@
 namespace polydec {
 
 CellVolumes::CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
-                         std::vector<Vector> terms, std::vector<Vector> rounding)
-    : primal_(std::move(primal)),
-      dual_(std::move(dual)),
-      terms_(std::move(terms)),
-      rounding_(std::move(rounding)) {
-    if (terms_.empty())
-        for (const Vector& values : dual_)
-            terms_.emplace_back(values.cwiseAbs());
-    if (rounding_.empty())
-        for (const Vector& values : terms_)
-            rounding_.emplace_back(values.unaryExpr(&rounding_of));
-    if (primal_.size() != dual_.size() || primal_.size() != terms_.size() ||
-        primal_.size() != rounding_.size())
+                         std::vector<Vector> terms, std::vector<Vector> rounding) {
+    if (terms.empty())
+        for (const Vector& values : dual)
+            terms.emplace_back(values.cwiseAbs());
+    if (rounding.empty())
+        for (const Vector& values : terms)
+            rounding.emplace_back(values.unaryExpr(&rounding_of));
+    if (primal.size() != dual.size() || primal.size() != terms.size() ||
+        primal.size() != rounding.size())
         throw InvalidInput(fmt::format("volumes are given in {} degrees, dual volumes in {}, their "
                                        "terms in {} and rounding errors in {}: expected the same "
                                        "number",
-                                       primal_.size(), dual_.size(), terms_.size(),
-                                       rounding_.size()));
+                                       primal.size(), dual.size(), terms.size(), rounding.size()));
+    parts_ = std::make_shared<Parts>(
+        Parts{std::move(primal), std::move(dual), std::move(terms), std::move(rounding), {}});
     for (int k = 0; k <= dimension(); ++k)
         check(k);
 }
 
 void CellVolumes::check(int k) const {
-    const Vector &primal = primal_[k], &dual = dual_[k], &terms = terms_[k];
-    const Vector& rounding = rounding_[k];
+    const auto& [primals, duals, all_terms, roundings, numbers] = *parts_;
+    const Vector &primal = primals[k], &dual = duals[k];
+    const Vector &terms = all_terms[k], &rounding = roundings[k];
     if (primal.size() != dual.size() || primal.size() != terms.size() ||
         primal.size() != rounding.size())
         throw InvalidInput(fmt::format("{} volumes, {} dual volumes, {} terms and {} rounding "
@@ -59,12 +57,13 @@ void CellVolumes::check(int k) const {
 }
 
 CellVolumes CellVolumes::with_dual(int k, Vector dual) const {
-    auto duals = dual_, terms = terms_, rounding = rounding_;
-    terms[checked(k)] = dual.cwiseAbs();
-    rounding[checked(k)] = terms[k].unaryExpr(&rounding_of);
-    duals[checked(k)] = std::move(dual);
-    CellVolumes result(primal_, std::move(duals), std::move(terms), std::move(rounding));
-    result.numbers_ = numbers_;
+    Parts parts = *parts_;
+    parts.terms[checked(k)] = dual.cwiseAbs();
+    parts.rounding[k] = parts.terms[k].unaryExpr(&rounding_of);
+    parts.dual[k] = std::move(dual);
+    CellVolumes result;
+    result.parts_ = std::make_shared<Parts>(std::move(parts));
+    result.check(k);
     return result;
 }
 
@@ -72,14 +71,16 @@ CellVolumes CellVolumes::numbered(std::vector<std::vector<Index>> numbers) const
     check_as_many("degrees of numbers", static_cast<Index>(numbers.size()), dimension() + 1);
     for (int k = 0; k <= dimension(); ++k)
         check_as_many(fmt::format("numbers of {}-cells", k), static_cast<Index>(numbers[k].size()),
-                      primal_[k].size());
-    CellVolumes result = *this;
-    result.numbers_ = std::move(numbers);
+                      primal(k).size());
+    Parts parts = *parts_;
+    parts.numbers = std::move(numbers);
+    CellVolumes result;
+    result.parts_ = std::make_shared<Parts>(std::move(parts));
     return result;
 }
 
 void CellVolumes::refuse_degree(int k) const {
-    if (primal_.empty())
+    if (parts_->primal.empty())
         throw InvalidInput(fmt::format("volumes of {}-cells are asked for: there are no cells", k));
     throw InvalidInput(fmt::format("volumes of {}-cells are asked for: there are cells of degrees "
                                    "0 to {}",

@@ -3,6 +3,7 @@
 
 #include "base/types.h"
 
+#include <memory>
 #include <vector>
 
 namespace polydec {
@@ -10,11 +11,16 @@ namespace polydec {
 class CellComplex;
 
 /// The metric of a complex: all that a Hodge star needs. Is whole from the start: every primal
-/// volume is a finite number above 0, every dual volume a finite one.
+/// volume is a finite number above 0, every dual volume a finite one. A handle on what never
+/// changes: copies share it and cost nothing.
 class CellVolumes {
 public:
     /// Of no cells; no degree can be asked for.
-    CellVolumes() = default;
+    CellVolumes() : parts_(std::make_shared<Parts>()) {}
+
+    // no moves, which would leave a handle on nothing
+    CellVolumes(const CellVolumes&) = default;
+    CellVolumes& operator=(const CellVolumes&) = default;
 
     /// One vector per degree 0..n, a number per cell. Without terms the duals are taken as they
     /// are: terms are their own sizes, and nothing but their last digits is lost by rounding.
@@ -24,27 +30,27 @@ public:
                 std::vector<Vector> terms = {}, std::vector<Vector> rounding = {});
 
     /// Dimension n; -1 without cells.
-    int dimension() const { return static_cast<int>(primal_.size()) - 1; }
+    int dimension() const { return static_cast<int>(parts_->primal.size()) - 1; }
 
     /// k-volumes |s| > 0, 1 for vertices; length^k. These accessors throw InvalidInput for another
     /// degree than 0..n.
-    const Vector& primal(int k) const& { return primal_[checked(k)]; }
-    Vector primal(int k) && { return std::move(primal_[checked(k)]); }
+    const Vector& primal(int k) const& { return parts_->primal[checked(k)]; }
+    Vector primal(int k) && { return primal(k); }
 
     /// Signed (n-k)-volumes |*s|, 1 for n-cells; length^(n-k).
-    const Vector& dual(int k) const& { return dual_[checked(k)]; }
-    Vector dual(int k) && { return std::move(dual_[checked(k)]); }
+    const Vector& dual(int k) const& { return parts_->dual[checked(k)]; }
+    Vector dual(int k) && { return dual(k); }
 
     /// Sizes of what cancels in the dual volumes, in heights of circumcenters too: to these their
     /// errors are in proportion (see rounding_of) if the last digits of points or lengths are not
     /// known. length^(n-k).
-    const Vector& terms(int k) const& { return terms_[checked(k)]; }
-    Vector terms(int k) && { return std::move(terms_[checked(k)]); }
+    const Vector& terms(int k) const& { return parts_->terms[checked(k)]; }
+    Vector terms(int k) && { return terms(k); }
 
     /// How far |*s| / |s| may be off, times |s|: what computing has done if points are exact.
     /// Lengths have been computed, so their last digits count. length^(n-k).
-    const Vector& rounding(int k) const& { return rounding_[checked(k)]; }
-    Vector rounding(int k) && { return std::move(rounding_[checked(k)]); }
+    const Vector& rounding(int k) const& { return parts_->rounding[checked(k)]; }
+    Vector rounding(int k) && { return rounding(k); }
 
     /// The same with other duals of the k-cells, taken as they are. Throws like the constructor.
     CellVolumes with_dual(int k, Vector dual) const;
@@ -56,7 +62,7 @@ public:
 
     /// The number by which messages name a k-cell of these: its own, unless others are given.
     Index number(int k, Index cell) const {
-        return numbers_.empty() ? cell : numbers_[checked(k)][cell];
+        return parts_->numbers.empty() ? cell : parts_->numbers[checked(k)][cell];
     }
 
 private:
@@ -68,8 +74,11 @@ private:
     [[noreturn]] void refuse_degree(int k) const;
     void check(int k) const;
 
-    std::vector<Vector> primal_, dual_, terms_, rounding_;
-    std::vector<std::vector<Index>> numbers_; // empty: their own
+    struct Parts {
+        std::vector<Vector> primal, dual, terms, rounding;
+        std::vector<std::vector<Index>> numbers; // empty: their own
+    };
+    std::shared_ptr<const Parts> parts_;
 };
 
 /// Throws InvalidInput, naming the degree, unless the volumes are those of as many cells.

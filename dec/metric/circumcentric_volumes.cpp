@@ -19,7 +19,7 @@ namespace polydec {
 
 namespace {
 
-void check_points(const SimplicialComplex& complex, const Points& points) {
+void check_points(const Pieces& complex, const Points& points) {
     require_points(complex, points, "a volume");
     if (points.cols() < complex.dimension())
         throw InvalidInput(fmt::format("simplices of dimension {} do not fit into {} coordinates",
@@ -29,7 +29,7 @@ void check_points(const SimplicialComplex& complex, const Points& points) {
             throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite", v));
 }
 
-void check_metric(const SimplicialComplex& complex, const SimplexMetric& metric) {
+void check_metric(const Pieces& complex, const SimplexMetric& metric) {
     if (metric.points() != nullptr)
         check_points(complex, *metric.points());
     else if (metric.lengths()->size() != complex.size(1))
@@ -59,8 +59,7 @@ double largest_extent(const Corners& corners) {
 }
 
 /// Names the simplex of least dimension, of those with t, whose volume is of no use.
-[[noreturn]] void refuse(const SimplicialComplex& complex, const SimplexMetric& metric, int k,
-                         Index t) {
+[[noreturn]] void refuse(const Pieces& complex, const SimplexMetric& metric, int k, Index t) {
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
     for (int m = 1; m < k; ++m)
@@ -111,7 +110,7 @@ struct Terms {
 
 /// Volumes on the way down.
 struct Sums {
-    explicit Sums(const SimplicialComplex& complex) {
+    explicit Sums(const Pieces& complex) {
         for (int k = 0; k <= complex.dimension(); ++k) {
             primal.emplace_back(Vector::Ones(complex.size(k)));
             dual.emplace_back(Vector::Zero(complex.size(k)));
@@ -135,7 +134,7 @@ struct Sums {
 /// barycentric coordinate * k |t| / |s|; the division by |s| comes last. With it go the sizes of
 /// what cancels, in h(s, t) and in V(t). An error of |t| is one of V(t) / |t| too. Spheres are
 /// looked at many at once, and their heights added one after the other.
-void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, int k, Sums& sums) {
+void hand_down(const Pieces& complex, const SimplexMetric& metric, int k, Sums& sums) {
     const int n = complex.dimension();
     const Simplices& simplices = complex.simplices(k);
     const Points* const points = metric.points(); // asked once, not for every simplex
@@ -168,7 +167,7 @@ void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, in
     };
 
     constexpr Index at_once = 1 << 15, part_size = 1 << 12;
-    const Index* face = complex.coboundary(k - 1).innerIndexPtr();
+    const FaceTable faces = complex.faces(k);
     std::vector<Share> shares;
     for (Index first = 0; first < complex.size(k); first += at_once) {
         const Index count = std::min(at_once, complex.size(k) - first);
@@ -176,17 +175,20 @@ void hand_down(const SimplicialComplex& complex, const SimplexMetric& metric, in
         for_each_part(count, part_size, [&](Index begin, Index end) {
             measure(first + begin, first + end, &shares[std::size_t(begin) * (k + 1)]);
         });
-        for (const Share& share : shares) {
-            sums.dual[k - 1][*face] += share.dual;
-            sums.uncertain.add(k - 1, *face, share.uncertain);
-            sums.rounded.add(k - 1, *face++, share.rounded);
-        }
+        const Share* share = shares.data();
+        for (Index t = first; t < first + count; ++t)
+            for (int i = k; i >= 0; --i, ++share) {
+                const Index face = faces(t, i);
+                sums.dual[k - 1][face] += share->dual;
+                sums.uncertain.add(k - 1, face, share->uncertain);
+                sums.rounded.add(k - 1, face, share->rounded);
+            }
     }
 }
 
 } // namespace
 
-CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const SimplexMetric& metric) {
+CellVolumes circumcentric_volumes(const Pieces& complex, const SimplexMetric& metric) {
     check_metric(complex, metric);
     const int n = complex.dimension();
     Sums sums(complex);

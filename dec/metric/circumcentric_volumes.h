@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/simplicial_complex.h"
+#include "complex/pieces.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/simplex_metric.h"
 
@@ -15,6 +15,6 @@ namespace polydec {
 /// Throws InvalidInput, naming the vertices, for a simplex without volume, vertices without point,
 /// or a simplex of least dimension that cannot have the lengths given (a triangle that violates the
 /// triangle inequality, in higher dimension edges whose products are not positive definite).
-CellVolumes circumcentric_volumes(const SimplicialComplex& complex, const SimplexMetric& metric);
+CellVolumes circumcentric_volumes(const Pieces& complex, const SimplexMetric& metric);
 
 } // namespace polydec

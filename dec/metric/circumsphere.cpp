@@ -256,7 +256,7 @@ Vector circumradii(const Points& points, const Simplices& simplices) {
     });
 }
 
-Vector circumradii(const SimplicialComplex& complex, const SimplexMetric& metric, int k) {
+Vector circumradii(const Pieces& complex, const SimplexMetric& metric, int k) {
     check_number("circumradii in degree", k, 0, complex.dimension());
     return radii_of(complex.size(k), [&] {
         return [k, layout = SimplexLayout(complex, metric)](Circumsphere& sphere, Index s) mutable {

@@ -106,7 +106,7 @@ private:
 Vector circumradii(const Points& points, const Simplices& simplices);
 
 /// Circumradii of all k-simplices of the complex.
-Vector circumradii(const SimplicialComplex& complex, const SimplexMetric& metric, int k);
+Vector circumradii(const Pieces& complex, const SimplexMetric& metric, int k);
 
 /// Circumcenters of all k-simplices in the given table: one row of N coordinates each. Throws
 /// likewise.

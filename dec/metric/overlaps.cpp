@@ -32,8 +32,7 @@ struct Sight {
 };
 
 /// The coordinates that are not the same everywhere.
-std::vector<Eigen::Index> varying_coordinates(const SimplicialComplex& complex,
-                                              const Points& points) {
+std::vector<Eigen::Index> varying_coordinates(const Pieces& complex, const Points& points) {
     std::vector<Eigen::Index> axes;
     const auto used = complex.simplices(0).reshaped();
     for (Eigen::Index c = 0; c < points.cols(); ++c) {
@@ -94,7 +93,7 @@ Sight look(const Points& points, std::span<const Index> corners, const DenseMatr
     return sight;
 }
 
-std::vector<Sight> look_at_all(const SimplicialComplex& complex, const Points& points) {
+std::vector<Sight> look_at_all(const Pieces& complex, const Points& points) {
     const int n = complex.dimension();
     const DenseMatrix directions = some_directions(n);
     std::vector<Sight> sights(static_cast<std::size_t>(complex.size(n)));
@@ -107,18 +106,18 @@ std::vector<Sight> look_at_all(const SimplicialComplex& complex, const Points& p
 }
 
 /// An n-simplex at a facet, and on which of its sides it lies.
-struct Coface {
+struct Half {
     Index cell;
     int side;
 };
 
 /// Connects cells across facets with two cofaces by whether they lie on different sides, and marks
 /// those that share a side of a branching facet with an earlier one.
-void compare_sides(const SimplicialComplex& complex, const std::vector<Sight>& sights,
-                   DisjointSets& parts, std::vector<bool>& folded) {
+void compare_sides(const Pieces& complex, const std::vector<Sight>& sights, DisjointSets& parts,
+                   std::vector<bool>& folded) {
     const int n = complex.dimension();
     const IncidenceMatrix cofaces = complex.boundary(n);
-    std::vector<Coface> around;
+    std::vector<Half> around;
     for (Index f = 0; f < cofaces.rows(); ++f) {
         around.clear();
         for (Row t(cofaces, f); t; ++t) {
@@ -135,7 +134,7 @@ void compare_sides(const SimplicialComplex& complex, const std::vector<Sight>& s
             continue;
         }
         std::array<bool, 2> taken{};
-        for (const Coface& coface : around) {
+        for (const Half& coface : around) {
             bool& side = taken[coface.side > 0 ? 1 : 0];
             folded[coface.cell] = folded[coface.cell] || side;
             side = true;
@@ -145,7 +144,7 @@ void compare_sides(const SimplicialComplex& complex, const std::vector<Sight>& s
 
 /// The smaller half of each part that lies on two sides, of equal ones that without the part's
 /// first cell; and those too many at branching facets.
-std::vector<Index> find_folded(const SimplicialComplex& complex, const std::vector<Sight>& sights) {
+std::vector<Index> find_folded(const Pieces& complex, const std::vector<Sight>& sights) {
     const auto cells = static_cast<Index>(sights.size());
     DisjointSets parts(cells);
     std::vector<bool> folded(sights.size(), false);
@@ -174,7 +173,7 @@ std::vector<Index> find_folded(const SimplicialComplex& complex, const std::vect
 }
 
 /// Vertices from which a ray begins in two cells, none of those around folded.
-std::vector<Index> find_wound(const SimplicialComplex& complex, const std::vector<Sight>& sights,
+std::vector<Index> find_wound(const Pieces& complex, const std::vector<Sight>& sights,
                               const std::vector<Index>& folded, Index points) {
     const Simplices& cells = complex.simplices(complex.dimension());
     std::vector<bool> left_out(static_cast<std::size_t>(points), false), found = left_out;
@@ -199,7 +198,7 @@ std::vector<Index> find_wound(const SimplicialComplex& complex, const std::vecto
 
 } // namespace
 
-Overlaps find_overlaps(const SimplicialComplex& complex, const Points& all) {
+Overlaps find_overlaps(const Pieces& complex, const Points& all) {
     const auto axes = varying_coordinates(complex, all);
     if (static_cast<int>(axes.size()) != complex.dimension())
         return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/simplicial_complex.h"
+#include "complex/pieces.h"
 
 #include <vector>
 
@@ -25,6 +25,6 @@ struct Overlaps {
 /// folds is found; at the boundary those that these directions meet. What is no more than rounding
 /// (a cell that is flat to the last digits) speaks neither for nor against. Linear time; products
 /// of n lengths must be ordinary numbers. Empty unless n coordinates vary.
-Overlaps find_overlaps(const SimplicialComplex& complex, const Points& points);
+Overlaps find_overlaps(const Pieces& complex, const Points& points);
 
 } // namespace polydec

@@ -7,7 +7,7 @@
 
 namespace polydec {
 
-SimplexFaces::SimplexFaces(const SimplicialComplex& complex, int m, int k)
+SimplexFaces::SimplexFaces(const Pieces& complex, int m, int k)
     : complex_(complex), m_(m), positions_(subsets(m + 1, k + 1)), faces_(positions_.size()) {
     for (const auto& kept : positions_) {
         std::vector<int> omitted;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/simplicial_complex.h"
+#include "complex/pieces.h"
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace polydec {
 /// the complex, which must outlive it. 0 <= k <= m.
 class SimplexFaces {
 public:
-    SimplexFaces(const SimplicialComplex& complex, int m, int k);
+    SimplexFaces(const Pieces& complex, int m, int k);
 
     /// The numbers of the k-faces of m-simplex s; valid until the next call. Time
     /// O((m-k) C(m+1, k+1)).
@@ -22,7 +22,7 @@ public:
     const std::vector<std::vector<int>>& positions() const { return positions_; }
 
 private:
-    const SimplicialComplex& complex_;
+    const Pieces& complex_;
     int m_;
     std::vector<std::vector<int>> positions_;
     std::vector<std::vector<int>> omitted_; // descending

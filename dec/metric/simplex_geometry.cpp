@@ -9,7 +9,7 @@
 
 namespace polydec {
 
-Index face_at(const SimplicialComplex& complex, int m, Index t, std::span<const int> positions) {
+Index face_at(const Pieces& complex, int m, Index t, std::span<const int> positions) {
     // leaving out the other vertices, the last one first, leads down to the face
     for (int k = m, v = m; v >= 0; --v)
         if (!std::binary_search(positions.begin(), positions.end(), v))
@@ -17,7 +17,7 @@ Index face_at(const SimplicialComplex& complex, int m, Index t, std::span<const 
     return t;
 }
 
-DenseMatrix edge_vectors(const SimplicialComplex& complex, const Points& points) {
+DenseMatrix edge_vectors(const Pieces& complex, const Points& points) {
     check_number("the point", complex.simplices(0).maxCoeff(), 0, points.rows() - 1);
     const auto& edges = complex.simplices(1);
     DenseMatrix vectors(edges.rows(), points.cols());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/simplicial_complex.h"
+#include "complex/pieces.h"
 
 #include <span>
 
@@ -13,15 +13,15 @@ inline std::span<const Index> vertices(const Simplices& simplices, Index s) {
 }
 
 /// The number of the face of m-simplex t that its vertices at these ascending positions span.
-Index face_at(const SimplicialComplex& complex, int m, Index t, std::span<const int> positions);
+Index face_at(const Pieces& complex, int m, Index t, std::span<const int> positions);
 
 /// The sign that an oriented k-simplex has against the ascending order of its vertices.
-inline double orientation(const SimplicialComplex& complex, int k, Index s) {
+inline double orientation(const Pieces& complex, int k, Index s) {
     return k == complex.dimension() ? complex.orientation(s) : 1;
 }
 
 /// The edges as vectors from tail to head, as they are oriented: size(1) x N.
-DenseMatrix edge_vectors(const SimplicialComplex& complex, const Points& points);
+DenseMatrix edge_vectors(const Pieces& complex, const Points& points);
 
 /// Gradients of the barycentric coordinates of an m-simplex, in its plane: (m+1) x N.
 DenseMatrix barycentric_gradients(const Points& points, std::span<const Index> vertices);

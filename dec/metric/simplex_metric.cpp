@@ -2,6 +2,7 @@
 #include "dec/metric/simplex_metric.h"
 
 #include "base/errors.h"
+#include "dec/metric/triangle.h"
 #include "meshes/distance.h"
 
 #include <fmt/format.h>
@@ -24,8 +25,7 @@ constexpr double few_last_digits = 16 * std::numeric_limits<double>::epsilon();
 constexpr double largest_length = 1e100;
 
 /// The lengths of the edges of a triangle, the largest last.
-std::array<double, 3> sorted_lengths(const SimplicialComplex& complex, const Vector& lengths,
-                                     Index s) {
+std::array<double, 3> sorted_lengths(const Pieces& complex, const Vector& lengths, Index s) {
     std::array<double, 3> sides{};
     for (int i = 0; i < 3; ++i)
         sides[i] = lengths[complex.face(2, s, i)];
@@ -35,8 +35,7 @@ std::array<double, 3> sorted_lengths(const SimplicialComplex& complex, const Vec
 
 } // namespace
 
-SimplexMetric::SimplexMetric(const SimplicialComplex& complex, const Vector& lengths)
-    : lengths_(&lengths) {
+SimplexMetric::SimplexMetric(const Pieces& complex, const Vector& lengths) : lengths_(&lengths) {
     if (lengths.size() != complex.size(1))
         throw InvalidInput(fmt::format("{} lengths are given: expected one for each of the {} "
                                        "edges of the complex",
@@ -55,7 +54,7 @@ SimplexMetric::SimplexMetric(const SimplicialComplex& complex, const Vector& len
     }
 }
 
-SimplexLayout::SimplexLayout(const SimplicialComplex& complex, const SimplexMetric& metric)
+SimplexLayout::SimplexLayout(const Pieces& complex, const SimplexMetric& metric)
     : complex_(complex), metric_(metric) {
     if (metric.points() != nullptr)
         return;
@@ -96,6 +95,23 @@ double SimplexLayout::product(int origin, int i, int j) const {
     return (shorter * shorter + (longer - opposite) * (longer + opposite)) / 2;
 }
 
+/// The height of corner a over those before it, of which the first coordinates are known. 0 where
+/// rounding leaves none.
+template <class Corner>
+double SimplexLayout::height(int origin, Corner corner, int a, const double* known) const {
+    // that of an edge is its length, and that of a triangle follows from its area, without loss
+    const double own = length(origin, corner(a));
+    if (a == 0)
+        return own;
+    const double base = length(origin, corner(0));
+    if (a == 1)
+        return 2 * triangle_area(base, own, length(corner(0), corner(1))) / base;
+    double squared = own * own;
+    for (int b = 0; b < a; ++b)
+        squared -= known[b] * known[b];
+    return squared > few_last_digits * own * own ? std::sqrt(squared) : 0;
+}
+
 Corners SimplexLayout::lay_out(int k, Index s) {
     Points& table = tables_[k];
     const Corners corners{table, {rows_.data(), static_cast<std::size_t>(k) + 1}, true};
@@ -112,21 +128,16 @@ Corners SimplexLayout::lay_out(int k, Index s) {
                 rest -= row[c] * other[c];
             row[b] = rest / other[b];
         }
-        const double squared_length = length(origin, corner(a)) * length(origin, corner(a));
-        double squared_height = squared_length;
-        for (int b = 0; b < a; ++b)
-            squared_height -= row[b] * row[b];
-        if (!(squared_height > few_last_digits * squared_length)) {
+        row[a] = height(origin, corner, a, row);
+        if (!(row[a] > 0)) {
             table.setZero();
             return corners;
         }
-        // the height of an edge from the origin is its length, without rounding
-        row[a] = a == 0 ? length(origin, corner(a)) : std::sqrt(squared_height);
     }
     return corners;
 }
 
-Vector edge_lengths(const SimplicialComplex& complex, const Points& points) {
+Vector edge_lengths(const Pieces& complex, const Points& points) {
     require_points(complex, points, "a length");
     const auto& edges = complex.simplices(1);
     Vector lengths(edges.rows());
@@ -135,8 +146,7 @@ Vector edge_lengths(const SimplicialComplex& complex, const Points& points) {
     return lengths;
 }
 
-std::string flaw_of_lengths(const SimplicialComplex& complex, const SimplexMetric& metric, int k,
-                            Index s) {
+std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, int k, Index s) {
     const auto list = vertices(complex.simplices(k), s);
     const auto name = fmt::format("{}-simplex {} with vertices {}", k, s, fmt::join(list, ", "));
     if (constexpr int triangle = 2; k == triangle) {
@@ -145,9 +155,9 @@ std::string flaw_of_lengths(const SimplicialComplex& complex, const SimplexMetri
             return fmt::format("the lengths of {} violate the triangle inequality: {} is more than "
                                "{} + {}; correct the lengths",
                                name, c, a, b);
-        return fmt::format("the lengths of {}, {}, {} and {}, leave it a height below 1e-7 of "
-                           "them: what its area is hangs on their last digits; correct the lengths",
-                           name, a, b, c);
+        return fmt::format(
+            "the lengths of {}, {}, {} and {}, leave it no area; correct the lengths", name, a, b,
+            c);
     }
     return fmt::format("the lengths of {} leave it no volume: the products of its edges are not "
                        "positive definite; correct the lengths",
@@ -161,7 +171,7 @@ void require_points(Eigen::Index coordinates, std::string_view what) {
                                        what));
 }
 
-void require_points(const SimplicialComplex& complex, const Points& points, std::string_view what) {
+void require_points(const Pieces& complex, const Points& points, std::string_view what) {
     require_points(points.cols(), what);
     const Index largest = complex.simplices(0).maxCoeff();
     if (largest >= points.rows())

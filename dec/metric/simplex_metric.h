@@ -25,8 +25,8 @@ public:
     /// simplex exists is checked by circumcentric_volumes.
     /// Throws InvalidInput for another number of lengths and, naming the edge, for one that is not
     /// a finite number above 0, or of a size whose square is none (below 1e-100, above 1e100).
-    SimplexMetric(const SimplicialComplex& complex, const Vector& lengths);
-    SimplexMetric(const SimplicialComplex&, Vector&&) = delete;
+    SimplexMetric(const Pieces& complex, const Vector& lengths);
+    SimplexMetric(const Pieces&, Vector&&) = delete;
 
     /// Null where only lengths are known.
     const Points* points() const { return points_; }
@@ -55,29 +55,31 @@ struct Corners {
 class SimplexLayout {
 public:
     /// Keeps a reference to the complex: it must outlive the layout.
-    SimplexLayout(const SimplicialComplex& complex, const SimplexMetric& metric);
+    SimplexLayout(const Pieces& complex, const SimplexMetric& metric);
 
     /// The corners of k-simplex s, until the next call. With points, these, as they are. With
     /// lengths a table of its own, k coordinates for each corner: the Cholesky factor of the
     /// products of the edges from one corner, which follow from the lengths. A simplex that does
-    /// not exist, or whose heights are below 6e-8 of its edges (the rounding of squared lengths),
-    /// is laid out without volume.
+    /// not exist is laid out without volume, and so is one of more than three corners with a height
+    /// below 6e-8 of its edges (the rounding of squared lengths).
     Corners at(int k, Index s) {
         if (metric_.points() != nullptr)
             return {*metric_.points(), vertices(complex_.simplices(k), s)};
         return lay_out(k, s);
     }
 
-    const SimplicialComplex& complex() const { return complex_; }
+    const Pieces& complex() const { return complex_; }
 
 private:
     Corners lay_out(int k, Index s);
     void measure_edges(int k, Index s);
     int base(int k) const;
+    template <class Corner>
+    double height(int origin, Corner corner, int a, const double* known) const;
     double length(int i, int j) const { return lengths_[i * rows_.size() + j]; }
     double product(int origin, int i, int j) const;
 
-    const SimplicialComplex& complex_;
+    const Pieces& complex_;
     SimplexMetric metric_;
     std::vector<Index> rows_;     // 0..n
     std::vector<double> lengths_; // between corners i and j of one simplex, (n+1) x (n+1)
@@ -85,17 +87,16 @@ private:
 };
 
 /// Lengths of the 1-simplices between points. Size size(1). Throws like require_points.
-Vector edge_lengths(const SimplicialComplex& complex, const Points& points);
+Vector edge_lengths(const Pieces& complex, const Points& points);
 
 /// Says why k-simplex s, whose faces all exist, cannot have the lengths that it is given.
-std::string flaw_of_lengths(const SimplicialComplex& complex, const SimplexMetric& metric, int k,
-                            Index s);
+std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, int k, Index s);
 
 /// Throws InvalidInput if points have no coordinates, as those of a mesh of which only lengths are
 /// known; what says who needs them.
 void require_points(Eigen::Index coordinates, std::string_view what);
 
 /// The same, and if a vertex of the complex has no point.
-void require_points(const SimplicialComplex& complex, const Points& points, std::string_view what);
+void require_points(const Pieces& complex, const Points& points, std::string_view what);
 
 } // namespace polydec

@@ -3,9 +3,8 @@
 
 #include "base/errors.h"
 #include "complex/surfaces/corner_fan.h"
-#include "dec/merging/facet_defects.h"
 #include "dec/metric/triangle.h"
-#include "dec/surfaces/glued_volumes.h"
+#include "dec/surfaces/side_lengths.h"
 
 #include <fmt/format.h>
 
@@ -341,20 +340,6 @@ IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
     result.lengths *= unit;
     result.statistics.added_length *= unit;
     return result;
-}
-
-std::vector<Index> concyclic_edges(const GluedSurface& surface, const CellVolumes& volumes,
-                                   double tolerance) {
-    const auto defects = facet_defects(surface, volumes, tolerance);
-    std::vector<std::pair<double, Index>> found;
-    for (Index e = 0; e < surface.edges(); ++e)
-        if (!surface.is_boundary(e) && defects.degenerate[e])
-            found.emplace_back(defects.ratio(e), e);
-    std::sort(found.begin(), found.end());
-    std::vector<Index> edges;
-    for (const auto& [defect, e] : found)
-        edges.push_back(e);
-    return edges;
 }
 
 } // namespace polydec

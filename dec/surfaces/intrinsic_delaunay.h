@@ -58,9 +58,4 @@ struct IntrinsicDelaunay {
 IntrinsicDelaunay intrinsic_delaunay(GluedSurface surface, Vector lengths,
                                      const IntrinsicDelaunayOptions& options = {});
 
-/// Interior edges that are degenerate (see FacetDefects), |star_1| <= tolerance, ascending: those
-/// whose removal makes polygons of concyclic triangles. volumes are those of the surface.
-std::vector<Index> concyclic_edges(const GluedSurface& surface, const CellVolumes& volumes,
-                                   double tolerance);
-
 } // namespace polydec

@@ -27,8 +27,8 @@ void draw_edges(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint&
 
 /// Between circumcenters; at the boundary from a circumcenter to the middle of the edge.
 void draw_duals(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint& shift) {
-    const Points centers = cell_centers(mesh.merging, mesh.points, mesh.input_volumes, 2);
-    const Points middles = cell_centers(mesh.merging, mesh.points, mesh.input_volumes, 1);
+    const Points centers = cell_centers(mesh.merging, mesh.points, mesh.piece_volumes, 2);
+    const Points middles = cell_centers(mesh.merging, mesh.points, mesh.piece_volumes, 1);
     const auto& P = mesh.complex();
     const IncidenceMatrix faces = P.boundary(2); // row e: the faces at edge e
     for (Index e = 0; e < P.size(1); ++e) {

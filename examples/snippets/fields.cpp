@@ -19,7 +19,7 @@ polydec::DenseMatrix sample(const polydec::SmoothForm& field, const polydec::Poi
 
 void there_and_back() {
     const auto mesh = polydec::discretize(polydec::hexagons(8));
-    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
+    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.piece_volumes);
     const polydec::DenseMatrix X =
         polydec::Vector{{2, 3}}.transpose().replicate(mesh.points.rows(), 1);
     const polydec::Cochain w = polydec::flat(mesh, polydec::Flat::ppp, X);
@@ -77,7 +77,7 @@ std::vector<double> errors(const polydec::Mesh& input) {
     const auto mesh = polydec::discretize(input, {.tolerance = 1e-8});
     const auto& P = mesh.complex();
     const polydec::Points centers =
-        polydec::cell_centers(mesh.merging, mesh.points, mesh.input_volumes, 2);
+        polydec::cell_centers(mesh.merging, mesh.points, mesh.piece_volumes, 2);
     const auto smooth = polydec::circulation_form(gradient);
     const auto primal = polydec::de_rham(mesh, 1, smooth);
     const auto dual = polydec::dual_de_rham(mesh, 1, smooth);
@@ -98,11 +98,11 @@ std::vector<double> errors(const polydec::Mesh& input) {
         const double length = 1 / std::sqrt(double(P.size(2)));
         result.push_back(mean((form.values - exact.values) / length, inner_cells(P, 1)));
     }
-    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
+    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.piece_volumes);
     const auto df = polydec::d(P, polydec::de_rham(mesh, 0, polydec::function_form(f)));
     const auto flux = polydec::de_rham(mesh, 1, polydec::flux_form(gradient));
     const polydec::Points centroids =
-        polydec::cell_centroids(mesh.merging, mesh.points, mesh.input_volumes, 2);
+        polydec::cell_centroids(mesh.merging, mesh.points, mesh.piece_volumes, 2);
     // Pages show the orders of these three: vectors at vertices, at centroids, from fluxes.
     const polydec::DenseMatrix pp = polydec::sharp_pp(mesh, lift, df);
     const polydec::DenseMatrix pd = polydec::sharp_pd(mesh, df);

@@ -50,7 +50,7 @@ void quadrature() {
 
 void whitney() {
     const auto mesh = polydec::discretize(polydec::grid(4, 4));
-    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
+    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.piece_volumes);
     const auto w = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto&) {
                                         return polydec::Vector{{2, 3}};
                                     }));

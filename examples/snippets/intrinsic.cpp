@@ -34,7 +34,7 @@ void flips() {
     const polydec::Mesh mesh = pebble(8);
     const auto before = polydec::discretize(mesh);
     const auto after = polydec::discretize(mesh, {.delaunay = polydec::Delaunay::flips});
-    const polydec::IntrinsicStatistics& done = after.intrinsic->delaunay.statistics;
+    const polydec::IntrinsicStatistics& done = after.passage.flips().statistics;
     std::cout << done.negative_before << " negative dual edges, " << done.flips << " flips\n"
               << "smallest star_1 " << polydec::star(before.volumes, 1).minCoeff() << ", after it "
               << polydec::star(after.volumes, 1).minCoeff() << '\n';
@@ -56,7 +56,7 @@ void forms() {
 
 void pieces() {
     const auto mesh = polydec::discretize(pebble(8), {.delaunay = polydec::Delaunay::flips});
-    const polydec::Overlay pieces = polydec::overlay(mesh);
+    const polydec::Overlay pieces = polydec::overlay(mesh.passage, mesh.points);
     std::cout << mesh.input().size(2) << " triangles in " << pieces.size() << " pieces of area "
               << pieces.areas.sum() << " = " << mesh.input_volumes.primal(2).sum() << '\n';
     polydec::write_vtu("pieces.vtu", polydec::draw_overlay(mesh));
@@ -67,7 +67,7 @@ void splits() {
     mesh.points.col(0) += 2.3 * mesh.points.col(1); // a parallelogram
     for (const auto delaunay : {polydec::Delaunay::flips, polydec::Delaunay::flips_and_splits}) {
         const auto surface = polydec::discretize(mesh, {.delaunay = delaunay});
-        const auto& done = surface.intrinsic->delaunay.statistics;
+        const auto& done = surface.passage.flips().statistics;
         std::cout << done.flips << " flips, " << done.splits
                   << " splits: " << done.negative_boundary
                   << " negative duals on the boundary, smallest star_1 "

@@ -30,7 +30,7 @@ void wedge_on_a_square() {
 void leibniz() {
     const auto mesh = polydec::discretize(polydec::hexagons(8));
     const auto& P = mesh.complex();
-    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
+    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.piece_volumes);
     const auto product = [&](const polydec::Cochain& a, const polydec::Cochain& b) {
         return polydec::wedge(mesh.merging, lift, a, b);
     };
@@ -61,7 +61,7 @@ void dual_product() {
 
 void contraction() {
     const auto mesh = polydec::discretize(polydec::grid(4, 4));
-    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
+    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.piece_volumes);
     const polydec::Points X = polydec::Vector{{2, 5}}.transpose().replicate(25, 1);
     const polydec::SparseMatrix i_X = polydec::interior_product(mesh.merging, lift, mesh.points, X,
                                                                 1, polydec::Sampling::centered);
@@ -72,7 +72,7 @@ void contraction() {
 
 void transport() {
     const auto torus = polydec::discretize(polydec::torus(32, 16));
-    const auto lift = polydec::commuting_lift(torus.merging, torus.points, torus.input_volumes);
+    const auto lift = polydec::commuting_lift(torus.merging, torus.points, torus.piece_volumes);
     polydec::Points X = polydec::Points::Zero(torus.points.rows(), 3);
     X.col(0) = -torus.points.col(1);
     X.col(1) = torus.points.col(0); // around the axis

@@ -85,7 +85,7 @@ void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
         grid.cell_data.push_back(vtu_array(std::move(name), values));
         return;
     }
-    const auto& vertices = merging.input().simplices(0);
+    const auto& vertices = merging.pieces().simplices(0);
     check_number("the point", vertices.maxCoeff(), 0, grid.points.rows() - 1);
     DenseMatrix at_points = DenseMatrix::Zero(grid.points.rows(), values.cols());
     for (Index v = 0; v < vertices.rows(); ++v)
@@ -93,8 +93,18 @@ void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
     grid.point_data.push_back(vtu_array(std::move(name), at_points));
 }
 
+namespace {
+
+/// Cells whose corners have points: those of the input where edges were flipped.
+Merging drawn(const Discretization& discretization) {
+    return discretization.passage.is_identity() ? discretization.merging
+                                                : unmerged(discretization.input());
+}
+
+} // namespace
+
 VtuGrid draw_cells(const Discretization& discretization, int k) {
-    auto grid = draw_cells(discretization.merging, discretization.points, k);
+    auto grid = draw_cells(drawn(discretization), discretization.points, k);
     grid.points *= discretization.unit;
     return grid;
 }
@@ -103,13 +113,13 @@ void add_form(VtuGrid& grid, const Discretization& discretization, std::string n
               const Cochain& form) {
     const int k = cell_degree(discretization.complex(), form.side, form.degree);
     check(discretization.complex(), form);
-    if (!discretization.intrinsic)
+    if (discretization.passage.is_identity())
         return add_cochain(grid, discretization.merging, k, std::move(name), form.values);
     Cochain shown = form;
     if (form.side == Side::dual && k < discretization.dimension())
         shown = {Side::primal, k,
                  star(discretization.volumes, k).cwiseInverse().cwiseProduct(form.values)};
-    add_cochain(grid, discretization.merging, k, std::move(name),
+    add_cochain(grid, drawn(discretization), k, std::move(name),
                 to_input(discretization, shown).values);
 }
 

@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/draw_overlay.h"
 
-#include "dec/overlay.h"
+#include "dec/surfaces/overlay.h"
 #include "io/pictures/draw_cells.h"
 
 #include <utility>
 
 namespace polydec {
 
-namespace {
-
-/// The polygon that each flipped triangle belongs to.
-std::vector<Index> cells_of_triangles(const MergedSurface& merging) {
-    const IncidenceMatrix& pieces = merging.diamonds[2];
-    std::vector<Index> cells(static_cast<std::size_t>(pieces.cols()));
-    for (Index cell = 0; cell < pieces.rows(); ++cell)
-        for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
-            cells[piece.col()] = cell;
-    return cells;
-}
-
-} // namespace
-
 VtuGrid draw_overlay(const Discretization& discretization) {
     check_drawable(2, static_cast<int>(discretization.points.cols()));
-    Overlay pieces = overlay(discretization);
-    const auto cells = cells_of_triangles(discretization.intrinsic->merging);
+    Overlay pieces = overlay(discretization.passage, discretization.points);
+    const auto& cells = discretization.merging.carriers(2);
     VtuGrid grid;
     grid.points = discretization.unit * pieces.points;
     std::vector<Index> cell;
@@ -33,7 +19,7 @@ VtuGrid draw_overlay(const Discretization& discretization) {
         add_cell(grid, VtuCell::polygon,
                  {pieces.corners.data() + pieces.offsets[p],
                   pieces.corners.data() + pieces.offsets[p + 1]});
-        cell.push_back(cells[pieces.triangle[p]]);
+        cell.push_back(cells[pieces.triangle[p]].cell);
     }
     grid.cell_data.push_back({"cell", std::move(cell)});
     grid.cell_data.push_back({"triangle", std::move(pieces.input)});
@@ -41,9 +27,9 @@ VtuGrid draw_overlay(const Discretization& discretization) {
 }
 
 PolygonMesh polygon_mesh(const Discretization& discretization) {
-    if (!discretization.intrinsic)
+    if (discretization.passage.is_identity())
         return polygon_mesh(discretization.merging, discretization.unit * discretization.points);
-    Overlay pieces = overlay(discretization);
+    Overlay pieces = overlay(discretization.passage, discretization.points);
     PolygonMesh mesh;
     mesh.points = discretization.unit * pieces.points;
     mesh.corners = std::move(pieces.corners);

@@ -235,8 +235,8 @@ public:
             throw InvalidInput(fmt::format(
                 "{} values are given: expected one for each of the {} merged 3-cells, or none",
                 values.size(), n_cells));
-        centroids_ = cell_centroids(mesh.merging, mesh.points, mesh.input_volumes, 3);
-        centers_ = cell_centers(mesh.merging, mesh.points, mesh.input_volumes, 3);
+        centroids_ = cell_centroids(mesh.merging, mesh.points, mesh.piece_volumes, 3);
+        centers_ = cell_centers(mesh.merging, mesh.points, mesh.piece_volumes, 3);
         for (Index cell = 0; cell < n_cells; ++cell)
             if (keep(centroids_.row(cell).transpose()))
                 cells_.push_back(cell);

@@ -170,11 +170,8 @@ GeodesicDistance::GeodesicDistance(const GluedSurface& surface, const Vector& le
 
 GeodesicDistance::GeodesicDistance(const Discretization& discretization,
                                    const GeodesicOptions& options)
-    : GeodesicDistance(discretization.intrinsic ? discretization.intrinsic->surface()
-                                                : GluedSurface(discretization.input()),
-                       discretization.intrinsic ? discretization.intrinsic->delaunay.lengths
-                                                : discretization.input_volumes.primal(1),
-                       options) {}
+    : GeodesicDistance(GluedSurface(discretization.pieces()),
+                       discretization.piece_volumes.primal(1), options) {}
 
 GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;
 GeodesicDistance::~GeodesicDistance() = default;

@@ -4,7 +4,7 @@
 #include "backends/registry.h"
 #include "complex/disjoint_sets.h"
 #include "dec/metric/triangle.h"
-#include "dec/surfaces/glued_volumes.h"
+#include "dec/surfaces/side_lengths.h"
 
 #include <fmt/format.h>
 

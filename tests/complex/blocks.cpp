@@ -3,6 +3,7 @@
 
 #include "complex/homology.h"
 #include "complex/merging.h"
+#include "complex/simplicial_complex.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"
 #include "tests/support/hand_made.h"

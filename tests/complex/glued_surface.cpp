@@ -2,7 +2,6 @@
 #include "complex/surfaces/glued_surface.h"
 
 #include "complex/homology.h"
-#include "complex/surfaces/merged_surface.h"
 #include "complex/surfaces/normal_coordinates.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
@@ -100,22 +99,6 @@ TEST_P(GluedSurfaces, turning_all_triangles_turns_the_signs_of_d_1) {
         surface.reverse(t);
     expect_valid(surface);
     EXPECT_TRUE(equal(integers(cell_complex(surface).coboundary(1)), -before));
-}
-
-TEST_P(GluedSurfaces, merge_to_polygons_of_the_same_topology_whatever_edges_are_taken) {
-    const auto& K = mesh().K();
-    const GluedSurface surface(K);
-    for (const Index every : {1, 2, 3}) {
-        std::vector<Index> edges;
-        for (Index e = 0; e < surface.edges(); e += every)
-            edges.push_back(e);
-        const MergedSurface merging = merge_triangles(surface, edges);
-        const auto& P = merging.merged;
-        EXPECT_EQ(betti_numbers(P), betti_numbers(K)) << "every " << every;
-        for (int k = 0; k < 2; ++k) // dia d = d^P dia
-            EXPECT_TRUE(equal(integers(merging.diamonds[k + 1]) * integers(K.coboundary(k)),
-                              integers(P.coboundary(k)) * integers(merging.diamonds[k])));
-    }
 }
 
 TEST_P(GluedSurfaces, strands_are_the_edges_one_began_with) {

@@ -2,7 +2,6 @@
 #include "complex/components.h"
 #include "complex/homology.h"
 #include "complex/relative.h"
-#include "complex/surfaces/merged_surface.h"
 #include "tests/support/glued.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/merged.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/boundary_conditions.h"
 
-#include "complex/surfaces/merged_surface.h"
 #include "dec/discretization.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"

@@ -4,8 +4,9 @@
 #include "dec/fields/transfer.h"
 #include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
+#include "dec/merging/lift.h"
 #include "dec/metric/circumcentric_volumes.h"
-#include "dec/surfaces/glued_volumes.h"
+#include "dec/surfaces/side_lengths.h"
 #include "meshes/generate.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"
@@ -27,6 +28,14 @@ constexpr double rounding = 1e-12;
 
 Discretization flipped(const Mesh& mesh, Delaunay delaunay, double tolerance = 1e-4) {
     return discretize(mesh, {.tolerance = tolerance, .delaunay = delaunay});
+}
+
+/// A primal form of the input on the polygons, and back.
+Vector carry(const Discretization& mesh, int k, const Vector& values) {
+    return to_merged(mesh, {Side::primal, k, values}).values;
+}
+Vector carry_back(const Discretization& mesh, int k, const Vector& values) {
+    return to_input(mesh, {Side::primal, k, values}).values;
 }
 
 /// Entries of star_1, by the number of polygons at the edge.
@@ -63,7 +72,7 @@ protected:
 
 TEST_P(Flipped, have_positive_stars_inside_and_vertices_off_negative_boundary) {
     const auto mesh = flipped(this->mesh(), Delaunay::flips);
-    EXPECT_EQ(mesh.intrinsic->delaunay.statistics.negative_interior, 0);
+    EXPECT_EQ(mesh.passage.flips().statistics.negative_interior, 0);
     const Vector star_1 = star(mesh.volumes, 1);
     std::vector<bool> beside(static_cast<std::size_t>(mesh.complex().size(0)), false);
     for (Index e = 0; e < star_1.size(); ++e) {
@@ -103,7 +112,7 @@ TEST_P(Flipped, have_positive_stars_everywhere_after_splits) {
     for (int k = 0; k <= 2; ++k)
         EXPECT_GT(star(mesh.volumes, k).minCoeff(), 0) << "degree " << k;
     EXPECT_EQ(betti_numbers(mesh.complex()), betti_numbers(mesh.input()));
-    const auto& done = mesh.intrinsic->delaunay.statistics;
+    const auto& done = mesh.passage.flips().statistics;
     EXPECT_EQ(mesh.complex().size(0), mesh.input().size(0) + done.splits);
     EXPECT_EQ(done.negative_boundary, 0);
 }
@@ -111,30 +120,31 @@ TEST_P(Flipped, have_positive_stars_everywhere_after_splits) {
 TEST_P(Flipped, carry_forms_there_and_back_by_maps_that_commute_with_d) {
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto mesh = flipped(this->mesh(), delaunay);
-        const auto& T = *mesh.intrinsic;
-        const auto lift = commuting_lift(T);
+        const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
         for (int k = 0; k < 2; ++k) {
             const SparseMatrix d = mesh.input().coboundary(k).cast<double>();
             const SparseMatrix d_P = mesh.complex().coboundary(k).cast<double>();
             const Vector w = random_vector(mesh.input().size(k), 3);
-            EXPECT_LT(relative_difference(carry(T, k + 1, d * w), d_P * carry(T, k, w)), rounding);
-            const Vector x = random_vector(mesh.complex().size(k), 4);
-            EXPECT_LT(relative_difference(carry_back(T, k + 1, d_P * x), d * carry_back(T, k, x)),
+            EXPECT_LT(relative_difference(carry(mesh, k + 1, d * w), d_P * carry(mesh, k, w)),
                       rounding);
-            const SparseMatrix d_T = cell_complex(T.surface()).coboundary(k).cast<double>();
+            const Vector x = random_vector(mesh.complex().size(k), 4);
+            EXPECT_LT(
+                relative_difference(carry_back(mesh, k + 1, d_P * x), d * carry_back(mesh, k, x)),
+                rounding);
+            const SparseMatrix d_T = mesh.pieces().coboundary(k).cast<double>();
             EXPECT_LT(relative_difference(SparseMatrix(d_T * lift[k]), lift[k + 1] * d_P),
                       rounding);
         }
         for (int k = 0; k <= 2; ++k) {
-            const SparseMatrix pieces = T.merging.diamonds[k].cast<double>();
+            const SparseMatrix pieces = mesh.merging.diamond(k).cast<double>();
             SparseMatrix identity(pieces.rows(), pieces.rows());
             identity.setIdentity();
             EXPECT_LT(relative_difference(SparseMatrix(pieces * lift[k]), identity), rounding);
-            const auto& history = T.delaunay.history;
             const Vector w = random_vector(mesh.input().size(k), 5);
-            EXPECT_LT(relative_difference(history.matrix(k) * w, history.carry(k, w)), rounding);
-            const Vector x = random_vector(T.merging.diamonds[k].cols(), 6);
-            EXPECT_LT(relative_difference(history.matrix_back(k) * x, history.carry_back(k, x)),
+            EXPECT_LT(relative_difference(mesh.passage.matrix(k) * w, mesh.passage.forth(k, w)),
+                      rounding);
+            const Vector x = random_vector(mesh.pieces().size(k), 6);
+            EXPECT_LT(relative_difference(mesh.passage.matrix_back(k) * x, mesh.passage.back(k, x)),
                       rounding);
         }
     }
@@ -142,14 +152,13 @@ TEST_P(Flipped, carry_forms_there_and_back_by_maps_that_commute_with_d) {
 
 TEST_P(Flipped, give_functions_and_their_derivatives_back_unchanged) {
     const auto mesh = flipped(this->mesh(), Delaunay::flips_and_splits);
-    const auto& T = *mesh.intrinsic;
     const Vector u = random_vector(mesh.input().size(0), 8);
-    EXPECT_LT(relative_difference(carry_back(T, 0, carry(T, 0, u)), u), rounding);
+    EXPECT_LT(relative_difference(carry_back(mesh, 0, carry(mesh, 0, u)), u), rounding);
     const Vector du = mesh.input().coboundary(0).cast<double>() * u;
-    EXPECT_LT(relative_difference(carry_back(T, 1, carry(T, 1, du)), du), rounding);
+    EXPECT_LT(relative_difference(carry_back(mesh, 1, carry(mesh, 1, du)), du), rounding);
     const Vector areas = random_vector(mesh.input().size(2), 9).cwiseAbs();
     if (mesh.input().orientable()) { // else values of turned neighbors cancel
-        EXPECT_NEAR(T.delaunay.history.carry(2, areas).sum(), areas.sum(), rounding * areas.sum());
+        EXPECT_NEAR(mesh.passage.forth(2, areas).sum(), areas.sum(), rounding * areas.sum());
     }
 }
 
@@ -182,8 +191,7 @@ TEST_P(Flipped, do_not_depend_on_scale) {
         other.points *= scale;
         for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
             const auto a = flipped(input, delaunay), b = flipped(other, delaunay);
-            EXPECT_EQ(b.intrinsic->delaunay.statistics.splits,
-                      a.intrinsic->delaunay.statistics.splits);
+            EXPECT_EQ(b.passage.flips().statistics.splits, a.passage.flips().statistics.splits);
             for (const Index cofaces : {1, 2})
                 expect_near(stars_of_edges(b, cofaces), stars_of_edges(a, cofaces), 1e-9);
         }
@@ -195,7 +203,10 @@ TEST_P(Flipped, have_volumes_of_their_simplices_before_any_flip) {
     const SimplicialComplex K(input.simplices);
     const auto expected = circumcentric_volumes(K, input.points);
     const GluedSurface surface(K);
-    const auto found = circumcentric_volumes(surface, expected.primal(1));
+    std::vector<Index> names(static_cast<std::size_t>(K.size(0)));
+    std::iota(names.begin(), names.end(), 0);
+    const Pieces pieces = in_order(surface, names).pieces;
+    const auto found = circumcentric_volumes(pieces, {pieces, expected.primal(1)});
     // an error of the lengths in the last digit is multiplied by the square of the sum of
     // cotangents
     double shape = 0;
@@ -261,11 +272,11 @@ TEST(IntrinsicDelaunay, gives_needles_and_coinciding_points_some_area) {
     mesh.points.row(mesh.simplices(100, 0)) =          // a needle
         (mesh.points.row(mesh.simplices(100, 1)) + mesh.points.row(mesh.simplices(100, 2))) / 2;
     const auto result = flipped(mesh, Delaunay::flips);
-    EXPECT_GT(result.intrinsic->delaunay.statistics.added_length, 0);
+    EXPECT_GT(result.passage.flips().statistics.added_length, 0);
     EXPECT_GT(star(result.volumes, 1).minCoeff(), 0);
     ASSERT_EQ(result.warnings.size(), 1u);
     EXPECT_EQ(result.warnings[0].substr(0, 31), "a triangle has nearly no area: ");
-    EXPECT_LT(result.intrinsic->delaunay.statistics.added_area, 1e-4);
+    EXPECT_LT(result.passage.flips().statistics.added_area, 1e-4);
     EXPECT_EQ(refusal([&] { discretize(mesh); }).substr(0, 5), "cell ");
 }
 
@@ -303,24 +314,15 @@ TEST(IntrinsicDelaunay, is_refused_where_it_makes_no_sense) {
 
 TEST(IntrinsicDelaunay, forms_of_another_size_or_degree_are_refused) {
     const auto mesh = flipped(mesh_named("icosphere3"), Delaunay::flips);
-    const auto& T = *mesh.intrinsic;
-    EXPECT_EQ(
-        refusal([&] { carry_back(T, 1, Vector::Zero(3)); }),
-        "3 values are given for a 1-form: the tessellation has 92 vertices, 270 edges and 180 "
-        "polygons");
+    EXPECT_EQ(refusal([&] { mesh.passage.back(1, Vector::Zero(3)); }),
+              "3 values on 1-cells are given: expected 270");
     const std::string first = ": the first surface has 92 vertices, 270 edges and 180 triangles";
-    EXPECT_EQ(refusal([&] { T.delaunay.history.carry(0, Vector::Zero(3)); }),
+    EXPECT_EQ(refusal([&] { mesh.passage.forth(0, Vector::Zero(3)); }),
               "3 values are given for a 0-form" + first);
-    EXPECT_EQ(refusal([&] { T.delaunay.history.matrix(3); }),
-              "0 values are given for a 3-form" + first);
-}
-
-TEST(IntrinsicDelaunay, what_needs_cells_in_space_says_so) {
-    const auto mesh = flipped(mesh_named("icosphere3"), Delaunay::flips);
-    const Cochain form{Side::dual, 1, Vector::Zero(mesh.complex().size(1))};
-    EXPECT_EQ(refusal([&] { to_input(mesh, form); }),
-              "a dual form of this degree on the input's triangles cannot be had after intrinsic "
-              "flips: the cells are no longer made of the input's triangles; do without the flips");
+    EXPECT_EQ(refusal([&] { mesh.passage.matrix(3); }), "0 values are given for a 3-form" + first);
+    EXPECT_EQ(refusal([] { discretize(mesh_named("icosphere3")).passage.flips(); }),
+              "what edges were flipped is asked for, but no edges were flipped: take "
+              "MergeOptions::delaunay");
 }
 
 } // namespace

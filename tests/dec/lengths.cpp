@@ -322,9 +322,8 @@ TEST(LengthsOf, simplices_that_none_has_are_refused_in_the_least_dimension) {
               "the lengths of 2-simplex 2 with vertices 3, 5, 6 violate the triangle inequality: "
               "2.5 is more than 1 + 1; correct the lengths");
     EXPECT_EQ(refused(2, {1, 2, 1}),
-              "the lengths of 2-simplex 0 with vertices 3, 4, 5, 1, 1 and 2, leave it a height "
-              "below 1e-7 of them: what its area is hangs on their last digits; correct the "
-              "lengths");
+              "the lengths of 2-simplex 0 with vertices 3, 4, 5, 1, 1 and 2, leave it no area; "
+              "correct the lengths");
     // all triangles exist; two of them unfolded end less than 1.9 apart
     EXPECT_EQ(refused(3, {1, 1, 1, 1, 1, 1.9}),
               "the lengths of 3-simplex 0 with vertices 3, 4, 5, 6 leave it no volume: the "

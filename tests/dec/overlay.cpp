@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/overlay.h"
+#include "dec/surfaces/overlay.h"
 
 #include "dec/fields/transfer.h"
 #include "dec/surfaces/strand_places.h"
@@ -35,9 +35,9 @@ Vector sums(const std::vector<Index>& groups, const Vector& values, Eigen::Index
 TEST_P(Overlays, cut_both_triangulations_into_the_same_pieces) {
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto mesh = this->mesh(delaunay);
-        const Overlay pieces = overlay(mesh);
+        const Overlay pieces = overlay(mesh.passage, mesh.points);
         const Vector& input = mesh.input_volumes.primal(2);
-        const Vector& flipped = mesh.intrinsic->triangle_volumes.primal(2);
+        const Vector& flipped = mesh.piece_volumes.primal(2);
         EXPECT_LT(relative_difference(sums(pieces.input, pieces.areas, input.size()), input), 1e-9);
         EXPECT_LT(relative_difference(sums(pieces.triangle, pieces.areas, flipped.size()), flipped),
                   1e-9);
@@ -46,7 +46,7 @@ TEST_P(Overlays, cut_both_triangulations_into_the_same_pieces) {
 
 TEST_P(Overlays, have_strands_whose_crossings_ascend) {
     const auto mesh = this->mesh();
-    const auto& T = mesh.intrinsic->delaunay;
+    const auto& T = mesh.passage.flips();
     const Strands strands = trace(T.surface, T.crossings);
     const auto places = strand_places(T.surface, T.lengths, strands);
     for (std::size_t s = 0; s < strands.ends.size(); ++s)
@@ -78,14 +78,15 @@ TEST_P(Overlays, bring_functions_of_cells_back_with_the_signs_that_flips_give) {
         discretize(input, {.criterion = MergeCriterion::none, .delaunay = Delaunay::flips});
     for (Index t = 0; t < mesh.complex().size(2); ++t) {
         const Vector one = Vector::Unit(mesh.complex().size(2), t);
-        const Vector by_flips = carry_back(*mesh.intrinsic, 2, one);
+        const Vector by_flips =
+            mesh.passage.back(2, mesh.merging.diamond(2).cast<double>().transpose() * one);
         EXPECT_GT(by_flips.dot(to_input(mesh, {Side::dual, 0, one}).values), 0) << "triangle " << t;
     }
 }
 
 TEST_P(Overlays, know_what_crosses_by_integers_that_one_missed_flip_spoils) {
     const auto mesh = this->mesh(Delaunay::flips);
-    const auto& T = mesh.intrinsic->delaunay;
+    const auto& T = mesh.passage.flips();
     if (T.statistics.flips == 0)
         return;
     const NormalCoordinates ignorant(T.surface);
@@ -95,9 +96,13 @@ TEST_P(Overlays, know_what_crosses_by_integers_that_one_missed_flip_spoils) {
 INSTANTIATE_TEST_SUITE_P(Family, Overlays, testing::ValuesIn(names_of_surfaces()), parameter_name);
 
 TEST(Overlay, is_refused_without_flips) {
-    EXPECT_EQ(refusal([] { overlay(discretize(grid(2, 2))); }),
-              "an overlay is of the input's triangles and those after flips, but no edges were "
-              "flipped: ask for it by MergeOptions::delaunay");
+    EXPECT_EQ(
+        refusal([] {
+            const auto mesh = discretize(grid(2, 2));
+            overlay(mesh.passage, mesh.points);
+        }),
+        "an overlay of the input's triangles and those after flips is asked for, but no edges "
+        "were flipped: take MergeOptions::delaunay");
 }
 
 } // namespace

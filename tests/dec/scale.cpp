@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/discretization.h"
 #include "dec/forms/star.h"
-#include "dec/surfaces/glued_volumes.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/glued.h"
@@ -128,13 +127,6 @@ TEST(MixedSizes, are_right_or_refused_by_name) {
               "the 1-simplex with vertices 2, 3 has edges of about 1e-150 and volume 1e-150: "
               "products of such numbers are none; scale the mesh to a size nearer to 1, or leave "
               "out what is so much smaller");
-}
-
-TEST(MixedSizes, of_glued_triangles_are_refused_by_name) {
-    const GluedSurface surface(SimplicialComplex(grid(1, 1).simplices));
-    EXPECT_EQ(refusal([&] { circumcentric_volumes(surface, Vector::Constant(5, 1e-90)); }),
-              "edge 0 from vertex 0 to 1 has length 1e-90: measure the surface in units nearer to "
-              "it, or leave out what is so much smaller than the rest");
 }
 
 } // namespace

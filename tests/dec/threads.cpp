@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Results are the same to the last bit for any number of threads.
+#include "complex/simplicial_complex.h"
 #include "dec/forms/apply.h"
 #include "dec/forms/laplacian.h"
 #include "dec/merging/merge.h"

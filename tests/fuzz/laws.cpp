@@ -76,7 +76,7 @@ void require_laws(const Discretization& mesh) {
             "merging keeps the topology");
     require_volumes(mesh.complex(), mesh.volumes);
     require_facts(mesh);
-    if (mesh.intrinsic)
+    if (!mesh.passage.is_identity())
         return;
     require_volumes(mesh.input(), mesh.input_volumes);
     require_duals_that_fill(mesh.input_volumes);

@@ -172,24 +172,19 @@ std::vector<Door> doors_of_forms(const Sample& s) {
 }
 
 std::vector<Door> doors_of_flips() {
-    const auto& tessellation = *flipped().intrinsic;
-    const auto& history = tessellation.delaunay.history;
-    const auto& surface = tessellation.surface();
-    const auto size = [&](int k) {
-        return k == 0 ? surface.vertices() : k == 1 ? surface.edges() : surface.triangles();
-    };
+    const auto& passage = flipped().passage;
+    const auto& history = passage.flips().history;
+    const auto size = [&](int k) { return passage.pieces().size(k); };
     return {
         {"FlipHistory::carry", 0, 2, [&, size](int k) { history.carry(k, Vector::Ones(size(k))); }},
         {"FlipHistory::carry_back", 0, 2,
          [&, size](int k) { history.carry_back(k, Vector::Ones(size(k))); }},
         {"FlipHistory::matrix", 0, 2, [&](int k) { history.matrix(k); }},
         {"FlipHistory::matrix_back", 0, 2, [&](int k) { history.matrix_back(k); }},
-        {"carry", 0, 2, [&, size](int k) { carry(tessellation, k, Vector::Ones(size(k))); }},
-        {"carry_back", 0, 2,
-         [&](int k) {
-             carry_back(tessellation, k, Vector::Ones(tessellation.merging.merged.size(k)));
-         }},
-        {"vertices", 0, 2, [&](int k) { vertices(surface, tessellation.merging, k, 0); }},
+        {"Passage::forth", 0, 2, [&, size](int k) { passage.forth(k, Vector::Ones(size(k))); }},
+        {"Passage::back", 0, 2, [&, size](int k) { passage.back(k, Vector::Ones(size(k))); }},
+        {"Passage::matrix", 0, 2, [&](int k) { passage.matrix(k); }},
+        {"Passage::matrix_back", 0, 2, [&](int k) { passage.matrix_back(k); }},
     };
 }
 

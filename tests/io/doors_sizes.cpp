@@ -35,15 +35,6 @@ TEST(doors, a_cell_that_there_is_not_is_refused) {
             EXPECT_EQ(outcome([&] { corners(s.mesh.merging, cell); }), "refused");
         EXPECT_EQ(outcome([&] { geodesic_distance(s.mesh, std::vector<Index>{-1}); }), "refused");
     }
-    const auto& tessellation = *flipped().intrinsic;
-    for (int k = 0; k <= 2; ++k)
-        for (const Index cell : {-1, tessellation.merging.merged.size(k), Index(1) << 30})
-            EXPECT_EQ(
-                outcome([&] { vertices(tessellation.surface(), tessellation.merging, k, cell); }),
-                "refused");
-    for (const Index edge : {-1, tessellation.surface().edges(), Index(1) << 30})
-        EXPECT_EQ(outcome([&] { merge_triangles(tessellation.surface(), std::span(&edge, 1)); }),
-                  "refused");
 }
 
 TEST(doors, values_of_another_number_than_the_cells_are_refused) {

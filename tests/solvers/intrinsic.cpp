@@ -73,7 +73,7 @@ TEST(OnSurfacesAsTheyAre, forms_have_no_mass_where_duals_are_negative) {
 /// given, on a square of bad triangles after flips.
 double error_in_the_plane(Side side, const std::function<double(double, double)>& u, double f) {
     const auto mesh = flipped(perturbed(grid(9, 9), 0.04, 3));
-    EXPECT_GT(mesh.intrinsic->delaunay.statistics.flips, 0);
+    EXPECT_GT(mesh.passage.flips().statistics.flips, 0);
     PoissonSolver solver(mesh, {.side = side});
     const auto at = [&](const Points& sites) {
         Vector values(sites.rows());
@@ -90,6 +90,22 @@ TEST(PoissonOnFlippedSquare, gives_linear_functions_back_on_both_sides) {
     const auto linear = [](double x, double y) { return 1 + 2 * x - 3 * y; };
     EXPECT_LT(error_in_the_plane(Side::primal, linear, 0), 1e-11);
     EXPECT_LT(error_in_the_plane(Side::dual, linear, 0), 1e-11);
+}
+
+TEST(PoissonOnFlippedSquare, takes_a_conductivity_for_each_polygon) {
+    const auto mesh = flipped(perturbed(grid(9, 9), 0.04, 3));
+    const auto solve = [&](Side side, const Vector& conductivity) {
+        PoissonSolver solver(mesh, {.side = side, .conductivity = conductivity});
+        const Vector boundary = solver.boundary_sites().col(0);
+        return solver.solve(Vector::Zero(solver.sites().rows()), boundary);
+    };
+    const Vector ones = Vector::Ones(mesh.complex().size(2));
+    const Vector any = ones + 0.9 * random_vector(mesh.complex().size(2), 4);
+    for (const Side side : {Side::primal, Side::dual}) {
+        const Vector linear = solve(side, {});
+        EXPECT_LT(relative_difference(solve(side, 3 * ones), linear), 1e-11);
+        EXPECT_GT(relative_difference(solve(side, any), linear), 1e-3);
+    }
 }
 
 TEST(PoissonOnFlippedSquare, gives_others_back_but_for_the_size_of_triangles) {

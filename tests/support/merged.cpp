@@ -11,11 +11,11 @@
 namespace polydec::test {
 
 Merged make_merged(const Mesh& mesh, const MergeOptions& options) {
-    SimplicialComplex complex(mesh.simplices);
+    const SimplicialComplex complex(mesh.simplices);
     const auto volumes = circumcentric_volumes(complex, mesh.points);
-    auto result = merge_cospherical(std::move(complex), mesh.points, volumes, options);
+    auto result = merge_cospherical(complex, mesh.points, volumes, options);
     auto merged = merged_volumes(result.merging, volumes);
-    return {mesh.points, volumes, std::move(result), std::move(merged)};
+    return {mesh.points, complex, volumes, std::move(result), std::move(merged)};
 }
 
 const Merged& merged(const std::string& name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "complex/simplicial_complex.h"
 #include "dec/merging/merge.h"
 #include "dec/metric/cell_volumes.h"
 #include "meshes/mesh.h"
@@ -13,12 +14,13 @@ namespace polydec::test {
 /// A mesh with its complex K, the merged complex P, and the volumes of both.
 struct Merged {
     Points points;
+    SimplicialComplex complex;
     CellVolumes input_volumes;
     CosphericalMerging result;
     CellVolumes volumes;
 
     const Merging& merging() const { return result.merging; }
-    const SimplicialComplex& K() const { return result.merging.input(); }
+    const SimplicialComplex& K() const { return complex; }
     const CellComplex& P() const { return result.merging.merged(); }
     int n() const { return K().dimension(); }
 };

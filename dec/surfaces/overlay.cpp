@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dec/overlay.h"
+#include "dec/surfaces/overlay.h"
 
 #include "base/errors.h"
 #include "dec/metric/simplex_metric.h"
@@ -18,14 +18,15 @@ using Polygon = std::vector<Index>; // numbers of points
 /// Cuts the flipped triangles along the edges of the input.
 class Cutter {
 public:
-    explicit Cutter(const Discretization& mesh)
-        : mesh_(mesh),
-          K_(mesh.input()),
-          surface_(mesh.intrinsic->surface()),
-          coordinates_(mesh.intrinsic->delaunay.crossings),
-          new_vertices_(mesh.intrinsic->delaunay.history.edges_of_new_vertices()) {
-        first_crossing_.push_back(static_cast<Index>(mesh.points.rows()) +
-                                  static_cast<Index>(new_vertices_.size()));
+    Cutter(const Passage& passage, const IntrinsicDelaunay& flips, const Points& points)
+        : K_(passage.input()),
+          names_(passage.pieces().simplices(0)),
+          points_(points),
+          lengths_(flips.lengths),
+          surface_(flips.surface),
+          coordinates_(flips.crossings),
+          new_vertices_(flips.history.edges_of_new_vertices()) {
+        first_crossing_.push_back(static_cast<Index>(points.rows()));
         for (Index e = 0; e < surface_.edges(); ++e)
             first_crossing_.push_back(first_crossing_.back() + coordinates_.crossings(e));
     }
@@ -47,10 +48,7 @@ private:
     void add(const Polygon& polygon, Index t);
     std::optional<Index> input_triangle(const Polygon& polygon) const;
 
-    Index point_of_vertex(Index v) const {
-        return v < K_.size(0) ? K_.simplices(0)(v, 0)
-                              : static_cast<Index>(mesh_.points.rows()) + v - K_.size(0);
-    }
+    Index point_of_vertex(Index v) const { return names_(v, 0); }
 
     /// The crossing of this number on a half-edge, counted from its tail.
     Index point_on(Index halfedge, Index position) const {
@@ -64,8 +62,10 @@ private:
         return point_on(h, coordinates_.crossings(surface_.edge(h)) - 1 - position);
     }
 
-    const Discretization& mesh_;
     const SimplicialComplex& K_;
+    const Simplices& names_; // of vertices: their points
+    const Points& points_;
+    const Vector& lengths_;
     const GluedSurface& surface_;
     const NormalCoordinates& coordinates_;
     std::vector<std::array<Index, 2>> new_vertices_;
@@ -76,30 +76,26 @@ private:
 };
 
 void Cutter::place_points() {
-    const auto& points = mesh_.points;
-    const auto known = static_cast<Index>(points.rows());
-    const Points vertices = vertex_points(mesh_);
     result_.offsets.push_back(0);
-    result_.points.resize(first_crossing_.back(), points.cols());
-    result_.points.topRows(known) = points;
+    result_.points.resize(first_crossing_.back(), points_.cols());
+    result_.points.topRows(points_.rows()) = points_;
     ends_by_point_.assign(static_cast<std::size_t>(first_crossing_.back()), {-1, -1});
     for (Index v = 0; v < surface_.vertices(); ++v) {
         const Index point = point_of_vertex(v);
-        result_.points.row(point) = vertices.row(v);
         ends_by_point_[point] = {v, v};
         if (v >= K_.size(0))
             ends_by_point_[point] = new_vertices_[v - K_.size(0)];
     }
 
     const Strands strands = trace(surface_, coordinates_);
-    const auto places = strand_places(surface_, mesh_.intrinsic->delaunay.lengths, strands);
+    const auto places = strand_places(surface_, lengths_, strands);
     for (std::size_t s = 0; s < strands.ends.size(); ++s) {
         const Index a = surface_.tail(strands.ends[s][0]), b = surface_.tail(strands.ends[s][1]);
         for (std::size_t c = strands.offsets[s]; c < strands.offsets[s + 1]; ++c) {
             const Index point =
                 point_on(strands.crossings[c].halfedge, strands.crossings[c].position);
-            result_.points.row(point) =
-                (1 - places[c]) * vertices.row(a) + places[c] * vertices.row(b);
+            result_.points.row(point) = (1 - places[c]) * points_.row(point_of_vertex(a)) +
+                                        places[c] * points_.row(point_of_vertex(b));
             ends_by_point_[point] = {a, b};
         }
     }
@@ -210,12 +206,10 @@ void Cutter::add(const Polygon& polygon, Index t) {
 
 } // namespace
 
-Overlay overlay(const Discretization& discretization) {
-    if (!discretization.intrinsic)
-        throw InvalidInput("an overlay is of the input's triangles and those after flips, but no "
-                           "edges were flipped: ask for it by MergeOptions::delaunay");
-    require_points(discretization.points.cols(), "an overlay");
-    return Cutter(discretization).cut();
+Overlay overlay(const Passage& passage, const Points& points) {
+    const auto& flips = passage.flips("an overlay of the input's triangles and those after flips");
+    require_points(passage.pieces(), points, "an overlay");
+    return Cutter(passage, flips, points).cut();
 }
 
 } // namespace polydec

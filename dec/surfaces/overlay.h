@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/surfaces/passage.h"
 
 namespace polydec {
 
@@ -22,7 +22,9 @@ struct Overlay {
 /// Follows every edge of the input over the flipped triangles, by the normal coordinates, and lays
 /// the strips of triangles flat to find where it crosses their edges. Pieces without area that
 /// rounding leaves are dropped. Time of the order of all crossings, and log(triangles) for each.
-/// Throws InvalidInput if no edges were flipped, that is, without MergeOptions::delaunay.
-Overlay overlay(const Discretization& discretization);
+/// points are those of the input and behind them those of vertices that splits have made, as
+/// Discretization has them. Throws InvalidInput if no edges were flipped, that is, without
+/// MergeOptions::delaunay.
+Overlay overlay(const Passage& passage, const Points& points);
 
 } // namespace polydec

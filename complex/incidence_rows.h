@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/cell_complex.h"
+
+namespace polydec {
+
+/// Writes a coboundary d_k row by row, from the sides of cells in any order.
+class IncidenceRows {
+public:
+    /// For so many (k+1)-cells and k-cells; `expected` entries are made room for.
+    IncidenceRows(Index cells, Index faces, std::size_t expected);
+
+    /// A side of the next cell.
+    void add(Index face, int sign) {
+        ++counts_[face];
+        sides_.push_back({face, sign});
+    }
+
+    /// All sides of the next cell were added. Signs of equal faces add up; those that cancel are
+    /// noted, being a face that the cell has on both sides.
+    void end_cell();
+
+    /// What was written, after the last cell.
+    void finish(IncidenceMatrix& coboundary, std::vector<Index>& coface_counts,
+                std::vector<Incidence>& canceled);
+
+private:
+    struct Side {
+        Index face;
+        int sign;
+    };
+
+    std::vector<Index> columns_, ends_{0}, counts_;
+    std::vector<std::int8_t> signs_;
+    std::vector<Incidence> canceled_;
+    std::vector<Side> sides_; // of the cell that is being written
+    Index cells_;
+};
+
+} // namespace polydec

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "complex/pieces.h"
+
+#include "base/errors.h"
+#include "complex/incidence_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+using Faces = std::vector<Simplices>; // of degree k at k; none of degree 0
+
+void check_tables(const Faces& faces, std::size_t orientations, std::size_t vertices) {
+    if (faces.size() < 2)
+        throw InvalidInput("pieces need the faces of at least the 1-simplices");
+    for (std::size_t k = 1; k < faces.size(); ++k) {
+        const auto lower = k == 1 ? static_cast<Eigen::Index>(vertices) : faces[k - 1].rows();
+        check_as_many(fmt::format("faces of a {}-simplex", k), faces[k].cols(),
+                      static_cast<Index>(k) + 1);
+        for (Eigen::Index s = 0; s < faces[k].rows(); ++s)
+            for (std::size_t i = 0; i <= k; ++i)
+                if (const Index f = faces[k](s, static_cast<Eigen::Index>(i)); f < 0 || f >= lower)
+                    throw InvalidInput(fmt::format("face {} of {}-simplex {} is {}: expected a "
+                                                   "number from 0 to {}",
+                                                   i, k, s, f, lower - 1));
+    }
+    check_as_many("orientations", static_cast<Index>(orientations), faces.back().rows());
+}
+
+/// Face j of face i is face i of face j + 1, for i <= j: the same corners are lacking.
+void check_order(const Faces& faces) {
+    for (std::size_t k = 2; k < faces.size(); ++k)
+        for (Eigen::Index s = 0; s < faces[k].rows(); ++s)
+            for (std::size_t j = 0; j < k; ++j)
+                for (std::size_t i = 0; i <= j; ++i)
+                    if (faces[k - 1](faces[k](s, i), j) != faces[k - 1](faces[k](s, j + 1), i))
+                        throw InvalidInput(fmt::format(
+                            "the faces of {}-simplex {} that lack its corners {} and {} do not "
+                            "meet: expected faces whose corners are in the simplex's order",
+                            k, s, i, j + 1));
+}
+
+/// The corners of each simplex: all but the last are those of the face without it, the last is that
+/// of the face without the first.
+Faces corners_of(const Faces& faces, const std::vector<Index>& vertices) {
+    Faces corners(faces.size());
+    corners[0] = Eigen::Map<const Simplices>(vertices.data(), Eigen::Index(vertices.size()), 1);
+    for (std::size_t k = 1; k < faces.size(); ++k) {
+        const auto width = static_cast<Eigen::Index>(k);
+        corners[k].resize(faces[k].rows(), width + 1);
+        for (Eigen::Index s = 0; s < faces[k].rows(); ++s) {
+            corners[k].row(s).head(width) = corners[k - 1].row(faces[k](s, width));
+            corners[k](s, width) = corners[k - 1](faces[k](s, 0), width - 1);
+        }
+    }
+    return corners;
+}
+
+} // namespace
+
+Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
+                           std::vector<Index> vertices) {
+    faces.insert(faces.begin(), Simplices());
+    check_tables(faces, orientations.size(), vertices.size());
+    check_order(faces);
+    const auto n = static_cast<int>(faces.size()) - 1;
+    std::vector<IncidenceMatrix> coboundaries(n);
+    std::vector<std::vector<Index>> counts(n);
+    std::vector<std::vector<Incidence>> canceled(n);
+    for (int k = 1; k <= n; ++k) {
+        const auto lower =
+            k == 1 ? static_cast<Index>(vertices.size()) : static_cast<Index>(faces[k - 1].rows());
+        IncidenceRows rows(static_cast<Index>(faces[k].rows()), lower,
+                           static_cast<std::size_t>(faces[k].size()));
+        for (Index s = 0; s < faces[k].rows(); ++s) {
+            const int own = k == n ? orientations[s] : 1;
+            for (int i = 0; i <= k; ++i)
+                rows.add(faces[k](s, i), i % 2 == 0 ? own : -own);
+            rows.end_cell();
+        }
+        rows.finish(coboundaries[k - 1], counts[k - 1], canceled[k - 1]);
+    }
+
+    std::vector<int> sums(counts[n - 1].size(), 0);
+    for (Index t = 0; t < faces[n].rows(); ++t)
+        for (int i = 0; i <= n; ++i)
+            sums[faces[n](t, i)] += i % 2 == 0 ? orientations[t] : -orientations[t];
+    auto parts = std::make_shared<Parts>();
+    for (std::size_t f = 0; f < sums.size(); ++f)
+        parts->orientable = parts->orientable && (counts[n - 1][f] != 2 || sums[f] == 0);
+    parts->simplices = corners_of(faces, vertices);
+    parts->faces = std::move(faces);
+    parts->orientations = std::move(orientations);
+    return {
+        CellComplex(Unchecked{}, std::move(coboundaries), std::move(counts), std::move(canceled)),
+        std::move(parts)};
+}
+
+Pieces::Pieces(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
+               std::vector<Index> vertices)
+    : Pieces(glue(std::move(faces), std::move(orientations), std::move(vertices))) {}
+
+Pieces::Pieces(Glued glued) : CellComplex(glued.cells), parts_(std::move(glued.parts)) {}
+
+Pieces::Pieces(Unchecked, CellComplex cells, std::vector<Simplices> simplices,
+               std::vector<std::int8_t> orientations, bool orientable)
+    : CellComplex(cells),
+      parts_(std::make_shared<Parts>(
+          Parts{std::move(simplices), {}, std::move(orientations), orientable})) {}
+
+Cofaces::Cofaces(const Pieces& pieces, int k) {
+    const auto& counts = pieces.coface_counts(k - 1);
+    begins_.assign(counts.size() + 1, 0);
+    std::partial_sum(counts.begin(), counts.end(), begins_.begin() + 1);
+    cofaces_.resize(static_cast<std::size_t>(begins_.back()));
+    const FaceTable faces = pieces.faces(k);
+    std::vector<Index> next(begins_.begin(), begins_.end() - 1);
+    for (Index t = 0; t < pieces.size(k); ++t)
+        for (int i = k; i >= 0; --i)
+            cofaces_[next[faces(t, i)]++] = {t, i};
+}
+
+} // namespace polydec

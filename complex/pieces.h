@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/cell_complex.h"
+
+#include <span>
+
+namespace polydec {
+
+/// The faces of k-simplices, as they are read in innermost loops: nothing is checked.
+class FaceTable {
+public:
+    FaceTable(const Index* faces, int k, bool last_first)
+        : faces_(faces + (last_first ? k : 0)), width_(k + 1), step_(last_first ? -1 : 1) {}
+
+    /// The face of simplex s that lacks its corner number `omitted`.
+    Index operator()(Index s, int omitted) const {
+        return faces_[std::ptrdiff_t(s) * width_ + std::ptrdiff_t(step_) * omitted];
+    }
+
+private:
+    const Index* faces_;
+    int width_, step_;
+};
+
+/// Ordered simplices glued along their faces in any way: what is measured and merged. The corners
+/// of every simplex are in order, and its faces keep that order: an ordered Delta-complex. So a
+/// face that lacks corner i has the sign (-1)^i. Several simplices may have the same corners, an
+/// edge may be a loop, and a simplex may have a face twice; a simplicial complex is the case in
+/// which none of this happens. Source: Hatcher, Algebraic Topology, section 2.1.
+///
+/// k-simplices, k < n, are oriented by the order of their corners, n-simplices have an orientation
+/// of their own against it. Where loops can be, walk the faces and not the rows of d_k, in which
+/// a face that is met twice may cancel. A handle, as every CellComplex.
+class Pieces : public CellComplex {
+public:
+    /// Glues: faces[k - 1], k = 1..n, has a row for each k-simplex and in column i the face that
+    /// lacks corner i; vertices[v] is the number by which messages and files name 0-simplex v.
+    /// Orientations of the n-simplices, 1 or -1, count as coherent if they are so across every
+    /// facet with two cofaces. Linear time but for the ordering of each simplex's faces.
+    /// Throws InvalidInput, naming the simplex, for tables that do not fit or faces of faces that
+    /// do not agree.
+    Pieces(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
+           std::vector<Index> vertices);
+
+    /// For a maker of simplices in lexicographic order, whose faces stand in the rows of d_k with
+    /// the one that lacks the last corner first.
+    Pieces(Unchecked, CellComplex cells, std::vector<Simplices> simplices,
+           std::vector<std::int8_t> orientations, bool orientable);
+
+    /// The vertex numbers of the corners, in order: size(k) x (k+1). The rows of simplices(0) are
+    /// the vertices used.
+    const Simplices& simplices(int k) const& {
+        check_number("the table of simplices of degree", k, 0, dimension());
+        return parts_->simplices[k];
+    }
+    Simplices simplices(int k) && { return simplices(k); }
+
+    /// The faces of the k-simplices, k >= 1; valid as long as a handle on this complex is.
+    FaceTable faces(int k) const {
+        check_number("a face of a simplex of degree", k, 1, dimension());
+        const bool own = !parts_->faces.empty();
+        return {own ? parts_->faces[k].data() : coboundary(k - 1).innerIndexPtr(), k, !own};
+    }
+
+    /// The face of k-simplex s, k >= 1, that lacks its corner number `omitted`, 0..k. Read in
+    /// inner loops, so s and omitted are not checked.
+    Index face(int k, Index s, int omitted) const { return faces(k)(s, omitted); }
+
+    /// Orientation of n-simplex s against the order of its corners: 1 or -1.
+    int orientation(Index s) const {
+        check_number("the orientation of simplex", s, 0, size(dimension()) - 1);
+        return parts_->orientations[s];
+    }
+
+    /// The sign of the face of k-simplex s that lacks corner number `omitted`. Not checked.
+    int sign(int k, Index s, int omitted) const {
+        const int of_position = omitted % 2 == 0 ? 1 : -1;
+        return k == dimension() ? of_position * parts_->orientations[s] : of_position;
+    }
+
+    /// Whether the n-simplices are oriented coherently across facets with two cofaces.
+    bool orientable() const { return parts_->orientable; }
+
+private:
+    struct Parts {
+        std::vector<Simplices> simplices; // of degree k
+        std::vector<Simplices> faces;     // of degree k; empty: they are those of the coboundaries
+        std::vector<std::int8_t> orientations;
+        bool orientable = true;
+    };
+    struct Glued {
+        CellComplex cells;
+        std::shared_ptr<const Parts> parts;
+    };
+    explicit Pieces(Glued glued);
+    static Glued glue(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
+                      std::vector<Index> vertices);
+
+    std::shared_ptr<const Parts> parts_;
+};
+
+/// A simplex around one of its faces.
+struct Coface {
+    Index cell;
+    int omitted; ///< the corner of the cell that the face lacks
+};
+
+/// The k-simplices around each (k-1)-simplex, in ascending order, and as often as they meet it.
+class Cofaces {
+public:
+    Cofaces(const Pieces& pieces, int k);
+
+    std::span<const Coface> of(Index face) const {
+        return {cofaces_.data() + begins_[face], cofaces_.data() + begins_[face + 1]};
+    }
+
+private:
+    std::vector<Index> begins_;
+    std::vector<Coface> cofaces_;
+};
+
+} // namespace polydec

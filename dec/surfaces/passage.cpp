@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "dec/surfaces/passage.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+/// The vertices that splits have made are called by numbers behind those of the input's points.
+OrderedSurface ordered(const SimplicialComplex& input, const GluedSurface& surface,
+                       Index first_new_vertex) {
+    std::vector<Index> names(static_cast<std::size_t>(surface.vertices()));
+    std::iota(names.begin(), names.end(), first_new_vertex - input.size(0));
+    for (Index v = 0; v < input.size(0); ++v)
+        names[v] = input.simplices(0)(v, 0);
+    return in_order(surface, std::move(names));
+}
+
+} // namespace
+
+Passage::Passage(SimplicialComplex input) : input_(input), pieces_(input) {}
+
+Passage::Passage(SimplicialComplex input, IntrinsicDelaunay flips, Index first_new_vertex)
+    : Passage(input, ordered(input, flips.surface, first_new_vertex), std::move(flips)) {}
+
+Passage::Passage(SimplicialComplex input, OrderedSurface ordered, IntrinsicDelaunay&& flips)
+    : input_(input),
+      pieces_(ordered.pieces),
+      flipped_(std::make_shared<const Flipped>(
+          Flipped{std::move(flips), std::move(ordered.directions)})) {}
+
+const IntrinsicDelaunay& Passage::flips(std::string_view what) const& {
+    if (!flipped_)
+        throw InvalidInput(fmt::format("{} is asked for, but no edges were flipped: take "
+                                       "MergeOptions::delaunay",
+                                       what));
+    return flipped_->flips;
+}
+
+Vector Passage::turned(int k, Vector values) const {
+    return k == 1 ? Vector(flipped_->directions.cwiseProduct(values)) : values;
+}
+
+DenseMatrix Passage::forth(int k, const DenseMatrix& values) const {
+    if (!flipped_)
+        return values;
+    DenseMatrix result(pieces_.size(k), values.cols());
+    for (Eigen::Index c = 0; c < values.cols(); ++c)
+        result.col(c) = turned(k, flipped_->flips.history.carry(k, values.col(c)));
+    return result;
+}
+
+DenseMatrix Passage::back(int k, const DenseMatrix& values) const {
+    if (!flipped_)
+        return values;
+    check_as_many(fmt::format("values on {}-cells", k), values.rows(), pieces_.size(k));
+    DenseMatrix result(input_.size(k), values.cols());
+    for (Eigen::Index c = 0; c < values.cols(); ++c)
+        result.col(c) = flipped_->flips.history.carry_back(k, turned(k, values.col(c)));
+    return result;
+}
+
+SparseMatrix Passage::matrix(int k) const {
+    if (flipped_)
+        return turned(k, Vector::Ones(pieces_.size(k))).asDiagonal() *
+               flipped_->flips.history.matrix(k);
+    SparseMatrix identity(input_.size(k), input_.size(k));
+    identity.setIdentity();
+    return identity;
+}
+
+SparseMatrix Passage::matrix_back(int k) const {
+    if (flipped_)
+        return flipped_->flips.history.matrix_back(k) *
+               turned(k, Vector::Ones(pieces_.size(k))).asDiagonal();
+    return matrix(k);
+}
+
+} // namespace polydec

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "dec/surfaces/side_lengths.h"
+
+#include "base/errors.h"
+#include "dec/metric/triangle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+void check_lengths(const GluedSurface& surface, const Vector& lengths) {
+    if (lengths.size() != surface.edges())
+        throw InvalidInput(fmt::format("{} lengths are given for {} edges: expected one for each",
+                                       lengths.size(), surface.edges()));
+    for (Index e = 0; e < surface.edges(); ++e)
+        if (!(lengths[e] > 0 && std::isfinite(lengths[e])))
+            throw InvalidInput(fmt::format("edge {} from vertex {} to {} has length {}: expected a "
+                                           "positive number",
+                                           e, surface.first_vertex(e), surface.last_vertex(e),
+                                           lengths[e]));
+    for (Index t = 0; t < surface.triangles(); ++t) {
+        const auto [a, b, c] = side_lengths(surface, lengths, t);
+        const double longest = std::max({a, b, c});
+        if (!(triangle_area(a / longest, b / longest, c / longest) > 0))
+            throw InvalidInput(fmt::format(
+                "triangle {} with vertices {}, {}, {} has sides of lengths {}, {} and {}: no "
+                "triangle with an area has them",
+                t, surface.tail(3 * t), surface.tail(3 * t + 1), surface.tail(3 * t + 2), a, b, c));
+    }
+}
+
+std::array<double, 3> side_lengths(const GluedSurface& surface, const Vector& lengths,
+                                   Index triangle) {
+    return {lengths[surface.edge(3 * triangle)], lengths[surface.edge(3 * triangle + 1)],
+            lengths[surface.edge(3 * triangle + 2)]};
+}
+
+} // namespace polydec
