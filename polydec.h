@@ -49,6 +49,7 @@
 #include "dec/merging/merge.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/centers.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"

@@ -79,6 +79,10 @@ public:
         return k == dimension() ? of_position * parts_->orientations[s] : of_position;
     }
 
+    /// Whether these are the simplices of a simplicial complex, so that points at their corners say
+    /// all of them.
+    bool is_simplicial() const { return parts_->faces.empty(); }
+
     /// Whether the n-simplices are oriented coherently across facets with two cofaces.
     bool orientable() const { return parts_->orientable; }
 

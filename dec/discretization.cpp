@@ -103,6 +103,31 @@ void warn_of_flips(const IntrinsicStatistics& flips, double unit,
                                        flips.negative_interior));
 }
 
+/// Marks the facets between simplices of different tags.
+std::vector<bool> facets_between_tags(const SimplicialComplex& complex,
+                                      const std::vector<Index>& tags) {
+    const int n = complex.dimension();
+    std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
+    const Cofaces cofaces(complex, n);
+    for (Index f = 0; f < complex.size(n - 1); ++f)
+        for (const Coface& t : cofaces.of(f))
+            if (tags[complex.input_row(t.cell)] !=
+                tags[complex.input_row(cofaces.of(f).front().cell)])
+                marks[f] = true;
+    return marks;
+}
+
+/// The facets that are to stay; none where the mesh has no tags or they do not matter.
+std::vector<bool> staying_facets(const SimplicialComplex& complex, const std::vector<Index>& tags,
+                                 const MergeOptions& options) {
+    if (options.materials == Materials::join || tags.empty())
+        return {};
+    if (options.delaunay != Delaunay::off)
+        throw InvalidInput("materials are to be kept apart, but flips join triangles of different "
+                           "groups: do without one of them");
+    return facets_between_tags(complex, tags);
+}
+
 /// Flips and splits as the options say; lengths are those of the edges.
 IntrinsicDelaunay flipped(const SimplicialComplex& complex, Vector lengths,
                           const MergeOptions& options) {
@@ -133,8 +158,9 @@ Measured measure(const SimplicialComplex& complex, Mesh& mesh, const Vector& len
                  const MergeOptions& options) {
     const bool has_points = mesh.points.cols() > 0;
     if (options.delaunay == Delaunay::off) {
-        const auto volumes = circumcentric_volumes(
-            complex, has_points ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths));
+        const auto volumes = dual_volumes(
+            complex, has_points ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths),
+            options.centers);
         return {Passage(complex), volumes, volumes};
     }
     const Vector given = has_points ? edge_lengths(complex, mesh.points) : lengths;
@@ -143,9 +169,9 @@ Measured measure(const SimplicialComplex& complex, Mesh& mesh, const Vector& len
     const auto& flips = passage.flips();
     warn_of_flips(flips.statistics, unit, mesh.warnings);
     const Vector longer = given.array() + flips.statistics.added_length;
-    const auto of_input = circumcentric_volumes(complex, {complex, longer});
+    const auto of_input = dual_volumes(complex, {complex, longer}, options.centers);
     const auto of_pieces =
-        circumcentric_volumes(passage.pieces(), {passage.pieces(), flips.lengths});
+        dual_volumes(passage.pieces(), {passage.pieces(), flips.lengths}, options.centers);
     const auto known = mesh.points.rows();
     const auto made = passage.pieces().size(0) - complex.size(0);
     const Points on_complex = mesh.points(complex.simplices(0).col(0), Eigen::all);
@@ -157,10 +183,13 @@ Measured measure(const SimplicialComplex& complex, Mesh& mesh, const Vector& len
 /// Measures and merges; mesh holds whatever goes with the simplices, lengths are empty if it has
 /// points.
 Discretization measured(const SimplicialComplex& complex, Mesh mesh, Vector lengths, double unit,
-                        const MergeOptions& options, const Stage& stage) {
+                        MergeOptions options, const Stage& stage) {
+    if (!options.centers.are_circumcenters())
+        options.criterion = MergeCriterion::none;
     warn_of_orientation(complex, mesh.warnings);
     warn_of_branching(complex, mesh.warnings);
     warn_of_overlaps(complex, mesh.points, mesh.warnings);
+    const auto stays = staying_facets(complex, mesh.tags, options);
     begin(stage, "volumes");
     auto [passage, of_input, of_pieces] = measure(complex, mesh, lengths, unit, options);
     begin(stage, "merge");
@@ -168,7 +197,7 @@ Discretization measured(const SimplicialComplex& complex, Mesh mesh, Vector leng
     const SimplexMetric metric = flips ? SimplexMetric(passage.pieces(), passage.flips().lengths)
                                  : mesh.points.cols() > 0 ? SimplexMetric(mesh.points)
                                                           : SimplexMetric(complex, lengths);
-    auto merged = merge_cospherical(passage.pieces(), metric, of_pieces, options);
+    auto merged = merge_cospherical(passage.pieces(), metric, of_pieces, options, stays);
     const auto volumes = merged_volumes(merged.merging, of_pieces);
     if (flips && !mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");

@@ -56,8 +56,8 @@ Resistances resistances(const Discretization& discretization, const Vector& cond
     if (conductivity.size() == 0)
         return {discretization.volumes.dual(n - 1), discretization.volumes.terms(n - 1)};
     const auto& volumes = discretization.piece_volumes;
-    const SparseMatrix parts =
-        dual_parts(discretization.pieces(), discretization.metric(), volumes, n - 1, n);
+    const SparseMatrix parts = dual_parts(discretization.pieces(), discretization.metric(), volumes,
+                                          n - 1, n, discretization.options.centers);
     const SparseMatrix pieces = discretization.merging.diamond(n).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
     const SparseMatrix facets = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();

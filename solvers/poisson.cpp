@@ -99,8 +99,8 @@ Vector edge_weights(const Discretization& discretization, const Vector& conducti
     const auto& merging = discretization.merging;
     const auto& volumes = discretization.piece_volumes;
     const int n = discretization.dimension();
-    const SparseMatrix parts =
-        dual_parts(discretization.pieces(), discretization.metric(), volumes, 1, n);
+    const SparseMatrix parts = dual_parts(discretization.pieces(), discretization.metric(), volumes,
+                                          1, n, discretization.options.centers);
     const SparseMatrix pieces = merging.diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = merging.diamond(1).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity;
@@ -127,8 +127,9 @@ SparseMatrix shares_of_vertices(const Discretization& discretization, const Vect
     const int n = discretization.dimension();
     if (counts.isZero(0))
         return SparseMatrix(discretization.complex().size(0), counts.size());
-    const SparseMatrix parts = dual_parts(discretization.pieces(), discretization.metric(),
-                                          discretization.piece_volumes, 0, n - 1);
+    const SparseMatrix parts =
+        dual_parts(discretization.pieces(), discretization.metric(), discretization.piece_volumes,
+                   0, n - 1, discretization.options.centers);
     const SparseMatrix pieces = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
     const SparseMatrix shares = counts.asDiagonal() * pieces * parts;
     return shares.transpose();

@@ -51,11 +51,20 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
     auto* none = command.add_flag("!--no-merge", arguments.merge, "merge nothing");
     none->excludes(tolerance)->excludes(angle);
     command
+        .add_option("--centers", arguments.centers,
+                    "where dual cells have their corners: circumcenters, or centroids,\n"
+                    "which make every dual positive but are less exact (nothing merges)")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"circumcenters", "centroids"}));
+    auto* groups = command.add_flag("--keep-groups", arguments.keep_groups,
+                                    "merge no cells of different physical groups");
+    command
         .add_flag("--delaunay{flips}", arguments.delaunay,
                   "flip edges of a surface first, so that no dual is negative;\n"
                   "=split-boundary divides boundary edges too")
         ->check(CLI::IsMember({"flips", "split-boundary"}))
-        ->excludes(angle);
+        ->excludes(angle)
+        ->excludes(groups);
     add_common_options(command, arguments.tell);
     command.add_flag("--timing", arguments.tell.timing, "tell the seconds each stage took");
 }
@@ -88,6 +97,10 @@ Discretization load(const MeshArguments& arguments, Log& log) {
         options.criterion = MergeCriterion::angle;
         options.tolerance = *arguments.angle_tolerance;
     }
+    if (arguments.centers == "centroids")
+        options.centers = Centers::centroids();
+    if (arguments.keep_groups)
+        options.materials = Materials::keep_apart;
     if (!arguments.merge)
         options.criterion = MergeCriterion::none;
 

@@ -20,6 +20,8 @@ struct MeshArguments {
     double tolerance = MergeOptions{}.tolerance;
     std::optional<double> angle_tolerance;
     bool merge = true;
+    bool keep_groups = false;
+    std::string centers = "circumcenters";
     std::string delaunay; ///< empty, flips or split-boundary
     TellOptions tell;
 };

@@ -68,16 +68,19 @@ std::vector<double> read_numbers(const std::string& path) {
 } // namespace
 
 struct Expression::State {
-    std::string option, text;
+    std::string option, text, label;
     mu::Parser parser;
     std::array<double, most_coordinates> position{};
     int used = 0; ///< the coordinates up to this one
+    double label_value = 0;
+    bool uses_label = false;
 };
 
-Expression::Expression(const std::string& option, const std::string& text)
+Expression::Expression(const std::string& option, const std::string& text, const std::string& label)
     : state_(std::make_unique<State>()) {
     state_->option = option;
     state_->text = text;
+    state_->label = label;
     if (const auto flaw = misread_syntax(text); !flaw.empty())
         refuse(option, text, flaw);
     try {
@@ -91,12 +94,17 @@ Expression::Expression(const std::string& option, const std::string& text)
                 parser.DefineVar(names[i], &state_->position[i]);
             parser.DefineVar(fmt::format("x{}", i + 1), &state_->position[i]);
         }
+        if (!label.empty())
+            parser.DefineVar(label, &state_->label_value);
         parser.AddValIdent(read_number);
         parser.SetExpr(text);
         parser.Eval();
         for (const auto& [name, place] : parser.GetUsedVar())
-            state_->used =
-                std::max(state_->used, static_cast<int>(place - state_->position.data()) + 1);
+            if (place == &state_->label_value)
+                state_->uses_label = true;
+            else
+                state_->used =
+                    std::max(state_->used, static_cast<int>(place - state_->position.data()) + 1);
     } catch (const mu::Parser::exception_type& error) {
         refuse(option, text, error.GetMsg());
     }
@@ -104,8 +112,8 @@ Expression::Expression(const std::string& option, const std::string& text)
 
 Expression::~Expression() = default;
 
-Vector Expression::operator()(const Points& sites) const {
-    auto& [option, text, parser, position, used] = *state_;
+Vector Expression::operator()(const Points& sites, const std::vector<Index>& labels) const {
+    auto& [option, text, label, parser, position, used, label_value, uses_label] = *state_;
     const auto axes = static_cast<int>(sites.cols());
     if (axes == 0 && used > 0)
         require_points(0, fmt::format("{} {}", option, printable(text)));
@@ -113,10 +121,17 @@ Vector Expression::operator()(const Points& sites) const {
         throw InvalidInput(fmt::format("{}: '{}' uses coordinate {}, but the mesh has {}: change "
                                        "the expression",
                                        option, printable(text), used, axes));
+    if (uses_label && labels.empty())
+        throw InvalidInput(
+            fmt::format("{}: '{}' uses `{}`, but the mesh has none: give a mesh with "
+                        "physical groups, or change the expression",
+                        option, printable(text), label));
     Vector values(sites.rows());
     for (Index i = 0; i < sites.rows(); ++i) {
         for (int c = 0; c < used; ++c)
             position[c] = sites(i, c);
+        if (uses_label)
+            label_value = labels[i];
         try {
             values[i] = parser.Eval();
         } catch (const mu::Parser::exception_type& error) {
@@ -130,15 +145,16 @@ Vector Expression::operator()(const Points& sites) const {
     return values;
 }
 
-SiteValues::SiteValues(const std::string& option, const std::string& text) {
+SiteValues::SiteValues(const std::string& option, const std::string& text,
+                       const std::string& label) {
     std::error_code none;
     if (!std::filesystem::is_regular_file(text, none)) {
-        expression_ = std::make_unique<Expression>(option, text);
+        expression_ = std::make_unique<Expression>(option, text, label);
         return;
     }
     file_ = text;
     try {
-        const Expression also(option, text);
+        const Expression also(option, text, label);
     } catch (const CLI::ValidationError&) {
         const auto numbers = read_numbers(text);
         values_ = Eigen::Map<const Vector>(numbers.data(), static_cast<Index>(numbers.size()));
@@ -151,9 +167,9 @@ SiteValues::SiteValues(const std::string& option, const std::string& text) {
 
 SiteValues::~SiteValues() = default;
 
-Vector SiteValues::at(const Points& sites) const {
+Vector SiteValues::at(const Points& sites, const std::vector<Index>& labels) const {
     if (expression_)
-        return (*expression_)(sites);
+        return (*expression_)(sites, labels);
     if (values_.size() != sites.rows())
         throw InvalidInput(fmt::format("{}: {} numbers, expected {}, one for each place",
                                        printable(file_->string()), values_.size(), sites.rows()));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace polydec::tools {
 
@@ -15,13 +16,15 @@ namespace polydec::tools {
 class Expression {
 public:
     /// Throws CLI::ValidationError, with the place, for text that is no expression. `option` names
-    /// the option the text was given to.
-    Expression(const std::string& option, const std::string& text);
+    /// the option the text was given to, `label` another variable, if there is one: a number that
+    /// is known at every site.
+    Expression(const std::string& option, const std::string& text, const std::string& label = "");
     ~Expression();
 
-    /// Values at the rows of `sites`. Throws InvalidInput, naming the place, where there is none,
-    /// and for a coordinate that sites do not have.
-    Vector operator()(const Points& sites) const;
+    /// Values at the rows of `sites`, with the label's values there if it is known. Throws
+    /// InvalidInput, naming the place, where there is none, and for a coordinate that sites do not
+    /// have, or a label that is not known.
+    Vector operator()(const Points& sites, const std::vector<Index>& labels = {}) const;
 
 private:
     struct State;
@@ -35,11 +38,11 @@ class SiteValues {
 public:
     /// Throws like Expression; also for text that is both a file and an expression. InvalidInput
     /// for a file with anything but finite numbers, IoError for one that cannot be read.
-    SiteValues(const std::string& option, const std::string& text);
+    SiteValues(const std::string& option, const std::string& text, const std::string& label = "");
     ~SiteValues();
 
     /// Throws InvalidInput for a file with another number of values, else like Expression.
-    Vector at(const Points& sites) const;
+    Vector at(const Points& sites, const std::vector<Index>& labels = {}) const;
 
     /// The file, if it is one.
     const std::optional<std::filesystem::path>& file() const { return file_; }

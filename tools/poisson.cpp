@@ -27,7 +27,7 @@ struct Arguments {
     MeshArguments mesh;
     PoissonOptions poisson;
     ConditionArguments conditions;
-    std::string rhs, boundary, exact, flux;
+    std::string rhs, boundary, exact, flux, conductivity;
     std::filesystem::path out;
 };
 
@@ -131,12 +131,15 @@ struct Data {
           conditions(arguments.conditions) {
         if (!arguments.exact.empty())
             exact.emplace("--exact", arguments.exact);
+        if (!arguments.conductivity.empty())
+            conductivity.emplace("--conductivity", arguments.conductivity, "group");
     }
 
     Paths files() const {
         Paths list;
         for (const auto& file : {rhs.file(), boundary.file(), flux.file(), conditions.file(),
-                                 exact ? exact->file() : std::nullopt})
+                                 exact ? exact->file() : std::nullopt,
+                                 conductivity ? conductivity->file() : std::nullopt})
             if (file)
                 list.push_back(*file);
         return list;
@@ -144,13 +147,23 @@ struct Data {
 
     SiteValues rhs, boundary, flux;
     ConditionValues conditions;
-    std::optional<SiteValues> exact;
+    std::optional<SiteValues> exact, conductivity;
 };
 
 /// What is known on the boundary, in words.
 std::string known(const Discretization& mesh, const Arguments& arguments) {
     return in_words(arguments.poisson.boundary, mesh.complex(), 0,
                     {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
+}
+
+/// One number for each merged cell, known at its centroid.
+Vector conductivity(const Discretization& mesh, const SiteValues& values) {
+    const int n = mesh.dimension();
+    const bool has_points = mesh.points.cols() > 0;
+    const Points sites =
+        has_points ? cell_centroids(mesh.merging, mesh.unit * mesh.points, mesh.piece_volumes, n)
+                   : Points(mesh.complex().size(n), 0);
+    return values.at(sites, mesh.tags);
 }
 
 void run(Arguments arguments) {
@@ -161,6 +174,8 @@ void run(Arguments arguments) {
     arguments.poisson.boundary = data.conditions.on(mesh).value_or(BoundaryConditions{});
     if (!arguments.out.empty())
         check_drawable(mesh);
+    if (data.conductivity)
+        arguments.poisson.conductivity = conductivity(mesh, *data.conductivity);
     log.timing.begin("solve");
     PoissonSolver solver = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
@@ -211,7 +226,10 @@ void add_poisson(CLI::App& app) {
         ->excludes(boundary);
     command->add_option("--flux", arguments->flux,
                         "outward derivative of u on the rest of the boundary (default 0:\n"
-                        "no flow through it)");
+                        "no flow through it), times the conductivity where one is given");
+    command->add_option("--conductivity", arguments->conductivity,
+                        "solve -div(kappa grad u) = f, kappa > 0 in each merged cell:\n"
+                        "expression (also in `group`, the cell's physical group) or file");
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
     command->add_option("-o,--out", arguments->out, "write u to this .vtu file");
     command->add_option("--engine", arguments->poisson.linear_solver, "linear solver")
@@ -221,10 +239,13 @@ void add_poisson(CLI::App& app) {
         "one\n"
         "for each vertex or merged facet, of which those off the boundary do not matter; for "
         "--flux\n"
-        "and --essential-where one for each merged facet.\n\n"
+        "and --essential-where one for each merged facet; for --conductivity one for each merged "
+        "cell.\n\n"
         "Examples:\n"
         "  polydec poisson grid.nsc --side dual --rhs '2*pi^2*sin(pi*x)*sin(pi*y)' -o u.vtu\n"
         "  polydec poisson grid.nsc --side primal --rhs 1 --essential-where 'x<.01' --flux=-y\n"
+        "  polydec poisson plate.msh --side primal --rhs 1 --keep-groups "
+        "--conductivity 'group==2 ? 10 : 1'\n"
         "  polydec poisson sphere.off --side primal --rhs=-z --natural --json");
     command->callback([arguments] { run(*arguments); });
 }

@@ -19,27 +19,12 @@ Points mean_over_cells(const Merging& merging, const Points& rows, const CellVol
     return volume.cwiseInverse().asDiagonal() * (pieces * weighted);
 }
 
-/// The circumcenters by the metric, as combinations of the corners' points: where these lie on a
-/// curved surface along which edges are geodesics, near the surface and not on it.
-Points centers_of_pieces(const Pieces& pieces, const SimplexMetric& metric, const Points& points,
-                         int k) {
-    SimplexLayout layout(pieces, metric);
-    Circumsphere sphere;
-    Points centers = Points::Zero(pieces.size(k), points.cols());
-    for (Index s = 0; s < pieces.size(k); ++s) {
-        sphere.look_at(layout, k, s);
-        for (int i = 0; i <= k; ++i)
-            centers.row(s) += sphere.barycentric(i) * points.row(pieces.simplices(k)(s, i));
-    }
-    return centers;
-}
-
 } // namespace
 
 Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
                     int k) {
     require_points(merging.pieces(), points, "a cell's center");
-    const Points centers = centers_of_pieces(merging.pieces(), points, points, k);
+    const Points centers = center_points(merging.pieces(), points, points, {}, k);
     return mean_over_cells(merging, centers, volumes, k);
 }
 
@@ -48,8 +33,8 @@ Points cell_centers(const Discretization& discretization, int k) {
     if (discretization.points.cols() == 0)
         return Points(discretization.complex().size(k), 0);
     const auto& merging = discretization.merging;
-    const Points centers =
-        centers_of_pieces(merging.pieces(), discretization.metric(), discretization.points, k);
+    const Points centers = center_points(merging.pieces(), discretization.metric(),
+                                         discretization.points, discretization.options.centers, k);
     return mean_over_cells(merging, centers, discretization.piece_volumes, k);
 }
 

@@ -2,7 +2,7 @@
 #include "dec/fields/de_rham.h"
 
 #include "base/errors.h"
-#include "dec/metric/circumsphere.h"
+#include "dec/metric/centers.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/quadrature.h"
 #include "dec/metric/simplex_geometry.h"
@@ -63,14 +63,16 @@ private:
 /// Integrals over the duals of the k-simplices, gathered going down from each n-simplex.
 class DualIntegrals {
 public:
-    DualIntegrals(const Pieces& complex, const Points& points, int k, const Integral& integral)
+    DualIntegrals(const Pieces& complex, const Points& points, int k, const Integral& integral,
+                  const Centers& centers)
         : complex_(complex),
           integral_(integral),
           k_(k),
           corners_(complex.dimension() - k + 1, points.cols()),
           result_(Vector::Zero(complex.size(k))) {
         for (int i = 0; i <= complex.dimension(); ++i)
-            centers_.push_back(i < k ? Points() : circumcenters(points, complex.simplices(i)));
+            centers_.push_back(i < k ? Points()
+                                     : center_points(complex, points, points, centers, i));
     }
 
     Vector all() {
@@ -131,7 +133,7 @@ SmoothForm flux_form(std::function<Vector(const Vector& point)> field) {
 Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothForm& form,
                int quadrature_degree) {
     cell_degree(complex, Side::primal, k);
-    require_points(complex, points, "the de Rham map");
+    require_straight(complex, points, "the de Rham map");
     const Integral integral(form, static_cast<Index>(points.cols()), k, quadrature_degree);
     Vector result(complex.size(k));
     DenseMatrix corners(k + 1, points.cols());
@@ -150,18 +152,19 @@ Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int q
 }
 
 Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
-                    int quadrature_degree) {
+                    int quadrature_degree, const Centers& centers) {
     const int k = cell_degree(complex, Side::dual, j);
-    require_points(complex, points, "the de Rham map");
+    require_straight(complex, points, "the de Rham map");
     const Integral integral(form, static_cast<Index>(points.cols()), j, quadrature_degree);
-    return DualIntegrals(complex, points, k, integral).all();
+    return DualIntegrals(complex, points, k, integral, centers).all();
 }
 
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree) {
     check_cells_in_space(mesh, "the de Rham map");
     const int k = cell_degree(mesh.pieces(), Side::dual, j);
-    const Vector values = dual_de_rham(mesh.pieces(), mesh.points, j, form, quadrature_degree);
+    const Vector values =
+        dual_de_rham(mesh.pieces(), mesh.points, j, form, quadrature_degree, mesh.options.centers);
     const Vector weighted = mesh.piece_volumes.primal(k).cwiseProduct(values);
     const Vector sums = mesh.merging.diamond(k).cast<double>() * weighted;
     return {Side::dual, j, sums.cwiseQuotient(mesh.volumes.primal(k))};

@@ -45,7 +45,7 @@ Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form,
 /// circumcenters, which may lie outside of the mesh.
 /// Source: Hirani 2003, sec. 2.5. Throws like de_rham.
 Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
-                    int quadrature_degree = 5);
+                    int quadrature_degree = 5, const Centers& centers = {});
 
 /// The same over the duals of merged cells: the mean by volume over the pieces.
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,

@@ -142,9 +142,10 @@ private:
 /// m-vector of s times the volume of the part of *s, which is the integral of star a ^ star b since
 /// s and *s are orthogonal.
 Vector product_of_stars(const Pieces& complex, const SimplexMetric& metric,
-                        const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
+                        const CellVolumes& volumes, const Cochain& a, const Cochain& b,
+                        const Centers& centers) {
     const int n = complex.dimension(), m = a.degree + b.degree - n;
-    const SparseMatrix parts = dual_parts(complex, metric, volumes, m, n);
+    const Points parts = parts_of_duals(complex, metric, volumes, m, n, centers);
     const Meet meet(n, a.degree, b.degree);
     const ExteriorProduct edges_of(n, m);
     Means first(complex, a), second(complex, b);
@@ -155,18 +156,17 @@ Vector product_of_stars(const Pieces& complex, const SimplexMetric& metric,
     for (Index t = 0; t < complex.size(n); ++t) {
         const Chart chart(complex, layout, t);
         const Vector covector = chart.orientation * meet(first(chart, t), second(chart, t));
-        // row t holds the parts of its faces in ascending order, as they stand in the list
-        SparseMatrix::InnerIterator part(parts, t);
-        for (std::size_t i = 0; i < faces.positions().size(); ++i, ++part) {
-            const auto s = static_cast<Index>(part.col());
+        const auto& of_simplex = faces.of(t);
+        for (std::size_t i = 0; i < of_simplex.size(); ++i) {
+            const Index s = of_simplex[i];
             auto corners = faces.positions()[i];
             const DenseMatrix origin = chart.corners.row(corners[0]);
             corners.erase(corners.begin());
             const DenseMatrix edges =
                 chart.corners(corners, Eigen::all) - origin.replicate(corners.size(), 1);
             const double size = std::tgamma(m + 1.0) * volumes.primal(m)[s];
-            values[s] +=
-                part.value() * orientation(complex, m, s) * covector.dot(edges_of(edges)) / size;
+            values[s] += parts(t, static_cast<Eigen::Index>(i)) * orientation(complex, m, s) *
+                         covector.dot(edges_of(edges)) / size;
         }
     }
     return values;
@@ -197,16 +197,17 @@ Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, con
 } // namespace
 
 Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
-                   const Cochain& a, const Cochain& b) {
+                   const Cochain& a, const Cochain& b, const Centers& centers) {
     check_product(complex, a, b);
     return {Side::dual, a.degree + b.degree,
             product_of_stars(complex, metric, volumes, without_star(complex, volumes, a),
-                             without_star(complex, volumes, b))};
+                             without_star(complex, volumes, b), centers)};
 }
 
 Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
                    const SimplexMetric& metric, const CellVolumes& input_volumes,
-                   const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
+                   const CellVolumes& volumes, const Cochain& a, const Cochain& b,
+                   const Centers& centers) {
     const auto& P = merging.merged();
     check_product(P, a, b);
     check_lift(merging, lift);
@@ -216,7 +217,7 @@ Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift
     };
     const int m = P.dimension() - a.degree - b.degree;
     const Vector fine =
-        product_of_stars(merging.pieces(), metric, input_volumes, lifted(a), lifted(b));
+        product_of_stars(merging.pieces(), metric, input_volumes, lifted(a), lifted(b), centers);
     const Vector sums =
         merging.diamond(m).cast<double>() * fine.cwiseProduct(input_volumes.primal(m));
     return {Side::dual, a.degree + b.degree, sums.cwiseQuotient(volumes.primal(m))};
@@ -225,7 +226,8 @@ Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
     check_product(mesh.complex(), a, b);
     const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
-    return dual_wedge(mesh.merging, lift, mesh.metric(), mesh.piece_volumes, mesh.volumes, a, b);
+    return dual_wedge(mesh.merging, lift, mesh.metric(), mesh.piece_volumes, mesh.volumes, a, b,
+                      mesh.options.centers);
 }
 
 } // namespace polydec

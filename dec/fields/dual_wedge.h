@@ -21,7 +21,7 @@ namespace polydec {
 /// Throws like check; like inverse_star, naming the cells, where star_(n-k) or star_(n-l) has a
 /// zero; and InvalidInput for primal forms and for k + l > n.
 Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
-                   const Cochain& a, const Cochain& b);
+                   const Cochain& a, const Cochain& b, const Centers& centers = {});
 
 /// The product on the duals of merged cells: star^-1 of both forms is lifted to the simplices,
 /// with the lift of commuting_lift(merging, ..), and the product there is averaged by volume over
@@ -30,7 +30,8 @@ Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const Cel
 /// Throws like the above, and InvalidInput if the lift does not fit the merging.
 Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
                    const SimplexMetric& metric, const CellVolumes& input_volumes,
-                   const CellVolumes& volumes, const Cochain& a, const Cochain& b);
+                   const CellVolumes& volumes, const Cochain& a, const Cochain& b,
+                   const Centers& centers = {});
 
 /// The same for a single use: the lift is made anew at each call, which costs far more than the
 /// product. Throws like dual_wedge and commuting_lift.

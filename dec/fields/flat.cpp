@@ -37,7 +37,7 @@ void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix
             throw InvalidInput(fmt::format("the vector at {} {} is not finite", place, row));
     };
     if (at_vertices)
-        for (const Index v : mesh.pieces().simplices(0).reshaped())
+        for (const Index v : mesh.input().simplices(0).reshaped())
             check_row(v);
     else
         for (Index cell = 0; cell < field.rows(); ++cell)
@@ -53,8 +53,8 @@ Points means(const Pieces& complex, const DenseMatrix& field, int k) {
     return result;
 }
 
-/// The linear field at the circumcenter of each k-simplex, continued beyond its faces.
-Points at_circumcenters(const Discretization& mesh, const DenseMatrix& field, int k) {
+/// The linear field at the center of each k-simplex, continued beyond its faces.
+Points at_centers(const Discretization& mesh, const DenseMatrix& field, int k) {
     const auto& simplices = mesh.pieces().simplices(k);
     Points result = Points::Zero(simplices.rows(), field.cols());
     SimplexLayout layout(mesh.pieces(), mesh.metric());
@@ -62,7 +62,8 @@ Points at_circumcenters(const Discretization& mesh, const DenseMatrix& field, in
     for (Index s = 0; s < simplices.rows(); ++s) {
         sphere.look_at(layout, k, s);
         for (int i = 0; i <= k; ++i)
-            result.row(s) += sphere.barycentric(i) * field.row(simplices(s, i));
+            result.row(s) +=
+                mesh.options.centers.coordinate(k, s, i, sphere) * field.row(simplices(s, i));
     }
     return result;
 }
@@ -76,10 +77,12 @@ Points on_pieces(const Discretization& mesh, const DenseMatrix& field) {
     return result;
 }
 
-/// The product of the mean of the vectors of both ends with each edge.
+/// The product of the mean of the vectors of both ends with each edge of the input, carried to the
+/// pieces.
 Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
-    const DenseMatrix edges = edge_vectors(mesh.pieces(), mesh.points);
-    return edges.cwiseProduct(means(mesh.pieces(), field, 1)).rowwise().sum();
+    const DenseMatrix edges = edge_vectors(mesh.input(), mesh.points);
+    const Vector values = edges.cwiseProduct(means(mesh.input(), field, 1)).rowwise().sum();
+    return mesh.passage.forth(1, values);
 }
 
 void check_dual_volumes(const Discretization& mesh) {
@@ -94,8 +97,8 @@ void check_dual_volumes(const Discretization& mesh) {
 /// The product with each edge of the vectors of the n-simplices around, by parts of the dual.
 Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     check_dual_volumes(mesh);
-    const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.points, mesh.piece_volumes, 1, mesh.dimension());
+    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.points, mesh.piece_volumes, 1,
+                                          mesh.dimension(), mesh.options.centers);
     const DenseMatrix sums = parts.transpose() * DenseMatrix(on_pieces(mesh, field));
     Vector result = sums.cwiseProduct(edge_vectors(mesh.pieces(), mesh.points)).rowwise().sum();
 
@@ -113,8 +116,10 @@ template <class VectorOf>
 Vector along_dual_edges(const Discretization& mesh, VectorOf vector) {
     const auto& K = mesh.pieces();
     const int n = mesh.dimension();
-    const Points centers = circumcenters(mesh.points, K.simplices(n));
-    const Points facet_centers = circumcenters(mesh.points, K.simplices(n - 1));
+    const auto centers_of = [&](int k) {
+        return center_points(K, mesh.points, mesh.points, mesh.options.centers, k);
+    };
+    const Points centers = centers_of(n), facet_centers = centers_of(n - 1);
     const double sign = n % 2 == 0 ? 1 : -1;
     Vector result = Vector::Zero(K.size(n - 1));
     for (Index t = 0; t < K.size(n); ++t)
@@ -129,8 +134,8 @@ Vector along_dual_edges(const Discretization& mesh, VectorOf vector) {
 Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     const int n = mesh.dimension();
     if (kind == Flat::ppd) {
-        const Points cells = at_circumcenters(mesh, field, n);
-        const Points facets = at_circumcenters(mesh, field, n - 1);
+        const Points cells = at_centers(mesh, field, n);
+        const Points facets = at_centers(mesh, field, n - 1);
         return along_dual_edges(
             mesh, [&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
     }
@@ -143,7 +148,9 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
 } // namespace
 
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
-    check_cells_in_space(mesh, "a flat");
+    require_points(mesh.points.cols(), "a flat");
+    if (kind != Flat::ppp && kind != Flat::pdp)
+        check_not_flipped(mesh, "a flat along or by the duals of cells");
     check_field(mesh, is_at_vertices(kind), field);
     if (is_primal(kind)) {
         const Vector values =

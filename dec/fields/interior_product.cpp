@@ -5,6 +5,7 @@
 #include "complex/components.h"
 #include "dec/forms/derivative.h"
 #include "dec/merging/check_lift.h"
+#include "dec/merging/lift.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
@@ -26,7 +27,7 @@ void check_degree(int k, int largest) {
 }
 
 void check_field(const Pieces& complex, const Points& points, const Points& field) {
-    require_points(complex, points, "a vector field");
+    require_straight(complex, points, "a vector field");
     if (field.rows() != points.rows() || field.cols() != points.cols())
         throw InvalidInput(fmt::format("a vector field of {} x {} numbers is given: expected {} x "
                                        "{}, a row for each point",
@@ -279,6 +280,37 @@ SparseMatrix inflow(const Merging& merging, const std::vector<SparseMatrix>& lif
     check_lift(merging, lift);
     const SparseMatrix rates = inflow(merging.pieces(), points, field, k) * lift[k];
     return merging.diamond(k).cast<double>() * rates;
+}
+
+namespace {
+
+/// An operator on the input's simplices, from k-forms to j-forms, for those on the cells.
+SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int k, int j) {
+    if (fine.rows() == 0 || fine.cols() == 0)
+        return SparseMatrix(mesh.complex().size(j), mesh.complex().size(k));
+    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
+    if (mesh.passage.is_identity())
+        return mesh.merging.diamond(j).cast<double>() * SparseMatrix(fine * lift[k]);
+    const SparseMatrix back = mesh.passage.matrix_back(k) * lift[k];
+    const SparseMatrix there = mesh.passage.matrix(j) * SparseMatrix(fine * back);
+    return mesh.merging.diamond(j).cast<double>() * there;
+}
+
+} // namespace
+
+SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
+                              Sampling sampling) {
+    return on_cells(mesh, interior_product(mesh.input(), mesh.points, field, k, sampling), k,
+                    k - 1);
+}
+
+SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
+                            Sampling sampling) {
+    return on_cells(mesh, lie_derivative(mesh.input(), mesh.points, field, k, sampling), k, k);
+}
+
+SparseMatrix inflow(const Discretization& mesh, const Points& field, int k) {
+    return on_cells(mesh, inflow(mesh.input(), mesh.points, field, k), k, k);
 }
 
 } // namespace polydec

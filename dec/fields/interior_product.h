@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/merging.h"
+#include "dec/discretization.h"
 
 namespace polydec {
 
@@ -69,5 +69,14 @@ SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& f
 /// On merged cells: dia_k inflow S_k. Throws like interior_product.
 SparseMatrix inflow(const Merging& merging, const std::vector<SparseMatrix>& lift,
                     const Points& points, const Points& field, int k);
+
+/// All three for a discretization: lifted, carried back to the simplices of the input if edges were
+/// flipped, and the other way again. field has a row for each point of the discretization. They
+/// throw likewise.
+SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
+                              Sampling sampling);
+SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
+                            Sampling sampling);
+SparseMatrix inflow(const Discretization& mesh, const Points& field, int k);
 
 } // namespace polydec

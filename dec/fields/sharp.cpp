@@ -21,7 +21,7 @@ namespace polydec {
 namespace {
 
 void check_form(const Discretization& mesh, const Cochain& form, int degree) {
-    check_cells_in_space(mesh, "a sharp");
+    require_points(mesh.points.cols(), "a sharp");
     if (form.side != Side::primal || form.degree != degree)
         throw InvalidInput(fmt::format("a primal {}-form is expected: a {} {}-form is given",
                                        degree, name(form.side), form.degree));
@@ -29,13 +29,13 @@ void check_form(const Discretization& mesh, const Cochain& form, int degree) {
 }
 
 void check_dual_cells(const Discretization& mesh) {
-    auto zero = zero_star_cells(mesh.piece_volumes, 0);
+    auto zero = zero_star_cells(mesh.input_volumes, 0);
     if (zero.empty())
         return;
     const auto count = zero.size();
     zero.resize(std::min<std::size_t>(count, 5));
     for (Index& v : zero)
-        v = mesh.pieces().simplices(0)(v, 0);
+        v = mesh.input().simplices(0)(v, 0);
     throw InvalidInput(fmt::format("the sharp to vertices divides by zero: the dual cells of {} "
                                    "vertices have no volume (vertices {}{}); take vectors at the "
                                    "cells, sharp_pd, or move the vertices",
@@ -45,7 +45,7 @@ void check_dual_cells(const Discretization& mesh) {
 
 /// Row i: sum over the other vertices j of an n-simplex of a(i->j) grad lambda_j.
 DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vector& a, Index t) {
-    const auto& K = mesh.pieces();
+    const auto& K = mesh.input();
     const int n = mesh.dimension();
     const DenseMatrix gradients = barycentric_gradients(mesh.points, vertices(K.simplices(n), t));
     DenseMatrix result = DenseMatrix::Zero(n + 1, mesh.points.cols());
@@ -82,7 +82,8 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
 /// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.
 SparseMatrix edge_weights(const Discretization& mesh) {
     const int n = mesh.dimension();
-    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.points, mesh.piece_volumes, 1, n);
+    const SparseMatrix parts =
+        dual_parts(mesh.pieces(), mesh.points, mesh.piece_volumes, 1, n, mesh.options.centers);
     const SparseMatrix cells = mesh.merging.diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging.diamond(1).cast<double>().cwiseAbs();
     // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
@@ -99,24 +100,27 @@ DenseMatrix sharp_pp(const Discretization& mesh, const std::vector<SparseMatrix>
     check_form(mesh, form, 1);
     check_lift(mesh.merging, lift);
     check_dual_cells(mesh);
-    const auto& K = mesh.pieces();
+    const auto& K = mesh.input();
     const int n = mesh.dimension();
-    const SparseMatrix parts = dual_parts(K, mesh.points, mesh.piece_volumes, 0, n);
-    const Vector a = lift[1] * form.values;
-    Points result = Points::Zero(mesh.points.rows(), mesh.points.cols());
+    const Points parts =
+        parts_of_duals(K, mesh.input_metric(), mesh.input_volumes, 0, n, mesh.options.centers);
+    const Vector a = mesh.passage.back(1, lift[1] * form.values);
+    Points at_cells = Points::Zero(K.size(0), mesh.points.cols());
     for (Index t = 0; t < K.size(n); ++t) {
         const DenseMatrix seen = gradients_seen_from_vertices(mesh, a, t);
         for (int i = 0; i <= n; ++i) {
             const Index v = face_at(K, n, t, std::array{i});
-            const double share = parts.coeff(t, v) / mesh.piece_volumes.dual(0)[v];
-            result.row(K.simplices(0)(v, 0)) += share * seen.row(i);
+            at_cells.row(v) += parts(t, i) / mesh.input_volumes.dual(0)[v] * seen.row(i);
         }
     }
+    Points result = Points::Zero(mesh.points.rows(), mesh.points.cols());
+    result(mesh.pieces().simplices(0).col(0), Eigen::all) = mesh.passage.forth(0, at_cells);
     return result;
 }
 
 DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
     check_form(mesh, form, 1);
+    check_not_flipped(mesh, "a sharp to cells");
     const SparseMatrix weights = edge_weights(mesh);
     const DenseMatrix edges =
         mesh.merging.diamond(1).cast<double>() * edge_vectors(mesh.pieces(), mesh.points);
@@ -147,6 +151,7 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
 DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
     const int n = mesh.dimension();
     check_form(mesh, form, n - 1);
+    check_not_flipped(mesh, "a sharp to cells");
     const Points centroids = cell_centroids(mesh.merging, mesh.points, mesh.piece_volumes, n);
     const Points facets = cell_centroids(mesh.merging, mesh.points, mesh.piece_volumes, n - 1);
     Points result = Points::Zero(centroids.rows(), centroids.cols());

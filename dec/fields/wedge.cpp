@@ -130,10 +130,11 @@ Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b) {
 }
 
 Cochain circumcentric_wedge(const Pieces& complex, const SimplexMetric& metric,
-                            const CellVolumes& volumes, const Cochain& a, const Cochain& b) {
+                            const CellVolumes& volumes, const Cochain& a, const Cochain& b,
+                            const Centers& centers) {
     check_product(complex, a, b);
     const int m = a.degree + b.degree;
-    const DenseMatrix parts = corner_parts(complex, metric, volumes, m);
+    const Points parts = parts_of_duals(complex, metric, volumes, 0, m, centers);
     return product(complex, a, b,
                    [&](Index s, int v) { return parts(s, v) / volumes.primal(m)[s]; });
 }
@@ -147,9 +148,9 @@ Cochain wedge(const Merging& merging, const std::vector<SparseMatrix>& lift, con
 
 Cochain circumcentric_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
                             const SimplexMetric& metric, const CellVolumes& volumes,
-                            const Cochain& a, const Cochain& b) {
+                            const Cochain& a, const Cochain& b, const Centers& centers) {
     return on_merged_cells(merging, lift, a, b, [&](const Cochain& x, const Cochain& y) {
-        return circumcentric_wedge(merging.pieces(), metric, volumes, x, y);
+        return circumcentric_wedge(merging.pieces(), metric, volumes, x, y, centers);
     });
 }
 
@@ -159,7 +160,8 @@ Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
     const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
     return weights == WedgeWeights::uniform
                ? wedge(mesh.merging, lift, a, b)
-               : circumcentric_wedge(mesh.merging, lift, mesh.metric(), mesh.piece_volumes, a, b);
+               : circumcentric_wedge(mesh.merging, lift, mesh.metric(), mesh.piece_volumes, a, b,
+                                     mesh.options.centers);
 }
 
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b) {

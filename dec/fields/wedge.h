@@ -28,7 +28,8 @@ Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b);
 /// Source: Hirani 2003, Def. 7.1.1.
 /// Throws like wedge.
 Cochain circumcentric_wedge(const Pieces& complex, const SimplexMetric& metric,
-                            const CellVolumes& volumes, const Cochain& a, const Cochain& b);
+                            const CellVolumes& volumes, const Cochain& a, const Cochain& b,
+                            const Centers& centers = {});
 
 /// The products on merged cells: both forms are lifted to the simplices, multiplied there, and
 /// added over the pieces. The lift of commuting_lift(merging, ..) is a cochain map, so wedge has
@@ -41,7 +42,7 @@ Cochain wedge(const Merging& merging, const std::vector<SparseMatrix>& lift, con
               const Cochain& b);
 Cochain circumcentric_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
                             const SimplexMetric& metric, const CellVolumes& volumes,
-                            const Cochain& a, const Cochain& b);
+                            const Cochain& a, const Cochain& b, const Centers& centers = {});
 
 /// The products on merged cells for a single use: the lift is made anew at each call, which costs
 /// far more than the product (for p pieces in a polygon of the order of p^2). For more than one

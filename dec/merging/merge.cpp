@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/merge.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "complex/disjoint_sets.h"
 #include "dec/merging/facet_defects.h"
@@ -192,13 +193,16 @@ DegenerateFacets count_degenerate(const Pieces& complex, const FacetDefects& def
 } // namespace
 
 CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric,
-                                     const CellVolumes& volumes, const MergeOptions& options) {
+                                     const CellVolumes& volumes, const MergeOptions& options,
+                                     const std::vector<bool>& stays) {
     if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
         throw InvalidInput(fmt::format("the merge tolerance is {}: expected a number >= 0, such as "
                                        "1e-4",
                                        options.tolerance));
     check_fit(complex, volumes);
     const int n = complex.dimension();
+    if (!stays.empty())
+        check_as_many("marks of facets", static_cast<Index>(stays.size()), complex.size(n - 1));
     const auto defects = facet_defects(complex, metric, volumes, options);
     const auto degenerate = count_degenerate(complex, defects);
     if (options.criterion == MergeCriterion::none)
@@ -207,6 +211,8 @@ CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric
     Kept kept;
     for (int k = 0; k < n; ++k)
         kept.emplace_back(complex.size(k), false);
+    if (!stays.empty())
+        kept[n - 1] = stays;
     const FacetChoice choice(complex, defects, options.tolerance);
     StraightnessTest test(complex, metric, volumes, options.tolerance);
     const auto straight = [&](int k, Index s, Index f, Index g) {

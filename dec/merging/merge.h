@@ -3,6 +3,7 @@
 
 #include "complex/merging.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/centers.h"
 #include "dec/metric/simplex_metric.h"
 
 namespace polydec {
@@ -22,12 +23,23 @@ enum class Delaunay {
     flips_and_splits ///< boundary edges are divided too, until every dual is positive
 };
 
+/// Whether simplices of different materials, as the tags of a mesh tell them, may become pieces of
+/// one cell.
+enum class Materials {
+    join,      ///< what is cospherical merges; a cell of several materials has the tag 0
+    keep_apart ///< facets between different tags stay, so that every cell has the tag of its pieces
+};
+
 struct MergeOptions {
     MergeCriterion criterion = MergeCriterion::dual_length;
     /// Mesh files carry six or seven digits whatever they print, and merging all below 1e-3 moves
     /// a Poisson error by less than 0.1 %: 1e-4 catches what was meant to be cospherical.
     double tolerance = 1e-4;
-    Delaunay delaunay = Delaunay::off; ///< for discretize; merge_cospherical merges K as it is
+    // these are for discretize; merge_cospherical merges K as it is
+    Delaunay delaunay = Delaunay::off;
+    Materials materials = Materials::join;
+    /// Other centers than circumcenters need no merging: nothing is merged then.
+    Centers centers = {};
 };
 
 /// Facets within the tolerance, before any guard, by number of cofaces. Only those with two can
@@ -51,9 +63,12 @@ struct CosphericalMerging {
 /// Since near-cospherical is not transitive, unions are made in ascending defect, equal ones
 /// together or not at all, and refused when the accumulated defect passes 10 tolerances; and every
 /// merged cell is checked to be a ball. So the result does not depend on the order of the input.
+/// `stays` may mark facets that are to stay whatever their duals, one entry for each.
 /// volumes are those of `complex`. Time O(incidences + f log f), f the number of degenerate facets.
-/// Throws InvalidInput for a tolerance that is negative or not finite.
+/// Throws InvalidInput for a tolerance that is negative or not finite, and for another number of
+/// marks.
 CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric,
-                                     const CellVolumes& volumes, const MergeOptions& options = {});
+                                     const CellVolumes& volumes, const MergeOptions& options = {},
+                                     const std::vector<bool>& stays = {});
 
 } // namespace polydec

@@ -20,7 +20,7 @@ namespace polydec {
 namespace {
 
 void check_points(const Pieces& complex, const Points& points) {
-    require_points(complex, points, "a volume");
+    require_straight(complex, points, "a volume");
     if (points.cols() < complex.dimension())
         throw InvalidInput(fmt::format("simplices of dimension {} do not fit into {} coordinates",
                                        complex.dimension(), points.cols()));
@@ -134,7 +134,8 @@ struct Sums {
 /// barycentric coordinate * k |t| / |s|; the division by |s| comes last. With it go the sizes of
 /// what cancels, in h(s, t) and in V(t). An error of |t| is one of V(t) / |t| too. Spheres are
 /// looked at many at once, and their heights added one after the other.
-void hand_down(const Pieces& complex, const SimplexMetric& metric, int k, Sums& sums) {
+void hand_down(const Pieces& complex, const SimplexMetric& metric, const Centers& centers, int k,
+               Sums& sums) {
     const int n = complex.dimension();
     const Simplices& simplices = complex.simplices(k);
     const Points* const points = metric.points(); // asked once, not for every simplex
@@ -157,11 +158,13 @@ void hand_down(const Pieces& complex, const SimplexMetric& metric, int k, Sums& 
                 sums.divide(k, t, n);
             rounded[t] += sphere.rounding().growth * std::abs(dual[t]);
             const double weight = k * primal[t];
+            const auto uncertainty = centers.terms(sphere.uncertainty());
+            const auto rounding = centers.terms(sphere.rounding());
             for (int i = k; i >= 0; --i) {
-                const double height = sphere.barycentric(i) * weight;
+                const double height = centers.coordinate(k, t, i, sphere) * weight;
                 *share++ = {height * dual[t],
-                            Terms::share(sphere.uncertainty(), dual[t], uncertain[t], height),
-                            Terms::share(sphere.rounding(), dual[t], rounded[t], height)};
+                            Terms::share(uncertainty, dual[t], uncertain[t], height),
+                            Terms::share(rounding, dual[t], rounded[t], height)};
             }
         }
     };
@@ -189,11 +192,17 @@ void hand_down(const Pieces& complex, const SimplexMetric& metric, int k, Sums& 
 } // namespace
 
 CellVolumes circumcentric_volumes(const Pieces& complex, const SimplexMetric& metric) {
+    return dual_volumes(complex, metric, Centers());
+}
+
+CellVolumes dual_volumes(const Pieces& complex, const SimplexMetric& metric,
+                         const Centers& centers) {
     check_metric(complex, metric);
+    centers.check_fit(complex);
     const int n = complex.dimension();
     Sums sums(complex);
     for (int k = n; k >= 1; --k)
-        hand_down(complex, metric, k, sums);
+        hand_down(complex, metric, centers, k, sums);
     for (Index v = 0; v < complex.size(0); ++v)
         sums.divide(0, v, n);
     sums.uncertain.products[n].setOnes();

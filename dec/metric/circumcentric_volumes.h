@@ -3,6 +3,7 @@
 
 #include "complex/pieces.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/centers.h"
 #include "dec/metric/simplex_metric.h"
 
 namespace polydec {
@@ -16,5 +17,9 @@ namespace polydec {
 /// or a simplex of least dimension that cannot have the lengths given (a triangle that violates the
 /// triangle inequality, in higher dimension edges whose products are not positive definite).
 CellVolumes circumcentric_volumes(const Pieces& complex, const SimplexMetric& metric);
+
+/// The same with duals between other centers. Throws likewise, and for centers of other simplices.
+CellVolumes dual_volumes(const Pieces& complex, const SimplexMetric& metric,
+                         const Centers& centers);
 
 } // namespace polydec

@@ -2,9 +2,10 @@
 #include "dec/metric/dual_parts.h"
 
 #include "base/checks.h"
-#include "dec/metric/cell_volumes.h"
-#include "dec/metric/circumsphere.h"
+#include "dec/metric/simplex_faces.h"
+#include "dec/metric/whitney.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -12,63 +13,73 @@ namespace polydec {
 
 namespace {
 
-/// Entry (t, s): the signed distance between the circumcenters of k-simplex s and its coface t;
-/// their sum where s is a face of t twice.
-SparseMatrix heights(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
-                     int k) {
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    entries.reserve(static_cast<std::size_t>(complex.size(k + 1)) * (k + 2));
-    SimplexLayout layout(complex, metric);
-    Circumsphere sphere;
-    for (Index t = 0; t < complex.size(k + 1); ++t) {
-        sphere.look_at(layout, k + 1, t);
-        for (int i = 0; i <= k + 1; ++i) {
-            const Index face = complex.face(k + 1, t, i);
-            entries.emplace_back(t, face, sphere.height(i, volumes.primal(k)[face]));
+/// A k-face of an m-simplex that is one of its facet without corner `omitted`, too.
+struct Descent {
+    Eigen::Index face; ///< number of the k-face among those of the simplex
+    int omitted;
+    Eigen::Index below; ///< and among those of the facet
+};
+
+std::vector<Descent> descents(int k, int m) {
+    const auto faces = subsets(m + 1, k + 1), below = subsets(m, k + 1);
+    std::vector<Descent> result;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (int omitted = 0; omitted <= m; ++omitted) {
+            auto corners = faces[i];
+            if (std::binary_search(corners.begin(), corners.end(), omitted))
+                continue;
+            for (int& corner : corners)
+                corner -= corner > omitted ? 1 : 0;
+            const auto place = std::lower_bound(below.begin(), below.end(), corners);
+            result.push_back(
+                {static_cast<Eigen::Index>(i), omitted, Eigen::Index(place - below.begin())});
         }
-    }
-    SparseMatrix H(complex.size(k + 1), complex.size(k));
-    H.setFromTriplets(entries.begin(), entries.end()); // a face met twice has both heights
-    return H;
+    return result;
 }
 
 } // namespace
 
-SparseMatrix dual_parts(const Pieces& complex, const SimplexMetric& metric,
-                        const CellVolumes& volumes, int k, int m) {
+Points parts_of_duals(const Pieces& complex, const SimplexMetric& metric,
+                      const CellVolumes& volumes, int k, int m, const Centers& centers) {
     check_number("parts of duals in simplices of degree", m, 0, complex.dimension());
     check_number("parts of the duals of simplices of degree", k, 0, m);
     check_fit(complex, volumes);
-    SparseMatrix parts(complex.size(m), complex.size(m));
-    parts.setIdentity();
-    for (int j = m - 1; j >= k; --j) {
-        const SparseMatrix next = parts * heights(complex, metric, volumes, j);
-        parts = next / (m - j);
-    }
-    return parts;
-}
-
-DenseMatrix corner_parts(const Pieces& complex, const SimplexMetric& metric,
-                         const CellVolumes& volumes, int m) {
-    check_number("parts of duals in simplices of degree", m, 0, complex.dimension());
-    check_fit(complex, volumes);
-    DenseMatrix parts = DenseMatrix::Ones(complex.size(0), 1);
+    centers.check_fit(complex);
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
-    for (int k = 1; k <= m; ++k) {
-        DenseMatrix next = DenseMatrix::Zero(complex.size(k), k + 1);
-        for (Index t = 0; t < complex.size(k); ++t) {
-            sphere.look_at(layout, k, t);
-            for (int omitted = 0; omitted <= k; ++omitted) {
-                const Index face = complex.face(k, t, omitted);
-                const double height = sphere.height(omitted, volumes.primal(k - 1)[face]) / k;
-                for (int i = 0; i < k; ++i)
-                    next(t, i < omitted ? i : i + 1) += height * parts(face, i);
-            }
+    Points parts = Points::Ones(complex.size(k), 1);
+    for (int j = k + 1; j <= m; ++j) {
+        const auto steps = descents(k, j);
+        std::vector<double> heights(static_cast<std::size_t>(j) + 1);
+        Points next = Points::Zero(complex.size(j), steps.back().face + 1);
+        for (Index t = 0; t < complex.size(j); ++t) {
+            sphere.look_at(layout, j, t);
+            for (int i = 0; i <= j; ++i)
+                heights[i] =
+                    centers.height(j, t, i, sphere, volumes.primal(j - 1)[complex.face(j, t, i)]);
+            for (const auto& [face, omitted, below] : steps)
+                next(t, face) +=
+                    heights[omitted] * parts(complex.face(j, t, omitted), below) / (j - k);
         }
         parts = std::move(next);
     }
     return parts;
+}
+
+SparseMatrix dual_parts(const Pieces& complex, const SimplexMetric& metric,
+                        const CellVolumes& volumes, int k, int m, const Centers& centers) {
+    const Points parts = parts_of_duals(complex, metric, volumes, k, m, centers);
+    SimplexFaces faces(complex, m, k);
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    entries.reserve(static_cast<std::size_t>(parts.size()));
+    for (Index t = 0; t < complex.size(m); ++t) {
+        const auto& of_simplex = faces.of(t);
+        for (std::size_t i = 0; i < of_simplex.size(); ++i)
+            entries.emplace_back(t, of_simplex[i], parts(t, static_cast<Eigen::Index>(i)));
+    }
+    SparseMatrix matrix(complex.size(m), complex.size(k));
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
 }
 
 } // namespace polydec

@@ -3,22 +3,23 @@
 
 #include "complex/pieces.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/centers.h"
 #include "dec/metric/simplex_metric.h"
 
 namespace polydec {
 
-/// The parts of the circumcentric duals: entry (t, s) is the signed (m-k)-volume of the part of
-/// the dual of k-simplex s, taken in the plane of m-simplex t, that lies in t; s is a face of t,
-/// k <= m <= n. size(m) x size(k). The sum over s of |s| times its part is C(m,k) |t|; for m = n
-/// the columns sum to the dual volumes. A part is negative where the circumcenter of t lies beyond
-/// a face. volumes are those of `complex`. Throws InvalidInput for other degrees.
-SparseMatrix dual_parts(const Pieces& complex, const SimplexMetric& metric,
-                        const CellVolumes& volumes, int k, int m);
+/// The parts of the duals, circumcentric or between other centers, of the k-faces of m-simplices:
+/// row t holds for each of its k-faces, in the order of subsets(m+1, k+1) of its corners, the
+/// signed (m-k)-volume of the part of the face's dual, taken in the plane of t, that lies in t.
+/// size(m) x C(m+1, k+1), k <= m <= n. The sum over the faces of |s| times its part is C(m,k) |t|.
+/// A part is negative where the center of t lies beyond a face. volumes are those of `complex`.
+/// Throws InvalidInput for other degrees.
+Points parts_of_duals(const Pieces& complex, const SimplexMetric& metric,
+                      const CellVolumes& volumes, int k, int m, const Centers& centers = {});
 
-/// The parts of the duals of an m-simplex's corners in it: size(m) x (m+1), a column for each
-/// corner in order. As dual_parts of degree 0, but a vertex that is a corner twice has a part at
-/// each.
-DenseMatrix corner_parts(const Pieces& complex, const SimplexMetric& metric,
-                         const CellVolumes& volumes, int m);
+/// The same as a matrix: entry (t, s) is the part in t of the dual of its face s, the sum of both
+/// where s is a face of t twice. size(m) x size(k); for m = n the columns sum to the dual volumes.
+SparseMatrix dual_parts(const Pieces& complex, const SimplexMetric& metric,
+                        const CellVolumes& volumes, int k, int m, const Centers& centers = {});
 
 } // namespace polydec

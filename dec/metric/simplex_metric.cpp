@@ -138,7 +138,7 @@ Corners SimplexLayout::lay_out(int k, Index s) {
 }
 
 Vector edge_lengths(const Pieces& complex, const Points& points) {
-    require_points(complex, points, "a length");
+    require_straight(complex, points, "a length");
     const auto& edges = complex.simplices(1);
     Vector lengths(edges.rows());
     for (Index e = 0; e < edges.rows(); ++e)
@@ -177,6 +177,16 @@ void require_points(const Pieces& complex, const Points& points, std::string_vie
     if (largest >= points.rows())
         throw InvalidInput(fmt::format("a cell uses vertex {} but there are only {} points",
                                        largest, points.rows()));
+}
+
+void require_straight(const Pieces& complex, const Points& points, std::string_view what) {
+    require_points(complex, points, what);
+    if (!complex.is_simplicial())
+        throw InvalidInput(
+            fmt::format("the pieces are glued by lengths, as they are after intrinsic "
+                        "flips: {} needs straight simplices between points; give "
+                        "those of the input, or the whole discretization",
+                        what));
 }
 
 } // namespace polydec

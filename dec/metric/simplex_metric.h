@@ -99,4 +99,7 @@ void require_points(Eigen::Index coordinates, std::string_view what);
 /// The same, and if a vertex of the complex has no point.
 void require_points(const Pieces& complex, const Points& points, std::string_view what);
 
+/// The same, and if the pieces are not straight simplices between points, since edges were flipped.
+void require_straight(const Pieces& complex, const Points& points, std::string_view what);
+
 } // namespace polydec

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The angles opposite to the edge add up to pi within 2 pi 1e-4.
-constexpr MergeOptions papers_test{.criterion = MergeCriterion::angle,
+const MergeOptions papers_test{.criterion = MergeCriterion::angle,
                                    .tolerance = 2e-4 * std::numbers::pi};
 
 struct Source {

@@ -67,6 +67,17 @@ void laplacian_of_a_parabola() {
               << ", along the diagonal " << A.coeff(middle, middle + 10) << '\n';
 }
 
+void other_centers() {
+    for (const auto& centers : {polydec::Centers(), polydec::Centers::centroids()}) {
+        const auto mesh = polydec::discretize(polydec::grid(8, 8), {.centers = centers});
+        const polydec::Vector u = mesh.points.rowwise().prod(); // xy, which is harmonic
+        const polydec::Vector Lu = polydec::laplacian(mesh.complex(), mesh.volumes, 0) * u;
+        std::cout << mesh.complex().size(2) << " cells, smallest star_1 "
+                  << polydec::star(mesh.volumes, 1).minCoeff() << ", Delta xy in the middle "
+                  << std::round(1e6 * Lu[4 * 9 + 4]) / 1e6 << '\n';
+    }
+}
+
 } // namespace
 
 int main() {
@@ -76,4 +87,5 @@ int main() {
     flat_torus();
     adjoint();
     laplacian_of_a_parabola();
+    other_centers();
 }

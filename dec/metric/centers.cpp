@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "dec/metric/centers.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+Centers Centers::centroids() {
+    Centers result;
+    result.kind_ = Kind::centroids;
+    return result;
+}
+
+Centers::Centers(std::vector<Points> coordinates) : kind_(Kind::given) {
+    constexpr double rounding = 1e-12;
+    for (std::size_t k = 0; k < coordinates.size(); ++k) {
+        check_as_many(fmt::format("coordinates of the center of a {}-simplex", k),
+                      coordinates[k].cols(), static_cast<Index>(k) + 1);
+        for (Eigen::Index s = 0; s < coordinates[k].rows(); ++s)
+            if (!(std::abs(coordinates[k].row(s).sum() - 1) <=
+                  rounding * (1 + coordinates[k].row(s).cwiseAbs().sum())))
+                throw InvalidInput(fmt::format("the coordinates of the center of {}-simplex {} add "
+                                               "up to {}: expected 1",
+                                               k, s, coordinates[k].row(s).sum()));
+    }
+    given_ = std::make_shared<const std::vector<Points>>(std::move(coordinates));
+}
+
+void Centers::check_fit(const Pieces& complex) const {
+    if (kind_ != Kind::given)
+        return;
+    check_as_many("degrees of centers", static_cast<Index>(given_->size()),
+                  complex.dimension() + 1);
+    for (int k = 0; k <= complex.dimension(); ++k)
+        check_as_many(fmt::format("centers of {}-simplices", k), (*given_)[k].rows(),
+                      complex.size(k));
+}
+
+Points center_points(const Pieces& complex, const SimplexMetric& metric, const Points& points,
+                     const Centers& centers, int k) {
+    require_points(complex, points, "a center");
+    centers.check_fit(complex);
+    SimplexLayout layout(complex, metric);
+    Circumsphere sphere;
+    Points result = Points::Zero(complex.size(k), points.cols());
+    for (Index s = 0; s < complex.size(k); ++s) {
+        sphere.look_at(layout, k, s);
+        for (int i = 0; i <= k; ++i)
+            result.row(s) +=
+                centers.coordinate(k, s, i, sphere) * points.row(complex.simplices(k)(s, i));
+    }
+    return result;
+}
+
+} // namespace polydec

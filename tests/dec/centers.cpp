@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "dec/metric/centers.h"
+
+#include "dec/discretization.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/dual_parts.h"
+#include "meshes/generate.h"
+#include "tests/support/families.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+double binomial(int n, int k) {
+    return std::round(std::tgamma(n + 1.0) / (std::tgamma(k + 1.0) * std::tgamma(n - k + 1.0)));
+}
+
+/// The circumcenters' coordinates, as one's own.
+Centers given_circumcenters(const Pieces& K, const Points& points) {
+    SimplexLayout layout(K, points);
+    Circumsphere sphere;
+    std::vector<Points> coordinates;
+    for (int k = 0; k <= K.dimension(); ++k) {
+        Points rows(K.size(k), k + 1);
+        for (Index s = 0; s < K.size(k); ++s) {
+            sphere.look_at(layout, k, s);
+            for (int i = 0; i <= k; ++i)
+                rows(s, i) = sphere.barycentric(i);
+        }
+        coordinates.push_back(std::move(rows));
+    }
+    return Centers(std::move(coordinates));
+}
+
+class CentersOf : public OverMeshes {};
+
+TEST_P(CentersOf, mass_make_every_dual_positive_and_all_of_them_fill_the_mesh) {
+    const auto& K = mesh().K();
+    const auto volumes = dual_volumes(K, mesh().points, Centers::centroids());
+    const int n = K.dimension();
+    for (int k = 0; k <= n; ++k) {
+        EXPECT_GT(volumes.dual(k).minCoeff(), 0) << "degree " << k;
+        EXPECT_TRUE(zero_star_cells(volumes, k).empty());
+        const double whole = binomial(n, k) * volumes.primal(n).sum();
+        EXPECT_NEAR(volumes.primal(k).dot(volumes.dual(k)), whole, 1e-12 * whole);
+    }
+}
+
+TEST_P(CentersOf, spheres_are_the_same_if_given_by_their_coordinates) {
+    const auto& K = mesh().K();
+    const auto volumes = dual_volumes(K, mesh().points, given_circumcenters(K, mesh().points));
+    for (int k = 0; k <= K.dimension(); ++k)
+        EXPECT_EQ(volumes.dual(k), mesh().input_volumes.dual(k)) << "degree " << k;
+}
+
+TEST_P(CentersOf, mass_divide_simplices_into_equal_parts) {
+    const auto& K = mesh().K();
+    const auto centers = Centers::centroids();
+    const auto volumes = dual_volumes(K, mesh().points, centers);
+    const int n = K.dimension();
+    for (int k = 0; k <= n; ++k) {
+        const SparseMatrix parts = dual_parts(K, mesh().points, volumes, k, n, centers);
+        const Vector filled = parts * volumes.primal(k);
+        EXPECT_LT(relative_difference(filled, binomial(n, k) * volumes.primal(n)), 1e-12);
+        const Vector sums = parts.transpose() * Vector::Ones(K.size(n));
+        EXPECT_LT(relative_difference(sums, volumes.dual(k)), 1e-12);
+        for (Index t = 0; t < K.size(n); ++t)
+            for (SparseMatrix::InnerIterator part(parts, t); part; ++part) {
+                const double share = volumes.primal(n)[t] / volumes.primal(k)[part.col()];
+                const double equal = binomial(n, k) * share / binomial(n + 1, k + 1);
+                EXPECT_NEAR(part.value(), equal, 1e-12 * equal);
+            }
+    }
+}
+
+TEST_P(CentersOf, mass_give_laplacians_of_every_degree_on_the_mesh_as_it_is) {
+    const auto whole = discretize(mesh_named(GetParam()), {.centers = Centers::centroids()});
+    EXPECT_EQ(whole.complex().size(whole.dimension()), whole.input().size(whole.dimension()));
+    for (int k = 0; k <= whole.dimension(); ++k) {
+        const SparseMatrix L = symmetric_laplacian(whole.complex(), whole.volumes, k);
+        EXPECT_EQ(L.rows(), whole.complex().size(k));
+        const Vector x = random_vector(whole.complex().size(k), 4);
+        EXPECT_GE(x.dot(L * x), 0) << "degree " << k;
+    }
+}
+
+POLYDEC_OVER_MESHES(CentersOf);
+
+TEST(Centroids, are_circumcenters_of_regular_simplices_and_of_no_others) {
+    Mesh regular = grid(3, 3); // sheared until its triangles are equilateral
+    regular.points.col(0) -= regular.points.col(1) / 2;
+    regular.points.col(1) *= std::sqrt(0.75);
+    const SimplicialComplex K(regular.simplices);
+    const auto around = circumcentric_volumes(K, regular.points);
+    const auto mean = dual_volumes(K, regular.points, Centers::centroids());
+    for (int k = 0; k <= 2; ++k)
+        EXPECT_LT(relative_difference(mean.dual(k), around.dual(k)), 1e-12);
+    const Mesh right = grid(3, 3);
+    const SimplicialComplex squares(right.simplices);
+    EXPECT_GT(relative_difference(dual_volumes(squares, right.points, Centers::centroids()).dual(1),
+                                  circumcentric_volumes(squares, right.points).dual(1)),
+              0.1);
+}
+
+TEST(CentersOfOnesOwn, are_refused_by_name_where_they_are_none) {
+    const Mesh square = grid(1, 1);
+    const SimplicialComplex K(square.simplices);
+    const auto refused = [](std::vector<Points> rows) {
+        return refusal([&] { Centers(std::move(rows)); });
+    };
+    const Points vertices = Points::Ones(4, 1), edges = Points::Constant(5, 2, 0.5);
+    Points triangles = Points::Constant(2, 3, 1.0 / 3);
+    EXPECT_EQ(refused({vertices, edges, triangles}), "accepted");
+    const Centers fewer({vertices, edges.topRows(4), triangles});
+    EXPECT_EQ(refusal([&] { dual_volumes(K, square.points, fewer); }),
+              "4 centers of 1-simplices are given: expected 5");
+    triangles(1, 2) = 1;
+    EXPECT_EQ(refused({vertices, edges, triangles}).substr(0, 52),
+              "the coordinates of the center of 2-simplex 1 add up ");
+    triangles(1, 2) = NAN;
+    EXPECT_NE(refused({vertices, edges, triangles}), "accepted");
+    EXPECT_EQ(refused({vertices, triangles}),
+              "3 coordinates of the center of a 1-simplex are given: expected 2");
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "complex/homology.h"
+#include "dec/discretization.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "meshes/generate.h"
+#include "tests/support/families.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace polydec::test {
+namespace {
+
+const MergeOptions apart{.tolerance = tolerance, .materials = Materials::keep_apart};
+
+/// The mesh with one of some tags on each simplex, at random.
+Mesh tagged(const std::string& name, Index tags) {
+    Mesh mesh = mesh_named(name);
+    std::mt19937 random(9);
+    mesh.tags.resize(static_cast<std::size_t>(mesh.simplices.rows()));
+    for (Index& tag : mesh.tags)
+        tag = 1 + static_cast<Index>(random() % static_cast<unsigned>(tags));
+    return mesh;
+}
+
+/// Facets between simplices of different tags that are not there any more.
+Index removed_walls(const Discretization& mesh, const std::vector<Index>& tags) {
+    const int n = mesh.dimension();
+    const Cofaces cofaces(mesh.pieces(), n);
+    Index removed = 0;
+    for (Index f = 0; f < mesh.pieces().size(n - 1); ++f) {
+        const auto around = cofaces.of(f);
+        const auto tag = [&](const Coface& t) { return tags[mesh.input().input_row(t.cell)]; };
+        const bool is_wall = std::any_of(around.begin(), around.end(), [&](const Coface& t) {
+            return tag(t) != tag(around.front());
+        });
+        removed += is_wall && mesh.merging.carriers(n - 1)[f].dimension == n ? 1 : 0;
+    }
+    return removed;
+}
+
+class MaterialsOf : public OverMeshes {};
+
+TEST_P(MaterialsOf, a_mesh_are_kept_apart_by_all_facets_between_them) {
+    const Mesh input = tagged(GetParam(), 3);
+    const auto mesh = discretize(input, apart);
+    const int n = mesh.dimension();
+    EXPECT_EQ(removed_walls(mesh, input.tags), 0);
+    ASSERT_EQ(mesh.tags.size(), static_cast<std::size_t>(mesh.complex().size(n)));
+    for (Index t = 0; t < mesh.pieces().size(n); ++t)
+        EXPECT_EQ(mesh.tags[mesh.merging.carriers(n)[t].cell],
+                  input.tags[mesh.input().input_row(t)]);
+    EXPECT_EQ(betti_numbers(mesh.complex()), betti_numbers(mesh.input()));
+}
+
+TEST_P(MaterialsOf, one_kind_merge_as_if_there_were_none) {
+    const auto one = discretize(tagged(GetParam(), 1), apart);
+    const auto none = discretize(mesh_named(GetParam()), {.tolerance = tolerance});
+    for (int k = 0; k <= none.dimension(); ++k) {
+        EXPECT_EQ(one.complex().size(k), none.complex().size(k));
+        EXPECT_EQ(one.volumes.dual(k), none.volumes.dual(k));
+    }
+}
+
+POLYDEC_OVER_MESHES(MaterialsOf);
+
+TEST(MaterialsOfCubes, are_joined_unless_they_are_to_be_kept_apart) {
+    const Mesh input = tagged("kuhn3", 3);
+    EXPECT_GT(removed_walls(discretize(input), input.tags), 0);
+    EXPECT_EQ(removed_walls(discretize(input, apart), input.tags), 0);
+}
+
+TEST(MaterialsOfSurfaces, do_not_go_with_flips) {
+    auto options = apart;
+    options.delaunay = Delaunay::flips;
+    EXPECT_EQ(refusal([&] { discretize(tagged("grid4", 2), options); }),
+              "materials are to be kept apart, but flips join triangles of different groups: do "
+              "without one of them");
+}
+
+TEST(MarksOfFacets, are_as_many_as_facets) {
+    const Mesh mesh = grid(2, 2);
+    const SimplicialComplex K(mesh.simplices);
+    const auto volumes = circumcentric_volumes(K, mesh.points);
+    EXPECT_EQ(refusal([&] {
+                  merge_cospherical(K, mesh.points, volumes, {}, {true, false});
+              }),
+              "2 marks of facets are given: expected 16");
+}
+
+} // namespace
+} // namespace polydec::test

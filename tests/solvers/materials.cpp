@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "solvers/poisson.h"
+#include "tests/support/matrices.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+constexpr double wall = 0.5, ratio = 10;
+
+/// Left and right of x = 1/2 are two materials; vertices near the wall are put on it.
+Mesh two_materials(Mesh mesh) {
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        if (std::abs(mesh.points(v, 0) - wall) < 0.05)
+            mesh.points(v, 0) = wall;
+    for (Index t = 0; t < mesh.simplices.rows(); ++t) {
+        double x = 0;
+        for (const Index v : mesh.simplices.row(t))
+            x += mesh.points(v, 0) / static_cast<double>(mesh.simplices.cols());
+        mesh.tags.push_back(x < wall ? 1 : 2);
+    }
+    return mesh;
+}
+
+/// The solution whose flux is 1 everywhere.
+double potential(double x) {
+    return x < wall ? x : wall + (x - wall) / ratio;
+}
+
+double error(const Mesh& input, MergeCriterion criterion, Side side, double second = ratio) {
+    const auto mesh =
+        discretize(input, {.criterion = criterion, .materials = Materials::keep_apart});
+    Vector conductivity(mesh.complex().size(mesh.dimension()));
+    for (Index cell = 0; cell < conductivity.size(); ++cell)
+        conductivity[cell] = mesh.tags[cell] == 1 ? 1 : second;
+    PoissonSolver solver(mesh, {.side = side, .conductivity = conductivity});
+    const auto exact = [](const Points& sites) {
+        return Vector(sites.col(0).unaryExpr(&potential));
+    };
+    const Vector u =
+        solver.solve(Vector::Zero(solver.sites().rows()), exact(solver.boundary_sites()));
+    return (u - exact(solver.sites())).cwiseAbs().maxCoeff();
+}
+
+constexpr double rounding = 1e-12;
+
+TEST(TwoMaterials, have_their_exact_solution_on_cubes_of_any_dimension) {
+    for (int n = 2; n <= 4; ++n) {
+        const Mesh mesh = two_materials(kuhn(n, 4));
+        EXPECT_LT(error(mesh, MergeCriterion::dual_length, Side::primal), rounding) << n;
+        EXPECT_LT(error(mesh, MergeCriterion::dual_length, Side::dual), rounding) << n;
+        EXPECT_LT(error(mesh, MergeCriterion::none, Side::primal), rounding) << n;
+    }
+}
+
+TEST(TwoMaterials, have_their_exact_solution_on_triangles_of_any_shape) {
+    const Mesh mesh = two_materials(perturbed(grid(8, 8), 0.01, 3));
+    for (const auto criterion : {MergeCriterion::dual_length, MergeCriterion::none})
+        for (const Side side : {Side::primal, Side::dual}) {
+            EXPECT_LT(error(mesh, criterion, side), 1e-11);
+            EXPECT_GT(error(mesh, criterion, side, 9), 1e-3) << "another conductivity";
+        }
+}
+
+TEST(TwoMaterials, have_their_exact_solution_where_the_wall_divides_cospherical_cells) {
+    // the hypotenuses of squares lie on the wall: across it nothing may merge
+    Mesh mesh;
+    mesh.points.resize(6, 2);
+    mesh.points << 0.5, 0, 1, 0.5, 0.5, 1, 0, 0.5, 0, 0, 1, 1;
+    mesh.simplices.resize(4, 3);
+    mesh.simplices << 0, 1, 2, 0, 2, 3, 0, 3, 4, 1, 5, 2;
+    mesh = two_materials(mesh);
+    EXPECT_LT(error(mesh, MergeCriterion::dual_length, Side::primal), rounding);
+    const auto joined = discretize(mesh);
+    EXPECT_EQ(joined.warnings.size(), 1u);
+    EXPECT_LT(joined.complex().size(2),
+              discretize(mesh, {.materials = Materials::keep_apart}).complex().size(2));
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""Materials: physical groups that are kept apart, and a conductivity for each of them."""
+import command
+from command import TestCase
+
+KAPPA = "group==2 ? 10 : 1"
+EXACT = "x<0.5 ? x : 0.5+(x-0.5)/10"
+
+
+def plate(n, tag_of):
+    """The text of a square of n x n squares, of two triangles each, with a group for each."""
+    vertices = [f"{x / n} {y / n} 0" for y in range(n + 1) for x in range(n + 1)]
+    triangles = []
+    for y in range(n):
+        for x in range(n):
+            a = y * (n + 1) + x + 1
+            b, c, d = a + 1, a + n + 2, a + n + 1
+            triangles += [f"{a} {b} {c} {tag_of(x, y, 0)}", f"{a} {c} {d} {tag_of(x, y, 1)}"]
+    return "\n".join(["MeshVersionFormatted 2", "Dimension 2", "Vertices", str(len(vertices)),
+                      *vertices, "Triangles", str(len(triangles)), *triangles, "End", ""])
+
+
+class Materials(TestCase):
+    def setUp(self):
+        super().setUp()
+        self.halves = self.write("halves.mesh", plate(4, lambda x, y, i: 1 if x < 2 else 2))
+        self.checks = self.write("checks.mesh", plate(4, lambda x, y, i: 1 + i))
+
+    def poisson(self, mesh, *arguments):
+        return self.ask("poisson", mesh, "--rhs", "0", "--boundary", EXACT, "--exact", EXACT,
+                        *arguments)
+
+    def test_two_of_them_have_their_exact_solution(self):
+        for side in ("primal", "dual"):
+            answer = self.poisson(self.halves, "--side", side, "--conductivity", KAPPA)
+            self.assertLess(answer["error"]["max"], 1e-12)
+            without = self.poisson(self.halves, "--side", side)
+            self.assertGreater(without["error"]["max"], 0.05)
+        answer = self.poisson(self.halves, "--side", "primal", "--conductivity", KAPPA,
+                              "--no-merge")
+        self.assertLess(answer["error"]["max"], 1e-12)
+
+    def test_squares_of_two_groups_are_divided_only_if_groups_are_kept(self):
+        self.assertEqual(self.ask("info", self.checks)["cells"]["merged"], [25, 40, 16])
+        kept = self.ask("info", self.checks, "--keep-groups")
+        self.assertEqual(kept["cells"]["merged"], [25, 56, 32])
+        self.assertEqual(kept["warnings"], [])
+
+    def test_a_conductivity_is_an_expression_or_a_file_with_a_number_for_each_cell(self):
+        by_place = self.poisson(self.halves, "--side", "primal", "--conductivity",
+                                "x<0.5 ? 1 : 10")
+        self.assertLess(by_place["error"]["max"], 1e-12)
+        numbers = self.write("kappa.txt", "2 " * 16)
+        self.poisson(self.halves, "--side", "dual", "--conductivity", numbers)
+        said = self.fail_with(2, "poisson", self.halves, "--side", "dual", "--rhs", "0",
+                              "--conductivity", self.write("few.txt", "1 2 3"))
+        self.assertIn("3 numbers, expected 16", said)
+
+    def test_what_makes_no_sense_is_refused(self):
+        plain = self.write("plain.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        said = self.fail_with(2, "poisson", plain, "--side", "primal", "--rhs", "1",
+                              "--conductivity", KAPPA)
+        self.assertIn("uses `group`, but the mesh has none", said)
+        said = self.fail_with(2, "poisson", self.halves, "--side", "primal", "--rhs", "1",
+                              "--conductivity", "1-group")
+        self.assertIn("conductivity", said)
+        self.fail_with(1, "info", self.halves, "--keep-groups", "--delaunay")
+        self.fail_with(1, "poisson", self.halves, "--side", "primal", "--rhs", "group")
+
+
+if __name__ == "__main__":
+    command.main()
