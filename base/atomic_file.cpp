@@ -31,9 +31,8 @@ std::filesystem::path resolved(const std::filesystem::path& target) {
     std::error_code error;
     auto result =
         std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
-    if (error) {
+    if (error)
         refuse(target, error.message());
-    }
     return result;
 }
 
@@ -51,16 +50,14 @@ int create(Unfinished& temporary, const std::filesystem::path& folder) {
 
 /// Where the system refuses, the usual permissions of a new file have to do.
 void keep_permissions(int file, mode_t mode) {
-    if (::fchmod(file, mode & 0777U) != 0) {
+    if (::fchmod(file, mode & 0777U) != 0)
         errno = 0;
-    }
 }
 
 std::string advice(const std::filesystem::path& folder) {
     std::error_code ignored;
-    if (std::filesystem::is_directory(folder, ignored)) {
+    if (std::filesystem::is_directory(folder, ignored))
         return "";
-    }
     return fmt::format("; make the folder {} first", folder.string());
 }
 
@@ -76,15 +73,12 @@ bool is_writable(const std::filesystem::path& path) {
 void check_replaceable(const std::filesystem::path& target) {
     const auto final_target = resolved(target);
     struct stat status {};
-    if (::stat(final_target.c_str(), &status) != 0) {
+    if (::stat(final_target.c_str(), &status) != 0)
         return;
-    }
-    if (!S_ISREG(status.st_mode)) {
+    if (!S_ISREG(status.st_mode))
         refuse(target, "it is a folder, pipe or device; name a regular file");
-    }
-    if (!is_writable(final_target)) {
+    if (!is_writable(final_target))
         refuse(target, "it is read-only; name another file, or make it writable");
-    }
 }
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)
@@ -102,22 +96,19 @@ AtomicFile::AtomicFile(const std::filesystem::path& target)
         temporary_.finish();
         refuse(target, reason + advice(final_.parent_path()));
     }
-    if (exists) {
+    if (exists)
         keep_permissions(file_, status.st_mode);
-    }
 }
 
 AtomicFile::~AtomicFile() {
-    if (file_ >= 0) {
+    if (file_ >= 0)
         ::close(file_);
-    }
 }
 
 void AtomicFile::write(std::string_view text) {
     assert(file_ >= 0 && "no writing after commit");
-    if (buffer_.size() + text.size() > buffer_bytes) {
+    if (buffer_.size() + text.size() > buffer_bytes)
         flush();
-    }
     buffer_.append(text);
 }
 
@@ -126,17 +117,14 @@ void AtomicFile::commit() {
     flush();
 
     // Some file systems cannot sync; they say EINVAL, and the close has to do.
-    if (::fsync(file_) != 0 && errno != EINVAL) {
+    if (::fsync(file_) != 0 && errno != EINVAL)
         fail();
-    }
     const int file = file_;
     file_ = -1;
-    if (::close(file) != 0) {
+    if (::close(file) != 0)
         fail();
-    }
-    if (std::rename(temporary_.path(), final_.c_str()) != 0) {
+    if (std::rename(temporary_.path(), final_.c_str()) != 0)
         fail();
-    }
     temporary_.finish();
 }
 
@@ -144,9 +132,8 @@ void AtomicFile::flush() {
     std::size_t done = 0;
     while (done < buffer_.size()) {
         const auto count = ::write(file_, buffer_.data() + done, buffer_.size() - done);
-        if (count < 0 && errno != EINTR) {
+        if (count < 0 && errno != EINTR)
             fail();
-        }
         done += count > 0 ? static_cast<std::size_t>(count) : 0;
     }
     buffer_.clear();

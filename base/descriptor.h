@@ -14,9 +14,8 @@ public:
     ~Descriptor() { close(); }
     int number() const { return number_; }
     void close() {
-        if (number_ >= 0) {
+        if (number_ >= 0)
             ::close(number_);
-        }
         number_ = -1;
     }
 

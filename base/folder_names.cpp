@@ -18,9 +18,8 @@ std::vector<std::string> folder_names(const std::filesystem::path& folder, std::
     errno = list ? 0 : errno;
     while (const dirent* const entry = list ? ::readdir(list.get()) : nullptr) {
         std::string name = entry->d_name;
-        if (name != "." && name != "..") {
+        if (name != "." && name != "..")
             names.push_back(std::move(name));
-        }
         errno = 0;
     }
     error = std::error_code(errno, std::generic_category());

@@ -18,18 +18,15 @@ struct Character {
 
 Character character_at(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    if (byte(0) < 0x80) {
+    if (byte(0) < 0x80)
         return {byte(0), 1};
-    }
     const std::size_t bytes = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
-    if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < bytes) {
+    if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < bytes)
         return {};
-    }
     std::uint32_t code = byte(0) & (0x7FU >> bytes);
     for (std::size_t i = 1; i < bytes; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80) {
+        if ((byte(i) & 0xC0U) != 0x80)
             return {};
-        }
         code = (code << 6U) | (byte(i) & 0x3FU);
     }
     // overlong forms, surrogates and what lies beyond Unicode
@@ -60,11 +57,10 @@ std::string escaped(Character character, unsigned char byte) {
         break;
     }
     std::array<char, 16> text{};
-    if (character.bytes > 1) {
+    if (character.bytes > 1)
         std::snprintf(text.data(), text.size(), "\\u%04x", static_cast<unsigned>(character.code));
-    } else {
+    else
         std::snprintf(text.data(), text.size(), "\\x%02x", static_cast<unsigned>(byte));
-    }
     return text.data();
 }
 
@@ -77,9 +73,8 @@ void for_each_piece(std::string_view text, bool keep_lines, Take take) {
         const bool kept =
             (keep_lines && text[0] == '\n') || (character.bytes > 0 && is_shown(character.code));
         if (!take(kept ? std::string(text.substr(0, bytes))
-                       : escaped(character, static_cast<unsigned char>(text[0])))) {
+                       : escaped(character, static_cast<unsigned char>(text[0]))))
             return;
-        }
         text.remove_prefix(bytes);
     }
 }
@@ -87,9 +82,8 @@ void for_each_piece(std::string_view text, bool keep_lines, Take take) {
 /// Where the last `longest` bytes begin, not within a character.
 std::size_t tail(std::string_view text, std::size_t longest) {
     std::size_t begin = text.size() - longest;
-    while (begin < text.size() && (static_cast<unsigned char>(text[begin]) & 0xC0U) == 0x80) {
+    while (begin < text.size() && (static_cast<unsigned char>(text[begin]) & 0xC0U) == 0x80)
         ++begin;
-    }
     return begin;
 }
 
@@ -97,17 +91,15 @@ std::size_t tail(std::string_view text, std::size_t longest) {
 
 std::string printable(std::string_view text, std::size_t longest) {
     // what is far longer than is shown needs no escaping
-    if (text.size() > 4 * longest) {
+    if (text.size() > 4 * longest)
         text.remove_prefix(text.size() - 4 * longest);
-    }
     std::string result;
     for_each_piece(text, false, [&](const std::string& piece) {
         result += piece;
         return true;
     });
-    if (result.size() > longest) {
+    if (result.size() > longest)
         result = "..." + result.substr(tail(result, longest));
-    }
     return result;
 }
 
@@ -127,9 +119,8 @@ std::string printable_message(std::string_view text, std::size_t longest) {
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
         const auto bytes = character_at(text).bytes;
-        if (bytes == 0) {
+        if (bytes == 0)
             return false;
-        }
         text.remove_prefix(bytes);
     }
     return true;

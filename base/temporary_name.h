@@ -20,12 +20,10 @@ bool make_under_new_name(const std::filesystem::path& folder, std::string_view e
                          Make make) {
     constexpr int most_stale_names = 1000;
     for (int attempt = 0; attempt < most_stale_names; ++attempt) {
-        if (make((folder / temporary_name(extension)).c_str())) {
+        if (make((folder / temporary_name(extension)).c_str()))
             return true;
-        }
-        if (errno != EEXIST) {
+        if (errno != EEXIST)
             return false;
-        }
     }
     return false;
 }

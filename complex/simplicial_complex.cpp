@@ -143,11 +143,10 @@ Orientation orient(const IncidenceMatrix& D, const std::vector<Index>& coface_co
         for (IncidenceMatrix::InnerIterator f(D, t); f; ++f) {
             if (coface_counts[f.col()] != 2)
                 continue;
-            if (const Index other = first[f.col()]; other < 0) {
+            if (const Index other = first[f.col()]; other < 0)
                 first[f.col()] = t;
-            } else if (!parts.join(t, other, -f.value() * D.coeff(other, f.col()))) {
+            else if (!parts.join(t, other, -f.value() * D.coeff(other, f.col())))
                 conflicts.push_back(t);
-            }
         }
     }
 

@@ -26,12 +26,11 @@ CellMarks on_the_boundary(const Discretization& discretization, const CellMarks&
     for (int k = n - 2; k >= 0; --k) {
         std::vector<bool> has_other(complex.size(k), false);
         for (Index t = 0; t < complex.size(k + 1); ++t)
-            for (IncidenceMatrix::InnerIterator s(complex.coboundary(k), t); s; ++s) {
+            for (IncidenceMatrix::InnerIterator s(complex.coboundary(k), t); s; ++s)
                 if (marks[k + 1][t])
                     marks[k][s.col()] = true;
                 else
                     has_other[s.col()] = true;
-            }
         for (Index s = 0; s < complex.size(k); ++s)
             if (has_other[s] || left_out[k][s])
                 marks[k][s] = false;

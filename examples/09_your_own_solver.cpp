@@ -31,12 +31,11 @@ private:
     void relax(polydec::Index i, const polydec::DenseMatrix& B, polydec::DenseMatrix& X) const {
         Eigen::RowVectorXd rest = B.row(i);
         double diagonal = 0;
-        for (polydec::SparseMatrix::InnerIterator a(*A_, i); a; ++a) {
+        for (polydec::SparseMatrix::InnerIterator a(*A_, i); a; ++a)
             if (a.col() == i)
                 diagonal = a.value();
             else
                 rest -= a.value() * X.row(a.col());
-        }
         X.row(i) = rest / diagonal;
     }
 

@@ -21,14 +21,12 @@ public:
     template <typename Number>
     void write(Number number) {
         auto bytes = std::bit_cast<std::array<unsigned char, sizeof(Number)>>(number);
-        if constexpr (std::endian::native == std::endian::big) {
+        if constexpr (std::endian::native == std::endian::big)
             std::reverse(bytes.begin(), bytes.end());
-        }
         for (const auto byte : bytes) {
             group_ = group_ << 8 | byte;
-            if (++bytes_ == 3) {
+            if (++bytes_ == 3)
                 put(4);
-            }
         }
         if (text_.size() > piece) {
             sink_(text_);
@@ -54,9 +52,8 @@ private:
     void put(unsigned digits) {
         constexpr std::string_view alphabet =
             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        for (unsigned digit = 0; digit < digits; ++digit) {
+        for (unsigned digit = 0; digit < digits; ++digit)
             text_ += alphabet[group_ >> (18 - 6 * digit) & 63U];
-        }
         group_ = 0;
         bytes_ = 0;
     }
@@ -75,14 +72,11 @@ public:
 
     /// Appends the next bytes; false if the text ends before, or holds what is not base64.
     bool read(std::size_t bytes, std::string& result) {
-        if (bytes > waiting_.size() + text_.size()) {
+        if (bytes > waiting_.size() + text_.size())
             return false;
-        }
-        while (waiting_.size() < bytes) {
-            if (!read_group()) {
+        while (waiting_.size() < bytes)
+            if (!read_group())
                 return false;
-            }
-        }
         result.append(waiting_, 0, bytes);
         waiting_.erase(0, bytes);
         return true;
@@ -96,34 +90,28 @@ private:
         for (int place = 0; place < 4; ++place) {
             const auto begin = std::min(text_.find_first_not_of(" \t\r\n"), text_.size());
             text_.remove_prefix(begin);
-            if (text_.empty()) {
+            if (text_.empty())
                 return false;
-            }
             const int value = digit_value(text_.front());
             const bool is_end = text_.front() == '=' && place >= 2;
             text_.remove_prefix(1);
-            if (!is_end && (value < 0 || digits < place)) {
+            if (!is_end && (value < 0 || digits < place))
                 return false;
-            }
             digits += is_end ? 0 : 1;
             group = group << 6 | static_cast<std::uint32_t>(is_end ? 0 : value);
         }
-        for (int byte = 0; byte + 1 < digits; ++byte) {
+        for (int byte = 0; byte + 1 < digits; ++byte)
             waiting_ += static_cast<char>(group >> (16 - 8 * byte) & 255U);
-        }
         return true;
     }
 
     static int digit_value(char c) {
-        if (c >= 'A' && c <= 'Z') {
+        if (c >= 'A' && c <= 'Z')
             return c - 'A';
-        }
-        if (c >= 'a' && c <= 'z') {
+        if (c >= 'a' && c <= 'z')
             return c - 'a' + 26;
-        }
-        if (c >= '0' && c <= '9') {
+        if (c >= '0' && c <= '9')
             return c - '0' + 52;
-        }
         return c == '+' ? 62 : c == '/' ? 63 : -1;
     }
 

@@ -14,9 +14,8 @@ template <typename Number>
 Number number_at(const char* place, std::endian order) {
     std::array<char, sizeof(Number)> bytes;
     std::memcpy(bytes.data(), place, bytes.size());
-    if (order != std::endian::native) {
+    if (order != std::endian::native)
         std::reverse(bytes.begin(), bytes.end());
-    }
     return std::bit_cast<Number>(bytes);
 }
 

@@ -27,9 +27,8 @@ public:
             return nullptr;
         }
         void* const place = std::realloc(old, size);
-        if (place == nullptr) {
+        if (place == nullptr)
             throw std::bad_alloc();
-        }
         return place;
     }
     static void Free(void* place) { std::free(place); }

@@ -67,16 +67,14 @@ public:
         } else if constexpr (std::convertible_to<const Value&, std::string_view>) {
             text(content);
         } else if constexpr (is_optional<Value>::value) {
-            if (content) {
+            if (content)
                 value(*content);
-            } else {
+            else
                 null();
-            }
         } else {
             array([&] {
-                for (const auto& entry : content) {
+                for (const auto& entry : content)
                     value(entry);
-                }
             });
         }
     }

@@ -47,16 +47,14 @@ double out_of_range_value(std::string_view number) {
 
 Scanner::Scanner(std::string_view name, std::string_view text, Syntax syntax)
     : name_(name), position_(text.data()), end_(text.data() + text.size()), syntax_(syntax) {
-    if (text.substr(0, byte_order_mark.size()) == byte_order_mark) {
+    if (text.substr(0, byte_order_mark.size()) == byte_order_mark)
         position_ += byte_order_mark.size();
-    }
 }
 
 bool Scanner::at_end() {
     while (at_line_end()) {
-        if (position_ == end_) {
+        if (position_ == end_)
             return true;
-        }
         skip_line_break();
     }
     return false;
@@ -64,9 +62,8 @@ bool Scanner::at_end() {
 
 bool Scanner::at_line_end() {
     skip_blanks();
-    if (position_ != end_ && *position_ == syntax_.comment && syntax_.comment != '\0') {
+    if (position_ != end_ && *position_ == syntax_.comment && syntax_.comment != '\0')
         position_ = std::find_if(position_, end_, [this](char c) { return is_line_break(c); });
-    }
     return position_ == end_ || is_line_break(*position_);
 }
 
@@ -96,12 +93,10 @@ double Scanner::number(std::string_view expected) {
 
     double value = 0.0;
     const auto [last, error] = std::from_chars(first, end_, value);
-    if (error == std::errc::invalid_argument || !ends_word(last)) {
+    if (error == std::errc::invalid_argument || !ends_word(last))
         fail_at_word("is not a number", expected);
-    }
-    if (error == std::errc::result_out_of_range) {
+    if (error == std::errc::result_out_of_range)
         value = out_of_range_value({first, static_cast<std::size_t>(last - first)});
-    }
     position_ = last;
     return value;
 }
@@ -113,12 +108,10 @@ std::int64_t Scanner::integer(std::string_view expected, char end_mark) {
     std::int64_t value = 0;
     const auto [last, error] = std::from_chars(position_ + (plus ? 1 : 0), end_, value);
     const bool marked = end_mark != '\0' && last != end_ && *last == end_mark;
-    if (error == std::errc::invalid_argument || !(marked || ends_word(last))) {
+    if (error == std::errc::invalid_argument || !(marked || ends_word(last)))
         fail_at_word("is not a whole number", expected);
-    }
-    if (error == std::errc::result_out_of_range) {
+    if (error == std::errc::result_out_of_range)
         fail_at_word("is too large", expected);
-    }
     position_ = last;
     return value;
 }
@@ -157,9 +150,8 @@ Index Scanner::as_count(std::int64_t value, std::string_view plural,
                          "each; correct the number, or export again if the file was cut off",
                          value, plural, remaining(), least_bytes));
     }
-    if (value > std::numeric_limits<Index>::max()) {
+    if (value > std::numeric_limits<Index>::max())
         fail(fmt::format("more than 2^31 - 1 {}; expected fewer; divide the mesh", plural));
-    }
     return static_cast<Index>(value);
 }
 
@@ -184,15 +176,13 @@ std::string_view Scanner::bytes(std::size_t count, std::string_view expected) {
 }
 
 void Scanner::stay_on_line(std::string_view record) {
-    if (at_line_end()) {
+    if (at_line_end())
         fail(fmt::format("the line ends here; expected {}; complete the line", record));
-    }
 }
 
 void Scanner::end_line(std::string_view record) {
-    if (!at_line_end()) {
+    if (!at_line_end())
         fail_at_word("follows on the same line", fmt::format("the end of {}", record));
-    }
     next_line();
 }
 
@@ -207,9 +197,8 @@ bool Scanner::continues_here() const {
 }
 
 bool Scanner::ends_word(const char* place) const {
-    if (place == end_ || is_space(*place)) {
+    if (place == end_ || is_space(*place))
         return true;
-    }
     return syntax_.continuation != '\0' && *place == syntax_.continuation && end_ - place > 1 &&
            is_line_break(place[1]);
 }
@@ -235,9 +224,8 @@ void Scanner::skip_blanks() {
 }
 
 void Scanner::skip_line_break() {
-    if (position_ == end_) {
+    if (position_ == end_)
         return;
-    }
     const bool two = *position_ == '\r' && end_ - position_ > 1 && position_[1] == '\n';
     position_ += two ? 2 : 1;
     ++line_;
@@ -245,9 +233,8 @@ void Scanner::skip_line_break() {
 
 std::string_view Scanner::word_here() const {
     const char* last = position_;
-    while (!ends_word(last)) {
+    while (!ends_word(last))
         ++last;
-    }
     return {position_, static_cast<std::size_t>(last - position_)};
 }
 

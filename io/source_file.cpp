@@ -32,9 +32,8 @@ SourceFile read_source_file(const std::filesystem::path& path) {
         }
     };
     const RegularFile file = named([&] { return RegularFile(path); });
-    if (!file.is_regular()) {
+    if (!file.is_regular())
         refuse(name, "it is a folder, pipe or device; name a regular file");
-    }
     constexpr double with_mesh = 2; // what is read of it takes about as much as the text
     check_memory(with_mesh * static_cast<double>(file.size()), fmt::format("reading {}", name));
     try {

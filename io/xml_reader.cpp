@@ -113,16 +113,14 @@ std::string_view XmlReader::read_name() {
 
 std::string XmlReader::read_value() {
     skip_spaces();
-    if (!starts_with("=")) {
+    if (!starts_with("="))
         fail("an attribute without a value; expected = and a value in quotes; export it again");
-    }
     go_to(position_ + 1);
     skip_spaces();
     const auto end = starts_with("\"") || starts_with("'") ? rest().find(rest().front(), 1)
                                                            : std::string_view::npos;
-    if (end == std::string_view::npos) {
+    if (end == std::string_view::npos)
         fail("the value of an attribute is not in quotes; expected two of them; export it again");
-    }
     auto value = resolved(rest().substr(1, end - 1));
     go_to(position_ + end + 1);
     return value;
@@ -135,9 +133,8 @@ void XmlReader::read_attributes(XmlTag& tag) {
             go_to(position_ + 1);
             break;
         }
-        if (rest().empty()) {
+        if (rest().empty())
             fail("the file ends within a tag; expected >; export it again, it seems cut off");
-        }
         const auto key = read_name();
         tag.attributes.emplace_back(key, read_value());
     }
@@ -145,9 +142,8 @@ void XmlReader::read_attributes(XmlTag& tag) {
 }
 
 void XmlReader::keep_path(const XmlTag& tag) {
-    if (tag.opens) {
+    if (tag.opens)
         path_.push_back(tag.name);
-    }
     if (tag.closes) {
         if (path_.empty() || path_.back() != tag.name) {
             fail(fmt::format("the element {} ends here; expected the end of {}; export it again",

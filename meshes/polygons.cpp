@@ -35,9 +35,8 @@ public:
                 add_fan(apex);
                 return true;
             }
-            if (corners_.size() > most_corners_without_fan) {
+            if (corners_.size() > most_corners_without_fan)
                 return false;
-            }
         }
         cut_ears();
         return true;
@@ -54,16 +53,13 @@ private:
         area_vector_.assign(static_cast<std::size_t>(axes * (axes - 1) / 2), 0.0);
         for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
             std::size_t pair = 0;
-            for (Eigen::Index a = 0; a < axes; ++a) {
-                for (Eigen::Index b = a + 1; b < axes; ++b) {
+            for (Eigen::Index a = 0; a < axes; ++a)
+                for (Eigen::Index b = a + 1; b < axes; ++b)
                     area_vector_[pair++] += wedge(0, i, i + 1, a, b);
-                }
-            }
         }
         double square = 0.0;
-        for (const double component : area_vector_) {
+        for (const double component : area_vector_)
             square += component * component;
-        }
         length_ = std::sqrt(square);
     }
 
@@ -80,11 +76,9 @@ private:
     double area(std::size_t i, std::size_t j, std::size_t k) const {
         double product = 0.0;
         std::size_t pair = 0;
-        for (Eigen::Index a = 0; a < points_.cols(); ++a) {
-            for (Eigen::Index b = a + 1; b < points_.cols(); ++b) {
+        for (Eigen::Index a = 0; a < points_.cols(); ++a)
+            for (Eigen::Index b = a + 1; b < points_.cols(); ++b)
                 product += area_vector_[pair++] * wedge(i, j, k, a, b);
-            }
-        }
         return product / length_;
     }
 
@@ -101,19 +95,16 @@ private:
 
     bool fan_fits(std::size_t apex) const {
         const auto size = corners_.size();
-        for (std::size_t step = 1; step + 1 < size; ++step) {
-            if (!has_area(apex, (apex + step) % size, (apex + step + 1) % size)) {
+        for (std::size_t step = 1; step + 1 < size; ++step)
+            if (!has_area(apex, (apex + step) % size, (apex + step + 1) % size))
                 return false;
-            }
-        }
         return true;
     }
 
     void add_fan(std::size_t apex) {
         const auto size = corners_.size();
-        for (std::size_t step = 1; step + 1 < size; ++step) {
+        for (std::size_t step = 1; step + 1 < size; ++step)
             add(apex, (apex + step) % size, (apex + step + 1) % size);
-        }
     }
 
     void add(std::size_t i, std::size_t j, std::size_t k) {
@@ -138,9 +129,8 @@ private:
             }
             corner = next_[corner];
         }
-        for (auto i = next_[corner]; next_[i] != corner; i = next_[i]) {
+        for (auto i = next_[corner]; next_[i] != corner; i = next_[i])
             add(corner, i, next_[i]);
-        }
     }
 
     void cut(std::size_t ear) {
@@ -162,31 +152,26 @@ private:
             next_[i] = (i + 1) % size;
             previous_[i] = (i + size - 1) % size;
         }
-        for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t i = 0; i < size; ++i)
             is_ear_[i] = is_ear(i);
-        }
     }
 
     bool is_ear(std::size_t j) const {
         const auto i = previous_[j];
         const auto k = next_[j];
-        if (!has_area(i, j, k)) {
+        if (!has_area(i, j, k))
             return false;
-        }
-        for (auto other = next_[k]; other != i; other = next_[other]) {
-            if (is_inside(other, i, j, k)) {
+        for (auto other = next_[k]; other != i; other = next_[other])
+            if (is_inside(other, i, j, k))
                 return false;
-            }
-        }
         return true;
     }
 
     /// The border counts as inside, but a corner at the same place does not: polygons with a hole
     /// visit the ends of their bridge twice.
     bool is_inside(std::size_t other, std::size_t i, std::size_t j, std::size_t k) const {
-        if (area(i, j, other) < 0.0 || area(j, k, other) < 0.0 || area(k, i, other) < 0.0) {
+        if (area(i, j, other) < 0.0 || area(j, k, other) < 0.0 || area(k, i, other) < 0.0)
             return false;
-        }
         return squared_distance(other, i) > 0.0 && squared_distance(other, j) > 0.0 &&
                squared_distance(other, k) > 0.0;
     }
@@ -220,14 +205,11 @@ struct Tallies {
 
 Corners without_repeats(Corners corners, std::vector<Index>& kept) {
     kept.clear();
-    for (const Index corner : corners) {
-        if (kept.empty() || kept.back() != corner) {
+    for (const Index corner : corners)
+        if (kept.empty() || kept.back() != corner)
             kept.push_back(corner);
-        }
-    }
-    while (kept.size() > 1 && kept.back() == kept.front()) {
+    while (kept.size() > 1 && kept.back() == kept.front())
         kept.pop_back();
-    }
     return kept;
 }
 
@@ -246,9 +228,8 @@ std::vector<Index> triangles_of(const PolygonMesh& polygons, Tallies& tallies,
         auto corners = all.subspan(begin, end - begin);
         if (corners.size() > 3) {
             corners = without_repeats(corners, kept);
-            if (corners.size() < end - begin) {
+            if (corners.size() < end - begin)
                 tallies.repeats.add(face, end - begin - corners.size());
-            }
         }
         if (corners.size() < 3) {
             tallies.too_small.add(face);
@@ -262,9 +243,8 @@ std::vector<Index> triangles_of(const PolygonMesh& polygons, Tallies& tallies,
                 "{} corners then; split it before",
                 face, corners.size(), most_corners_without_fan));
         }
-        if (!polygons.tags.empty()) {
+        if (!polygons.tags.empty())
             tags.resize(triangles.size() / 3, polygons.tags[face]);
-        }
     }
     return triangles;
 }
@@ -295,11 +275,9 @@ std::vector<std::string> warnings_of(const Tallies& tallies) {
 }
 
 bool are_triangles(const PolygonMesh& polygons) {
-    for (std::size_t face = 0; face < polygons.offsets.size(); ++face) {
-        if (static_cast<std::size_t>(polygons.offsets[face]) != 3 * face) {
+    for (std::size_t face = 0; face < polygons.offsets.size(); ++face)
+        if (static_cast<std::size_t>(polygons.offsets[face]) != 3 * face)
             return false;
-        }
-    }
     return true;
 }
 

@@ -17,17 +17,15 @@ MesherInput facets_of(const Mesh& surface) {
     input.points = surface.points;
     const auto& triangles = surface.simplices;
     input.corners.assign(triangles.data(), triangles.data() + triangles.size());
-    for (Eigen::Index f = 0; f <= triangles.rows(); ++f) {
+    for (Eigen::Index f = 0; f <= triangles.rows(); ++f)
         input.offsets.push_back(static_cast<Index>(f * triangles.cols()));
-    }
     return input;
 }
 
 Eigen::Index count_isolated(const MesherInput& input) {
     std::vector<bool> used(static_cast<std::size_t>(input.points.rows()), false);
-    for (const Index corner : input.corners) {
+    for (const Index corner : input.corners)
         used[static_cast<std::size_t>(corner)] = true;
-    }
     return std::count(used.begin(), used.end(), false);
 }
 
@@ -85,9 +83,8 @@ Mesh tetrahedralize(const Mesh& surface, const MesherOptions& options, const Poi
         mesh.warnings.push_back(fmt::format("left out {} {} of no triangle", isolated,
                                             isolated == 1 ? "vertex" : "vertices"));
     }
-    if (options.quality > 0.0) {
+    if (options.quality > 0.0)
         warn_of_quality(mesh, options.quality);
-    }
     return mesh;
 }
 

@@ -53,13 +53,11 @@ Descriptor moved_up(int number) {
 
 Pipe make_pipe(const std::filesystem::path& program) {
     std::array<int, 2> ends{};
-    if (::pipe(ends.data()) != 0) {
+    if (::pipe(ends.data()) != 0)
         refuse(program, errno);
-    }
     Pipe pipe{moved_up(ends[0]), moved_up(ends[1])};
-    if (pipe.read.number() < 0 || pipe.write.number() < 0) {
+    if (pipe.read.number() < 0 || pipe.write.number() < 0)
         refuse(program, errno);
-    }
     return pipe;
 }
 
@@ -113,9 +111,8 @@ private:
     ::setpgid(0, 0);
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) {
+    if (::getppid() != parent)
         ::_exit(127); // it ended before it was asked for
-    }
 #else
     static_cast<void>(parent);
 #endif
@@ -162,9 +159,8 @@ public:
 
     /// Status and use of memory; false if the system does not tell, because SIGCHLD is ignored.
     bool reap(int* status = nullptr, rusage* usage = nullptr) {
-        if (id_ < 0) {
+        if (id_ < 0)
             return false;
-        }
         ::kill(-id_, SIGKILL);
         noted_.finish(); // its number may be another's once it is reaped
         pid_t reaped = -1;
@@ -184,12 +180,10 @@ void fork_into(Child& child, const Start& start, const std::filesystem::path& pr
     const NoSignals quiet;
     const pid_t parent = ::getpid();
     const pid_t id = ::fork();
-    if (id < 0) {
+    if (id < 0)
         refuse(program, errno);
-    }
-    if (id == 0) {
+    if (id == 0)
         become(start, parent);
-    }
     child.start(id);
 }
 
@@ -215,26 +209,21 @@ ChildEnd watch(const Child& child, int output, std::string& text, const ChildLim
     bool is_open = true;
     while (true) {
         const bool ended = child.has_ended(); // asked before reading, so that nothing is missed
-        if (is_open) {
+        if (is_open)
             is_open = read_some(output, text, limits.output_bytes);
-        }
-        if (ended) {
+        if (ended)
             return ChildEnd::exited;
-        }
-        if (held.arrived()) {
+        if (held.arrived())
             return ChildEnd::interrupted;
-        }
-        if (Clock::now() >= last) {
+        if (Clock::now() >= last)
             return ChildEnd::timed_out;
-        }
         const auto left = std::chrono::duration_cast<Milliseconds>(last - Clock::now());
         const auto pause = std::clamp(left, Milliseconds{1}, glance);
         pollfd file{output, POLLIN, 0};
-        if (is_open) {
+        if (is_open)
             ::poll(&file, 1, static_cast<int>(pause.count()));
-        } else {
+        else
             std::this_thread::sleep_for(Milliseconds{1});
-        }
     }
 }
 
@@ -245,9 +234,8 @@ void check_start(int report, const std::filesystem::path& program) {
     do {
         count = ::read(report, &reason, sizeof reason);
     } while (count < 0 && errno == EINTR);
-    if (count == static_cast<ssize_t>(sizeof reason)) {
+    if (count == static_cast<ssize_t>(sizeof reason))
         refuse(program, reason);
-    }
 }
 
 /// The system counts what the child had as a copy of this program, before it became another.
@@ -272,9 +260,8 @@ std::optional<std::filesystem::path> find_program(const std::string& name) {
         const auto path = folder / name;
         std::error_code ignored;
         if (!folder.empty() && std::filesystem::is_regular_file(path, ignored) &&
-            ::access(path.c_str(), X_OK) == 0) {
+            ::access(path.c_str(), X_OK) == 0)
             return std::filesystem::absolute(path, ignored);
-        }
     }
     return std::nullopt;
 }
@@ -290,17 +277,15 @@ ChildOutcome run_child(const std::filesystem::path& program,
     std::vector<std::string> words{program.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
-    for (auto& word : words) {
+    for (auto& word : words)
         pointers.push_back(word.data());
-    }
     pointers.push_back(nullptr);
 
     const Start start{program.c_str(), pointers.data(),       folder.c_str(),
                       limits.bytes,    output.write.number(), report.write.number()};
     Child child;
-    if (!child.can_start()) {
+    if (!child.can_start())
         refuse(program, EAGAIN);
-    }
     fork_into(child, start, program);
     output.write.close();
     report.write.close();
@@ -315,9 +300,8 @@ ChildOutcome run_child(const std::filesystem::path& program,
                                   program.string()));
     }
     outcome.peak_bytes = peak_bytes(usage);
-    if (outcome.end == ChildEnd::exited && WIFSIGNALED(status)) {
+    if (outcome.end == ChildEnd::exited && WIFSIGNALED(status))
         outcome.end = ChildEnd::signaled;
-    }
     outcome.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
     return outcome;
 }

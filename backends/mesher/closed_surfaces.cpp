@@ -66,9 +66,8 @@ void measure(const Points& points, std::span<const Index> corners, std::span<con
     for (std::size_t f = 0; f < result.part.size(); ++f) {
         const auto part = static_cast<std::size_t>(result.part[f]);
         const auto first = static_cast<std::size_t>(offsets[f]);
-        if (apex[part] < 0) {
+        if (apex[part] < 0)
             apex[part] = corners[first];
-        }
         const Place origin = points.row(apex[part]);
         const Place base = points.row(corners[first]).transpose() - origin;
         Place area = Place::Zero();
@@ -103,23 +102,18 @@ ClosedSurfaces closed_surfaces(const Points& points, std::span<const Index> corn
     }
     const auto around = neighbors(sides, offsets);
     Index parts = 0;
-    for (std::size_t f = 0; f < count; ++f) {
-        if (result.part[f] < 0) {
+    for (std::size_t f = 0; f < count; ++f)
+        if (result.part[f] < 0)
             gather(around, static_cast<Index>(f), parts++, result);
-        }
-    }
     result.volumes.assign(static_cast<std::size_t>(parts), 0.0);
     measure(points, corners, offsets, result);
 
     // what was taken for outward at the first polygon of a part may be inward
-    for (std::size_t f = 0; f < count; ++f) {
-        if (result.volumes[static_cast<std::size_t>(result.part[f])] < 0.0) {
+    for (std::size_t f = 0; f < count; ++f)
+        if (result.volumes[static_cast<std::size_t>(result.part[f])] < 0.0)
             result.outward[f] = !result.outward[f];
-        }
-    }
-    for (double& volume : result.volumes) {
+    for (double& volume : result.volumes)
         volume = std::abs(volume);
-    }
     return result;
 }
 
@@ -141,9 +135,8 @@ std::vector<double> windings(const Points& points, std::span<const Index> corner
             const double cosine = a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
                                   b.dot(c) * a.norm() + c.dot(a) * b.norm();
             const double volume = a.dot(b.cross(c));
-            if (std::abs(volume) > in_plane * a.norm() * b.norm() * c.norm()) {
+            if (std::abs(volume) > in_plane * a.norm() * b.norm() * c.norm())
                 angle += 2.0 * std::atan2(volume, cosine);
-            }
         }
         turns[static_cast<std::size_t>(surfaces.part[f])] +=
             (surfaces.outward[f] ? angle : -angle) / (4.0 * std::numbers::pi);

@@ -19,11 +19,9 @@ bool is_ignored(int signal) {
 
 HeldSignals::HeldSignals() noexcept {
     sigemptyset(&held_);
-    for (const int signal : ending_signals) {
-        if (!is_ignored(signal)) {
+    for (const int signal : ending_signals)
+        if (!is_ignored(signal))
             sigaddset(&held_, signal);
-        }
-    }
     ::pthread_sigmask(SIG_BLOCK, &held_, &before_);
 }
 
@@ -35,11 +33,9 @@ bool HeldSignals::arrived() const noexcept {
     sigset_t waiting;
     sigemptyset(&waiting);
     ::sigpending(&waiting);
-    for (const int signal : ending_signals) {
-        if (sigismember(&held_, signal) == 1 && sigismember(&waiting, signal) == 1) {
+    for (const int signal : ending_signals)
+        if (sigismember(&held_, signal) == 1 && sigismember(&waiting, signal) == 1)
             return true;
-        }
-    }
     return false;
 }
 

@@ -58,9 +58,8 @@ Place area(const Points& points, const Polygons& polygons, std::size_t f) {
     const auto first = static_cast<std::size_t>(polygons.offsets[f]);
     const auto corner = [&](std::size_t i) -> Place { return points.row(polygons.corners[i]); };
     Place sum = Place::Zero();
-    for (auto i = first + 1; i + 1 < static_cast<std::size_t>(polygons.offsets[f + 1]); ++i) {
+    for (auto i = first + 1; i + 1 < static_cast<std::size_t>(polygons.offsets[f + 1]); ++i)
         sum += (corner(i) - corner(first)).cross(corner(i + 1) - corner(first));
-    }
     return sum;
 }
 
@@ -76,9 +75,8 @@ void check_planes(const MesherResult& result, const Polygons& facets, const Poly
     const auto& points = result.output.points;
     std::vector<Patch> patches(numbers.size());
     const auto patch_of = [&](std::size_t f) { return static_cast<std::size_t>(numbers[f]); };
-    for (std::size_t f = 0; f < numbers.size(); ++f) {
+    for (std::size_t f = 0; f < numbers.size(); ++f)
         patches[patch_of(f)].area += area(points, facets, f).norm() / 2.0;
-    }
     for (std::size_t i = 0; i < result.output.facets.size(); ++i) {
         const Index facet = result.output.facets[i];
         const auto number = patch_of(static_cast<std::size_t>(facet));
@@ -112,13 +110,11 @@ std::vector<bool> filled_parts(const MesherResult& result, const Polygons& facet
         std::size_t innermost = filled.size();
         for (std::size_t part = 0; part < filled.size(); ++part) {
             const bool is_around = turns[part] > 0.5;
-            if (is_around && (innermost == filled.size() || volumes[part] < volumes[innermost])) {
+            if (is_around && (innermost == filled.size() || volumes[part] < volumes[innermost]))
                 innermost = part;
-            }
         }
-        if (innermost < filled.size()) {
+        if (innermost < filled.size())
             filled[innermost] = false;
-        }
     }
     return filled;
 }
@@ -128,12 +124,10 @@ std::vector<Index> matching_parts(const MesherResult& result, const Polygons& fa
                                   const Polygons& pieces) {
     std::vector<std::pair<Index, Index>> given, found;
     const auto list = [](const Polygons& polygons, auto& all) {
-        for (std::size_t f = 0; f + 1 < polygons.offsets.size(); ++f) {
-            for (Index i = polygons.offsets[f]; i < polygons.offsets[f + 1]; ++i) {
+        for (std::size_t f = 0; f + 1 < polygons.offsets.size(); ++f)
+            for (Index i = polygons.offsets[f]; i < polygons.offsets[f + 1]; ++i)
                 all.emplace_back(polygons.corners[static_cast<std::size_t>(i)],
                                  polygons.surfaces.part[f]);
-            }
-        }
         std::sort(all.begin(), all.end());
         all.erase(std::unique(all.begin(), all.end()), all.end());
     };
@@ -148,17 +142,14 @@ std::vector<Index> matching_parts(const MesherResult& result, const Polygons& fa
     };
     for (auto at = given.begin(); at != given.end(); ++at) {
         const auto there = std::lower_bound(found.begin(), found.end(), std::pair{at->first, -1});
-        if (there == found.end() || there->first != at->first) {
+        if (there == found.end() || there->first != at->first)
             result.fail(fmt::format("point {} is on no face of the facets", at->first));
-        }
-        if (is_alone(given, at) && is_alone(found, there)) {
+        if (is_alone(given, at) && is_alone(found, there))
             match[static_cast<std::size_t>(there->second)] = at->second;
-        }
     }
     if (std::find(match.begin(), match.end(), -1) != match.end() ||
-        match.size() != facets.surfaces.volumes.size()) {
+        match.size() != facets.surfaces.volumes.size())
         result.fail("the faces on the facets make other surfaces than the facets");
-    }
     return match;
 }
 
@@ -177,9 +168,8 @@ Sides sides_of(const MesherResult& result, const Polygons& pieces, std::size_t p
         std::equal_range(result.faces.begin(), result.faces.end(), wanted,
                          [](const auto& a, const auto& b) { return a.corners < b.corners; });
     Sides sides;
-    for (auto face = range.first; face != range.second; ++face) {
+    for (auto face = range.first; face != range.second; ++face)
         (face->is_ascending == wanted.is_ascending ? sides.inner : sides.outer) = true;
-    }
     return sides;
 }
 
@@ -201,13 +191,11 @@ double check_filled(const MesherResult& result, const Polygons& facets, const Po
         shares[part] = static_cast<int>(inner) - static_cast<int>(outer);
         single += inner != outer ? 1 : 0;
     }
-    if (single != boundary_size(result.faces)) {
+    if (single != boundary_size(result.faces))
         result.fail("there are faces on the boundary that are on no facet");
-    }
     double volume = 0.0;
-    for (std::size_t part = 0; part < shares.size(); ++part) {
+    for (std::size_t part = 0; part < shares.size(); ++part)
         volume += shares[part] * facets.surfaces.volumes[part];
-    }
     return volume;
 }
 

@@ -145,9 +145,8 @@ std::pair<Index, double> farthest(const std::vector<Index>& used, Measure measur
     std::pair<Index, double> best{used.front(), -1.0};
     for (const Index point : used) {
         const double value = measure(point);
-        if (value > best.second) {
+        if (value > best.second)
             best = {point, value};
-        }
     }
     return best;
 }
@@ -247,9 +246,8 @@ std::vector<Index> used_points(const MesherInput& input) {
 std::vector<FacetPlane> facet_planes(const MesherInput& input) {
     std::vector<FacetPlane> planes;
     planes.reserve(static_cast<std::size_t>(facet_count(input)));
-    for (Index f = 0; f < facet_count(input); ++f) {
+    for (Index f = 0; f < facet_count(input); ++f)
         planes.push_back(plane_of(input, f));
-    }
     return planes;
 }
 
@@ -287,9 +285,8 @@ std::vector<Index> plane_patches(const MesherInput& given) {
         while (!open.empty()) {
             const auto here = static_cast<std::size_t>(open.back());
             open.pop_back();
-            for (const Index f : beside[here]) {
+            for (const Index f : beside[here])
                 take(f);
-            }
         }
     }
     return patches;
@@ -326,16 +323,13 @@ void check_mesher_options(const MesherOptions& options) {
 
 void check_mesher_input(const MesherInput& input) {
     check_finite(input.points, "point");
-    if (input.holes.rows() > 0) {
+    if (input.holes.rows() > 0)
         check_finite(input.holes, "hole");
-    }
     check_offsets(input);
-    for (Index f = 0; f < facet_count(input); ++f) {
+    for (Index f = 0; f < facet_count(input); ++f)
         check_corners(input, f);
-    }
-    if (facet_count(input) == 0 && input.holes.rows() > 0) {
+    if (facet_count(input) == 0 && input.holes.rows() > 0)
         throw InvalidInput("mesher: a point set has no holes; give facets that bound them");
-    }
 
     const auto used = used_points(input);
     if (used.size() < 4) {
@@ -345,9 +339,8 @@ void check_mesher_input(const MesherInput& input) {
     check_distinct(input.points, used);
     const MesherInput near_one = scaled(input);
     check_not_coplanar(near_one.points, used);
-    for (Index f = 0; f < facet_count(input); ++f) {
+    for (Index f = 0; f < facet_count(input); ++f)
         check_shape(near_one, f);
-    }
     check_closed(input);
     check_sides(near_one);
 }

@@ -40,9 +40,8 @@ void check_form(const MesherResult& result) {
         std::cmp_equal(faces.rows(), facets.size()) &&
         std::all_of(facets.begin(), facets.end(),
                     [&](Index facet) { return facet >= 0 && facet < facet_count(result.input); });
-    if (!good) {
+    if (!good)
         result.fail("there are no tetrahedra, or numbers of points or facets that do not exist");
-    }
 }
 
 void check_points_kept(const MesherResult& result) {
@@ -112,13 +111,11 @@ std::vector<Index> boundary_corners(const std::vector<OutwardFace>& faces) {
     std::vector<Index> corners;
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const auto is_same = [&](std::size_t j) { return faces[j].corners == faces[i].corners; };
-        if ((i > 0 && is_same(i - 1)) || (i + 1 < faces.size() && is_same(i + 1))) {
+        if ((i > 0 && is_same(i - 1)) || (i + 1 < faces.size() && is_same(i + 1)))
             continue;
-        }
         auto [a, b, c] = faces[i].corners;
-        if (!faces[i].is_ascending) {
+        if (!faces[i].is_ascending)
             std::swap(b, c);
-        }
         corners.insert(corners.end(), {a, b, c});
     }
     return corners;
@@ -129,13 +126,11 @@ void check_hull(const MesherResult& result) {
     const auto& points = result.output.points;
     const auto corners = boundary_corners(result.faces);
     std::vector<Index> offsets;
-    for (std::size_t i = 0; i <= corners.size(); i += 3) {
+    for (std::size_t i = 0; i <= corners.size(); i += 3)
         offsets.push_back(static_cast<Index>(i));
-    }
     const auto hull = closed_surfaces(points, corners, offsets);
-    if (hull.odd_edge >= 0 || hull.twisted >= 0 || hull.volumes.size() != 1) {
+    if (hull.odd_edge >= 0 || hull.twisted >= 0 || hull.volumes.size() != 1)
         result.fail("the boundary is not one closed surface");
-    }
     if (std::abs(hull.volumes[0] - result.volume) > hull_tolerance * hull.reach) {
         result.fail(fmt::format("the tetrahedra have the volume {:.12g} and their boundary "
                                 "encloses {:.12g}",
@@ -202,14 +197,12 @@ void check_mesher_output(const MesherInput& input, const std::string& engine,
     result.volume = sum_of_positive_volumes(result);
     result.faces = sorted_faces(made.tetrahedra);
     check_sides(result);
-    if (facet_count(input) == 0) {
+    if (facet_count(input) == 0)
         check_hull(result);
-    } else {
+    else
         check_facets_filled(result);
-    }
-    for (std::size_t i = 0; i < result.used.size(); ++i) {
+    for (std::size_t i = 0; i < result.used.size(); ++i)
         output.points.row(static_cast<Eigen::Index>(i)) = input.points.row(result.used[i]);
-    }
 }
 
 } // namespace polydec

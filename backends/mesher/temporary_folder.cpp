@@ -26,12 +26,10 @@ namespace {
 TemporaryFolder::TemporaryFolder() {
     std::error_code error;
     const auto parent = std::filesystem::temp_directory_path(error);
-    if (error) {
+    if (error)
         refuse(error.message());
-    }
-    if (!noted_.has_place()) {
+    if (!noted_.has_place())
         refuse(fmt::format("{} of them, or of files, are in use already", Unfinished::most));
-    }
     // noted before it is there, so that no signal comes in between
     const bool made = make_under_new_name(parent, "", [&](const char* path) {
         return noted_.note_folder(path) && ::mkdir(path, 0700) == 0;

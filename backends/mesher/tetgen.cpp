@@ -57,21 +57,18 @@ void write_input(const Run& run) {
     std::ofstream file(path, std::ios::binary);
     file << tetgen_input(run.input, run.used, run.exponent);
     file.close();
-    if (!file) {
+    if (!file)
         throw IoError(fmt::format("cannot write {}: is the disk full?", path.string()));
-    }
 }
 
 /// Counting from zero (z) and quietly (Q); of a point set without faces (F) and their numbers (B).
 std::string switches(const Run& run) {
     const auto& options = run.options;
     std::string text = facet_count(run.input) > 0 ? "-zQp" : "-zQFB";
-    if (options.boundary == BoundarySplitting::forbidden) {
+    if (options.boundary == BoundarySplitting::forbidden)
         text += "Y";
-    }
-    if (options.quality > 0.0) {
+    if (options.quality > 0.0)
         text += fmt::format("q{:.6f}", options.quality);
-    }
     if (options.largest_volume > 0.0) {
         const double volume = std::ldexp(options.largest_volume, -3 * run.exponent);
         text += fmt::format("a{:e}", std::clamp(volume, 1e-200, 1e200));
@@ -99,13 +96,11 @@ std::string last_words(std::string_view output) {
 
 /// TetGen does not say by itself which facets cross, but it has a mode that looks for them.
 void refuse_crossing_facets(const Run& run) {
-    if (facet_count(run.input) == 0) {
+    if (facet_count(run.input) == 0)
         return;
-    }
     const auto pairs = crossing_facets(start(run, "-zd").output, facet_count(run.input));
-    if (pairs.empty()) {
+    if (pairs.empty())
         return;
-    }
     constexpr std::size_t most = 5;
     std::string names;
     for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i) {
@@ -123,9 +118,8 @@ void refuse_crossing_facets(const Run& run) {
 
 [[noreturn]] void fail(const Run& run, const ChildOutcome& outcome) {
     const auto& options = run.options;
-    if (outcome.end == ChildEnd::interrupted) {
+    if (outcome.end == ChildEnd::interrupted)
         throw SolverFailure("tetgen was stopped, as this program was asked to end");
-    }
     if (outcome.end == ChildEnd::timed_out) {
         throw SolverFailure(fmt::format("tetgen was stopped, as it was not done within {} seconds\n"
                                         "Allow more time, or ask for larger tetrahedra or less "
@@ -169,31 +163,27 @@ void orient(const Points& points, Simplices& cells) {
     double volume = 0.0;
     for (Eigen::Index i = 0; i < cells.rows(); ++i) {
         Eigen::Matrix3d edges;
-        for (int j = 0; j < 3; ++j) {
+        for (int j = 0; j < 3; ++j)
             edges.row(j) = points.row(cells(i, j + 1)) - points.row(cells(i, 0));
-        }
         volume += edges.determinant();
     }
-    if (volume < 0.0) {
+    if (volume < 0.0)
         cells.col(2).swap(cells.col(3));
-    }
 }
 
 MesherOutput collect(const Run& run) {
     MesherOutput output;
     output.points = read_tetgen_points(run.folder / "mesh.1.node");
     output.tetrahedra = read_tetgen_cells(run.folder / "mesh.1.ele", output.points.rows());
-    if (output.tetrahedra.rows() == 0) {
+    if (output.tetrahedra.rows() == 0)
         fail_empty(run);
-    }
     orient(output.points, output.tetrahedra);
     if (facet_count(run.input) > 0) {
         std::tie(output.faces, output.facets) = read_tetgen_faces(
             run.folder / "mesh.1.face", output.points.rows(), facet_count(run.input));
     }
-    for (double& coordinate : output.points.reshaped()) {
+    for (double& coordinate : output.points.reshaped())
         coordinate = std::ldexp(coordinate, run.exponent);
-    }
     return output;
 }
 
@@ -212,13 +202,11 @@ MesherOutput run_tetgen(const MesherInput& input, const MesherOptions& options) 
     write_input(run);
 
     const auto outcome = start(run, switches(run));
-    if (outcome.end != ChildEnd::exited || outcome.code != 0) {
+    if (outcome.end != ChildEnd::exited || outcome.code != 0)
         fail(run, outcome);
-    }
     std::error_code ignored;
-    if (!fs::exists(fs::symlink_status(run.folder / "mesh.1.ele", ignored))) {
+    if (!fs::exists(fs::symlink_status(run.folder / "mesh.1.ele", ignored)))
         fail_empty(run);
-    }
     return collect(run);
 }
 

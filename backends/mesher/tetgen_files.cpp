@@ -59,9 +59,8 @@ public:
         Number number{};
         const char* const begin = text_.data() + at_;
         const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), number);
-        if (error != std::errc()) {
+        if (error != std::errc())
             malformed(fmt::format("a number is missing after {} bytes", at_));
-        }
         at_ += static_cast<std::size_t>(end - begin);
         return number;
     }
@@ -71,9 +70,8 @@ public:
         const auto rows = next<long long>();
         const auto most =
             std::min<std::size_t>(text_.size() / (2 * width), std::numeric_limits<Index>::max());
-        if (rows < 0 || std::cmp_greater(rows, most)) {
+        if (rows < 0 || std::cmp_greater(rows, most))
             malformed(fmt::format("it promises {} rows in {} bytes", rows, text_.size()));
-        }
         return static_cast<Index>(rows);
     }
 
@@ -87,9 +85,8 @@ public:
 
     void expect(Index value, const char* what) {
         const auto found = next<long long>();
-        if (found != value) {
+        if (found != value)
             malformed(fmt::format("{} is {}, not {}", what, found, value));
-        }
     }
 
     /// Nothing may follow but a comment, and the last line must be whole.
@@ -97,9 +94,8 @@ public:
         const auto line = std::min(text_.find('\n', at_), text_.size());
         const auto rest = text_.find_first_not_of(" \t\r\n", at_);
         const bool is_comment = rest == std::string::npos || text_[rest] == '#';
-        if (line == text_.size() || !is_comment || text_.back() != '\n') {
+        if (line == text_.size() || !is_comment || text_.back() != '\n')
             malformed(fmt::format("it does not end after {} bytes, with its last row", at_));
-        }
     }
 
     [[noreturn]] void malformed(const std::string& what) const {
@@ -119,13 +115,11 @@ private:
 std::string Numbers::read_regular_file(const std::filesystem::path& path) const {
     try {
         const RegularFile file(path, RegularFile::Links::refused);
-        if (!file.is_regular()) {
+        if (!file.is_regular())
             malformed("it is no regular file");
-        }
         auto text = file.read();
-        if (text.size() < file.size()) {
+        if (text.size() < file.size())
             malformed("it cannot be read to its end");
-        }
         return text;
     } catch (const IoError& error) {
         malformed(fmt::format("it cannot be read: {}", error.what()));
@@ -137,15 +131,13 @@ std::string Numbers::read_regular_file(const std::filesystem::path& path) const 
 std::string tetgen_input(const MesherInput& input, const std::vector<Index>& used, int exponent) {
     fmt::memory_buffer text;
     fmt::format_to(std::back_inserter(text), "{} 3 0 0\n", used.size());
-    for (std::size_t i = 0; i < used.size(); ++i) {
+    for (std::size_t i = 0; i < used.size(); ++i)
         append_place(text, static_cast<Index>(i), input.points, used[i], exponent);
-    }
     if (facet_count(input) > 0) {
         append_facets(text, input, used);
         fmt::format_to(std::back_inserter(text), "{}\n", input.holes.rows());
-        for (Index i = 0; i < input.holes.rows(); ++i) {
+        for (Index i = 0; i < input.holes.rows(); ++i)
             append_place(text, i, input.holes, i, exponent);
-        }
     }
     return fmt::to_string(text);
 }
@@ -159,15 +151,12 @@ Points read_tetgen_points(const std::filesystem::path& path) {
     Points points(rows, 3);
     for (Index i = 0; i < rows; ++i) {
         numbers.expect(i, "the number of a point");
-        for (int j = 0; j < 3; ++j) {
+        for (int j = 0; j < 3; ++j)
             points(i, j) = numbers.next<double>();
-        }
-        if (!points.row(i).allFinite()) {
+        if (!points.row(i).allFinite())
             numbers.malformed(fmt::format("point {} is not finite", i));
-        }
-        for (std::size_t j = 0; j < extras; ++j) {
+        for (std::size_t j = 0; j < extras; ++j)
             numbers.next<double>();
-        }
     }
     numbers.expect_end();
     return points;
@@ -183,13 +172,11 @@ Simplices read_tetgen_cells(const std::filesystem::path& path, Eigen::Index poin
         numbers.expect(i, "the number of a tetrahedron");
         for (int j = 0; j < 4; ++j) {
             cells(i, j) = numbers.next<Index>();
-            if (cells(i, j) < 0 || cells(i, j) >= points) {
+            if (cells(i, j) < 0 || cells(i, j) >= points)
                 numbers.malformed(fmt::format("tetrahedron {} has the corner {}", i, cells(i, j)));
-            }
         }
-        for (std::size_t j = 0; j < extras; ++j) {
+        for (std::size_t j = 0; j < extras; ++j)
             numbers.next<double>();
-        }
     }
     numbers.expect_end();
     return cells;
@@ -206,14 +193,12 @@ std::pair<Simplices, std::vector<Index>> read_tetgen_faces(const std::filesystem
         numbers.expect(i, "the number of a face");
         for (int j = 0; j < 3; ++j) {
             faces(i, j) = numbers.next<Index>();
-            if (faces(i, j) < 0 || faces(i, j) >= points) {
+            if (faces(i, j) < 0 || faces(i, j) >= points)
                 numbers.malformed(fmt::format("face {} has the corner {}", i, faces(i, j)));
-            }
         }
         const Index marker = numbers.next<Index>();
-        if (marker < 1 || marker > facets) {
+        if (marker < 1 || marker > facets)
             numbers.malformed(fmt::format("face {} is on facet {}", i, marker));
-        }
         markers[static_cast<std::size_t>(i)] = marker - 1;
     }
     numbers.expect_end();
@@ -228,9 +213,8 @@ std::vector<std::pair<Index, Index>> crossing_facets(const std::string& output, 
         const bool found =
             std::sscanf(line.c_str(), " Facet #%d intersects facet #%d", &a, &b) == 2 ||
             std::sscanf(line.c_str(), " Facet #%d duplicates facet #%d", &a, &b) == 2;
-        if (found && a >= 1 && b >= 1 && a <= facets && b <= facets && a != b) {
+        if (found && a >= 1 && b >= 1 && a <= facets && b <= facets && a != b)
             pairs.emplace_back(std::min(a, b) - 1, std::max(a, b) - 1);
-        }
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -103,9 +103,12 @@ double SimplexLayout::height(int origin, Corner corner, int a, const double* kno
     const double own = length(origin, corner(a));
     if (a == 0)
         return own;
-    const double base = length(origin, corner(0));
-    if (a == 1)
-        return 2 * triangle_area(base, own, length(corner(0), corner(1))) / base;
+    if (a == 1) {
+        const double base = length(origin, corner(0)), opposite = length(corner(0), corner(1));
+        // a power of two, so that products of four lengths are numbers and no digit is lost
+        const double unit = std::exp2(std::ilogb(std::max({base, own, opposite})));
+        return 2 * unit * triangle_area(base / unit, own / unit, opposite / unit) / (base / unit);
+    }
     double squared = own * own;
     for (int b = 0; b < a; ++b)
         squared -= known[b] * known[b];

@@ -27,9 +27,8 @@ struct Entry {
 /// Reads the word of the first line that may be one of these; gives its place among them.
 std::size_t choice(Scanner& scanner, const std::vector<std::string_view>& words) {
     std::string expected;
-    for (const auto word : words) {
+    for (const auto word : words)
         expected += std::string(expected.empty() ? "" : " or ") + std::string(word);
-    }
     const auto found = scanner.word(expected);
     const auto place = std::find(words.begin(), words.end(), found);
     if (place == words.end()) {
@@ -70,9 +69,8 @@ double read_value(Scanner& scanner) {
 
 Index read_size(Scanner& scanner, std::string_view what) {
     const auto size = scanner.integer(what);
-    if (size < 0 || size > std::numeric_limits<Index>::max()) {
+    if (size < 0 || size > std::numeric_limits<Index>::max())
         scanner.fail(fmt::format("{} as {}; expected 0 to 2^31 - 1; correct the line", size, what));
-    }
     return static_cast<Index>(size);
 }
 
@@ -95,9 +93,8 @@ std::vector<Entry> read_entries(Scanner& scanner, Index rows, Index columns, Ind
         const double value = read_value(scanner);
         scanner.end_line("an entry of row, column and value");
         entries.push_back({row, column, value});
-        if (symmetry != Symmetry::general && row != column) {
+        if (symmetry != Symmetry::general && row != column)
             entries.push_back({column, row, symmetry == Symmetry::skew ? -value : value});
-        }
     }
     return entries;
 }
@@ -133,9 +130,8 @@ SparseMatrix matrix_from(const std::vector<Entry>& entries, Index rows, Index co
     std::size_t next = 0;
     for (Index row = 0; row < rows; ++row) {
         matrix.startVec(row);
-        for (; next < entries.size() && entries[next].row == row; ++next) {
+        for (; next < entries.size() && entries[next].row == row; ++next)
             matrix.insertBack(row, entries[next].column) = entries[next].value;
-        }
     }
     matrix.finalize();
     return matrix;

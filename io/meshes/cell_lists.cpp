@@ -29,9 +29,8 @@ void CellLists::add(int dimension, std::span<const Index> corners, Index tag,
 
 Mesh CellLists::mesh(Points points) && {
     int dimension = most_dimensions - 1;
-    while (dimension > 1 && lists_[static_cast<std::size_t>(dimension)].tags.empty()) {
+    while (dimension > 1 && lists_[static_cast<std::size_t>(dimension)].tags.empty())
         --dimension;
-    }
     auto& list = lists_[static_cast<std::size_t>(dimension)];
     auto tags = tags_or_none(std::move(list.tags));
 
@@ -54,9 +53,8 @@ std::optional<Index> tag_from(double number) {
 }
 
 std::vector<Index> tags_or_none(std::vector<Index> tags) {
-    if (std::all_of(tags.begin(), tags.end(), [](Index tag) { return tag == 0; })) {
+    if (std::all_of(tags.begin(), tags.end(), [](Index tag) { return tag == 0; }))
         tags.clear();
-    }
     return tags;
 }
 

@@ -11,18 +11,15 @@ void GmshGroups::read(GmshSource& source, bool is_partitioned) {
     if (is_partitioned) {
         source.size("the number of partitions");
         const Index ghosts = source.count("ghost entities", {.integers = 2});
-        for (std::int64_t ghost = 0; ghost < 2 * std::int64_t{ghosts}; ++ghost) {
+        for (std::int64_t ghost = 0; ghost < 2 * std::int64_t{ghosts}; ++ghost)
             source.integer("a ghost entity");
-        }
     }
     std::array<Index, CellLists::most_dimensions> counts{};
-    for (auto& count : counts) {
+    for (auto& count : counts)
         count = source.count("entities", {.integers = 1, .sizes = 1, .reals = 3});
-    }
     for (std::size_t dimension = 0; dimension < counts.size(); ++dimension) {
-        for (Index entity = 0; entity < counts[dimension]; ++entity) {
+        for (Index entity = 0; entity < counts[dimension]; ++entity)
             read_entity(source, dimension, is_partitioned);
-        }
         if (const auto twice = tags_[dimension].close()) {
             source.fail(fmt::format("the entity {} of dimension {} is there twice; expected "
                                     "it once; export it again",
@@ -42,14 +39,12 @@ void GmshGroups::read_entity(GmshSource& source, std::size_t dimension, bool is_
     const Index groups = source.count("physical groups", {.integers = 1});
     for (Index group = 0; group < groups; ++group) {
         const auto tag = group_tag(source.integer("a physical group"), source);
-        if (group == 0) {
+        if (group == 0)
             tags_[dimension].add(number, tag);
-        }
     }
     ambiguous_ += groups > 1 ? 1 : 0;
-    if (dimension > 0) {
+    if (dimension > 0)
         source.skip_integers("entities of a boundary");
-    }
 }
 
 Index GmshGroups::tag_of(std::size_t dimension, std::int64_t entity) const {

@@ -14,12 +14,10 @@ namespace {
 /// The number 1 shows in which order its bytes were written.
 std::endian read_order(Scanner& scanner) {
     const auto one = scanner.bytes(4, "the number 1 as bytes");
-    if (one == std::string_view("\1\0\0\0", 4)) {
+    if (one == std::string_view("\1\0\0\0", 4))
         return std::endian::little;
-    }
-    if (one == std::string_view("\0\0\0\1", 4)) {
+    if (one == std::string_view("\0\0\0\1", 4))
         return std::endian::big;
-    }
     scanner.fail("the bytes behind the version are not the number 1; expected it, to "
                  "show the order of bytes; export it again");
 }
@@ -44,16 +42,14 @@ GmshFormat read_gmsh_format(Scanner& scanner) {
     }
     scanner.end_line("the line of the version");
     GmshFormat format{is_old ? 2 : 4, {}, is_old ? 4 : static_cast<std::size_t>(size)};
-    if (encoding == 1) {
+    if (encoding == 1)
         format.order = read_order(scanner);
-    }
     return format;
 }
 
 std::int64_t GmshSource::whole_number(std::size_t bytes, std::string_view expected) {
-    if (!format_.order) {
+    if (!format_.order)
         return scanner_.integer(expected);
-    }
     const char* place = scanner_.bytes(bytes, expected).data();
     return bytes == sizeof(std::int64_t) ? number_at<std::int64_t>(place, *format_.order)
                                          : number_at<std::int32_t>(place, *format_.order);
@@ -69,16 +65,14 @@ std::int64_t GmshSource::size(std::string_view expected) {
 
 std::size_t GmshSource::dimension() {
     const auto value = integer("the dimension of an entity");
-    if (value < 0 || value > 3) {
+    if (value < 0 || value > 3)
         fail(fmt::format("an entity of dimension {}; expected 0 to 3; export it again", value));
-    }
     return static_cast<std::size_t>(value);
 }
 
 double GmshSource::real(std::string_view expected) {
-    if (!format_.order) {
+    if (!format_.order)
         return scanner_.number(expected);
-    }
     return number_at<double>(scanner_.bytes(sizeof(double), expected).data(), *format_.order);
 }
 
@@ -95,21 +89,18 @@ Index GmshSource::check(std::int64_t number, std::string_view plural, const Reco
 
 void GmshSource::skip_integers(std::string_view plural) {
     const Index numbers = count(plural, {.integers = 1});
-    for (Index i = 0; i < numbers; ++i) {
+    for (Index i = 0; i < numbers; ++i)
         integer(plural);
-    }
 }
 
 void GmshSource::skip_reals(int count) {
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i)
         real("a number");
-    }
 }
 
 std::optional<std::int64_t> NumberTable::close() {
-    if (!std::is_sorted(pairs_.begin(), pairs_.end())) {
+    if (!std::is_sorted(pairs_.begin(), pairs_.end()))
         std::sort(pairs_.begin(), pairs_.end());
-    }
     const auto twice =
         std::adjacent_find(pairs_.begin(), pairs_.end(),
                            [](const auto& a, const auto& b) { return a.first == b.first; });
@@ -122,9 +113,8 @@ std::optional<Index> NumberTable::find(std::int64_t number) const {
     if (!pairs_.empty() && number >= found->first) {
         const auto place =
             static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(found->first);
-        if (place < pairs_.size() && pairs_[place].first == number) {
+        if (place < pairs_.size() && pairs_[place].first == number)
             return pairs_[place].second;
-        }
     }
     found = std::lower_bound(pairs_.begin(), pairs_.end(), number,
                              [](const auto& pair, std::int64_t n) { return pair.first < n; });

@@ -49,11 +49,9 @@ PlyEncoding read_encoding(Scanner& scanner) {
         {"binary_big_endian", PlyEncoding::big_endian},
     }};
     const auto word = scanner.word("the encoding");
-    for (const auto& [name, encoding] : encodings) {
-        if (word == name) {
+    for (const auto& [name, encoding] : encodings)
+        if (word == name)
             return encoding;
-        }
-    }
     scanner.fail(fmt::format("{} is not an encoding of PLY; expected ascii, binary_little_endian "
                              "or binary_big_endian; correct the header",
                              quote_word(word)));
@@ -122,9 +120,8 @@ private:
     /// False for the line that ends the header.
     bool read_line() {
         const auto keyword = scanner_.word("end_header");
-        if (keyword == "end_header") {
+        if (keyword == "end_header")
             return false;
-        }
         if (keyword == "format") {
             header_.encoding = read_encoding(scanner_);
             has_format_ = true;
@@ -178,9 +175,8 @@ private:
         scanner_.skip(line_break);
         header_.body_begin = file_.text.size() - scanner_.remaining() + (two ? 2 : 1);
         header_.body_line = scanner_.line() + 1;
-        for (std::size_t i = 0; i < header_.elements.size(); ++i) {
+        for (std::size_t i = 0; i < header_.elements.size(); ++i)
             check_count(scanner_, header_.elements[i], header_.encoding, lines_[i]);
-        }
     }
 
     /// The first line decides: after a lone CR a binary body may begin with the byte of LF.

@@ -28,11 +28,9 @@ constexpr std::array kinds{Kind{15, 0, 1}, Kind{1, 1, 2}, Kind{2, 2, 3}, Kind{3,
 
 /// Leaving other cells out would silently make a hole in the mesh.
 const Kind& kind_of(std::int64_t type, const GmshSource& source) {
-    for (const auto& kind : kinds) {
-        if (kind.type == type) {
+    for (const auto& kind : kinds)
+        if (kind.type == type)
             return kind;
-        }
-    }
     constexpr std::array solids{"hexahedra", "prisms", "pyramids"};
     if (type >= 5 && type <= 7) {
         source.fail(fmt::format("the mesh has {}; expected tetrahedra, triangles, quadrangles or "
@@ -60,9 +58,8 @@ public:
     explicit GmshReader(const SourceFile& file) : file_(file), scanner_(file.name, file.text) {}
 
     Mesh read() {
-        while (!scanner_.at_end()) {
+        while (!scanner_.at_end())
             read_section();
-        }
         if (!has_elements_) {
             scanner_.fail("the file ends without the section $Elements; expected $MeshFormat, "
                           "$Nodes and $Elements; export it again as MSH 2.2 or 4.1");
@@ -136,9 +133,8 @@ private:
         const auto rest = scanner_.rest();
         const auto mark = fmt::format("$End{}", name);
         auto end = rest.find(mark);
-        while (end != std::string_view::npos && rest[end - 1] != '\n' && rest[end - 1] != '\r') {
+        while (end != std::string_view::npos && rest[end - 1] != '\n' && rest[end - 1] != '\r')
             end = rest.find(mark, end + 1);
-        }
         if (end == std::string_view::npos) {
             place.fail(fmt::format("the section ${0} has no end; expected $End{0}; export it "
                                    "again, it seems cut off",
@@ -164,9 +160,8 @@ private:
 
     /// In version 4, bytes begin behind the line of the keyword.
     GmshSource open_section() {
-        if (format_.order) {
+        if (format_.order)
             scanner_.end_line("the keyword of a section");
-        }
         return {scanner_, format_};
     }
 
@@ -195,9 +190,8 @@ private:
         source.size("the least number of a node");
         source.size("the largest number of a node");
         Index begin = 0;
-        for (std::int64_t block = 0; block < blocks; ++block) {
+        for (std::int64_t block = 0; block < blocks; ++block)
             begin += read_node_block(source, begin);
-        }
         if (begin < points_.rows()) {
             source.fail(fmt::format("{} nodes are promised, but the blocks have {}; expected as "
                                     "many; export it again",
@@ -217,9 +211,8 @@ private:
                                     "sum that was promised; export it again",
                                     count, points_.rows() - begin, points_.rows()));
         }
-        for (Index vertex = begin; vertex < begin + count; ++vertex) {
+        for (Index vertex = begin; vertex < begin + count; ++vertex)
             nodes_.add(source.size("the number of a node"), vertex);
-        }
         for (Index vertex = begin; vertex < begin + count; ++vertex) {
             read_point(source, vertex);
             source.skip_reals(has_parameters ? static_cast<int>(dimension) : 0);
@@ -250,9 +243,8 @@ private:
         source.size("the least number of an element");
         source.size("the largest number of an element");
         Index count = 0;
-        for (std::int64_t block = 0; block < blocks; ++block) {
+        for (std::int64_t block = 0; block < blocks; ++block)
             count += read_element_block(source, promised - count);
-        }
         if (count < promised) {
             source.fail(fmt::format("{} elements are promised, but the blocks have {}; expected "
                                     "as many; export it again",
@@ -286,9 +278,8 @@ private:
         const bool is_binary = format_.order.has_value();
         const Index elements = old_count("elements", {.integers = 2});
         for (Index element = 0; element < elements;) {
-            if (!is_binary) {
+            if (!is_binary)
                 source.integer("the number of an element");
-            }
             const auto& kind = kind_of(source.integer("the type of an element"), source);
             const auto block = is_binary ? source.integer("the number of elements") : 1;
             const auto tags = source.integer("the number of tags");
@@ -298,9 +289,8 @@ private:
                                         block, tags, elements - element));
             }
             for (std::int64_t i = 0; i < block; ++i) {
-                if (is_binary) {
+                if (is_binary)
                     source.integer("the number of an element");
-                }
                 read_cell(source, kind, read_tags(source, tags));
             }
             element += static_cast<Index>(block);

@@ -25,9 +25,8 @@ public:
         while (!scanner.at_end()) {
             const Scanner keyword_place = scanner;
             const auto word = scanner.word("a keyword");
-            if (word == "End") {
+            if (word == "End")
                 break;
-            }
             if (is_letter(word[0]) && !places_.emplace(word, scanner).second) {
                 keyword_place.fail(fmt::format("the section {} is there a second time; expected "
                                                "one; join the two",
@@ -69,9 +68,8 @@ Points read_vertices(const Sections& sections, int dimension) {
     const Index count = scanner.count("vertices", 2 * (static_cast<std::size_t>(dimension) + 1));
     Points points(count, dimension);
     for (Index vertex = 0; vertex < count; ++vertex) {
-        for (int axis = 0; axis < dimension; ++axis) {
+        for (int axis = 0; axis < dimension; ++axis)
             points(vertex, axis) = scanner.coordinate(vertex);
-        }
         scanner.number("a reference");
     }
     return points;
@@ -81,18 +79,16 @@ Points read_vertices(const Sections& sections, int dimension) {
 void read_cells(const Sections& sections, const char* keyword, int corners, Mesh& mesh) {
     const auto vertices = static_cast<Index>(mesh.points.rows());
     mesh.simplices.resize(0, corners);
-    if (!sections.has(keyword)) {
+    if (!sections.has(keyword))
         return;
-    }
     Scanner scanner = sections.at(keyword);
     const Index count = scanner.count(keyword, 2 * (static_cast<std::size_t>(corners) + 1));
     mesh.simplices.resize(count, corners);
     mesh.tags.resize(static_cast<std::size_t>(count));
     bool are_tags = true;
     for (Index cell = 0; cell < count; ++cell) {
-        for (int corner = 0; corner < corners; ++corner) {
+        for (int corner = 0; corner < corners; ++corner)
             mesh.simplices(cell, corner) = scanner.vertex(vertices, 1);
-        }
         const auto tag = tag_from(scanner.number("a reference"));
         mesh.tags[static_cast<std::size_t>(cell)] = tag.value_or(0);
         are_tags = are_tags && tag.has_value();
@@ -113,21 +109,18 @@ void refuse_others(const Sections& sections, std::string_view keyword) {
 
 Mesh read_medit(const SourceFile& file) {
     const Sections sections({file.name, file.text, {.comment = '#'}});
-    for (const char* solid : {"Hexahedra", "Hexaedra", "Prisms", "Pyramids"}) {
+    for (const char* solid : {"Hexahedra", "Hexaedra", "Prisms", "Pyramids"})
         refuse_others(sections, solid);
-    }
 
     Mesh mesh;
     mesh.points = read_vertices(sections, read_dimension(sections));
     constexpr std::array<const char*, 3> kinds{"Tetrahedra", "Triangles", "Edges"};
     for (int kind = 0; kind < 3; ++kind) {
-        if (kind == 1) {
+        if (kind == 1)
             refuse_others(sections, "Quadrilaterals");
-        }
         read_cells(sections, kinds[static_cast<std::size_t>(kind)], 4 - kind, mesh);
-        if (mesh.simplices.rows() > 0) {
+        if (mesh.simplices.rows() > 0)
             return mesh;
-        }
     }
     return mesh;
 }

@@ -33,9 +33,8 @@ const Format& format_of(const std::filesystem::path& path) {
     const auto extension = lower_extension(path);
     std::string known;
     for (const auto& format : formats) {
-        if (extension == format.extension) {
+        if (extension == format.extension)
             return format;
-        }
         known += std::string(known.empty() ? "" : " ") + format.extension;
     }
     if (is_length_file(path))

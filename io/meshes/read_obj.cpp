@@ -23,9 +23,8 @@ public:
             read_line();
             scanner_.next_line();
         }
-        if (farthest_ >= vertices()) {
+        if (farthest_ >= vertices())
             fail_range(farthest_place_, farthest_ + 1);
-        }
         polygons_.points = points_from(coordinates_);
         Mesh mesh = split_polygons(std::move(polygons_));
         if (left_out_ > 0) {
@@ -59,9 +58,8 @@ private:
     }
 
     void read_face() {
-        while (!scanner_.at_line_end()) {
+        while (!scanner_.at_line_end())
             polygons_.corners.push_back(read_corner());
-        }
         close_face(polygons_, file_);
     }
 
@@ -70,16 +68,14 @@ private:
     Index read_corner() {
         const auto number = scanner_.integer("a vertex number", '/');
         const auto vertex = number > 0 ? number - 1 : vertices() + number;
-        if (number == 0 || vertex < 0 || vertex > std::numeric_limits<Index>::max()) {
+        if (number == 0 || vertex < 0 || vertex > std::numeric_limits<Index>::max())
             fail_range(scanner_, number);
-        }
         if (vertex > farthest_) {
             farthest_ = vertex;
             farthest_place_ = scanner_;
         }
-        if (scanner_.remaining() > 0 && scanner_.rest()[0] == '/') {
+        if (scanner_.remaining() > 0 && scanner_.rest()[0] == '/')
             scanner_.word("a corner");
-        }
         return static_cast<Index>(vertex);
     }
 

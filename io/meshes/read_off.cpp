@@ -18,15 +18,13 @@ bool is_digit(char c) {
 /// The keyword without the prefixes for texture, colors and normals, which stand behind the
 /// coordinates of a vertex.
 std::string_view without_prefixes(std::string_view keyword) {
-    for (;;) {
-        if (keyword.substr(0, 2) == "ST") {
+    for (;;)
+        if (keyword.substr(0, 2) == "ST")
             keyword.remove_prefix(2);
-        } else if (keyword.substr(0, 1) == "C" || keyword.substr(0, 1) == "N") {
+        else if (keyword.substr(0, 1) == "C" || keyword.substr(0, 1) == "N")
             keyword.remove_prefix(1);
-        } else {
+        else
             return keyword;
-        }
-    }
 }
 
 /// Goes behind the keyword, which is optional. Some programs write "OFF8 6 12", without a blank.
@@ -35,9 +33,8 @@ Scanner behind_keyword(const Scanner& start) {
     const auto word = scanner.word("the keyword OFF");
     if (is_digit(word[0]) || word[0] == '-' || word[0] == '+') {
         const auto digits = std::find_if_not(word.begin() + 1, word.end(), is_digit);
-        if (digits == word.end()) {
+        if (digits == word.end())
             return start;
-        }
     }
 
     const auto keyword = without_prefixes(word);
@@ -48,9 +45,8 @@ Scanner behind_keyword(const Scanner& start) {
     }
     if (keyword == "OFF" || keyword == "off") {
         Scanner next = scanner;
-        if (!next.at_line_end() && next.word("") == "BINARY") {
+        if (!next.at_line_end() && next.word("") == "BINARY")
             scanner.fail("the file is a binary OFF; expected text; convert it to text or PLY");
-        }
         return scanner;
     }
     if (keyword.substr(0, 3) == "OFF" && is_digit(keyword[3])) {
@@ -67,9 +63,8 @@ Scanner behind_keyword(const Scanner& start) {
 Points read_vertices(Scanner& scanner, Index count) {
     Points points(count, 3);
     for (Index vertex = 0; vertex < count; ++vertex) {
-        for (int axis = 0; axis < 3; ++axis) {
+        for (int axis = 0; axis < 3; ++axis)
             points(vertex, axis) = scanner.coordinate(vertex);
-        }
         scanner.next_line();
     }
     return points;
@@ -85,9 +80,8 @@ void read_faces(Scanner& scanner, Index count, PolygonMesh& polygons, const Sour
                                      face, count));
         }
         const Index corners = scanner.count("corners of a face", 2);
-        for (Index corner = 0; corner < corners; ++corner) {
+        for (Index corner = 0; corner < corners; ++corner)
             polygons.corners.push_back(scanner.vertex(vertices, 0));
-        }
         close_face(polygons, file);
         scanner.next_line();
     }

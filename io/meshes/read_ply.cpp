@@ -43,9 +43,8 @@ public:
 
     double value(PlyType type) {
         const auto size = size_of(type);
-        if (size > remaining()) {
+        if (size > remaining())
             fail("the file ends here; expected more elements; export it again, it seems cut off");
-        }
         const char* place = file_.text.data() + position_;
         position_ += size;
         return value_at(place, type);
@@ -92,21 +91,18 @@ class BodyReader {
 public:
     BodyReader(const SourceFile& file, const PlyHeader& header)
         : file_(file), header_(header), source_(file, header) {
-        for (const auto& element : header.elements) {
+        for (const auto& element : header.elements)
             vertices_ = element.name == "vertex" ? element.count : vertices_;
-        }
     }
 
     Mesh read() {
-        for (const auto& element : header_.elements) {
-            if (element.name == "vertex") {
+        for (const auto& element : header_.elements)
+            if (element.name == "vertex")
                 read_vertices(element);
-            } else if (element.name == "face") {
+            else if (element.name == "face")
                 read_faces(element);
-            } else {
+            else
                 pass_over(element);
-            }
-        }
         const bool is_rest = !source_.at_end();
         Mesh mesh = split_polygons(std::move(polygons_));
         if (is_rest) {
@@ -130,9 +126,8 @@ private:
             axis_of[place] = axis;
         }
         polygons_.points.resize(element.count, 3);
-        for (Index vertex = 0; vertex < element.count; ++vertex) {
+        for (Index vertex = 0; vertex < element.count; ++vertex)
             read_vertex(element, axis_of, vertex);
-        }
     }
 
     void read_vertex(const PlyElement& element, const std::vector<int>& axis_of, Index vertex) {
@@ -156,22 +151,19 @@ private:
 
     void read_faces(const PlyElement& element) {
         auto list = element.find("vertex_indices");
-        if (list == element.properties.size()) {
+        if (list == element.properties.size())
             list = element.find("vertex_index");
-        }
         if (list == element.properties.size() || !element.properties[list].is_list) {
             source_.fail("the element face has no list vertex_indices; expected property list "
                          "uchar int vertex_indices; correct the header");
         }
         reserve_faces(polygons_, element.count, source_.remaining());
         for (Index face = 0; face < element.count; ++face) {
-            for (std::size_t i = 0; i < element.properties.size(); ++i) {
-                if (i == list) {
+            for (std::size_t i = 0; i < element.properties.size(); ++i)
+                if (i == list)
                     read_corners(element.properties[i], face);
-                } else {
+                else
                     pass_over(element.properties[i]);
-                }
-            }
             source_.end_record();
             close_face(polygons_, file_);
         }
@@ -203,20 +195,17 @@ private:
 
     void pass_over(const PlyProperty& property) {
         const auto values = property.is_list ? read_length(property) : 1;
-        for (std::size_t i = 0; i < values; ++i) {
+        for (std::size_t i = 0; i < values; ++i)
             source_.value(property.type);
-        }
     }
 
     /// Elements without properties take no room.
     void pass_over(const PlyElement& element) {
-        if (element.properties.empty()) {
+        if (element.properties.empty())
             return;
-        }
         for (Index record = 0; record < element.count; ++record) {
-            for (const auto& property : element.properties) {
+            for (const auto& property : element.properties)
                 pass_over(property);
-            }
             source_.end_record();
         }
     }
@@ -232,9 +221,8 @@ private:
 
 Mesh read_ply(const SourceFile& file) {
     const auto header = read_ply_header(file);
-    if (header.encoding == PlyEncoding::ascii) {
+    if (header.encoding == PlyEncoding::ascii)
         return BodyReader<TextSource>(file, header).read();
-    }
     return BodyReader<BinarySource>(file, header).read();
 }
 

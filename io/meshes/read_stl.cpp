@@ -89,11 +89,9 @@ Mesh read_binary(const SourceFile& file) {
     checked_count(3 * triangles, "corners of triangles", file);
     std::vector<Corner> corners;
     corners.reserve(3 * triangles);
-    for (std::size_t triangle = 0; triangle < triangles; ++triangle) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (std::size_t triangle = 0; triangle < triangles; ++triangle)
+        for (std::size_t corner = 0; corner < 3; ++corner)
             corners.push_back(binary_corner(file, triangle, corner));
-        }
-    }
     return join(std::move(corners));
 }
 
@@ -113,9 +111,8 @@ public:
         while (!scanner_.at_end()) {
             expect("solid");
             scanner_.next_line();
-            while (!ends_solid()) {
+            while (!ends_solid())
                 read_facet();
-            }
             scanner_.next_line();
         }
         return join(std::move(corners_));
@@ -124,9 +121,8 @@ public:
 private:
     bool ends_solid() {
         Scanner ahead = scanner_;
-        if (!equal_ignoring_case(ahead.word("facet or endsolid"), "endsolid")) {
+        if (!equal_ignoring_case(ahead.word("facet or endsolid"), "endsolid"))
             return false;
-        }
         scanner_ = ahead;
         return true;
     }
@@ -135,9 +131,8 @@ private:
     void read_facet() {
         expect("facet");
         expect("normal");
-        for (int axis = 0; axis < 3; ++axis) {
+        for (int axis = 0; axis < 3; ++axis)
             scanner_.word("a normal");
-        }
         expect("outer");
         expect("loop");
         for (int corner = 0; corner < 3; ++corner) {
@@ -151,9 +146,8 @@ private:
     void read_vertex() {
         Corner corner{};
         corner.number = checked_count(corners_.size(), "corners of triangles", file_);
-        for (double& value : corner.place) {
+        for (double& value : corner.place)
             value = scanner_.coordinate(corner.number) + 0.0;
-        }
         corners_.push_back(corner);
     }
 
@@ -173,9 +167,8 @@ private:
 
 /// The number of triangles in a binary header has a zero byte, unless they are very many.
 bool begins_like_text(const SourceFile& file) {
-    if (file.text.find('\0') < header_bytes) {
+    if (file.text.find('\0') < header_bytes)
         return false;
-    }
     Scanner scanner(file.name, file.text);
     return !scanner.at_end() && equal_ignoring_case(scanner.word("solid"), "solid");
 }
@@ -185,12 +178,10 @@ bool begins_like_text(const SourceFile& file) {
 /// A binary file may begin with "solid" too: its size decides.
 Mesh read_stl(const SourceFile& file) {
     const bool has_header = file.text.size() >= header_bytes;
-    if (has_header && promised_bytes(file) == file.text.size()) {
+    if (has_header && promised_bytes(file) == file.text.size())
         return read_binary(file);
-    }
-    if (begins_like_text(file)) {
+    if (begins_like_text(file))
         return TextReader(file).read();
-    }
     if (has_header) {
         throw InvalidInput(fmt::format(
             "{}: the file has {} bytes; expected {} for the {} triangles that its header promises, "

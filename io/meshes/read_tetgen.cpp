@@ -83,9 +83,8 @@ struct Extras {
 /// others are no tags, which `are_tags` remembers.
 Index read_tag(Scanner& scanner, int attributes, bool& are_tags) {
     double value = 0.0;
-    for (int i = 0; i < attributes && !scanner.at_line_end(); ++i) {
+    for (int i = 0; i < attributes && !scanner.at_line_end(); ++i)
         value = scanner.number("an attribute");
-    }
     const auto tag = tag_from(value);
     are_tags = are_tags && tag.has_value();
     return tag.value_or(0);
@@ -108,9 +107,8 @@ Mesh read_cells(Scanner& scanner, Nodes nodes, Index count, int corners, const E
             mesh.simplices(cell, corner) = scanner.vertex(nodes.size(), nodes.first);
         }
         mesh.tags[static_cast<std::size_t>(cell)] = read_tag(scanner, extras.attributes, are_tags);
-        for (int word = 0; word < extras.neighbors && !scanner.at_line_end(); ++word) {
+        for (int word = 0; word < extras.neighbors && !scanner.at_line_end(); ++word)
             scanner.word("a neighbor");
-        }
         scanner.end_line("a cell");
     }
     mesh.tags = are_tags ? tags_or_none(std::move(mesh.tags)) : std::vector<Index>();
@@ -131,9 +129,8 @@ Mesh read_elements(Nodes nodes, const SourceFile& file) {
                                  corners, linear));
     }
     const auto attributes = scanner.at_line_end() ? 0 : scanner.integer("the number of attributes");
-    if (attributes < 0 || attributes > std::numeric_limits<int>::max()) {
+    if (attributes < 0 || attributes > std::numeric_limits<int>::max())
         scanner.fail(fmt::format("{} attributes; expected 0 or more; correct it", attributes));
-    }
     return read_cells(scanner, std::move(nodes), count, static_cast<int>(corners),
                       {.attributes = static_cast<int>(attributes)});
 }
@@ -160,9 +157,8 @@ std::filesystem::path cells_beside(const std::filesystem::path& path) {
     for (const char* extension : {".ele", ".face"}) {
         auto cells = with_extension(path, extension);
         std::error_code none;
-        if (std::filesystem::exists(cells, none)) {
+        if (std::filesystem::exists(cells, none))
             return cells;
-        }
     }
     throw InvalidInput(fmt::format("{}: neither {} nor .face is beside it; expected the file of "
                                    "the cells; put it there",
@@ -178,9 +174,8 @@ Mesh parse_tetgen(const SourceFile& nodes, const SourceFile& cells) {
 }
 
 Mesh read_tetgen(const SourceFile& file) {
-    if (lower_extension(file.name) == ".node") {
+    if (lower_extension(file.name) == ".node")
         return parse_tetgen(file, read_source_file(cells_beside(file.name)));
-    }
     return parse_tetgen(read_source_file(with_extension(file.name, ".node")), file);
 }
 

@@ -50,12 +50,10 @@ public:
     Mesh read() {
         read_header();
         bool goes_on = true;
-        while (goes_on && !scanner_.at_end()) {
+        while (goes_on && !scanner_.at_end())
             goes_on = read_section();
-        }
-        if (is_poly_data_) {
+        if (is_poly_data_)
             join_lists();
-        }
         Mesh mesh = vtk_mesh(arrays_, cells_place_, file_);
         mesh.warnings.insert(mesh.warnings.end(), warnings_.begin(), warnings_.end());
         return mesh;
@@ -175,13 +173,11 @@ private:
         std::vector<double> values(count);
         if (is_binary_) {
             const auto bytes = scanner_.bytes(count * each, "more numbers");
-            for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t i = 0; i < count; ++i)
                 values[i] = value_at(bytes.data() + i * each, type, std::endian::big);
-            }
         } else {
-            for (auto& value : values) {
+            for (auto& value : values)
                 value = scanner_.number("a number");
-            }
         }
         return values;
     }
@@ -310,16 +306,14 @@ private:
     std::size_t entries() const { return in_cell_data_ ? cell_data_ : point_data_; }
 
     void keep_tags(std::string_view name, std::vector<double> values) {
-        if (in_cell_data_ && is_tag_name(name) && values.size() == cell_data_) {
+        if (in_cell_data_ && is_tag_name(name) && values.size() == cell_data_)
             arrays_.tags = std::move(values);
-        }
     }
 
     bool read_array(std::string_view name, std::size_t values, std::string_view type_name) {
         const auto type = type_of(type_name);
-        if (type) {
+        if (type)
             keep_tags(name, read_values(*type, values));
-        }
         return type.has_value();
     }
 
@@ -335,9 +329,8 @@ private:
             }
             const auto columns = static_cast<std::size_t>(size("columns"));
             const auto rows = static_cast<std::size_t>(size("rows"));
-            if (!read_array(name, columns * rows, scanner_.word("a type of numbers"))) {
+            if (!read_array(name, columns * rows, scanner_.word("a type of numbers")))
                 return false;
-            }
             ++array;
         }
         return true;
@@ -368,9 +361,8 @@ private:
         const auto found =
             std::find_if(columns.begin(), columns.end(),
                          [&keyword](const auto& one) { return keyword == one.first; });
-        if (found == columns.end() && keyword != "texture_coordinates") {
+        if (found == columns.end() && keyword != "texture_coordinates")
             return false;
-        }
         const auto name = scanner_.word("the name of an array");
         const auto each =
             found == columns.end() ? static_cast<std::size_t>(size("columns")) : found->second;

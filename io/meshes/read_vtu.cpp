@@ -22,13 +22,11 @@ public:
         XmlTag tag;
         while (!has_appended_ && reader_.next(tag)) {
             keep_text(tag);
-            if (tag.opens) {
+            if (tag.opens)
                 read_tag(std::move(tag));
-            }
         }
-        if (!has_grid_) {
+        if (!has_grid_)
             reader_.fail("the file has no element VTKFile; expected XML of VTK; check the format");
-        }
         return mesh();
     }
 
@@ -40,15 +38,14 @@ private:
 
     void read_tag(XmlTag tag) {
         const auto outer = outer_element(tag);
-        if (tag.name == "VTKFile") {
+        if (tag.name == "VTKFile")
             read_file_tag(tag);
-        } else if (tag.name == "Piece") {
+        else if (tag.name == "Piece")
             read_piece(tag);
-        } else if (tag.name == "AppendedData") {
+        else if (tag.name == "AppendedData")
             read_appended(tag);
-        } else if (tag.name == "DataArray") {
+        else if (tag.name == "DataArray")
             keep_array(std::move(tag), outer);
-        }
     }
 
     /// The element around the one that this tag opened, and may have closed.
@@ -96,9 +93,8 @@ private:
     void keep_array(XmlTag tag, std::string_view outer) {
         const auto name = tag.attribute("Name");
         std::optional<VtuText>* place = nullptr;
-        if (piece_is_empty_) {
+        if (piece_is_empty_)
             return;
-        }
         if (outer == "Points") {
             place = &places_.points;
         } else if (outer == "Cells") {
@@ -125,18 +121,16 @@ private:
 
     /// The text of an array stands in front of its end, or of what it holds besides.
     void keep_text(const XmlTag& tag) {
-        if (open_array_ == nullptr) {
+        if (open_array_ == nullptr)
             return;
-        }
         const auto depth = reader_.path().size() + (tag.opens ? 0 : 1) - (tag.closes ? 0 : 1);
         const bool is_blank = reader_.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
         if (depth == array_depth_ && !is_blank) {
             open_array_->text = reader_.text();
             open_array_->text_line = reader_.text_line();
         }
-        if (tag.name == "DataArray" && tag.closes) {
+        if (tag.name == "DataArray" && tag.closes)
             open_array_ = nullptr;
-        }
     }
 
     std::vector<double> values(const std::optional<VtuText>& array, const char* name) const {

@@ -67,9 +67,8 @@ public:
         check_sizes();
         take_tags();
         std::size_t begin = 0;
-        for (std::size_t cell = 0; cell < arrays_.types.size(); ++cell) {
+        for (std::size_t cell = 0; cell < arrays_.types.size(); ++cell)
             begin = convert(cell, begin);
-        }
         return std::move(cells_).mesh(std::move(points));
     }
 
@@ -83,11 +82,9 @@ private:
         }
         vertices_ = checked_count(values / 3, "vertices", file_);
         Points points = points_from(arrays_.points);
-        for (Index vertex = 0; vertex < vertices_; ++vertex) {
-            for (const double coordinate : points.row(vertex)) {
+        for (Index vertex = 0; vertex < vertices_; ++vertex)
+            for (const double coordinate : points.row(vertex))
                 place_.as_coordinate(coordinate, vertex);
-            }
-        }
         return points;
     }
 
@@ -106,9 +103,8 @@ private:
     /// Numbers that are not whole name no groups, but something else of the same name.
     void take_tags() {
         tags_.assign(arrays_.types.size(), 0);
-        if (arrays_.tags.size() != tags_.size()) {
+        if (arrays_.tags.size() != tags_.size())
             return;
-        }
         for (std::size_t cell = 0; cell < tags_.size(); ++cell) {
             const auto tag = tag_from(arrays_.tags[cell]);
             if (!tag) {
@@ -136,20 +132,17 @@ private:
                                     cell, kind.type, corners));
         }
         corners_.clear();
-        for (std::size_t i = begin; i < begin + corners; ++i) {
+        for (std::size_t i = begin; i < begin + corners; ++i)
             corners_.push_back(vertex_at(i, cell));
-        }
         add(kind, tags_[cell]);
         return begin + corners;
     }
 
     const Kind& kind_of(std::size_t cell) const {
         const double type = arrays_.types[cell];
-        for (const auto& kind : kinds) {
-            if (kind.type == type) {
+        for (const auto& kind : kinds)
+            if (kind.type == type)
                 return kind;
-            }
-        }
         for (const auto& refusal : refusals) {
             if (type >= refusal.first_type && type <= refusal.last_type) {
                 place_.fail(fmt::format("cell {} is {} (VTK's type {}); expected tetrahedra, "
@@ -182,14 +175,12 @@ private:
             std::swap(corners_[2], corners_[3]);
             return cells_.add(kind.dimension, corners, tag, file_);
         case Shape::edges:
-            for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+            for (std::size_t i = 0; i + 1 < corners.size(); ++i)
                 cells_.add(kind.dimension, corners.subspan(i, 2), tag, file_);
-            }
             return;
         case Shape::strip:
-            for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+            for (std::size_t i = 0; i + 2 < corners.size(); ++i)
                 add_strip_triangle(corners.subspan(i, 3), i % 2 != 0, tag);
-            }
         }
     }
 

@@ -94,15 +94,13 @@ private:
     /// and the compressed size of each.
     std::string compressed_bytes() {
         const auto blocks = header();
-        if (blocks == 0) {
+        if (blocks == 0)
             return {};
-        }
         const auto size = header();
         const auto last_size = header();
         std::vector<std::size_t> sizes;
-        for (std::size_t block = 0; block < blocks; ++block) {
+        for (std::size_t block = 0; block < blocks; ++block)
             sizes.push_back(header());
-        }
         std::string result;
         for (std::size_t block = 0; block < blocks; ++block) {
             const bool is_smaller = block + 1 == blocks && last_size != 0;
@@ -125,9 +123,8 @@ private:
 
 std::vector<double> values_from_text(Scanner scanner) {
     std::vector<double> values;
-    while (!scanner.at_end()) {
+    while (!scanner.at_end())
         values.push_back(scanner.number("a number"));
-    }
     return values;
 }
 
@@ -178,9 +175,8 @@ std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding
     place.set_line(array.text_line);
     const auto format = array.tag.attribute("format", "ascii");
     const auto type = type_of(array.tag.attribute("type"), place);
-    if (format == "ascii") {
+    if (format == "ascii")
         return values_from_text(place);
-    }
     const bool is_appended = format == "appended";
     if (!is_appended && format != "binary") {
         place.fail(fmt::format("an array in the format {}; expected ascii, binary or appended; "
@@ -197,9 +193,8 @@ std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding
                                bytes.size(), each));
     }
     std::vector<double> values(bytes.size() / each);
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = value_at(bytes.data() + i * each, type, encoding.order);
-    }
     return values;
 }
 

@@ -71,9 +71,8 @@ public:
 
     /// The coordinates of a vertex, with zeros up to `axes`.
     void coordinates(const Points& points, Eigen::Index vertex, Eigen::Index axes) {
-        for (Eigen::Index axis = 0; axis < axes; ++axis) {
+        for (Eigen::Index axis = 0; axis < axes; ++axis)
             number(axis < points.cols() ? points(vertex, axis) : 0.0);
-        }
     }
 
     void commit() { file_.commit(); }
@@ -91,9 +90,8 @@ struct Faces {
     const std::vector<Index>* offsets; ///< none for triangles
 
     std::span<const Index> operator[](std::size_t face) const {
-        if (offsets == nullptr) {
+        if (offsets == nullptr)
             return corners.subspan(3 * face, 3);
-        }
         const auto begin = static_cast<std::size_t>((*offsets)[face]);
         return corners.subspan(begin, static_cast<std::size_t>((*offsets)[face + 1]) - begin);
     }
@@ -102,9 +100,8 @@ struct Faces {
 void write_faces(Lines& lines, const Faces& faces) {
     for (std::size_t face = 0; face < faces.count; ++face) {
         lines.number(faces[face].size());
-        for (const Index corner : faces[face]) {
+        for (const Index corner : faces[face])
             lines.number(corner);
-        }
         lines.end();
     }
 }
@@ -133,9 +130,8 @@ void write_obj(const Path& path, const Faces& faces) {
     }
     for (std::size_t face = 0; face < faces.count; ++face) {
         lines.word("f");
-        for (const Index corner : faces[face]) {
+        for (const Index corner : faces[face])
             lines.number(std::int64_t{corner} + 1);
-        }
         lines.end();
     }
     lines.commit();
@@ -143,9 +139,8 @@ void write_obj(const Path& path, const Faces& faces) {
 
 void write_ply(const Path& path, const Faces& faces) {
     std::size_t most_corners = 3;
-    for (std::size_t face = 0; face < faces.count; ++face) {
+    for (std::size_t face = 0; face < faces.count; ++face)
         most_corners = std::max(most_corners, faces[face].size());
-    }
     Lines lines(path);
     lines.text(fmt::format("ply\nformat ascii 1.0\nelement vertex {}\n"
                            "property double x\nproperty double y\nproperty double z\n"
@@ -161,9 +156,8 @@ void write_ply(const Path& path, const Faces& faces) {
 template <typename Number>
 void append_bytes(std::string& bytes, Number number) {
     const auto bits = std::bit_cast<std::uint32_t>(number);
-    for (unsigned shift = 0; shift < 32; shift += 8) {
+    for (unsigned shift = 0; shift < 32; shift += 8)
         bytes += static_cast<char>(bits >> shift & 0xFFU);
-    }
 }
 
 Eigen::Vector3d padded(const Points& points, Index vertex) {
@@ -194,14 +188,11 @@ void write_stl(const Path& path, const Faces& faces) {
         const Eigen::Vector3d normal = (padded(faces.points, corners[1]) - origin)
                                            .cross(padded(faces.points, corners[2]) - origin)
                                            .stableNormalized();
-        for (const double value : normal) {
+        for (const double value : normal)
             append_bytes(bytes, std::isfinite(value) ? static_cast<float>(value) : 0.0F);
-        }
-        for (const Index vertex : corners) {
-            for (const double value : padded(faces.points, vertex)) {
+        for (const Index vertex : corners)
+            for (const double value : padded(faces.points, vertex))
                 append_bytes(bytes, to_float(path, value, vertex));
-            }
-        }
         bytes.append(2, '\0');
         file.write(bytes);
         bytes.clear();
@@ -219,9 +210,8 @@ void write_nsc(const Path& path, const Mesh& mesh) {
         lines.end();
     }
     for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        for (const Index vertex : mesh.simplices.row(cell)) {
+        for (const Index vertex : mesh.simplices.row(cell))
             lines.number(vertex);
-        }
         lines.end();
     }
     lines.commit();
@@ -247,9 +237,8 @@ void write_medit(const Path& path, const Mesh& mesh) {
     }
     lines.text(fmt::format("{}\n{}\n", keywords[dimension - 1], mesh.simplices.rows()));
     for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        for (const Index vertex : mesh.simplices.row(cell)) {
+        for (const Index vertex : mesh.simplices.row(cell))
             lines.number(std::int64_t{vertex} + 1);
-        }
         lines.number(mesh.tags.empty() ? 0 : mesh.tags[static_cast<std::size_t>(cell)]);
         lines.end();
     }
@@ -258,15 +247,14 @@ void write_medit(const Path& path, const Mesh& mesh) {
 }
 
 void write_surface(const Path& path, const std::string& extension, const Faces& faces) {
-    if (extension == ".off") {
+    if (extension == ".off")
         write_off(path, faces);
-    } else if (extension == ".obj") {
+    else if (extension == ".obj")
         write_obj(path, faces);
-    } else if (extension == ".ply") {
+    else if (extension == ".ply")
         write_ply(path, faces);
-    } else {
+    else
         write_stl(path, faces);
-    }
 }
 
 } // namespace

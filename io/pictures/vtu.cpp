@@ -97,9 +97,8 @@ private:
                                "of its type",
                                cell, static_cast<int>(grid_.types[cell]), end - begin));
         }
-        for (auto i = begin; i < end; ++i) {
+        for (auto i = begin; i < end; ++i)
             check_corner(cell, grid_.corners[static_cast<std::size_t>(i)]);
-        }
 
         const bool has_faces = grid_.face_offsets[cell] >= 0;
         if (has_faces != (grid_.types[cell] == VtuCell::polyhedron)) {
@@ -107,9 +106,8 @@ private:
                                       "with add_cell or add_polyhedron",
                                       cell));
         }
-        if (has_faces) {
+        if (has_faces)
             check_faces(cell, faces_begin);
-        }
     }
 
     void check_corner(std::size_t cell, Index corner) const {
@@ -128,9 +126,8 @@ private:
         for (Index face = 0; face < count && fits; ++face) {
             const auto corners = next < end ? face_number(next) : Index{-1};
             fits = corners >= 3 && next + corners < end;
-            for (Index i = 1; i <= corners && fits; ++i) {
+            for (Index i = 1; i <= corners && fits; ++i)
                 check_corner(cell, face_number(next + i));
-            }
             next += fits ? 1 + std::int64_t{corners} : 0;
         }
         if (!fits || next != end) {
@@ -208,9 +205,8 @@ void write_array(AtomicFile& file, std::string_view name, int components,
                            type_name<Number>(), xml_escaped(name), columns));
     Base64Writer writer([&file](std::string_view text) { file.write(text); });
     writer.write(std::uint64_t{values.size_bytes()});
-    for (const Number value : values) {
+    for (const Number value : values)
         writer.write(value);
-    }
     writer.finish();
     file.write("\n</DataArray>\n");
 }
@@ -233,11 +229,9 @@ void write_data(AtomicFile& file, const char* tag, const std::vector<VtuArray>& 
 
 void write_points(AtomicFile& file, const Points& points) {
     std::vector<double> padded(static_cast<std::size_t>(points.rows()) * 3, 0.0);
-    for (Eigen::Index point = 0; point < points.rows(); ++point) {
-        for (Eigen::Index axis = 0; axis < points.cols(); ++axis) {
+    for (Eigen::Index point = 0; point < points.rows(); ++point)
+        for (Eigen::Index axis = 0; axis < points.cols(); ++axis)
             padded[static_cast<std::size_t>(3 * point + axis)] = points(point, axis);
-        }
-    }
     file.write("<Points>\n");
     write_array(file, "Points", 3, padded);
     file.write("</Points>\n");
@@ -246,9 +240,8 @@ void write_points(AtomicFile& file, const Points& points) {
 void write_cells(AtomicFile& file, const VtuGrid& grid) {
     std::vector<std::uint8_t> types;
     types.reserve(grid.types.size());
-    for (const auto type : grid.types) {
+    for (const auto type : grid.types)
         types.push_back(static_cast<std::uint8_t>(type));
-    }
     file.write("<Cells>\n");
     write_array(file, "connectivity", 1, grid.corners);
     write_array(file, "offsets", 1, grid.offsets);
