@@ -220,6 +220,7 @@ PICTURES = {
     "geodesics": overview.geodesics,
     "trust": overview.trust,
     "endings": overview.endings,
+    "way_of_the_data": overview.way_of_the_data,
 }
 
 
