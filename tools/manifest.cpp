@@ -6,6 +6,7 @@
 #include "base/folder_names.h"
 #include "base/printable.h"
 #include "base/regular_file.h"
+#include "io/source_file.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <iterator>
 #include <span>
 #include <system_error>
 
@@ -68,6 +68,8 @@ void write_options(JsonWriter& json, const MeshArguments& options) {
     json.member("angle_tolerance", options.angle_tolerance);
     json.member("delaunay",
                 options.delaunay.empty() ? std::nullopt : std::optional(options.delaunay));
+    json.member("keep_groups", options.keep_groups);
+    json.member("centers", options.centers);
 }
 
 std::string hash_of_options(const MeshArguments& options) {
@@ -139,8 +141,10 @@ void check_unchanged(const std::filesystem::path& mesh, const std::vector<Finger
 }
 
 std::vector<std::string> files_of_result(const std::filesystem::path& folder) {
-    std::ifstream file(folder / file_name, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(folder / file_name, none))
+        return {};
+    const std::string text = read_source_file(folder / file_name).text;
     // a quote within a text has a backslash before it, so this is found outside of texts alone
     constexpr std::string_view list = R"("files":[)", name = R"({"name":")", size = R"(","bytes":)";
     auto at = text.find(list);

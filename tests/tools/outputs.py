@@ -127,7 +127,9 @@ class Folders(TestCase):
         self.assertEqual(manifest["mesh"], [{"file": "grid4.nsc", "bytes": len(content),
                                              "sha256": hashlib.sha256(content).hexdigest()}])
         self.assertEqual(manifest["options"], {"merge": True, "tolerance": 1e-5,
-                                               "angle_tolerance": None, "delaunay": None})
+                                               "angle_tolerance": None, "delaunay": None,
+                                               "keep_groups": False,
+                                               "centers": "circumcenters"})
         self.assertEqual(manifest["files"], [{"name": name, "bytes": len(text)}
                                              for name, text in sorted(files.items())])
         other = json.loads(self.write_operators()["manifest.json"])
