@@ -16,11 +16,13 @@ namespace {
 
 using Faces = std::vector<Simplices>; // of degree k at k; none of degree 0
 
-void check_tables(const Faces& faces, std::size_t orientations, std::size_t vertices) {
+void check_tables(const Faces& faces, const std::vector<std::int8_t>& orientations,
+                  const std::vector<Index>& vertices) {
     if (faces.size() < 2)
         throw InvalidInput("pieces need the faces of at least the 1-simplices");
     for (std::size_t k = 1; k < faces.size(); ++k) {
-        const auto lower = k == 1 ? static_cast<Eigen::Index>(vertices) : faces[k - 1].rows();
+        const auto lower =
+            k == 1 ? static_cast<Eigen::Index>(vertices.size()) : faces[k - 1].rows();
         check_as_many(fmt::format("faces of a {}-simplex", k), faces[k].cols(),
                       static_cast<Index>(k) + 1);
         for (Eigen::Index s = 0; s < faces[k].rows(); ++s)
@@ -30,7 +32,15 @@ void check_tables(const Faces& faces, std::size_t orientations, std::size_t vert
                                                    "number from 0 to {}",
                                                    i, k, s, f, lower - 1));
     }
-    check_as_many("orientations", static_cast<Index>(orientations), faces.back().rows());
+    check_as_many("orientations", static_cast<Index>(orientations.size()), faces.back().rows());
+    for (std::size_t t = 0; t < orientations.size(); ++t)
+        if (orientations[t] != 1 && orientations[t] != -1)
+            throw InvalidInput(fmt::format("the orientation of simplex {} is {}: expected 1 or -1",
+                                           t, int{orientations[t]}));
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+        if (vertices[v] < 0)
+            throw InvalidInput(fmt::format("vertex {} is to be called {}: expected a number from 0",
+                                           v, vertices[v]));
 }
 
 /// Face j of face i is face i of face j + 1, for i <= j: the same corners are lacking.
@@ -67,7 +77,7 @@ Faces corners_of(const Faces& faces, const std::vector<Index>& vertices) {
 Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
                            std::vector<Index> vertices) {
     faces.insert(faces.begin(), Simplices());
-    check_tables(faces, orientations.size(), vertices.size());
+    check_tables(faces, orientations, vertices);
     check_order(faces);
     const auto n = static_cast<int>(faces.size()) - 1;
     std::vector<IncidenceMatrix> coboundaries(n);

@@ -184,8 +184,12 @@ Measured measure(const SimplicialComplex& complex, Mesh& mesh, const Vector& len
 /// points.
 Discretization measured(const SimplicialComplex& complex, Mesh mesh, Vector lengths, double unit,
                         MergeOptions options, const Stage& stage) {
-    if (!options.centers.are_circumcenters())
+    if (!options.centers.are_circumcenters()) {
         options.criterion = MergeCriterion::none;
+        if (options.delaunay != Delaunay::off)
+            throw InvalidInput("flips make duals between circumcenters positive, and other centers "
+                               "belong to the simplices before them: do without one of them");
+    }
     warn_of_orientation(complex, mesh.warnings);
     warn_of_branching(complex, mesh.warnings);
     warn_of_overlaps(complex, mesh.points, mesh.warnings);

@@ -28,8 +28,10 @@ enum class Flat {
 /// All is computed on the simplices, over which a merged cell's vector is copied, and mapped to
 /// merged cells by sums (primal) or means by volume (dual). The dual edge of a boundary facet ends
 /// at the facet's circumcenter. Source: Hirani 2003, ch. 5.
-/// Throws InvalidInput for a field of another shape, naming the row if it is not finite; for dpp
-/// also, naming the vertices, for edges whose dual volume is zero (zero_star_cells of degree 1).
+/// After flips ppp and pdp go by the edges of the input and the passage; the others throw
+/// InvalidInput. Throws InvalidInput for a field of another shape, naming the row if it is not
+/// finite; for dpp also, naming the vertices, for edges whose dual volume is zero (zero_star_cells
+/// of degree 1).
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field);
 
 } // namespace polydec

@@ -11,6 +11,7 @@ namespace polydec {
 /// a = df. One row per vertex number of the points, 0 for unused ones; N columns; units those of
 /// the values over length. a is lifted to the simplices: lift = commuting_lift(..). Constant fields
 /// are exact on flat meshes. Source: Hirani 2003, Def. 5.7.1 and 5.8.1.
+/// After flips it is that on the simplices of the input.
 /// Throws InvalidInput for other forms or another lift, and, naming vertices, where dual volumes
 /// are zero.
 DenseMatrix sharp_pp(const Discretization& mesh, const std::vector<SparseMatrix>& lift,
@@ -24,14 +25,15 @@ DenseMatrix sharp_pp(const Discretization& mesh, const std::vector<SparseMatrix>
 /// Exact for differentials of linear functions on flat cells of any shape. For n = 2 and a = df it
 /// is the mean by area of the gradients on the triangles. In higher dimensions obtuse cells have
 /// negative weights; X is then where the derivative of the sum of squares vanishes.
-/// Throws InvalidInput for other forms, and, naming the cell, if its weights leave X undetermined.
+/// Throws InvalidInput for other forms, after flips, and, naming the cell, if its weights leave X
+/// undetermined.
 DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form);
 
 /// Vectors at the merged n-cells of the field X whose fluxes i_X vol a primal (n-1)-form w holds:
 /// 1/|P| sum over the facets f of [P : f] w(f) (centroid of f - centroid of P), vol having the
 /// orientation of the cell. One row per n-cell, N columns; units those of the values over
 /// length^(n-1). Exact for constant fields on every flat cell.
-/// Source: Perot 2000. Throws InvalidInput for other forms.
+/// Source: Perot 2000. Throws InvalidInput for other forms and after flips.
 DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form);
 
 } // namespace polydec

@@ -147,6 +147,12 @@ TEST(PiecesAre, refused_by_name_where_their_tables_do_not_fit) {
     EXPECT_EQ(glue(ends, Simplices{{1, 2, 3}}, {1}),
               "face 2 of 2-simplex 0 is 3: expected a number from 0 to 2");
     EXPECT_EQ(glue(ends, Simplices{{1, 2}}, {1}), "2 faces of a 2-simplex are given: expected 3");
+    EXPECT_EQ(glue(ends, Simplices{{1, 2, 0}}, {2}),
+              "the orientation of simplex 0 is 2: expected 1 or -1");
+    EXPECT_EQ(refusal([&] {
+                  Pieces({ends, Simplices{{1, 2, 0}}}, {1}, {0, 1, -2});
+              }),
+              "vertex 2 is to be called -2: expected a number from 0");
     EXPECT_EQ(glue(ends, Simplices{{1, 2, 0}}, {}), "0 orientations are given: expected 1");
 }
 

@@ -110,6 +110,15 @@ TEST(Centroids, are_circumcenters_of_regular_simplices_and_of_no_others) {
               0.1);
 }
 
+TEST(CentersOfOnesOwn, and_centroids_do_not_go_with_flips) {
+    EXPECT_EQ(refusal([] {
+                  discretize(grid(2, 2),
+                             {.delaunay = Delaunay::flips, .centers = Centers::centroids()});
+              }),
+              "flips make duals between circumcenters positive, and other centers belong to the "
+              "simplices before them: do without one of them");
+}
+
 TEST(CentersOfOnesOwn, are_refused_by_name_where_they_are_none) {
     const Mesh square = grid(1, 1);
     const SimplicialComplex K(square.simplices);
