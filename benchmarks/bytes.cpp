@@ -31,7 +31,7 @@ double bytes(const CosphericalMerging& merged) {
 }
 
 double bytes(const Discretization& discretization) {
-    return bytes(discretization.complex()) + bytes(discretization.volumes);
+    return bytes(discretization.complex()) + bytes(discretization.volumes());
 }
 
 double bytes(const Mesh& mesh) {

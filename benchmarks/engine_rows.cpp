@@ -98,7 +98,7 @@ void poisson_row(benchmark::State& state, const std::string& name, BareSolve bar
 void solid_row(benchmark::State& state, const std::string& engine, const Settings& settings) {
     const int side = settings.side(101);
     const auto cells = discretize(kuhn(3, side));
-    const Amount amount{std::pow(side - 1.0, 3), bytes(cells.volumes)};
+    const Amount amount{std::pow(side - 1.0, 3), bytes(cells.volumes())};
     measure(state, amount, [&] { return solve_by_library(engine, cells); });
 }
 
@@ -124,8 +124,8 @@ double missing(const Vector& complete, const Vector& others) {
 void spectrum_row(benchmark::State& state, const Settings& settings) {
     const auto cells = discretize(icosphere(settings.side(128)));
     const Index count = settings.smoke ? 10 : 50;
-    const SparseMatrix A = symmetric_laplacian(cells.complex(), cells.volumes, 0);
-    const Vector M = star(cells.volumes, 0);
+    const SparseMatrix A = symmetric_laplacian(cells.complex(), cells.volumes(), 0);
+    const Vector M = star(cells.volumes(), 0);
     Vector ours, theirs;
     compare(
         state, {static_cast<double>(A.rows()), bytes(A)},

@@ -77,14 +77,14 @@ Operators whole_way(const std::filesystem::path& from, const std::filesystem::pa
         stages.next((first ? "2_" : second ? "3_" : "4_") + std::string(stage));
     });
     stages.next("5_operators");
-    auto operators = all_operators(cells.complex(), cells.volumes);
+    auto operators = all_operators(cells.complex(), cells.volumes());
     stages.next("6_poisson");
     PoissonSolver solver(cells);
     const Vector u =
         solver.solve(solver.sites().col(0), Vector::Zero(solver.boundary_sites().rows()));
     stages.next("7_write");
-    auto grid = draw_cells(cells.merging, cells.points, 0);
-    add_cochain(grid, cells.merging, 0, "u", u);
+    auto grid = draw_cells(cells.merging(), cells.points(), 0);
+    add_cochain(grid, cells.merging(), 0, "u", u);
     write_vtu(to, grid);
     stages.next("");
     return operators;

@@ -58,9 +58,9 @@ void check_order(const Faces& faces) {
 
 /// The corners of each simplex: all but the last are those of the face without it, the last is that
 /// of the face without the first.
-Faces corners_of(const Faces& faces, const std::vector<Index>& vertices) {
+Faces corners_of(const Faces& faces, Index vertices) {
     Faces corners(faces.size());
-    corners[0] = Eigen::Map<const Simplices>(vertices.data(), Eigen::Index(vertices.size()), 1);
+    corners[0] = Column<Index>::LinSpaced(vertices, 0, vertices - 1);
     for (std::size_t k = 1; k < faces.size(); ++k) {
         const auto width = static_cast<Eigen::Index>(k);
         corners[k].resize(faces[k].rows(), width + 1);
@@ -70,6 +70,30 @@ Faces corners_of(const Faces& faces, const std::vector<Index>& vertices) {
         }
     }
     return corners;
+}
+
+/// The list, or none if it is 0, 1, 2, ..
+std::vector<Index> unless_counting(std::vector<Index> numbers) {
+    for (std::size_t v = 0; v < numbers.size(); ++v)
+        if (numbers[v] != static_cast<Index>(v))
+            return numbers;
+    return {};
+}
+
+/// Puts in place of vertex numbers the rows that they have among the 0-simplices. Returns the
+/// numbers, or none if they are the rows.
+std::vector<Index> number_corners(std::vector<Simplices>& simplices) {
+    const auto& used = simplices.front().reshaped();
+    auto numbers = unless_counting({used.begin(), used.end()});
+    if (numbers.empty())
+        return numbers;
+    std::vector<Index> rows(static_cast<std::size_t>(numbers.back()) + 1);
+    for (std::size_t v = 0; v < numbers.size(); ++v)
+        rows[numbers[v]] = static_cast<Index>(v);
+    for (Simplices& table : simplices)
+        for (Index& corner : table.reshaped<Eigen::RowMajor>())
+            corner = rows[corner];
+    return numbers;
 }
 
 } // namespace
@@ -104,7 +128,8 @@ Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t
     auto parts = std::make_shared<Parts>();
     for (std::size_t f = 0; f < sums.size(); ++f)
         parts->orientable = parts->orientable && (counts[n - 1][f] != 2 || sums[f] == 0);
-    parts->simplices = corners_of(faces, vertices);
+    parts->simplices = corners_of(faces, static_cast<Index>(vertices.size()));
+    parts->vertex_numbers = unless_counting(std::move(vertices));
     parts->faces = std::move(faces);
     parts->orientations = std::move(orientations);
     return {
@@ -120,9 +145,22 @@ Pieces::Pieces(Glued glued) : CellComplex(glued.cells), parts_(std::move(glued.p
 
 Pieces::Pieces(Unchecked, CellComplex cells, std::vector<Simplices> simplices,
                std::vector<std::int8_t> orientations, bool orientable)
-    : CellComplex(cells),
-      parts_(std::make_shared<Parts>(
-          Parts{std::move(simplices), {}, std::move(orientations), orientable})) {}
+    : CellComplex(cells) {
+    auto numbers = number_corners(simplices);
+    parts_ = std::make_shared<Parts>(
+        Parts{std::move(simplices), {}, std::move(orientations), orientable, std::move(numbers)});
+}
+
+std::vector<Index> Pieces::vertex_numbers(std::vector<Index> vertices) const {
+    for (Index& v : vertices)
+        v = vertex_number(v);
+    return vertices;
+}
+
+std::vector<Index> Pieces::vertex_numbers(int k, Index s) const {
+    const auto corners = simplices(k).row(s);
+    return vertex_numbers(std::vector<Index>(corners.begin(), corners.end()));
+}
 
 Cofaces::Cofaces(const Pieces& pieces, int k) {
     const auto& counts = pieces.coface_counts(k - 1);

@@ -44,17 +44,25 @@ public:
            std::vector<Index> vertices);
 
     /// For a maker of simplices in lexicographic order, whose faces stand in the rows of d_k with
-    /// the one that lacks the last corner first.
+    /// the one that lacks the last corner first. Corners are given by ascending vertex numbers.
     Pieces(Unchecked, CellComplex cells, std::vector<Simplices> simplices,
            std::vector<std::int8_t> orientations, bool orientable);
 
-    /// The vertex numbers of the corners, in order: size(k) x (k+1). The rows of simplices(0) are
-    /// the vertices used.
+    /// The corners, which are 0-simplices, in order: size(k) x (k+1).
     const Simplices& simplices(int k) const& {
         check_number("the table of simplices of degree", k, 0, dimension());
         return parts_->simplices[k];
     }
     Simplices simplices(int k) && { return simplices(k); }
+
+    /// The number by which messages and files name 0-simplex v. Not checked.
+    Index vertex_number(Index v) const {
+        return parts_->vertex_numbers.empty() ? v : parts_->vertex_numbers[v];
+    }
+
+    /// The same for several, and for the corners of k-simplex s.
+    std::vector<Index> vertex_numbers(std::vector<Index> vertices) const;
+    std::vector<Index> vertex_numbers(int k, Index s) const;
 
     /// The faces of the k-simplices, k >= 1; valid as long as a handle on this complex is.
     FaceTable faces(int k) const {
@@ -92,6 +100,7 @@ private:
         std::vector<Simplices> faces;     // of degree k; empty: they are those of the coboundaries
         std::vector<std::int8_t> orientations;
         bool orientable = true;
+        std::vector<Index> vertex_numbers = {}; // empty: 0, 1, 2, ..
     };
     struct Glued {
         CellComplex cells;

@@ -15,9 +15,11 @@ namespace polydec {
 class SimplicialComplex : public Pieces {
 public:
     /// Top simplices: one row of n+1 vertex numbers >= 0 each. Vertices that no simplex uses do not
-    /// belong to the complex. Time O(cells log(largest vertex degree)), memory also of the order
-    /// of the largest vertex number. Throws InvalidInput, naming the rows, for repeated corners or
-    /// two rows on the same vertices; IoError if its estimated size is above memory_limit().
+    /// belong to the complex: its 0-simplices are those used, in ascending order, and points,
+    /// fields and forms have a row for each of these (see vertex_points). Time O(cells log(largest
+    /// vertex degree)), memory also of the order of the largest vertex number. Throws InvalidInput,
+    /// naming the rows, for repeated corners or two rows on the same vertices; IoError if its
+    /// estimated size is above memory_limit().
     explicit SimplicialComplex(const Simplices& tops);
 
     /// The row of the constructor's argument that n-simplex s was.

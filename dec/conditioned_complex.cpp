@@ -45,12 +45,12 @@ ConditionedComplex conditioned_complex(const Discretization& discretization, Sid
     const auto& complex = discretization.complex();
     if (side == Side::primal) {
         auto relative = relative_complex(complex, essential_cells(complex, conditions));
-        auto volumes = relative_volumes(relative, discretization.volumes);
+        auto volumes = relative_volumes(relative, discretization.volumes());
         return {std::move(relative), std::move(volumes)};
     }
     const auto left_out = essential_cells(complex, exchanged(conditions));
     auto relative = relative_complex(complex, left_out, on_the_boundary(discretization, left_out));
-    auto volumes = relative_volumes(relative, discretization.volumes);
+    auto volumes = relative_volumes(relative, discretization.volumes());
     return {std::move(relative), std::move(volumes)};
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dec/discretization.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/listed.h"
+#include "dec/merging/lift.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/overlaps.h"
@@ -13,6 +15,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 namespace polydec {
@@ -49,7 +52,7 @@ void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
             "computed is for the folded mesh, not for the region that it covers",
             folded.size(), complex.size(n), folded.size() == 1 ? "s" : "",
             folded.size() == 1 ? "its" : "their", listed(folded, [&](Index t) {
-                return fmt::format("{}", fmt::join(vertices(complex.simplices(n), t), " "));
+                return fmt::format("{}", fmt::join(complex.vertex_numbers(n, t), " "));
             })));
     if (!wound.empty())
         warnings.push_back(fmt::format(
@@ -57,7 +60,7 @@ void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
             "{}): what is computed is for the mesh as it is glued, not for the region that it "
             "covers",
             wound.size() == 1 ? "1 vertex" : fmt::format("{} vertices", wound.size()),
-            listed(wound, [](Index v) { return fmt::format("{}", v); })));
+            listed(wound, [&](Index v) { return fmt::format("{}", complex.vertex_number(v)); })));
 }
 
 void warn_of_unit(double unit, std::vector<std::string>& warnings) {
@@ -101,6 +104,17 @@ void warn_of_flips(const IntrinsicStatistics& flips, double unit,
         warnings.push_back(fmt::format("{} interior edges kept a negative dual: rounding is larger "
                                        "than the triangles there",
                                        flips.negative_interior));
+}
+
+/// The rows of vertices that no simplex uses.
+Points isolated_points(const SimplicialComplex& complex, const Points& by_number) {
+    Points result(by_number.rows() - complex.size(0), by_number.cols());
+    for (Index i = 0, v = 0, row = 0; i < by_number.rows(); ++i)
+        if (v < complex.size(0) && complex.vertex_number(v) == i)
+            ++v;
+        else
+            result.row(row++) = by_number.row(i);
+    return result;
 }
 
 /// Marks the facets between simplices of different tags.
@@ -147,43 +161,48 @@ void begin(const Stage& stage, std::string_view what) {
         stage(what);
 }
 
+/// A mesh read and numbered.
+struct Given {
+    SimplicialComplex complex;
+    Mesh mesh;       // with the points of the complex
+    Points isolated; // points of no cell
+    Vector lengths;  // empty if there are points
+    double unit;
+};
+
 /// What is measured: the simplices, or the triangles that flips make of them, and the volumes of
 /// both.
 struct Measured {
     Passage passage;
     CellVolumes input_volumes, piece_volumes;
+    Points points; // of the triangles
 };
 
-Measured measure(const SimplicialComplex& complex, Mesh& mesh, const Vector& lengths, double unit,
-                 const MergeOptions& options) {
+Measured measure(Given& given, const MergeOptions& options) {
+    auto& [complex, mesh, isolated, lengths, unit] = given;
     const bool has_points = mesh.points.cols() > 0;
     if (options.delaunay == Delaunay::off) {
         const auto volumes = dual_volumes(
             complex, has_points ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths),
             options.centers);
-        return {Passage(complex), volumes, volumes};
+        return {Passage(complex), volumes, volumes, Points()};
     }
-    const Vector given = has_points ? edge_lengths(complex, mesh.points) : lengths;
-    Passage passage(complex, flipped(complex, given, options),
-                    static_cast<Index>(mesh.points.rows()));
+    const Vector sides = has_points ? edge_lengths(complex, mesh.points) : lengths;
+    Passage passage(complex, flipped(complex, sides, options),
+                    static_cast<Index>(mesh.points.rows() + isolated.rows()));
     const auto& flips = passage.flips();
     warn_of_flips(flips.statistics, unit, mesh.warnings);
-    const Vector longer = given.array() + flips.statistics.added_length;
+    const Vector longer = sides.array() + flips.statistics.added_length;
     const auto of_input = dual_volumes(complex, {complex, longer}, options.centers);
     const auto of_pieces =
         dual_volumes(passage.pieces(), {passage.pieces(), flips.lengths}, options.centers);
-    const auto known = mesh.points.rows();
-    const auto made = passage.pieces().size(0) - complex.size(0);
-    const Points on_complex = mesh.points(complex.simplices(0).col(0), Eigen::all);
-    mesh.points.conservativeResize(known + made, Eigen::NoChange);
-    mesh.points.bottomRows(made) = passage.forth(0, on_complex).bottomRows(made);
-    return {std::move(passage), of_input, of_pieces};
+    Points points = passage.forth(0, mesh.points);
+    points.topRows(mesh.points.rows()) = mesh.points;
+    return {std::move(passage), of_input, of_pieces, std::move(points)};
 }
 
-/// Measures and merges; mesh holds whatever goes with the simplices, lengths are empty if it has
-/// points.
-Discretization measured(const SimplicialComplex& complex, Mesh mesh, Vector lengths, double unit,
-                        MergeOptions options, const Stage& stage) {
+Discretization measured(Given given, MergeOptions options, const Stage& stage) {
+    auto& [complex, mesh, isolated, lengths, unit] = given;
     if (!options.centers.are_circumcenters()) {
         options.criterion = MergeCriterion::none;
         if (options.delaunay != Delaunay::off)
@@ -195,7 +214,7 @@ Discretization measured(const SimplicialComplex& complex, Mesh mesh, Vector leng
     warn_of_overlaps(complex, mesh.points, mesh.warnings);
     const auto stays = staying_facets(complex, mesh.tags, options);
     begin(stage, "volumes");
-    auto [passage, of_input, of_pieces] = measure(complex, mesh, lengths, unit, options);
+    auto [passage, of_input, of_pieces, points] = measure(given, options);
     begin(stage, "merge");
     const bool flips = !passage.is_identity();
     const SimplexMetric metric = flips ? SimplexMetric(passage.pieces(), passage.flips().lengths)
@@ -207,21 +226,42 @@ Discretization measured(const SimplicialComplex& complex, Mesh mesh, Vector leng
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
     auto tags = flips ? std::vector<Index>()
                       : merged_tags(complex, merged.merging, mesh.tags, mesh.warnings);
-    return {std::move(mesh.points),
-            std::move(passage),
-            std::move(merged.merging),
-            of_input,
-            of_pieces,
-            volumes,
-            options,
-            merged.degenerate,
-            std::move(mesh.warnings),
-            std::move(tags),
-            std::move(lengths),
-            unit};
+    return Discretization({std::move(mesh.points), std::move(points), std::move(passage),
+                           std::move(merged.merging), of_input, of_pieces, volumes, options,
+                           merged.degenerate, std::move(mesh.warnings), std::move(tags),
+                           std::move(lengths), unit, std::move(isolated)});
 }
 
 } // namespace
+
+struct Discretization::Lift {
+    std::once_flag made;
+    std::vector<SparseMatrix> matrices;
+};
+
+Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
+    check_fit(parts.passage.input(), parts.input_volumes);
+    check_fit(parts.merging.pieces(), parts.piece_volumes);
+    check_fit(parts.merging.merged(), parts.volumes);
+    const CellComplex& complex = parts.merging.merged();
+    if (!parts.tags.empty())
+        check_as_many("tags", Index(parts.tags.size()), complex.size(complex.dimension()));
+    parts_ = std::make_shared<const Parts>(std::move(parts));
+}
+
+Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
+    Parts parts = *parts_;
+    parts.volumes = volumes;
+    Discretization result(std::move(parts));
+    result.lift_ = lift_;
+    return result;
+}
+
+const std::vector<SparseMatrix>& Discretization::lift() const& {
+    std::call_once(lift_->made,
+                   [&] { lift_->matrices = commuting_lift(merging(), metric(), piece_volumes()); });
+    return lift_->matrices;
+}
 
 Discretization discretize(Mesh mesh, const MergeOptions& options, const Stage& stage) {
     begin(stage, "complex");
@@ -231,38 +271,39 @@ Discretization discretize(Mesh mesh, const MergeOptions& options, const Stage& s
     warn_of_unit(unit, mesh.warnings);
     if (unit != 1)
         mesh = in_units(std::move(mesh), unit);
-    SimplicialComplex complex(mesh.simplices);
-    return measured(complex, std::move(mesh), {}, unit, options, stage);
+    const SimplicialComplex complex(mesh.simplices);
+    Points isolated = isolated_points(complex, mesh.points);
+    mesh.points = vertex_points(complex, mesh.points);
+    return measured({complex, std::move(mesh), std::move(isolated), {}, unit}, options, stage);
 }
 
 Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, const Stage& stage) {
     begin(stage, "complex");
     check(mesh);
-    SimplicialComplex complex(mesh.simplices);
+    const SimplicialComplex complex(mesh.simplices);
     Mesh without_points{Points(mesh.vertices, 0), mesh.simplices, {}};
     warn_of_isolated_vertices(without_points);
+    without_points.points.resize(complex.size(0), 0);
+    const Points isolated(mesh.vertices - complex.size(0), 0);
     const double unit = unit_of_length(mesh);
     warn_of_unit(unit, without_points.warnings);
     // the complex numbers its edges in lexicographic order
     Vector lengths = mesh.lengths(edges_in_order(mesh)) / unit;
-    return measured(complex, std::move(without_points), std::move(lengths), unit, options, stage);
-}
-
-Points vertex_points(const Discretization& discretization) {
-    return discretization.points(discretization.pieces().simplices(0).col(0), Eigen::all);
+    return measured({complex, std::move(without_points), isolated, std::move(lengths), unit},
+                    options, stage);
 }
 
 std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell) {
-    return discretization.merging.vertices(k, cell);
+    return discretization.pieces().vertex_numbers(discretization.merging().vertices(k, cell));
 }
 
 void check_cells_in_space(const Discretization& discretization, std::string_view what) {
-    require_points(discretization.points.cols(), what);
+    require_points(discretization.points().cols(), what);
     check_not_flipped(discretization, what);
 }
 
 void check_not_flipped(const Discretization& discretization, std::string_view what) {
-    if (!discretization.passage.is_identity())
+    if (!discretization.passage().is_identity())
         throw InvalidInput(fmt::format("{} cannot be had after intrinsic flips: the cells are no "
                                        "longer made of the input's triangles; do without the flips",
                                        what));

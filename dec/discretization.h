@@ -8,57 +8,132 @@
 #include "meshes/mesh.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace polydec {
 
 /// A mesh made ready for calculus: its complex, merged where cells are cospherical, and the metric.
-/// Each member can be made by itself; this bundle only holds them together.
+/// Everything here answers for the cells of complex(), or says for what else. A handle on what
+/// never changes: copies share it and cost nothing. Accessors of a temporary return copies.
 ///
 /// Where intrinsic Delaunay flips were asked for, the pieces are the flipped triangles, whose edges
 /// are geodesics on the input.
-struct Discretization {
-    Points points;   ///< a row per vertex number of the input, and behind them of the vertices that
-                     ///< splits have made; without columns if only lengths are known
-    Passage passage; ///< from the simplices of the input to the pieces
-    Merging merging; ///< of the pieces
-    CellVolumes input_volumes; ///< of the simplices
-    CellVolumes piece_volumes; ///< of the pieces: the same, unless edges were flipped
-    CellVolumes volumes;       ///< of the cells of complex()
-    MergeOptions options;
-    DegenerateFacets degenerate;
-    std::vector<std::string> warnings; ///< what was untidy in the input, and what was done about it
-    std::vector<Index> tags = {};      ///< of each merged n-cell the tag of its simplices, 0 where
-                                       ///< they have different ones; or empty
-    Vector lengths = {};               ///< of the input's edges if only these are known; or empty
+class Discretization {
+public:
+    /// What it holds.
+    struct Parts {
+        Points input_points; ///< of the input's vertices; without columns if only lengths are known
+        Points points;       ///< of those of the pieces, if edges were flipped
+        Passage passage;     ///< from the simplices of the input to the pieces
+        Merging merging;     ///< of the pieces
+        CellVolumes input_volumes; ///< of the simplices
+        CellVolumes piece_volumes; ///< of the pieces: the same, unless edges were flipped
+        CellVolumes volumes;       ///< of the merged cells
+        MergeOptions options = {};
+        DegenerateFacets degenerate = {};
+        std::vector<std::string> warnings = {};
+        std::vector<Index> tags = {};
+        Vector lengths = {};
+        double unit = 1;
+        Points isolated = {};
+    };
+
+    /// Throws InvalidInput unless the volumes and tags are those of as many cells.
+    explicit Discretization(Parts parts);
+
+    /// The merged complex, and its dimension.
+    const CellComplex& complex() const& { return merging().merged(); }
+    CellComplex complex() && { return complex(); }
+    int dimension() const { return complex().dimension(); }
+
+    /// Of the cells of complex().
+    const CellVolumes& volumes() const& { return parts_->volumes; }
+    CellVolumes volumes() && { return volumes(); }
+
+    /// The same with other volumes of the cells. Throws InvalidInput unless they fit.
+    Discretization with_volumes(const CellVolumes& volumes) const;
+
+    /// What the cells are made of, and how.
+    const Merging& merging() const& { return parts_->merging; }
+    const Pieces& pieces() const& { return merging().pieces(); }
+    const CellVolumes& piece_volumes() const& { return parts_->piece_volumes; }
+    Merging merging() && { return merging(); }
+    Pieces pieces() && { return pieces(); }
+    CellVolumes piece_volumes() && { return piece_volumes(); }
+
+    /// The lift of forms on the cells to the pieces (see commuting_lift): made when it is first
+    /// asked for, once for all copies.
+    const std::vector<SparseMatrix>& lift() const&;
+    std::vector<SparseMatrix> lift() && { return lift(); }
+
+    /// The simplices that were given, and the way from them to the pieces.
+    const Passage& passage() const& { return parts_->passage; }
+    const SimplicialComplex& input() const& { return passage().input(); }
+    const CellVolumes& input_volumes() const& { return parts_->input_volumes; }
+    Passage passage() && { return passage(); }
+    SimplicialComplex input() && { return input(); }
+    CellVolumes input_volumes() && { return input_volumes(); }
+
+    /// Of the vertices of complex(), which are those of the input that cells use, and behind them
+    /// those that splits have made; without columns if only lengths are known. A field at vertices
+    /// and a primal 0-form have the same rows. Those of the input are its first.
+    const Points& points() const& {
+        return passage().is_identity() ? input_points() : parts_->points;
+    }
+    const Points& input_points() const& { return parts_->input_points; }
+    Points points() && { return points(); }
+    Points input_points() && { return input_points(); }
+
+    /// The points of the input that no cell uses, in order.
+    const Points& isolated() const& { return parts_->isolated; }
+    Points isolated() && { return isolated(); }
+
+    /// The metric of the pieces: the points, or lengths if only these are known or edges were
+    /// flipped; and that of the simplices of the input. They refer to this, so there is none of a
+    /// temporary.
+    SimplexMetric metric() const& {
+        return passage().is_identity() ? input_metric()
+                                       : SimplexMetric(pieces(), passage().flips().lengths);
+    }
+    SimplexMetric input_metric() const& {
+        return points().cols() > 0 ? SimplexMetric(input_points())
+                                   : SimplexMetric(input(), lengths());
+    }
+    SimplexMetric metric() const&& = delete;
+    SimplexMetric input_metric() const&& = delete;
+
+    /// Of the input's edges if only these are known; or empty.
+    const Vector& lengths() const& { return parts_->lengths; }
+    Vector lengths() && { return lengths(); }
+
+    /// How it was made, and which facets were found degenerate.
+    const MergeOptions& options() const& { return parts_->options; }
+    MergeOptions options() && { return options(); }
+    const DegenerateFacets& degenerate() const& { return parts_->degenerate; }
+    DegenerateFacets degenerate() && { return degenerate(); }
+
+    /// What was untidy in the input, and what was done about it.
+    const std::vector<std::string>& warnings() const& { return parts_->warnings; }
+    std::vector<std::string> warnings() && { return warnings(); }
+
+    /// Of each n-cell the tag of its simplices, 0 where they have different ones; or empty.
+    const std::vector<Index>& tags() const& { return parts_->tags; }
+    std::vector<Index> tags() && { return tags(); }
+
     /// What points, lengths and volumes are measured in, as a length of the input: 1, or a power of
     /// 4 where the input is so large or small that products of its lengths would be no numbers. So
     /// distances are to be multiplied by it, solutions of Delta u = f by its square, eigenvalues
     /// of Delta to be divided by its square (in_input_units).
-    double unit = 1;
+    double unit() const { return parts_->unit; }
 
-    const SimplicialComplex& input() const& { return passage.input(); }
-    const Pieces& pieces() const& { return merging.pieces(); }
-    const CellComplex& complex() const& { return merging.merged(); }
-    SimplicialComplex input() && { return input(); }
-    Pieces pieces() && { return pieces(); }
-    CellComplex complex() && { return complex(); }
-    int dimension() const { return complex().dimension(); }
+private:
+    struct Lift;
 
-    /// The metric of the pieces: the points, or lengths if only these are known or edges were
-    /// flipped. Refers to this bundle, so there is none of a temporary.
-    SimplexMetric metric() const& {
-        return passage.is_identity() ? input_metric()
-                                     : SimplexMetric(pieces(), passage.flips().lengths);
-    }
-    SimplexMetric metric() const&& = delete;
-
-    /// The metric of the simplices of the input.
-    SimplexMetric input_metric() const& {
-        return points.cols() > 0 ? SimplexMetric(points) : SimplexMetric(input(), lengths);
-    }
-    SimplexMetric input_metric() const&& = delete;
+    std::shared_ptr<const Parts> parts_;
+    std::shared_ptr<Lift> lift_;
 };
 
 /// The whole way from a mesh to its merged complex and volumes. Untidy input is tidied with a
@@ -76,12 +151,8 @@ Discretization discretize(Mesh mesh, const MergeOptions& options = {},
 Discretization discretize(const LengthMesh& mesh, const MergeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 
-/// Coordinates of the vertices of complex(), a row each: those of the input and, behind them, of
-/// vertices that splits have put on boundary edges.
-Points vertex_points(const Discretization& discretization);
-
-/// The vertices of k-cell of complex(), ascending, by the input's numbers; vertices that splits
-/// have made are numbered behind the input's.
+/// The vertices of k-cell of complex(), ascending, by the numbers of the input, as messages and
+/// files name them; vertices that splits have made are numbered behind the input's.
 std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell);
 
 /// Throws InvalidInput, naming what was asked for, if edges were flipped, so that the cells are not

@@ -17,12 +17,12 @@ using Row = IncidenceMatrix::InnerIterator;
 std::vector<bool> boundary_facets_without_dual(const Discretization& discretization) {
     const int n = discretization.dimension();
     const auto& complex = discretization.complex();
-    const auto& volumes = discretization.volumes;
-    const auto& facets = discretization.merging.diamond(n - 1);
+    const auto& volumes = discretization.volumes();
+    const auto& facets = discretization.merging().diamond(n - 1);
     // what the duals of the pieces are compared with
     const auto pieces = facet_defects(
-        discretization.pieces(), discretization.metric(), discretization.piece_volumes,
-        {MergeCriterion::dual_length, discretization.options.tolerance});
+        discretization.pieces(), discretization.metric(), discretization.piece_volumes(),
+        {MergeCriterion::dual_length, discretization.options().tolerance});
     std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         if (complex.coface_counts(n - 1)[f] != 1)
@@ -33,7 +33,7 @@ std::vector<bool> boundary_facets_without_dual(const Discretization& discretizat
             height = std::min(height, pieces.height[piece.col()]);
         }
         marks[f] = is_degenerate(volumes.dual(n - 1)[f], volumes.terms(n - 1)[f], scale, height,
-                                 discretization.options.tolerance);
+                                 discretization.options().tolerance);
     }
     return marks;
 }

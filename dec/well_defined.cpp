@@ -43,16 +43,17 @@ struct View {
 
 View view(const Discretization& mesh, Stage stage) {
     const bool input = stage == Stage::input;
-    if (!input || mesh.passage.is_identity())
-        return {mesh.merging, input ? mesh.piece_volumes : mesh.volumes,
-                facet_defects(mesh.pieces(), mesh.metric(), mesh.piece_volumes, mesh.options)
+    if (!input || mesh.passage().is_identity())
+        return {mesh.merging(), input ? mesh.piece_volumes() : mesh.volumes(),
+                facet_defects(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), mesh.options())
                     .degenerate,
                 input};
-    const auto lengths = mesh.input_volumes.primal(1);
-    return {unmerged(mesh.input()), mesh.input_volumes,
-            facet_defects(mesh.input(), {mesh.input(), lengths}, mesh.input_volumes, mesh.options)
-                .degenerate,
-            true};
+    const auto lengths = mesh.input_volumes().primal(1);
+    return {
+        unmerged(mesh.input()), mesh.input_volumes(),
+        facet_defects(mesh.input(), {mesh.input(), lengths}, mesh.input_volumes(), mesh.options())
+            .degenerate,
+        true};
 }
 
 /// The k-cells whose dual has no extent.

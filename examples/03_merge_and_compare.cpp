@@ -15,11 +15,11 @@ int main() {
 
     std::cout << "2-cells before: " << before.complex().size(2)
               << ", after: " << after.complex().size(2) << '\n';
-    std::cout << "degenerate edges: " << after.degenerate.interior << '\n';
+    std::cout << "degenerate edges: " << after.degenerate().interior << '\n';
 
     // the boundary of the square keeps its half dual edges, of star 1/2
     const auto smallest_inside = [](const polydec::Discretization& grid) {
-        const polydec::Vector star = polydec::star(grid.volumes, 1);
+        const polydec::Vector star = polydec::star(grid.volumes(), 1);
         double smallest = star.maxCoeff();
         for (polydec::Index e = 0; e < star.size(); ++e)
             if (grid.complex().coface_counts(1)[e] == 2)
@@ -31,5 +31,5 @@ int main() {
 
     // all that was between cells is still there: topology, area, vertices
     std::cout << "Euler characteristic: " << polydec::euler_characteristic(after.complex())
-              << ", area: " << after.volumes.primal(2).sum() << '\n';
+              << ", area: " << after.volumes().primal(2).sum() << '\n';
 }

@@ -22,7 +22,7 @@ double error(int columns) {
     const polydec::Vector u = solver.solve(2 * pi * pi * exact, zero);
 
     // L2 norm: each value counts with the area of its cell
-    const polydec::Vector& areas = hexagons.volumes.primal(2);
+    const polydec::Vector& areas = hexagons.volumes().primal(2);
     return std::sqrt(areas.dot((u - exact).cwiseAbs2()));
 }
 

@@ -14,23 +14,22 @@ int main() {
     const double nu = 0.05, dt = 0.02;
 
     // a wind around the axis, given at the vertices
-    polydec::Points wind = polydec::Points::Zero(sphere.points.rows(), 3);
-    wind.col(0) = -sphere.points.col(1);
-    wind.col(1) = sphere.points.col(0);
-    const auto lift = polydec::commuting_lift(sphere.merging, sphere.points, sphere.piece_volumes);
-    const polydec::SparseMatrix transport = polydec::lie_derivative(
-        sphere.merging, lift, sphere.points, wind, 0, polydec::Sampling::upwind);
+    polydec::Points wind = polydec::Points::Zero(sphere.points().rows(), 3);
+    wind.col(0) = -sphere.points().col(1);
+    wind.col(1) = sphere.points().col(0);
+    const polydec::SparseMatrix transport =
+        polydec::lie_derivative(sphere, wind, 0, polydec::Sampling::upwind);
 
     // (star_0 + dt nu d^T star_1 d) u_new = star_0 (u - dt L_X u), factorized once
-    const polydec::Vector mass = polydec::star(sphere.volumes, 0);
-    polydec::SparseMatrix A = dt * nu * polydec::symmetric_laplacian(P, sphere.volumes, 0);
+    const polydec::Vector mass = polydec::star(sphere.volumes(), 0);
+    polydec::SparseMatrix A = dt * nu * polydec::symmetric_laplacian(P, sphere.volumes(), 0);
     A.diagonal() += mass;
     const auto solver = polydec::make_linear_solver("auto");
     solver->factorize(A, {.symmetry = polydec::Symmetry::symmetric,
                           .definiteness = polydec::Definiteness::positive,
                           .domain_dimension = 2});
 
-    const auto x = sphere.points.col(0);
+    const auto x = sphere.points().col(0);
     polydec::Vector u = (x.array() > 0.8).cast<double>(); // a hot spot
     const double begin = mass.dot(u) / mass.sum();
     for (int step = 0; step < 100; ++step) {
@@ -42,7 +41,7 @@ int main() {
     std::cout << "still between 0 and 1: " << (u.minCoeff() > 0 && u.maxCoeff() < 1 ? "yes" : "no")
               << '\n';
 
-    auto grid = polydec::draw_cells(sphere.merging, sphere.points, 2);
-    polydec::add_cochain(grid, sphere.merging, 0, "temperature", u);
+    auto grid = polydec::draw_cells(sphere, 0);
+    polydec::add_form(grid, sphere, "temperature", {polydec::Side::primal, 0, u});
     polydec::write_vtu("temperature.vtu", grid);
 }

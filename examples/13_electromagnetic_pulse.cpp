@@ -14,7 +14,7 @@ namespace {
 void run(const std::string& name, const polydec::Mesh& mesh) {
     const auto box = polydec::discretize(mesh);
     const auto inside = polydec::relative_to_boundary(box.complex());
-    const auto volumes = polydec::relative_volumes(inside, box.volumes);
+    const auto volumes = polydec::relative_volumes(inside, box.volumes());
     const double bound = polydec::stable_step(inside.complex, volumes, 1);
     const int steps = static_cast<int>(std::ceil(0.4 / (0.9 * bound)));
     const polydec::Leapfrog light(inside.complex, volumes, 1, 0.4 / steps);
@@ -44,8 +44,8 @@ void run(const std::string& name, const polydec::Mesh& mesh) {
     std::ofstream(name + ".svg") << polydec::to_svg(
         polydec::draw_solid(solid, {.eye = Eigen::Vector3d(0.5, -1.2, 0.6),
                                     .title = "A pulse at time 0.4: E upwards"}));
-    auto grid = polydec::draw_cells(box.merging, box.points, 3);
-    polydec::add_cochain(grid, box.merging, 3, "E_z", vertical);
+    auto grid = polydec::draw_cells(box.merging(), box.points(), 3);
+    polydec::add_cochain(grid, box.merging(), 3, "E_z", vertical);
     polydec::write_vtu(name + ".vtu", grid);
 }
 

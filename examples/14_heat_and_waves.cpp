@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 polydec::SvgSeries run(int n, int cells) {
     const auto box = polydec::discretize(polydec::kuhn(n, cells));
     const auto inside = polydec::relative_to_boundary(box.complex());
-    const auto volumes = polydec::relative_volumes(inside, box.volumes);
+    const auto volumes = polydec::relative_volumes(inside, box.volumes());
     const auto sine = polydec::de_rham(box, 0, polydec::function_form([](const auto& x) {
                                            return (pi * x.array()).sin().prod();
                                        }));

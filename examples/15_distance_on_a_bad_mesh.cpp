@@ -57,7 +57,7 @@ int main(int count, char** words) {
     const polydec::Mesh mesh = count > 1 ? polydec::read_mesh(words[1]) : drill();
     const auto before = polydec::discretize(mesh);
     const auto after = polydec::discretize(mesh, {.delaunay = polydec::Delaunay::flips});
-    const auto& done = after.passage.flips().statistics;
+    const auto& done = after.passage().flips().statistics;
     std::cout << done.negative_before << " of " << before.input().size(1)
               << " edges have a negative dual; after " << done.flips << " flips "
               << done.negative_interior << " have\n"

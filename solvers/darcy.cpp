@@ -21,8 +21,8 @@ DarcySolver::DarcySolver(const Discretization& discretization, PoissonOptions op
     : poisson_(discretization, with_dual_side(options)), complex_(discretization.complex()) {
     const int n = complex_.dimension();
     const auto essential = essential_cells(complex_, options.boundary);
-    volumes_ = discretization.volumes.primal(n);
-    areas_ = discretization.volumes.primal(n - 1);
+    volumes_ = discretization.volumes().primal(n);
+    areas_ = discretization.volumes().primal(n - 1);
     weights_ = dual_fluxes(discretization, essential, options.conductivity).weights;
     divergence_ = derivative(complex_, n - 1);
     essential_ = essential[n - 1];

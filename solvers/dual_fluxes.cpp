@@ -54,16 +54,16 @@ struct Resistances {
 Resistances resistances(const Discretization& discretization, const Vector& conductivity) {
     const int n = discretization.dimension();
     if (conductivity.size() == 0)
-        return {discretization.volumes.dual(n - 1), discretization.volumes.terms(n - 1)};
-    const auto& volumes = discretization.piece_volumes;
+        return {discretization.volumes().dual(n - 1), discretization.volumes().terms(n - 1)};
+    const auto& volumes = discretization.piece_volumes();
     const SparseMatrix parts = dual_parts(discretization.pieces(), discretization.metric(), volumes,
-                                          n - 1, n, discretization.options.centers);
-    const SparseMatrix pieces = discretization.merging.diamond(n).cast<double>().cwiseAbs();
+                                          n - 1, n, discretization.options().centers);
+    const SparseMatrix pieces = discretization.merging().diamond(n).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
-    const SparseMatrix facets = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
+    const SparseMatrix facets = discretization.merging().diamond(n - 1).cast<double>().cwiseAbs();
     const auto over_merged = [&](const Vector& of_input_facets) -> Vector {
         return (facets * volumes.primal(n - 1).cwiseProduct(of_input_facets))
-            .cwiseQuotient(discretization.volumes.primal(n - 1));
+            .cwiseQuotient(discretization.volumes().primal(n - 1));
     };
     // a part is as exact as the whole dual
     Vector sums = Vector::Zero(volumes.terms(n - 1).size());
@@ -78,7 +78,7 @@ void check_fluxes_are_defined(const Discretization& discretization,
                               const Resistances& resistances) {
     const int n = discretization.dimension();
     const auto& counts = discretization.complex().coface_counts(n - 1);
-    for (const Index facet : zero_star_cells(discretization.volumes, n - 1))
+    for (const Index facet : zero_star_cells(discretization.volumes(), n - 1))
         if (counts[facet] == 2)
             throw InvalidInput(fmt::format(
                 "the dual of {} has no length, so the flux through it is not defined: let "
@@ -108,7 +108,7 @@ DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& es
                        const Vector& conductivity) {
     check_two_sided(discretization);
     const auto& complex = discretization.complex();
-    const auto& volumes = discretization.volumes;
+    const auto& volumes = discretization.volumes();
     const int n = complex.dimension();
     const Index cells = complex.size(n), facets = complex.size(n - 1);
     const auto without_dual = boundary_facets_without_dual(discretization);

@@ -91,20 +91,20 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
 /// that is no more than rounding, because such an edge connects nothing.
 Vector edge_weights(const Discretization& discretization, const Vector& conductivity) {
     if (conductivity.size() == 0) {
-        Vector weights = star(discretization.volumes, 1);
-        for (const Index edge : zero_star_cells(discretization.volumes, 1))
+        Vector weights = star(discretization.volumes(), 1);
+        for (const Index edge : zero_star_cells(discretization.volumes(), 1))
             weights[edge] = 0;
         return weights;
     }
-    const auto& merging = discretization.merging;
-    const auto& volumes = discretization.piece_volumes;
+    const auto& merging = discretization.merging();
+    const auto& volumes = discretization.piece_volumes();
     const int n = discretization.dimension();
     const SparseMatrix parts = dual_parts(discretization.pieces(), discretization.metric(), volumes,
-                                          1, n, discretization.options.centers);
+                                          1, n, discretization.options().centers);
     const SparseMatrix pieces = merging.diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = merging.diamond(1).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity;
-    const Vector& lengths = discretization.volumes.primal(1);
+    const Vector& lengths = discretization.volumes().primal(1);
     const auto over_squares = [&](const Vector& of_input_edges) -> Vector {
         return (edges * of_input_edges).cwiseQuotient(lengths).cwiseQuotient(lengths);
     };
@@ -128,9 +128,9 @@ SparseMatrix shares_of_vertices(const Discretization& discretization, const Vect
     if (counts.isZero(0))
         return SparseMatrix(discretization.complex().size(0), counts.size());
     const SparseMatrix parts =
-        dual_parts(discretization.pieces(), discretization.metric(), discretization.piece_volumes,
-                   0, n - 1, discretization.options.centers);
-    const SparseMatrix pieces = discretization.merging.diamond(n - 1).cast<double>().cwiseAbs();
+        dual_parts(discretization.pieces(), discretization.metric(), discretization.piece_volumes(),
+                   0, n - 1, discretization.options().centers);
+    const SparseMatrix pieces = discretization.merging().diamond(n - 1).cast<double>().cwiseAbs();
     const SparseMatrix shares = counts.asDiagonal() * pieces * parts;
     return shares.transpose();
 }
@@ -155,7 +155,7 @@ void PoissonSolver::set_up_primal(const Discretization& discretization, const Ce
     const Index size = complex.size(0);
     sites_ = cell_centers(discretization, 0);
     boundary_sites_ = sites_;
-    mass_ = star(discretization.volumes, 0);
+    mass_ = star(discretization.volumes(), 0);
 
     const Vector weights = edge_weights(discretization, options.conductivity);
     ConstrainedSystem system{connections(complex.boundary(1), complex.coboundary(0), weights),
@@ -178,13 +178,13 @@ void PoissonSolver::set_up_dual(const Discretization& discretization, const Cell
     const int n = complex.dimension();
     sites_ = cell_centers(discretization, n);
     boundary_sites_ = flux_sites_;
-    mass_ = discretization.volumes.primal(n);
+    mass_ = discretization.volumes().primal(n);
 
     auto fluxes = dual_fluxes(discretization, essential, options.conductivity);
     boundary_load_ = std::move(fluxes.load);
     boundary_fix_ = std::move(fluxes.fix);
     const Vector areas =
-        natural_facets(complex, essential).cwiseProduct(discretization.volumes.primal(n - 1));
+        natural_facets(complex, essential).cwiseProduct(discretization.volumes().primal(n - 1));
     flux_load_ = complex.boundary(n).transpose().cast<double>().cwiseAbs() * areas.asDiagonal();
     ConstrainedSystem system{
         connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),

@@ -111,7 +111,7 @@ Discretization load(const MeshArguments& arguments, Log& log) {
                    : discretize_checked(arguments, read_mesh(arguments.mesh), options, stage);
     });
     log.timing.end();
-    for (const auto& warning : result.warnings)
+    for (const auto& warning : result.warnings())
         log.warn(warning);
     return result;
 }
@@ -122,14 +122,14 @@ bool is_flippable(const Discretization& mesh) {
 }
 
 std::string flip_advice(const Discretization& mesh) {
-    if (!is_flippable(mesh) || mesh.options.delaunay == Delaunay::flips_and_splits)
+    if (!is_flippable(mesh) || mesh.options().delaunay == Delaunay::flips_and_splits)
         return "";
-    return !mesh.passage.is_identity() ? "; add --delaunay=split-boundary" : "; add --delaunay";
+    return !mesh.passage().is_identity() ? "; add --delaunay=split-boundary" : "; add --delaunay";
 }
 
 void warn_of_negative_duals(const Discretization& mesh, int k, std::string_view consequence,
                             Log& log) {
-    const auto cells = negative_star_cells(mesh.volumes, k).size();
+    const auto cells = negative_star_cells(mesh.volumes(), k).size();
     if (cells > 0)
         log.warn(fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay "
                              "there): {}{}",

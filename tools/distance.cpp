@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 namespace polydec::tools {
 
@@ -27,16 +28,17 @@ struct Arguments {
 
 /// The 0-cells of these vertices of the input.
 std::vector<Index> cells_of(const Discretization& mesh, const std::vector<Index>& vertices) {
-    const auto numbers = mesh.input().simplices(0).col(0);
-    std::vector<Index> cells;
+    const auto& K = mesh.input();
+    std::vector<Index> numbers(static_cast<std::size_t>(K.size(0))), cells;
+    std::iota(numbers.begin(), numbers.end(), 0);
+    numbers = K.vertex_numbers(std::move(numbers));
     for (const Index v : vertices) {
         const auto place = std::lower_bound(numbers.begin(), numbers.end(), v);
-        const auto cell = static_cast<Index>(place - numbers.begin());
-        if (cell >= numbers.size() || numbers[cell] != v)
+        if (place == numbers.end() || *place != v)
             throw InvalidInput(fmt::format("--from {}: no triangle has such a vertex; vertices are "
                                            "numbered from 0, the last one is {}",
-                                           v, numbers[numbers.size() - 1]));
-        cells.push_back(cell);
+                                           v, numbers.back()));
+        cells.push_back(static_cast<Index>(place - numbers.begin()));
     }
     return cells;
 }
@@ -85,7 +87,7 @@ void run(const Arguments& arguments) {
         const Progress progress;
         progress("solve");
         GeodesicDistance solver(mesh, arguments.geodesic);
-        Vector result = in_input_units(solver.to(sources), mesh.unit, 1, "distances");
+        Vector result = in_input_units(solver.to(sources), mesh.unit(), 1, "distances");
         raised = solver.raised();
         return result;
     });

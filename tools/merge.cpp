@@ -31,9 +31,9 @@ void write_merged(const std::filesystem::path& out, const Discretization& mesh) 
                                        out.string(), mesh.dimension()));
     if (lower_extension(out) == ".vtu") {
         auto grid =
-            !mesh.passage.is_identity() ? draw_overlay(mesh) : draw_cells(mesh, mesh.dimension());
-        if (!mesh.tags.empty())
-            grid.cell_data.push_back({"tag", mesh.tags});
+            !mesh.passage().is_identity() ? draw_overlay(mesh) : draw_cells(mesh, mesh.dimension());
+        if (!mesh.tags().empty())
+            grid.cell_data.push_back({"tag", mesh.tags()});
         write_vtu(out, grid);
     } else if (mesh.dimension() == 2)
         write_mesh(out, polygon_mesh(mesh));

@@ -97,18 +97,18 @@ std::map<std::size_t, Index> vertices_per_cell(const Discretization& mesh) {
 }
 
 FlipNumbers flip_numbers(const Discretization& mesh) {
-    FlipNumbers numbers{mesh.passage.flips().statistics, cell_counts(mesh.pieces())};
-    numbers.statistics.added_length *= mesh.unit;
+    FlipNumbers numbers{mesh.passage().flips().statistics, cell_counts(mesh.pieces())};
+    numbers.statistics.added_length *= mesh.unit();
     return numbers;
 }
 
 /// What would make negative duals positive, if there are any and something would.
 std::vector<std::string> advice(const Discretization& mesh) {
     std::vector<std::string> list;
-    if (!is_flippable(mesh) || mesh.options.delaunay == Delaunay::flips_and_splits)
+    if (!is_flippable(mesh) || mesh.options().delaunay == Delaunay::flips_and_splits)
         return list;
     Index inside = 0, boundary = 0;
-    for (const Index e : negative_star_cells(mesh.volumes, 1))
+    for (const Index e : negative_star_cells(mesh.volumes(), 1))
         ++(mesh.complex().coface_counts(1)[e] == 1 ? boundary : inside);
     const auto edges = [](Index count) {
         return fmt::format("{} negative dual edge{}", count, count == 1 ? "" : "s");
@@ -134,19 +134,20 @@ void examine_topology(const Discretization& mesh, MeshFacts& facts) {
 }
 
 void examine_metric(const Discretization& mesh, MeshFacts& facts) {
-    facts.volume =
-        in_input_units(mesh.volumes.primal(mesh.dimension()).sum(), mesh.unit, mesh.dimension());
-    facts.facets = mesh.degenerate;
-    if (!mesh.passage.is_identity())
+    facts.volume = in_input_units(mesh.volumes().primal(mesh.dimension()).sum(), mesh.unit(),
+                                  mesh.dimension());
+    facts.facets = mesh.degenerate();
+    if (!mesh.passage().is_identity())
         facts.flips = flip_numbers(mesh);
     else
-        facts.pairs = facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options);
-    facts.stars = star_numbers(mesh.volumes, mesh.unit);
-    facts.input_stars = star_numbers(mesh.input_volumes, mesh.unit);
+        facts.pairs =
+            facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes(), mesh.options());
+    facts.stars = star_numbers(mesh.volumes(), mesh.unit());
+    facts.input_stars = star_numbers(mesh.input_volumes(), mesh.unit());
     facts.operators = operators(mesh);
     facts.laplacians = laplacians(mesh, facts.operators);
     if (mesh.dimension() == 2)
-        facts.concyclic = merged_pairs(mesh.merging);
+        facts.concyclic = merged_pairs(mesh.merging());
     facts.advice = advice(mesh);
 }
 
@@ -163,8 +164,8 @@ bool MeshFacts::lacks_numbers() const {
 MeshFacts examine(const Discretization& mesh, Timing& timing) {
     MeshFacts facts;
     facts.dimension = mesh.dimension();
-    if (mesh.points.cols() > 0)
-        facts.ambient_dimension = static_cast<int>(mesh.points.cols());
+    if (mesh.points().cols() > 0)
+        facts.ambient_dimension = static_cast<int>(mesh.points().cols());
     timing.begin("topology");
     examine_topology(mesh, facts);
     timing.begin("operators");

@@ -5,7 +5,6 @@
 #include "base/printable.h"
 #include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
-#include "dec/merging/lift.h"
 #include "io/matrices/matrix_market.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
@@ -45,15 +44,15 @@ struct Maps {
 
 Maps maps(const Discretization& mesh) {
     Maps result;
-    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
+    const auto& lift = mesh.lift();
     for (int k = 0; k <= mesh.dimension(); ++k) {
-        const SparseMatrix pieces = mesh.merging.diamond(k).cast<double>();
-        if (mesh.passage.is_identity()) {
+        const SparseMatrix pieces = mesh.merging().diamond(k).cast<double>();
+        if (mesh.passage().is_identity()) {
             result.diamonds.push_back(pieces);
             result.lifts.push_back(lift[k]);
         } else {
-            result.diamonds.emplace_back(pieces * mesh.passage.matrix(k));
-            result.lifts.emplace_back(mesh.passage.matrix_back(k) * lift[k]);
+            result.diamonds.emplace_back(pieces * mesh.passage().matrix(k));
+            result.lifts.emplace_back(mesh.passage().matrix_back(k) * lift[k]);
         }
     }
     return result;
@@ -74,9 +73,9 @@ public:
             if (k < mesh_.dimension())
                 write_matrix_market(file("d", k), P_.coboundary(k));
             const int n = mesh_.dimension();
-            write_scaled("star", k, star(mesh_.volumes, k), n - 2 * k);
-            write_scaled("volume", k, mesh_.volumes.primal(k), k);
-            write_scaled("dual_volume", k, mesh_.volumes.dual(k), n - k);
+            write_scaled("star", k, star(mesh_.volumes(), k), n - 2 * k);
+            write_scaled("volume", k, mesh_.volumes().primal(k), k);
+            write_scaled("dual_volume", k, mesh_.volumes().dual(k), n - k);
             write_matrix_market(file("diamond", k), diamonds[k]);
             write_matrix_market(file("lift", k), lifts[k]);
             write_laplacians(k);
@@ -93,12 +92,12 @@ private:
     void write_scaled(const char* name, int k, const Vector& values, int power) const {
         const auto path = file(name, k);
         write_matrix_market(path,
-                            in_input_units(values, mesh_.unit, power, path.filename().string()));
+                            in_input_units(values, mesh_.unit(), power, path.filename().string()));
     }
     void write_scaled(const std::filesystem::path& path, SparseMatrix laplacian) const {
         laplacian.makeCompressed();
         laplacian.coeffs() =
-            in_input_units(laplacian.coeffs().matrix(), mesh_.unit, -2, path.filename().string())
+            in_input_units(laplacian.coeffs().matrix(), mesh_.unit(), -2, path.filename().string())
                 .array();
         write_matrix_market(path, laplacian);
     }
@@ -108,8 +107,8 @@ private:
         const int j = mesh_.dimension() - k;
         const auto primal = file("laplacian_primal", k), dual = file("laplacian_dual", j);
         try {
-            write_scaled(primal, laplacian(P_, mesh_.volumes, k));
-            write_scaled(dual, dual_laplacian(P_, mesh_.volumes, j));
+            write_scaled(primal, laplacian(P_, mesh_.volumes(), k));
+            write_scaled(dual, dual_laplacian(P_, mesh_.volumes(), j));
         } catch (const InvalidInput& error) {
             log_.warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
                                   dual.filename().string(), error.what()));
@@ -119,10 +118,8 @@ private:
     }
 
     void write_cells(int k) const {
-        const auto& simplices = K_.simplices(k);
-        write_vertex_lists(file("simplices", k, "txt"), K_.size(k), [&](Index s) {
-            return std::vector<Index>(simplices.row(s).begin(), simplices.row(s).end());
-        });
+        write_vertex_lists(file("simplices", k, "txt"), K_.size(k),
+                           [&](Index s) { return K_.vertex_numbers(k, s); });
         write_vertex_lists(file("cells", k, "txt"), P_.size(k),
                            [&](Index cell) { return cell_vertices(mesh_, k, cell); });
     }

@@ -96,12 +96,13 @@ Solution describe(const Arguments& arguments, const PoissonSolver& solver, const
 
 Errors errors(const Discretization& mesh, Side side, const Vector& difference) {
     const Vector& volumes =
-        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
+        side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(mesh.dimension());
     // squares of the differences of a solution of extreme size would be no numbers
     const double largest = difference.cwiseAbs().maxCoeff();
     const double size = largest > 0 ? std::exp2(std::ilogb(largest)) : 1;
     const double squared = volumes.cwiseAbs().dot((difference / size).cwiseAbs2());
-    return {in_input_units(size * std::sqrt(squared), mesh.unit, mesh.dimension() / 2.0), largest};
+    return {in_input_units(size * std::sqrt(squared), mesh.unit(), mesh.dimension() / 2.0),
+            largest};
 }
 
 void draw(const Discretization& mesh, const Arguments& arguments, const Vector& u) {
@@ -159,11 +160,11 @@ std::string known(const Discretization& mesh, const Arguments& arguments) {
 /// One number for each merged cell, known at its centroid.
 Vector conductivity(const Discretization& mesh, const SiteValues& values) {
     const int n = mesh.dimension();
-    const bool has_points = mesh.points.cols() > 0;
-    const Points sites =
-        has_points ? cell_centroids(mesh.merging, mesh.unit * mesh.points, mesh.piece_volumes, n)
-                   : Points(mesh.complex().size(n), 0);
-    return values.at(sites, mesh.tags);
+    const bool has_points = mesh.points().cols() > 0;
+    const Points sites = has_points ? cell_centroids(mesh.merging(), mesh.unit() * mesh.points(),
+                                                     mesh.piece_volumes(), n)
+                                    : Points(mesh.complex().size(n), 0);
+    return values.at(sites, mesh.tags());
 }
 
 void run(Arguments arguments) {
@@ -183,10 +184,11 @@ void run(Arguments arguments) {
         return PoissonSolver(mesh, arguments.poisson);
     });
     // at places of the file; derivatives of second and first order become those of the mesh
-    const Vector f = in_input_units(data.rhs.at(mesh.unit * solver.sites()), mesh.unit, 2, "--rhs");
-    const Vector g = data.boundary.at(mesh.unit * solver.boundary_sites());
+    const Vector f =
+        in_input_units(data.rhs.at(mesh.unit() * solver.sites()), mesh.unit(), 2, "--rhs");
+    const Vector g = data.boundary.at(mesh.unit() * solver.boundary_sites());
     const Vector h =
-        in_input_units(data.flux.at(mesh.unit * solver.flux_sites()), mesh.unit, 1, "--flux");
+        in_input_units(data.flux.at(mesh.unit() * solver.flux_sites()), mesh.unit(), 1, "--flux");
     const Vector u = computed_on(arguments.mesh.mesh, [&] { return solver.solve(f, g, h); });
     warn_of_compatibility(solver, log);
     constexpr const char* spoiled = "the solution may be far off there";
@@ -199,7 +201,7 @@ void run(Arguments arguments) {
     answer.conditions = known(mesh, arguments);
     if (data.exact)
         answer.errors =
-            errors(mesh, arguments.poisson.side, u - data.exact->at(mesh.unit * solver.sites()));
+            errors(mesh, arguments.poisson.side, u - data.exact->at(mesh.unit() * solver.sites()));
     if (!arguments.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, u);

@@ -89,7 +89,7 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
     std::size_t duals = 0;
     for (const int j : {k - 1, k + 1})
         if (j >= 0 && j <= mesh.dimension())
-            duals += negative_star_cells(mesh.volumes, j).size();
+            duals += negative_star_cells(mesh.volumes(), j).size();
     if (negative == 0 || duals == 0)
         return std::nullopt;
     return fmt::format("{} of the eigenvalues {} negative and spurious: {} next to these forms {} "
@@ -162,7 +162,7 @@ void run(Arguments arguments) {
         log.timing.begin("write");
         write_vtu(arguments.out, mesh, result);
     }
-    use_input_units(result, mesh.unit);
+    use_input_units(result, mesh.unit());
     tell(Eigenvalues(result, in_words(boundary, mesh.complex(), result.degree), seconds.count()),
          log, arguments.mesh.tell);
 }

@@ -34,8 +34,9 @@ void check_edges(const Pieces& surface) {
         if (counts[e] > 2)
             throw InvalidInput(fmt::format("{} triangles meet at the edge from vertex {} to {}: "
                                            "only surfaces with two at most can be glued",
-                                           counts[e], surface.simplices(1)(e, 0),
-                                           surface.simplices(1)(e, 1)));
+                                           counts[e],
+                                           surface.vertex_number(surface.simplices(1)(e, 0)),
+                                           surface.vertex_number(surface.simplices(1)(e, 1))));
 }
 
 /// The largest edge number and one, if all sides make sense.

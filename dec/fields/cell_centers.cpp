@@ -30,12 +30,13 @@ Points cell_centers(const Merging& merging, const Points& points, const CellVolu
 
 Points cell_centers(const Discretization& discretization, int k) {
     cell_degree(discretization.complex(), Side::primal, k);
-    if (discretization.points.cols() == 0)
+    if (discretization.points().cols() == 0)
         return Points(discretization.complex().size(k), 0);
-    const auto& merging = discretization.merging;
-    const Points centers = center_points(merging.pieces(), discretization.metric(),
-                                         discretization.points, discretization.options.centers, k);
-    return mean_over_cells(merging, centers, discretization.piece_volumes, k);
+    const auto& merging = discretization.merging();
+    const Points centers =
+        center_points(merging.pieces(), discretization.metric(), discretization.points(),
+                      discretization.options().centers, k);
+    return mean_over_cells(merging, centers, discretization.piece_volumes(), k);
 }
 
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,

@@ -146,9 +146,9 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
 }
 
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
-    const Vector values = de_rham(mesh.input(), mesh.points, k, form, quadrature_degree);
+    const Vector values = de_rham(mesh.input(), mesh.input_points(), k, form, quadrature_degree);
     return {Side::primal, k,
-            mesh.merging.diamond(k).cast<double>() * mesh.passage.forth(k, values)};
+            mesh.merging().diamond(k).cast<double>() * mesh.passage().forth(k, values)};
 }
 
 Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
@@ -163,11 +163,11 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree) {
     check_cells_in_space(mesh, "the de Rham map");
     const int k = cell_degree(mesh.pieces(), Side::dual, j);
-    const Vector values =
-        dual_de_rham(mesh.pieces(), mesh.points, j, form, quadrature_degree, mesh.options.centers);
-    const Vector weighted = mesh.piece_volumes.primal(k).cwiseProduct(values);
-    const Vector sums = mesh.merging.diamond(k).cast<double>() * weighted;
-    return {Side::dual, j, sums.cwiseQuotient(mesh.volumes.primal(k))};
+    const Vector values = dual_de_rham(mesh.pieces(), mesh.points(), j, form, quadrature_degree,
+                                       mesh.options().centers);
+    const Vector weighted = mesh.piece_volumes().primal(k).cwiseProduct(values);
+    const Vector sums = mesh.merging().diamond(k).cast<double>() * weighted;
+    return {Side::dual, j, sums.cwiseQuotient(mesh.volumes().primal(k))};
 }
 
 } // namespace polydec

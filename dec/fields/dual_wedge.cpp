@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/dual_wedge.h"
 
-#include "base/errors.h"
+#include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
-#include "dec/merging/check_lift.h"
-#include "dec/merging/lift.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/permutation_sign.h"
@@ -13,7 +11,6 @@
 #include "dec/metric/whitney.h"
 
 #include <Eigen/QR>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -172,22 +169,6 @@ Vector product_of_stars(const Pieces& complex, const SimplexMetric& metric,
     return values;
 }
 
-void check_product(const CellComplex& complex, const Cochain& a, const Cochain& b) {
-    check(complex, a);
-    check(complex, b);
-    if (a.side == Side::primal || b.side == Side::primal)
-        throw InvalidInput(fmt::format(
-            "the dual wedge product of a {} {}-form and a {} {}-form is asked for: expected two "
-            "dual forms; take wedge for primal forms, primal_dual_wedge for a primal k-form and "
-            "a dual (n-k)-form",
-            name(a.side), a.degree, name(b.side), b.degree));
-    if (a.degree + b.degree > complex.dimension())
-        throw InvalidInput(fmt::format(
-            "the wedge product of a dual {}-form and a dual {}-form has degree {}: in dimension "
-            "{} there is no such form",
-            a.degree, b.degree, a.degree + b.degree, complex.dimension()));
-}
-
 /// The primal form of which a dual form is the star.
 Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
     const int p = complex.dimension() - form.degree;
@@ -198,36 +179,21 @@ Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, con
 
 Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
                    const Cochain& a, const Cochain& b, const Centers& centers) {
-    check_product(complex, a, b);
+    check_factors(complex, Side::dual, a, b);
     return {Side::dual, a.degree + b.degree,
             product_of_stars(complex, metric, volumes, without_star(complex, volumes, a),
                              without_star(complex, volumes, b), centers)};
 }
 
-Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                   const SimplexMetric& metric, const CellVolumes& input_volumes,
-                   const CellVolumes& volumes, const Cochain& a, const Cochain& b,
-                   const Centers& centers) {
-    const auto& P = merging.merged();
-    check_product(P, a, b);
-    check_lift(merging, lift);
-    const auto lifted = [&](const Cochain& form) -> Cochain {
-        const Cochain primal = without_star(P, volumes, form);
-        return {Side::primal, primal.degree, lift[primal.degree] * primal.values};
-    };
-    const int m = P.dimension() - a.degree - b.degree;
-    const Vector fine =
-        product_of_stars(merging.pieces(), metric, input_volumes, lifted(a), lifted(b), centers);
-    const Vector sums =
-        merging.diamond(m).cast<double>() * fine.cwiseProduct(input_volumes.primal(m));
-    return {Side::dual, a.degree + b.degree, sums.cwiseQuotient(volumes.primal(m))};
-}
-
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
-    check_product(mesh.complex(), a, b);
-    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
-    return dual_wedge(mesh.merging, lift, mesh.metric(), mesh.piece_volumes, mesh.volumes, a, b,
-                      mesh.options.centers);
+    check_factors(mesh.complex(), Side::dual, a, b);
+    const auto lifted = [&](const Cochain& form) {
+        return on_pieces(mesh, without_star(mesh.complex(), mesh.volumes(), form));
+    };
+    const int j = a.degree + b.degree;
+    const Vector values = product_of_stars(mesh.pieces(), mesh.metric(), mesh.piece_volumes(),
+                                           lifted(a), lifted(b), mesh.options().centers);
+    return on_cells(mesh, {Side::dual, j, values});
 }
 
 } // namespace polydec

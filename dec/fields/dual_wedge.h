@@ -23,18 +23,9 @@ namespace polydec {
 Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
                    const Cochain& a, const Cochain& b, const Centers& centers = {});
 
-/// The product on the duals of merged cells: star^-1 of both forms is lifted to the simplices,
-/// with the lift of commuting_lift(merging, ..), and the product there is averaged by volume over
-/// the pieces of a cell. Anticommutative; exact for constant forms where cells are flat.
-/// input_volumes are those of the simplices, volumes those of the merged cells.
-/// Throws like the above, and InvalidInput if the lift does not fit the merging.
-Cochain dual_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                   const SimplexMetric& metric, const CellVolumes& input_volumes,
-                   const CellVolumes& volumes, const Cochain& a, const Cochain& b,
-                   const Centers& centers = {});
-
-/// The same for a single use: the lift is made anew at each call, which costs far more than the
-/// product. Throws like dual_wedge and commuting_lift.
+/// The product on the duals of merged cells: star^-1 of both forms is lifted to the pieces, and the
+/// product there is averaged by volume over those of a cell. Anticommutative; exact for constant
+/// forms where cells are flat. Throws like the above.
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b);
 
 } // namespace polydec

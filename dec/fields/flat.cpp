@@ -23,25 +23,19 @@ bool is_primal(Flat kind) {
 }
 
 void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix& field) {
-    const auto N = mesh.points.cols();
+    const auto N = mesh.points().cols();
     require_points(N, "a flat");
     const auto rows =
-        at_vertices ? mesh.points.rows() : Eigen::Index(mesh.complex().size(mesh.dimension()));
+        at_vertices ? mesh.points().rows() : Eigen::Index(mesh.complex().size(mesh.dimension()));
     const char* place = at_vertices ? "vertex" : "merged cell";
     if (field.rows() != rows || field.cols() != N)
         throw InvalidInput(fmt::format("a field of {} x {} numbers is given: expected are {} x {}, "
                                        "a row for each {}",
                                        field.rows(), field.cols(), rows, N, place));
-    const auto check_row = [&](Index row) {
+    for (Index row = 0; row < field.rows(); ++row)
         if (!field.row(row).allFinite())
-            throw InvalidInput(fmt::format("the vector at {} {} is not finite", place, row));
-    };
-    if (at_vertices)
-        for (const Index v : mesh.input().simplices(0).reshaped())
-            check_row(v);
-    else
-        for (Index cell = 0; cell < field.rows(); ++cell)
-            check_row(cell);
+            throw InvalidInput(fmt::format("the vector at {} {} is not finite", place,
+                                           at_vertices ? mesh.pieces().vertex_number(row) : row));
 }
 
 /// The means of the rows of the vertices of each k-simplex.
@@ -63,14 +57,14 @@ Points at_centers(const Discretization& mesh, const DenseMatrix& field, int k) {
         sphere.look_at(layout, k, s);
         for (int i = 0; i <= k; ++i)
             result.row(s) +=
-                mesh.options.centers.coordinate(k, s, i, sphere) * field.row(simplices(s, i));
+                mesh.options().centers.coordinate(k, s, i, sphere) * field.row(simplices(s, i));
     }
     return result;
 }
 
 /// The vectors of the merged n-cells, copied to their pieces.
 Points on_pieces(const Discretization& mesh, const DenseMatrix& field) {
-    const auto& carriers = mesh.merging.carriers(mesh.dimension());
+    const auto& carriers = mesh.merging().carriers(mesh.dimension());
     Points result(carriers.size(), field.cols());
     for (std::size_t t = 0; t < carriers.size(); ++t)
         result.row(t) = field.row(carriers[t].cell);
@@ -80,33 +74,34 @@ Points on_pieces(const Discretization& mesh, const DenseMatrix& field) {
 /// The product of the mean of the vectors of both ends with each edge of the input, carried to the
 /// pieces.
 Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
-    const DenseMatrix edges = edge_vectors(mesh.input(), mesh.points);
+    const DenseMatrix edges = edge_vectors(mesh.input(), mesh.input_points());
     const Vector values = edges.cwiseProduct(means(mesh.input(), field, 1)).rowwise().sum();
-    return mesh.passage.forth(1, values);
+    return mesh.passage().forth(1, values);
 }
 
 void check_dual_volumes(const Discretization& mesh) {
-    if (const auto zero = zero_star_cells(mesh.volumes, 1); !zero.empty())
+    if (const auto zero = zero_star_cells(mesh.volumes(), 1); !zero.empty())
         throw InvalidInput(fmt::format(
             "the dpp flat divides by zero: the dual of the edge with vertices {} has no volume "
             "({} such edges, see zero_star_cells of degree 1); let cells be merged, or take the "
             "field at the vertices",
-            fmt::join(mesh.merging.vertices(1, zero.front()), ", "), zero.size()));
+            fmt::join(cell_vertices(mesh, 1, zero.front()), ", "), zero.size()));
 }
 
 /// The product with each edge of the vectors of the n-simplices around, by parts of the dual.
 Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     check_dual_volumes(mesh);
-    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.points, mesh.piece_volumes, 1,
-                                          mesh.dimension(), mesh.options.centers);
+    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.points(), mesh.piece_volumes(), 1,
+                                          mesh.dimension(), mesh.options().centers);
     const DenseMatrix sums = parts.transpose() * DenseMatrix(on_pieces(mesh, field));
-    Vector result = sums.cwiseProduct(edge_vectors(mesh.pieces(), mesh.points)).rowwise().sum();
+    Vector result = sums.cwiseProduct(edge_vectors(mesh.pieces(), mesh.points())).rowwise().sum();
 
     // edges inside of merged cells count for nothing, and their duals may well vanish
     constexpr int own = 1;
-    const auto& carriers = mesh.merging.carriers(own);
+    const auto& carriers = mesh.merging().carriers(own);
     for (Index e = 0; e < result.size(); ++e)
-        result[e] = carriers[e].dimension == own ? result[e] / mesh.piece_volumes.dual(own)[e] : 0;
+        result[e] =
+            carriers[e].dimension == own ? result[e] / mesh.piece_volumes().dual(own)[e] : 0;
     return result;
 }
 
@@ -117,7 +112,7 @@ Vector along_dual_edges(const Discretization& mesh, VectorOf vector) {
     const auto& K = mesh.pieces();
     const int n = mesh.dimension();
     const auto centers_of = [&](int k) {
-        return center_points(K, mesh.points, mesh.points, mesh.options.centers, k);
+        return center_points(K, mesh.points(), mesh.points(), mesh.options().centers, k);
     };
     const Points centers = centers_of(n), facet_centers = centers_of(n - 1);
     const double sign = n % 2 == 0 ? 1 : -1;
@@ -148,20 +143,20 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
 } // namespace
 
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
-    require_points(mesh.points.cols(), "a flat");
+    require_points(mesh.points().cols(), "a flat");
     if (kind != Flat::ppp && kind != Flat::pdp)
         check_not_flipped(mesh, "a flat along or by the duals of cells");
     check_field(mesh, is_at_vertices(kind), field);
     if (is_primal(kind)) {
         const Vector values =
             kind == Flat::dpp ? around_edges(mesh, field) : along_edges(mesh, field);
-        return {Side::primal, 1, mesh.merging.diamond(1).cast<double>() * values};
+        return {Side::primal, 1, mesh.merging().diamond(1).cast<double>() * values};
     }
     const int k = mesh.dimension() - 1;
     const Vector values = along_dual_edges(mesh, kind, field);
-    const Vector weighted = mesh.piece_volumes.primal(k).cwiseProduct(values);
-    const Vector sums = mesh.merging.diamond(k).cast<double>() * weighted;
-    return {Side::dual, 1, sums.cwiseQuotient(mesh.volumes.primal(k))};
+    const Vector weighted = mesh.piece_volumes().primal(k).cwiseProduct(values);
+    const Vector sums = mesh.merging().diamond(k).cast<double>() * weighted;
+    return {Side::dual, 1, sums.cwiseQuotient(mesh.volumes().primal(k))};
 }
 
 } // namespace polydec

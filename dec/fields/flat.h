@@ -22,7 +22,7 @@ enum class Flat {
 
 /// The 1-form of a vector field on merged cells: a primal one on the edges or a dual one on the
 /// (n-1)-cells. Units those of the field times length. `field` has N columns and a row per vertex
-/// number of the points (rows of unused vertices are not read) or per merged n-cell. Each of them
+/// or per merged n-cell. Each of them
 /// gives the exact integrals of constant fields on flat meshes; ppp those of linear fields too.
 ///
 /// All is computed on the simplices, over which a merged cell's vector is copied, and mapped to

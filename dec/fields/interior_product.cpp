@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "complex/components.h"
 #include "dec/forms/derivative.h"
-#include "dec/merging/check_lift.h"
 #include "dec/merging/lift.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/simplex_faces.h"
@@ -32,10 +31,11 @@ void check_field(const Pieces& complex, const Points& points, const Points& fiel
         throw InvalidInput(fmt::format("a vector field of {} x {} numbers is given: expected {} x "
                                        "{}, a row for each point",
                                        field.rows(), field.cols(), points.rows(), points.cols()));
-    for (const Index v : complex.simplices(0).reshaped())
+    for (Index v = 0; v < field.rows(); ++v)
         if (!field.row(v).allFinite())
             throw InvalidInput(
-                fmt::format("the vector field at vertex {} is not finite: give it a value", v));
+                fmt::format("the vector field at vertex {} is not finite: give it a value",
+                            complex.vertex_number(v)));
 }
 
 /// The (k-1)-faces of n-simplices, and how the field leaves them within these.
@@ -201,17 +201,6 @@ SparseMatrix contraction(const Pieces& complex, const Points& points, const Poin
     return result;
 }
 
-SparseMatrix contraction(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                         const Points& points, const Points& field, int k, Sampling sampling,
-                         Beyond beyond) {
-    check_lift(merging, lift);
-    const SparseMatrix fine = contraction(merging.pieces(), points, field, k, sampling, beyond);
-    if (fine.rows() == 0 || fine.cols() == 0)
-        return SparseMatrix(merging.merged().size(k - 1), merging.merged().size(k));
-    const SparseMatrix contracted = fine * lift[k];
-    return merging.diamond(k - 1).cast<double>() * contracted;
-}
-
 /// i_X d + d i_X, with interior(k) the interior product of k-forms.
 template <class Interior>
 SparseMatrix cartan(const CellComplex& complex, int k, Interior interior) {
@@ -228,26 +217,12 @@ SparseMatrix interior_product(const Pieces& complex, const Points& points, const
     return contraction(complex, points, field, k, sampling, Beyond::the_same);
 }
 
-SparseMatrix interior_product(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                              const Points& points, const Points& field, int k, Sampling sampling) {
-    return contraction(merging, lift, points, field, k, sampling, Beyond::the_same);
-}
-
 SparseMatrix lie_derivative(const Pieces& complex, const Points& points, const Points& field, int k,
                             Sampling sampling) {
     const SparseMatrix L = cartan(complex, k, [&](int degree) {
         return contraction(complex, points, field, degree, sampling, Beyond::nothing);
     });
     return sampling == Sampling::upwind ? SparseMatrix(L + inflow(complex, points, field, k)) : L;
-}
-
-SparseMatrix lie_derivative(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                            const Points& points, const Points& field, int k, Sampling sampling) {
-    const SparseMatrix L = cartan(merging.merged(), k, [&](int degree) {
-        return contraction(merging, lift, points, field, degree, sampling, Beyond::nothing);
-    });
-    return sampling == Sampling::upwind ? SparseMatrix(L + inflow(merging, lift, points, field, k))
-                                        : L;
 }
 
 SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& field, int k) {
@@ -275,42 +250,46 @@ SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& f
     return rates;
 }
 
-SparseMatrix inflow(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                    const Points& points, const Points& field, int k) {
-    check_lift(merging, lift);
-    const SparseMatrix rates = inflow(merging.pieces(), points, field, k) * lift[k];
-    return merging.diamond(k).cast<double>() * rates;
-}
-
 namespace {
+
+/// The vectors at the vertices of the input.
+Points on_input(const Discretization& mesh, const Points& field) {
+    require_points(mesh.points().cols(), "a vector field");
+    return mesh.passage().back(0, field);
+}
 
 /// An operator on the input's simplices, from k-forms to j-forms, for those on the cells.
 SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int k, int j) {
     if (fine.rows() == 0 || fine.cols() == 0)
         return SparseMatrix(mesh.complex().size(j), mesh.complex().size(k));
-    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
-    if (mesh.passage.is_identity())
-        return mesh.merging.diamond(j).cast<double>() * SparseMatrix(fine * lift[k]);
-    const SparseMatrix back = mesh.passage.matrix_back(k) * lift[k];
-    const SparseMatrix there = mesh.passage.matrix(j) * SparseMatrix(fine * back);
-    return mesh.merging.diamond(j).cast<double>() * there;
+    const SparseMatrix& lift = mesh.lift()[k];
+    if (mesh.passage().is_identity())
+        return mesh.merging().diamond(j).cast<double>() * SparseMatrix(fine * lift);
+    const SparseMatrix back = mesh.passage().matrix_back(k) * lift;
+    const SparseMatrix there = mesh.passage().matrix(j) * SparseMatrix(fine * back);
+    return mesh.merging().diamond(j).cast<double>() * there;
 }
 
 } // namespace
 
 SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
                               Sampling sampling) {
-    return on_cells(mesh, interior_product(mesh.input(), mesh.points, field, k, sampling), k,
-                    k - 1);
+    return on_cells(
+        mesh,
+        interior_product(mesh.input(), mesh.input_points(), on_input(mesh, field), k, sampling), k,
+        k - 1);
 }
 
 SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
                             Sampling sampling) {
-    return on_cells(mesh, lie_derivative(mesh.input(), mesh.points, field, k, sampling), k, k);
+    return on_cells(
+        mesh, lie_derivative(mesh.input(), mesh.input_points(), on_input(mesh, field), k, sampling),
+        k, k);
 }
 
 SparseMatrix inflow(const Discretization& mesh, const Points& field, int k) {
-    return on_cells(mesh, inflow(mesh.input(), mesh.points, field, k), k, k);
+    return on_cells(mesh, inflow(mesh.input(), mesh.input_points(), on_input(mesh, field), k), k,
+                    k);
 }
 
 } // namespace polydec

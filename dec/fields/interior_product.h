@@ -46,18 +46,6 @@ SparseMatrix interior_product(const Pieces& complex, const Points& points, const
 SparseMatrix lie_derivative(const Pieces& complex, const Points& points, const Points& field, int k,
                             Sampling sampling);
 
-/// Interior product on merged cells: forms are lifted to the simplices and contracted there, and
-/// the values added over the pieces; dia_(k-1) i_X S_k, with the lift of commuting_lift(merging,
-/// ..). size(k-1) x size(k) of P. As exact as that on simplices where the cells are flat.
-/// Throws like it, and InvalidInput if the lift does not fit the merging.
-SparseMatrix interior_product(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                              const Points& points, const Points& field, int k, Sampling sampling);
-
-/// Lie derivative on merged cells by Cartan's formula with their derivative and interior product;
-/// equal to dia_k L_X S_k, since both maps commute with d. Throws like interior_product.
-SparseMatrix lie_derivative(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                            const Points& points, const Points& field, int k, Sampling sampling);
-
 /// The rate at which values of a k-form outside come in, for lie_derivative with upwind sampling:
 /// size(k) x size(k), k = 0..n, a value outside for every boundary k-simplex, of which those
 /// without inflow do not matter. Diagonal and >= 0; 0 for k = n, since n-forms come in through
@@ -66,12 +54,10 @@ SparseMatrix lie_derivative(const Merging& merging, const std::vector<SparseMatr
 /// inside. Throws like interior_product.
 SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& field, int k);
 
-/// On merged cells: dia_k inflow S_k. Throws like interior_product.
-SparseMatrix inflow(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                    const Points& points, const Points& field, int k);
-
-/// All three for a discretization: lifted, carried back to the simplices of the input if edges were
-/// flipped, and the other way again. field has a row for each point of the discretization. They
+/// All three on merged cells: forms are lifted, carried back to the simplices of the input if edges
+/// were flipped, contracted there, and brought the other way again; dia i_X S. Cartan's formula
+/// holds with the derivative of the merged cells, since both maps commute with d. As exact as on
+/// simplices where the cells are flat. field has a row for each point of the discretization. They
 /// throw likewise.
 SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
                               Sampling sampling);

@@ -3,8 +3,8 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
-#include "dec/merging/check_lift.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_geometry.h"
 
@@ -21,7 +21,7 @@ namespace polydec {
 namespace {
 
 void check_form(const Discretization& mesh, const Cochain& form, int degree) {
-    require_points(mesh.points.cols(), "a sharp");
+    require_points(mesh.points().cols(), "a sharp");
     if (form.side != Side::primal || form.degree != degree)
         throw InvalidInput(fmt::format("a primal {}-form is expected: a {} {}-form is given",
                                        degree, name(form.side), form.degree));
@@ -29,13 +29,12 @@ void check_form(const Discretization& mesh, const Cochain& form, int degree) {
 }
 
 void check_dual_cells(const Discretization& mesh) {
-    auto zero = zero_star_cells(mesh.input_volumes, 0);
+    auto zero = zero_star_cells(mesh.input_volumes(), 0);
     if (zero.empty())
         return;
     const auto count = zero.size();
     zero.resize(std::min<std::size_t>(count, 5));
-    for (Index& v : zero)
-        v = mesh.input().simplices(0)(v, 0);
+    zero = mesh.input().vertex_numbers(std::move(zero));
     throw InvalidInput(fmt::format("the sharp to vertices divides by zero: the dual cells of {} "
                                    "vertices have no volume (vertices {}{}); take vectors at the "
                                    "cells, sharp_pd, or move the vertices",
@@ -47,8 +46,9 @@ void check_dual_cells(const Discretization& mesh) {
 DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vector& a, Index t) {
     const auto& K = mesh.input();
     const int n = mesh.dimension();
-    const DenseMatrix gradients = barycentric_gradients(mesh.points, vertices(K.simplices(n), t));
-    DenseMatrix result = DenseMatrix::Zero(n + 1, mesh.points.cols());
+    const DenseMatrix gradients =
+        barycentric_gradients(mesh.input_points(), vertices(K.simplices(n), t));
+    DenseMatrix result = DenseMatrix::Zero(n + 1, mesh.points().cols());
     for (int i = 0; i <= n; ++i)
         for (int j = i + 1; j <= n; ++j) {
             const Index e = face_at(K, n, t, std::array{i, j});
@@ -64,17 +64,18 @@ DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vecto
 DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
     const auto& K = mesh.pieces();
     const int n = mesh.dimension();
-    const auto N = mesh.points.cols();
+    const auto N = mesh.points().cols();
     DenseMatrix sum = DenseMatrix::Zero(N, N);
-    for (IncidenceMatrix::InnerIterator piece(mesh.merging.diamond(n), cell); piece; ++piece) {
+    for (IncidenceMatrix::InnerIterator piece(mesh.merging().diamond(n), cell); piece; ++piece) {
         const auto t = static_cast<Index>(piece.col());
         const auto corners = vertices(K.simplices(n), t);
-        const DenseMatrix gradients = barycentric_gradients(mesh.points, corners);
+        const DenseMatrix gradients = barycentric_gradients(mesh.points(), corners);
         DenseMatrix projection = DenseMatrix::Zero(N, N);
         for (int i = 1; i <= n; ++i)
-            projection += (mesh.points.row(corners[i]) - mesh.points.row(corners[0])).transpose() *
-                          gradients.row(i);
-        sum += mesh.piece_volumes.primal(n)[t] * projection;
+            projection +=
+                (mesh.points().row(corners[i]) - mesh.points().row(corners[0])).transpose() *
+                gradients.row(i);
+        sum += mesh.piece_volumes().primal(n)[t] * projection;
     }
     return Eigen::SelfAdjointEigenSolver<DenseMatrix>(sum).eigenvectors().rightCols(n);
 }
@@ -82,12 +83,12 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
 /// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.
 SparseMatrix edge_weights(const Discretization& mesh) {
     const int n = mesh.dimension();
-    const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.points, mesh.piece_volumes, 1, n, mesh.options.centers);
-    const SparseMatrix cells = mesh.merging.diamond(n).cast<double>().cwiseAbs();
-    const SparseMatrix edges = mesh.merging.diamond(1).cast<double>().cwiseAbs();
+    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.points(), mesh.piece_volumes(), 1, n,
+                                          mesh.options().centers);
+    const SparseMatrix cells = mesh.merging().diamond(n).cast<double>().cwiseAbs();
+    const SparseMatrix edges = mesh.merging().diamond(1).cast<double>().cwiseAbs();
     // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
-    const Vector inverse_lengths = mesh.piece_volumes.primal(1).cwiseInverse();
+    const Vector inverse_lengths = mesh.piece_volumes().primal(1).cwiseInverse();
     const SparseMatrix weighted = parts * inverse_lengths.asDiagonal();
     const SparseMatrix on_cells = cells * weighted;
     return on_cells * SparseMatrix(edges.transpose());
@@ -95,27 +96,23 @@ SparseMatrix edge_weights(const Discretization& mesh) {
 
 } // namespace
 
-DenseMatrix sharp_pp(const Discretization& mesh, const std::vector<SparseMatrix>& lift,
-                     const Cochain& form) {
+DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
     check_form(mesh, form, 1);
-    check_lift(mesh.merging, lift);
     check_dual_cells(mesh);
     const auto& K = mesh.input();
     const int n = mesh.dimension();
     const Points parts =
-        parts_of_duals(K, mesh.input_metric(), mesh.input_volumes, 0, n, mesh.options.centers);
-    const Vector a = mesh.passage.back(1, lift[1] * form.values);
-    Points at_cells = Points::Zero(K.size(0), mesh.points.cols());
+        parts_of_duals(K, mesh.input_metric(), mesh.input_volumes(), 0, n, mesh.options().centers);
+    const Vector a = lifted(mesh, form).values;
+    Points at_cells = Points::Zero(K.size(0), mesh.points().cols());
     for (Index t = 0; t < K.size(n); ++t) {
         const DenseMatrix seen = gradients_seen_from_vertices(mesh, a, t);
         for (int i = 0; i <= n; ++i) {
             const Index v = face_at(K, n, t, std::array{i});
-            at_cells.row(v) += parts(t, i) / mesh.input_volumes.dual(0)[v] * seen.row(i);
+            at_cells.row(v) += parts(t, i) / mesh.input_volumes().dual(0)[v] * seen.row(i);
         }
     }
-    Points result = Points::Zero(mesh.points.rows(), mesh.points.cols());
-    result(mesh.pieces().simplices(0).col(0), Eigen::all) = mesh.passage.forth(0, at_cells);
-    return result;
+    return mesh.passage().forth(0, at_cells);
 }
 
 DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
@@ -123,8 +120,8 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
     check_not_flipped(mesh, "a sharp to cells");
     const SparseMatrix weights = edge_weights(mesh);
     const DenseMatrix edges =
-        mesh.merging.diamond(1).cast<double>() * edge_vectors(mesh.pieces(), mesh.points);
-    const auto N = mesh.points.cols();
+        mesh.merging().diamond(1).cast<double>() * edge_vectors(mesh.pieces(), mesh.points());
+    const auto N = mesh.points().cols();
     DenseMatrix result(weights.rows(), N);
     for (Index cell = 0; cell < weights.rows(); ++cell) {
         DenseMatrix M = DenseMatrix::Zero(N, N);
@@ -142,7 +139,7 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
             throw InvalidInput(fmt::format(
                 "the vector at merged cell {} (vertices {}) is not determined by its edges, whose "
                 "weights cancel: move its vertices",
-                cell, fmt::join(mesh.merging.vertices(mesh.dimension(), cell), ", ")));
+                cell, fmt::join(cell_vertices(mesh, mesh.dimension(), cell), ", ")));
         result.row(cell) = T * solver.solve(T.transpose() * right_side);
     }
     return result;
@@ -152,14 +149,15 @@ DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
     const int n = mesh.dimension();
     check_form(mesh, form, n - 1);
     check_not_flipped(mesh, "a sharp to cells");
-    const Points centroids = cell_centroids(mesh.merging, mesh.points, mesh.piece_volumes, n);
-    const Points facets = cell_centroids(mesh.merging, mesh.points, mesh.piece_volumes, n - 1);
+    const Points centroids = cell_centroids(mesh.merging(), mesh.points(), mesh.piece_volumes(), n);
+    const Points facets =
+        cell_centroids(mesh.merging(), mesh.points(), mesh.piece_volumes(), n - 1);
     Points result = Points::Zero(centroids.rows(), centroids.cols());
     for (Index cell = 0; cell < centroids.rows(); ++cell) {
         for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(n - 1), cell); f; ++f)
             result.row(cell) +=
                 f.value() * form.values[f.col()] * (facets.row(f.col()) - centroids.row(cell));
-        result.row(cell) /= mesh.volumes.primal(n)[cell];
+        result.row(cell) /= mesh.volumes().primal(n)[cell];
     }
     return result;
 }

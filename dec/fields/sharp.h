@@ -8,14 +8,12 @@ namespace polydec {
 
 /// Vectors at the vertices of a primal 1-form a: the mean, by the parts |*v part in t| of the dual
 /// cell of v, of sum over w in t of a(v->w) grad lambda_w, which is the gradient on simplex t if
-/// a = df. One row per vertex number of the points, 0 for unused ones; N columns; units those of
-/// the values over length. a is lifted to the simplices: lift = commuting_lift(..). Constant fields
-/// are exact on flat meshes. Source: Hirani 2003, Def. 5.7.1 and 5.8.1.
+/// a = df. One row per vertex; N columns; units those of the values over length. a is lifted to the
+/// simplices. Constant fields are exact on flat meshes. Source: Hirani 2003, Def. 5.7.1 and 5.8.1.
 /// After flips it is that on the simplices of the input.
-/// Throws InvalidInput for other forms or another lift, and, naming vertices, where dual volumes
+/// Throws InvalidInput for other forms and, naming vertices, where dual volumes
 /// are zero.
-DenseMatrix sharp_pp(const Discretization& mesh, const std::vector<SparseMatrix>& lift,
-                     const Cochain& form);
+DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form);
 
 /// Vectors at the merged n-cells of a primal 1-form a: X such that X . e = a(e) for the cell's
 /// edges, in least squares weighted by |*e part in P| / |e|. It lies in the cell's mean tangent

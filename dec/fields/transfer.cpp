@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "dec/forms/star.h"
-#include "dec/merging/lift.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/surfaces/overlay.h"
@@ -25,28 +24,28 @@ SparseMatrix transposed(const SparseMatrix& A) {
 /// From forms on the pieces to those on the cells, and back.
 SparseMatrix merged_from(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
-               ? primal_to_merged(mesh.merging, kind.degree)
-               : dual_to_merged(mesh.merging, mesh.piece_volumes, kind.degree);
+               ? primal_to_merged(mesh.merging(), kind.degree)
+               : dual_to_merged(mesh.merging(), mesh.piece_volumes(), kind.degree);
 }
 
 SparseMatrix pieces_from(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
-               ? primal_to_input(mesh.merging, mesh.piece_volumes, kind.degree)
-               : dual_to_input(mesh.merging, kind.degree);
+               ? primal_to_input(mesh.merging(), mesh.piece_volumes(), kind.degree)
+               : dual_to_input(mesh.merging(), kind.degree);
 }
 
 /// From forms on the input's simplices to those on the pieces, and back. Dual forms are paired with
 /// primal ones, so they go by the transposed way of these.
 SparseMatrix forth(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
-               ? mesh.passage.matrix(kind.degree)
-               : transposed(mesh.passage.matrix_back(mesh.dimension() - kind.degree));
+               ? mesh.passage().matrix(kind.degree)
+               : transposed(mesh.passage().matrix_back(mesh.dimension() - kind.degree));
 }
 
 SparseMatrix back(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
-               ? mesh.passage.matrix_back(kind.degree)
-               : transposed(mesh.passage.matrix(mesh.dimension() - kind.degree));
+               ? mesh.passage().matrix_back(kind.degree)
+               : transposed(mesh.passage().matrix(mesh.dimension() - kind.degree));
 }
 
 /// Functions of flipped triangles as means over what the input's triangles have in common with
@@ -54,7 +53,7 @@ SparseMatrix back(const Discretization& mesh, FormKind kind) {
 Vector means_over_input(const Discretization& mesh, const Vector& values) {
     const int n = mesh.dimension();
     const Pieces &K = mesh.input(), &pieces = mesh.pieces();
-    const Overlay common = overlay(mesh.passage, mesh.points);
+    const Overlay common = overlay(mesh.passage(), mesh.points());
     Vector sums = Vector::Zero(K.size(n)), areas = sums;
     for (Index p = 0; p < common.size(); ++p) {
         areas[common.input[p]] += common.areas[p];
@@ -71,7 +70,7 @@ Vector means_over_input(const Discretization& mesh, const Vector& values) {
 
 std::string simplex(const Pieces& K, int k, Index s) {
     return fmt::format("the {}-simplex {} with vertices {}", k, s,
-                       fmt::join(K.simplices(k).row(s), ", "));
+                       fmt::join(K.vertex_numbers(k, s), ", "));
 }
 
 } // namespace
@@ -108,7 +107,7 @@ SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& 
                                        columns, O.rows(), O.cols()));
     const SparseMatrix down = O * merged_from(discretization, from);
     const SparseMatrix result = pieces_from(discretization, to) * down;
-    if (discretization.passage.is_identity())
+    if (discretization.passage().is_identity())
         return result;
     const SparseMatrix on_pieces = result * forth(discretization, from);
     return back(discretization, to) * on_pieces;
@@ -119,23 +118,39 @@ Cochain to_merged(const Discretization& discretization, const Cochain& form) {
     const FormKind kind{form.side, form.degree};
     Vector values = form.values;
     if (form.side == Side::primal)
-        values = discretization.passage.forth(form.degree, values);
-    else if (!discretization.passage.is_identity())
+        values = discretization.passage().forth(form.degree, values);
+    else if (!discretization.passage().is_identity())
         values = forth(discretization, kind) * values;
     return {form.side, form.degree, merged_from(discretization, kind) * values};
+}
+
+Cochain on_pieces(const Discretization& mesh, const Cochain& form) {
+    check(mesh.complex(), form);
+    if (form.side != Side::primal)
+        throw InvalidInput(fmt::format("a dual {}-form cannot be lifted: take its star, which is "
+                                       "primal",
+                                       form.degree));
+    return {Side::primal, form.degree, mesh.lift()[form.degree] * form.values};
+}
+
+Cochain on_cells(const Discretization& mesh, const Cochain& form) {
+    check(mesh.pieces(), form);
+    return {form.side, form.degree, merged_from(mesh, {form.side, form.degree}) * form.values};
+}
+
+Cochain lifted(const Discretization& mesh, const Cochain& form) {
+    return {Side::primal, form.degree,
+            mesh.passage().back(form.degree, on_pieces(mesh, form).values)};
 }
 
 Cochain to_input(const Discretization& discretization, const Cochain& form) {
     check(discretization.complex(), form);
     const FormKind kind{form.side, form.degree};
-    if (discretization.passage.is_identity())
+    if (discretization.passage().is_identity())
         return {form.side, form.degree, pieces_from(discretization, kind) * form.values};
     if (form.side == Side::primal) {
         // where derivatives are taken afterwards, values inside the cells must commute with them
-        const auto lift = commuting_lift(discretization.merging, discretization.metric(),
-                                         discretization.piece_volumes);
-        return {form.side, form.degree,
-                discretization.passage.back(form.degree, lift[form.degree] * form.values)};
+        return lifted(discretization, form);
     }
     const Vector values = pieces_from(discretization, kind) * form.values;
     return {form.side, form.degree,
@@ -164,7 +179,7 @@ Consistency consistency(const Discretization& discretization, const Cochain& for
             result = {deviation, s, form.values[s], expected[s], {}};
     if (result.cell < 0)
         return result;
-    const auto& carrier = discretization.merging.carriers(k)[result.cell];
+    const auto& carrier = discretization.merging().carriers(k)[result.cell];
     result.description =
         carrier.dimension > k
             ? fmt::format("{} lies inside a merged {}-cell, so its dual has no extent, but the "

@@ -44,6 +44,16 @@ SparseMatrix on_input(const Discretization& discretization, const SparseMatrix& 
 /// Throws InvalidInput if the form does not live on the pieces.
 Cochain to_merged(const Discretization& discretization, const Cochain& form);
 
+/// The primal form on the pieces that a primal form on merged cells has by the lift of the bundle
+/// (see commuting_lift), and the form on the merged cells of one on the pieces, primal (sums) or
+/// dual (means by volume). Both commute with d. Throw like check; on_pieces for dual forms.
+Cochain on_pieces(const Discretization& mesh, const Cochain& form);
+Cochain on_cells(const Discretization& mesh, const Cochain& form);
+
+/// The primal form on the input's simplices that a primal form on merged cells has by the lift,
+/// and, after intrinsic flips, the inverse flips: a cochain map. Throws like on_pieces.
+Cochain lifted(const Discretization& mesh, const Cochain& form);
+
 /// The form on the input's simplices of a form on merged cells, by primal_to_input or
 /// dual_to_input. After intrinsic flips primal forms come back by the inverse flips, a cochain map,
 /// and dual 0-forms as their means over the parts of each triangle (see overlay). Throws

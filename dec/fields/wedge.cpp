@@ -2,8 +2,7 @@
 #include "dec/fields/wedge.h"
 
 #include "base/errors.h"
-#include "dec/merging/check_lift.h"
-#include "dec/merging/lift.h"
+#include "dec/fields/transfer.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_faces.h"
@@ -68,22 +67,6 @@ double shuffle_weight(int k, int l) {
     return std::tgamma(k + 1.0) * std::tgamma(l + 1.0) / std::tgamma(k + l + 1.0);
 }
 
-void check_product(const CellComplex& complex, const Cochain& a, const Cochain& b) {
-    check(complex, a);
-    check(complex, b);
-    if (a.side == Side::dual || b.side == Side::dual)
-        throw InvalidInput(fmt::format(
-            "the wedge product of a {} {}-form and a {} {}-form is asked for: wedge multiplies "
-            "primal forms; take primal_dual_wedge for a primal k-form and a dual (n-k)-form, "
-            "dual_wedge for two dual forms",
-            name(a.side), a.degree, name(b.side), b.degree));
-    if (a.degree + b.degree > complex.dimension())
-        throw InvalidInput(fmt::format(
-            "the wedge product of a {}-form and a {}-form has degree {}: in dimension {} there is "
-            "no such form",
-            a.degree, b.degree, a.degree + b.degree, complex.dimension()));
-}
-
 /// The sum over pairs of faces; share(s, v) is what weight the vertex at position v of s has, in
 /// all 1.
 template <class Share>
@@ -107,24 +90,10 @@ Cochain product(const Pieces& complex, const Cochain& a, const Cochain& b, Share
     return {Side::primal, m, values};
 }
 
-Cochain lifted(const std::vector<SparseMatrix>& lift, const Cochain& form) {
-    return {form.side, form.degree, lift[form.degree] * form.values};
-}
-
-/// What multiply makes of both forms on the simplices, added over the pieces of merged cells.
-template <class Multiply>
-Cochain on_merged_cells(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                        const Cochain& a, const Cochain& b, Multiply multiply) {
-    check_product(merging.merged(), a, b);
-    check_lift(merging, lift);
-    const Cochain fine = multiply(lifted(lift, a), lifted(lift, b));
-    return {fine.side, fine.degree, merging.diamond(fine.degree).cast<double>() * fine.values};
-}
-
 } // namespace
 
 Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b) {
-    check_product(complex, a, b);
+    check_factors(complex, Side::primal, a, b);
     const double share = 1.0 / (a.degree + b.degree + 1);
     return product(complex, a, b, [share](Index, int) { return share; });
 }
@@ -132,36 +101,22 @@ Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b) {
 Cochain circumcentric_wedge(const Pieces& complex, const SimplexMetric& metric,
                             const CellVolumes& volumes, const Cochain& a, const Cochain& b,
                             const Centers& centers) {
-    check_product(complex, a, b);
+    check_factors(complex, Side::primal, a, b);
     const int m = a.degree + b.degree;
     const Points parts = parts_of_duals(complex, metric, volumes, 0, m, centers);
     return product(complex, a, b,
                    [&](Index s, int v) { return parts(s, v) / volumes.primal(m)[s]; });
 }
 
-Cochain wedge(const Merging& merging, const std::vector<SparseMatrix>& lift, const Cochain& a,
-              const Cochain& b) {
-    return on_merged_cells(merging, lift, a, b, [&](const Cochain& x, const Cochain& y) {
-        return wedge(merging.pieces(), x, y);
-    });
-}
-
-Cochain circumcentric_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                            const SimplexMetric& metric, const CellVolumes& volumes,
-                            const Cochain& a, const Cochain& b, const Centers& centers) {
-    return on_merged_cells(merging, lift, a, b, [&](const Cochain& x, const Cochain& y) {
-        return circumcentric_wedge(merging.pieces(), metric, volumes, x, y, centers);
-    });
-}
-
 Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
               WedgeWeights weights) {
-    check_product(mesh.complex(), a, b);
-    const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
-    return weights == WedgeWeights::uniform
-               ? wedge(mesh.merging, lift, a, b)
-               : circumcentric_wedge(mesh.merging, lift, mesh.metric(), mesh.piece_volumes, a, b,
-                                     mesh.options.centers);
+    check_factors(mesh.complex(), Side::primal, a, b);
+    const auto& K = mesh.pieces();
+    const Cochain x = on_pieces(mesh, a), y = on_pieces(mesh, b);
+    return on_cells(mesh, weights == WedgeWeights::uniform
+                              ? wedge(K, x, y)
+                              : circumcentric_wedge(K, mesh.metric(), mesh.piece_volumes(), x, y,
+                                                    mesh.options().centers));
 }
 
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b) {

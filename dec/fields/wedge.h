@@ -31,22 +31,11 @@ Cochain circumcentric_wedge(const Pieces& complex, const SimplexMetric& metric,
                             const CellVolumes& volumes, const Cochain& a, const Cochain& b,
                             const Centers& centers = {});
 
-/// The products on merged cells: both forms are lifted to the simplices, multiplied there, and
-/// added over the pieces. The lift of commuting_lift(merging, ..) is a cochain map, so wedge has
-/// the laws it has on simplices, Leibniz' rule too, and constant forms on flat cells are multiplied
-/// exactly; what a cell has depends on its closure alone. Forms that are not closed are multiplied
-/// in a way that depends on how the input splits the cell, by about the size of da, db.
-/// volumes are those of the simplices.
-/// Throw like their counterparts, and InvalidInput if the lift does not fit the merging.
-Cochain wedge(const Merging& merging, const std::vector<SparseMatrix>& lift, const Cochain& a,
-              const Cochain& b);
-Cochain circumcentric_wedge(const Merging& merging, const std::vector<SparseMatrix>& lift,
-                            const SimplexMetric& metric, const CellVolumes& volumes,
-                            const Cochain& a, const Cochain& b, const Centers& centers = {});
-
-/// The products on merged cells for a single use: the lift is made anew at each call, which costs
-/// far more than the product (for p pieces in a polygon of the order of p^2). For more than one
-/// product make the lift once. Throws like wedge and commuting_lift.
+/// The products on merged cells: both forms are lifted to the pieces, multiplied there, and added
+/// over them. The lift is a cochain map, so wedge has the laws it has on simplices, Leibniz' rule
+/// too, and constant forms on flat cells are multiplied exactly; what a cell has depends on its
+/// closure alone. Forms that are not closed are multiplied in a way that depends on how the input
+/// splits the cell, by about the size of da, db. Throws like their counterparts.
 Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
               WedgeWeights weights = WedgeWeights::uniform);
 

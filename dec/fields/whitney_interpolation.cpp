@@ -2,7 +2,7 @@
 #include "dec/fields/whitney_interpolation.h"
 
 #include "base/errors.h"
-#include "dec/merging/check_lift.h"
+#include "dec/fields/transfer.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/simplex_metric.h"
@@ -38,31 +38,29 @@ void check_place(const Pieces& complex, Index top, const Vector& barycentric) {
                                        fmt::join(barycentric, ", "), n, top, n + 1));
 }
 
-/// Whitney k-forms of one simplex after another.
+/// The Whitney form of a cochain in one simplex after another.
 class WhitneyForms {
 public:
-    WhitneyForms(const Pieces& complex, const Points& points, int k)
+    WhitneyForms(const Pieces& complex, const Points& points, const Cochain& form)
         : complex_(complex),
           points_(points),
-          k_(k),
-          faces_(subsets(complex.dimension() + 1, k + 1)),
-          product_(static_cast<int>(points.cols()), k) {
+          form_(form),
+          faces_(subsets(complex.dimension() + 1, form.degree + 1)),
+          product_(static_cast<int>(points.cols()), form.degree) {
         require_points(points.cols(), "a Whitney form");
     }
 
-    /// At a point of a simplex; value(s) is that of the form on k-simplex s.
-    template <class Value>
-    Vector at(Index top, const Vector& barycentric, Value value) const {
+    Vector at(Index top, const Vector& barycentric) const {
         const int n = complex_.dimension();
         const DenseMatrix gradients =
             barycentric_gradients(points_, vertices(complex_.simplices(n), top));
         Vector result = Vector::Zero(product_.size());
         for (const auto& positions : faces_) {
             const Index face = face_at(complex_, n, top, positions);
-            const double sign = orientation(complex_, k_, face);
-            result += sign * value(face) * of_face(gradients, barycentric, positions);
+            const double value = orientation(complex_, form_.degree, face) * form_.values[face];
+            result += value * of_face(gradients, barycentric, positions);
         }
-        return std::tgamma(k_ + 1.0) * result;
+        return std::tgamma(form_.degree + 1.0) * result;
     }
 
     Index size() const { return product_.size(); }
@@ -71,7 +69,7 @@ private:
     Vector of_face(const DenseMatrix& gradients, const Vector& barycentric,
                    const std::vector<int>& positions) const {
         Vector sum = Vector::Zero(product_.size());
-        for (int p = 0; p <= k_; ++p) {
+        for (int p = 0; p <= form_.degree; ++p) {
             auto others = positions;
             others.erase(others.begin() + p);
             const double sign = p % 2 == 0 ? 1 : -1;
@@ -82,21 +80,10 @@ private:
 
     const Pieces& complex_;
     const Points& points_;
-    int k_;
+    const Cochain& form_;
     std::vector<std::vector<int>> faces_;
     ExteriorProduct product_;
 };
-
-template <class Value>
-DenseMatrix at_centroids(const Pieces& complex, const Points& points, int k, Value value) {
-    const int n = complex.dimension();
-    const WhitneyForms whitney(complex, points, k);
-    const Vector centroid = Vector::Constant(n + 1, 1.0 / (n + 1));
-    DenseMatrix result(complex.size(n), whitney.size());
-    for (Index t = 0; t < complex.size(n); ++t)
-        result.row(t) = whitney.at(t, centroid, value);
-    return result;
-}
 
 } // namespace
 
@@ -104,33 +91,27 @@ Vector whitney_form(const Pieces& complex, const Points& points, const Cochain& 
                     const Vector& barycentric) {
     check_primal(complex, form);
     check_place(complex, top, barycentric);
-    return WhitneyForms(complex, points, form.degree).at(top, barycentric, [&](Index s) {
-        return form.values[s];
-    });
+    return WhitneyForms(complex, points, form).at(top, barycentric);
 }
 
 DenseMatrix whitney_at_centroids(const Pieces& complex, const Points& points, const Cochain& form) {
     check_primal(complex, form);
-    return at_centroids(complex, points, form.degree, [&](Index s) { return form.values[s]; });
+    const int n = complex.dimension();
+    const WhitneyForms whitney(complex, points, form);
+    const Vector centroid = Vector::Constant(n + 1, 1.0 / (n + 1));
+    DenseMatrix result(complex.size(n), whitney.size());
+    for (Index t = 0; t < complex.size(n); ++t)
+        result.row(t) = whitney.at(t, centroid);
+    return result;
 }
 
-Vector whitney_form(const Merging& merging, const Points& points,
-                    const std::vector<SparseMatrix>& lift, const Cochain& form, Index top,
+Vector whitney_form(const Discretization& mesh, const Cochain& form, Index top,
                     const Vector& barycentric) {
-    check_primal(merging.merged(), form);
-    check_lift(merging, lift);
-    check_place(merging.pieces(), top, barycentric);
-    const WhitneyForms whitney(merging.pieces(), points, form.degree);
-    return whitney.at(top, barycentric,
-                      [&](Index s) { return lift[form.degree].row(s).dot(form.values); });
+    return whitney_form(mesh.input(), mesh.input_points(), lifted(mesh, form), top, barycentric);
 }
 
-DenseMatrix whitney_at_centroids(const Merging& merging, const Points& points,
-                                 const std::vector<SparseMatrix>& lift, const Cochain& form) {
-    check_primal(merging.merged(), form);
-    check_lift(merging, lift);
-    const Vector values = lift[form.degree] * form.values;
-    return at_centroids(merging.pieces(), points, form.degree, [&](Index s) { return values[s]; });
+DenseMatrix whitney_at_centroids(const Discretization& mesh, const Cochain& form) {
+    return whitney_at_centroids(mesh.input(), mesh.input_points(), lifted(mesh, form));
 }
 
 } // namespace polydec

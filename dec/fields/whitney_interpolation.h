@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/merging.h"
 #include "complex/pieces.h"
+#include "dec/discretization.h"
 #include "dec/forms/cochain.h"
 
 namespace polydec {
@@ -25,13 +25,11 @@ Vector whitney_form(const Pieces& complex, const Points& points, const Cochain& 
 /// Throws like whitney_form.
 DenseMatrix whitney_at_centroids(const Pieces& complex, const Points& points, const Cochain& form);
 
-/// The same of a form on merged cells, by its lift to the simplices: lift = commuting_lift(..).
-/// Constant forms are returned exactly on flat meshes. `top` is a simplex, and there is one row per
-/// simplex. Throws like the above.
-Vector whitney_form(const Merging& merging, const Points& points,
-                    const std::vector<SparseMatrix>& lift, const Cochain& form, Index top,
+/// The same of a form on merged cells, lifted to the simplices of the input: `top` is one of these,
+/// and there is a row for each. Constant forms are returned exactly on flat meshes. For many points
+/// take lifted(mesh, form) once. Throw like the above, and like lifted.
+Vector whitney_form(const Discretization& mesh, const Cochain& form, Index top,
                     const Vector& barycentric);
-DenseMatrix whitney_at_centroids(const Merging& merging, const Points& points,
-                                 const std::vector<SparseMatrix>& lift, const Cochain& form);
+DenseMatrix whitney_at_centroids(const Discretization& mesh, const Cochain& form);
 
 } // namespace polydec

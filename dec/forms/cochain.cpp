@@ -60,6 +60,22 @@ void check(const CellComplex& complex, const Chain& chain) {
     check_values(complex, chain, "chain");
 }
 
+void check_factors(const CellComplex& complex, Side side, const Cochain& a, const Cochain& b) {
+    check(complex, a);
+    check(complex, b);
+    if (a.side != side || b.side != side)
+        throw InvalidInput(fmt::format(
+            "the product of a {} {}-form and a {} {}-form is asked for: expected two {} forms; "
+            "take wedge for primal forms, dual_wedge for dual ones, primal_dual_wedge for a primal "
+            "k-form and a dual (n-k)-form",
+            name(a.side), a.degree, name(b.side), b.degree, name(side)));
+    if (a.degree + b.degree > complex.dimension())
+        throw InvalidInput(fmt::format(
+            "the product of a {}-form and a {}-form has degree {}: in dimension {} there is no "
+            "such form",
+            a.degree, b.degree, a.degree + b.degree, complex.dimension()));
+}
+
 Chain boundary(const CellComplex& complex, const Chain& chain) {
     check(complex, chain);
     const int k = cell_degree(complex, chain.side, chain.degree);

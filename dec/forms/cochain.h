@@ -30,6 +30,10 @@ int cell_degree(const CellComplex& complex, Side side, int degree);
 void check(const CellComplex& complex, const Cochain& form);
 void check(const CellComplex& complex, const Chain& chain);
 
+/// Throws InvalidInput, naming both forms, unless they live on this complex and on that side and
+/// their degrees add to n at most: what an exterior product asks for.
+void check_factors(const CellComplex& complex, Side side, const Cochain& a, const Cochain& b);
+
 /// The boundary, of degree k-1: the transpose of the derivative of forms of that side, so that
 /// Stokes' theorem pairing(d w, c) = pairing(w, boundary(c)) is exact. That of a dual cell leaves
 /// out what lies on the boundary of the domain. Chains of degree 0 have the empty boundary, of

@@ -24,9 +24,10 @@ void check_points(const Pieces& complex, const Points& points) {
     if (points.cols() < complex.dimension())
         throw InvalidInput(fmt::format("simplices of dimension {} do not fit into {} coordinates",
                                        complex.dimension(), points.cols()));
-    for (const Index v : complex.simplices(0).reshaped())
+    for (Index v = 0; v < points.rows(); ++v)
         if (!points.row(v).allFinite())
-            throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite", v));
+            throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite",
+                                           complex.vertex_number(v)));
 }
 
 void check_metric(const Pieces& complex, const SimplexMetric& metric) {
@@ -66,7 +67,7 @@ double largest_extent(const Corners& corners) {
         for (Index s = 0; s < complex.size(m); ++s)
             if (!sphere.look_at(layout.at(m, s)) || !is_moderate(sphere.volume()))
                 refuse(complex, metric, m, s);
-    const auto list = vertices(complex.simplices(k), t);
+    const auto list = complex.vertex_numbers(k, t);
     const bool has_volume = sphere.look_at(layout.at(k, t));
     const double length = k > 0 ? largest_extent(layout.at(k, t)) : 1;
     if (has_volume || (length > 0 && !is_moderate(length)))

@@ -228,7 +228,7 @@ bool Circumsphere::look_at(const Corners& corners) {
 
 void Circumsphere::look_at(SimplexLayout& layout, int k, Index s) {
     if (!look_at(layout.at(k, s)))
-        refuse(vertices(layout.complex().simplices(k), s));
+        refuse(layout.complex().vertex_numbers(k, s));
 }
 
 void Circumsphere::measure_distances(const Corners& corners) {

@@ -32,14 +32,11 @@ struct Sight {
 };
 
 /// The coordinates that are not the same everywhere.
-std::vector<Eigen::Index> varying_coordinates(const Pieces& complex, const Points& points) {
+std::vector<Eigen::Index> varying_coordinates(const Points& points) {
     std::vector<Eigen::Index> axes;
-    const auto used = complex.simplices(0).reshaped();
-    for (Eigen::Index c = 0; c < points.cols(); ++c) {
-        const double first = points(used[0], c);
-        if (std::any_of(used.begin(), used.end(), [&](Index v) { return points(v, c) != first; }))
+    for (Eigen::Index c = 0; c < points.cols(); ++c)
+        if ((points.col(c).array() != points(0, c)).any())
             axes.push_back(c);
-    }
     return axes;
 }
 
@@ -199,7 +196,7 @@ std::vector<Index> find_wound(const Pieces& complex, const std::vector<Sight>& s
 } // namespace
 
 Overlaps find_overlaps(const Pieces& complex, const Points& all) {
-    const auto axes = varying_coordinates(complex, all);
+    const auto axes = varying_coordinates(all);
     if (static_cast<int>(axes.size()) != complex.dimension())
         return {};
     const Points points = all(Eigen::all, axes);

@@ -16,7 +16,7 @@ struct Overlaps {
     /// those on one side of a branching facet together with another. Ascending.
     std::vector<Index> folded;
     /// Vertices whose cells overlap without a fold, as they do where they wind around it twice.
-    /// Vertices numbers of the points, ascending.
+    /// Ascending.
     std::vector<Index> wound;
 };
 

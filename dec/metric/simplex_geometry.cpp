@@ -18,7 +18,7 @@ Index face_at(const Pieces& complex, int m, Index t, std::span<const int> positi
 }
 
 DenseMatrix edge_vectors(const Pieces& complex, const Points& points) {
-    check_number("the point", complex.simplices(0).maxCoeff(), 0, points.rows() - 1);
+    check_as_many("points of vertices", points.rows(), complex.size(0));
     const auto& edges = complex.simplices(1);
     DenseMatrix vectors(edges.rows(), points.cols());
     for (Index e = 0; e < edges.rows(); ++e)

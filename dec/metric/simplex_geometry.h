@@ -7,7 +7,7 @@
 
 namespace polydec {
 
-/// The vertex numbers of a simplex, a row of the table.
+/// The corners of a simplex, a row of the table.
 inline std::span<const Index> vertices(const Simplices& simplices, Index s) {
     return {&simplices(s, 0), static_cast<std::size_t>(simplices.cols())};
 }

@@ -42,15 +42,16 @@ SimplexMetric::SimplexMetric(const Pieces& complex, const Vector& lengths) : len
                                        lengths.size(), complex.size(1)));
     for (Index e = 0; e < complex.size(1); ++e) {
         const double length = lengths[e];
-        const auto ends = vertices(complex.simplices(1), e);
+        if (length >= 1 / largest_length && length <= largest_length)
+            continue;
+        const auto ends = complex.vertex_numbers(1, e);
         if (!(length > 0) || !std::isfinite(length))
             throw InvalidInput(fmt::format("edge {} with vertices {} and {} has length {}: "
                                            "expected a finite number above 0",
                                            e, ends[0], ends[1], length));
-        if (length > largest_length || length < 1 / largest_length)
-            throw InvalidInput(fmt::format("edge {} with vertices {} and {} has length {:.3g}: "
-                                           "scale the mesh to a size nearer to 1",
-                                           e, ends[0], ends[1], length));
+        throw InvalidInput(fmt::format("edge {} with vertices {} and {} has length {:.3g}: "
+                                       "scale the mesh to a size nearer to 1",
+                                       e, ends[0], ends[1], length));
     }
 }
 
@@ -150,7 +151,7 @@ Vector edge_lengths(const Pieces& complex, const Points& points) {
 }
 
 std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, int k, Index s) {
-    const auto list = vertices(complex.simplices(k), s);
+    const auto list = complex.vertex_numbers(k, s);
     const auto name = fmt::format("{}-simplex {} with vertices {}", k, s, fmt::join(list, ", "));
     if (constexpr int triangle = 2; k == triangle) {
         const auto [a, b, c] = sorted_lengths(complex, *metric.lengths(), s);
@@ -167,6 +168,17 @@ std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, 
                        name);
 }
 
+Points vertex_points(const Pieces& complex, const Points& by_number) {
+    const Index largest = complex.vertex_number(complex.size(0) - 1);
+    if (largest >= by_number.rows())
+        throw InvalidInput(fmt::format("a cell uses vertex {} but there are only {} points",
+                                       largest, by_number.rows()));
+    Points result(complex.size(0), by_number.cols());
+    for (Index v = 0; v < result.rows(); ++v)
+        result.row(v) = by_number.row(complex.vertex_number(v));
+    return result;
+}
+
 void require_points(Eigen::Index coordinates, std::string_view what) {
     if (coordinates == 0)
         throw InvalidInput(fmt::format("only lengths are known, there are no points, which {} "
@@ -176,10 +188,11 @@ void require_points(Eigen::Index coordinates, std::string_view what) {
 
 void require_points(const Pieces& complex, const Points& points, std::string_view what) {
     require_points(points.cols(), what);
-    const Index largest = complex.simplices(0).maxCoeff();
-    if (largest >= points.rows())
-        throw InvalidInput(fmt::format("a cell uses vertex {} but there are only {} points",
-                                       largest, points.rows()));
+    if (points.rows() != complex.size(0))
+        throw InvalidInput(fmt::format("{} points are given for {} vertices: expected a row for "
+                                       "each vertex of the complex, in their order (vertex_points "
+                                       "leaves out those of no cell)",
+                                       points.rows(), complex.size(0)));
 }
 
 void require_straight(const Pieces& complex, const Points& points, std::string_view what) {

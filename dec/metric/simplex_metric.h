@@ -16,8 +16,8 @@ namespace polydec {
 /// references: points and lengths must outlive it.
 class SimplexMetric {
 public:
-    /// Simplices between points, a row per vertex number; implicit, so that points can be given
-    /// wherever a metric is asked for, but not temporaries.
+    /// Simplices between points, a row per vertex of the complex; implicit, so that points can be
+    /// given wherever a metric is asked for, but not temporaries.
     SimplexMetric(const Points& points) : points_(&points) {}
     SimplexMetric(Points&&) = delete;
 
@@ -92,11 +92,15 @@ Vector edge_lengths(const Pieces& complex, const Points& points);
 /// Says why k-simplex s, whose faces all exist, cannot have the lengths that it is given.
 std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, int k, Index s);
 
+/// The points of the vertices of a complex, of a table with a row per vertex number. Throws
+/// InvalidInput if there are fewer.
+Points vertex_points(const Pieces& complex, const Points& by_number);
+
 /// Throws InvalidInput if points have no coordinates, as those of a mesh of which only lengths are
 /// known; what says who needs them.
 void require_points(Eigen::Index coordinates, std::string_view what);
 
-/// The same, and if a vertex of the complex has no point.
+/// The same, and unless there is a point for each vertex of the complex.
 void require_points(const Pieces& complex, const Points& points, std::string_view what);
 
 /// The same, and if the pieces are not straight simplices between points, since edges were flipped.

@@ -20,7 +20,6 @@ class Cutter {
 public:
     Cutter(const Passage& passage, const IntrinsicDelaunay& flips, const Points& points)
         : K_(passage.input()),
-          names_(passage.pieces().simplices(0)),
           points_(points),
           lengths_(flips.lengths),
           surface_(flips.surface),
@@ -48,8 +47,6 @@ private:
     void add(const Polygon& polygon, Index t);
     std::optional<Index> input_triangle(const Polygon& polygon) const;
 
-    Index point_of_vertex(Index v) const { return names_(v, 0); }
-
     /// The crossing of this number on a half-edge, counted from its tail.
     Index point_on(Index halfedge, Index position) const {
         const Index e = surface_.edge(halfedge);
@@ -63,7 +60,6 @@ private:
     }
 
     const SimplicialComplex& K_;
-    const Simplices& names_; // of vertices: their points
     const Points& points_;
     const Vector& lengths_;
     const GluedSurface& surface_;
@@ -81,10 +77,9 @@ void Cutter::place_points() {
     result_.points.topRows(points_.rows()) = points_;
     ends_by_point_.assign(static_cast<std::size_t>(first_crossing_.back()), {-1, -1});
     for (Index v = 0; v < surface_.vertices(); ++v) {
-        const Index point = point_of_vertex(v);
-        ends_by_point_[point] = {v, v};
+        ends_by_point_[v] = {v, v};
         if (v >= K_.size(0))
-            ends_by_point_[point] = new_vertices_[v - K_.size(0)];
+            ends_by_point_[v] = new_vertices_[v - K_.size(0)];
     }
 
     const Strands strands = trace(surface_, coordinates_);
@@ -94,8 +89,8 @@ void Cutter::place_points() {
         for (std::size_t c = strands.offsets[s]; c < strands.offsets[s + 1]; ++c) {
             const Index point =
                 point_on(strands.crossings[c].halfedge, strands.crossings[c].position);
-            result_.points.row(point) = (1 - places[c]) * points_.row(point_of_vertex(a)) +
-                                        places[c] * points_.row(point_of_vertex(b));
+            result_.points.row(point) =
+                (1 - places[c]) * points_.row(a) + places[c] * points_.row(b);
             ends_by_point_[point] = {a, b};
         }
     }
@@ -111,7 +106,7 @@ void Cutter::cut_triangle(Index t) {
 /// What strands around a corner cut off: a triangle, and quadrilaterals behind it.
 void Cutter::cut_corner(Index corner, Index cuts) {
     for (Index r = 0; r < cuts; ++r) {
-        Polygon piece{point_of_vertex(surface_.tail(corner))};
+        Polygon piece{surface_.tail(corner)};
         if (r > 0)
             piece = {point_before(corner, r - 1), point_on(corner, r - 1)};
         piece.push_back(point_on(corner, r));
@@ -124,7 +119,7 @@ void Cutter::cut_corner(Index corner, Index cuts) {
 void Cutter::cut_middle(Index t, const NormalCoordinates::Corners& corners) {
     const auto rest_of_corner = [&](Index i) {
         const Index corner = 3 * t + i, cuts = corners.cut[i];
-        return cuts == 0 ? Polygon{point_of_vertex(surface_.tail(corner))}
+        return cuts == 0 ? Polygon{surface_.tail(corner)}
                          : Polygon{point_before(corner, cuts - 1), point_on(corner, cuts - 1)};
     };
     const auto append = [](Polygon& polygon, const Polygon& more) {
@@ -153,7 +148,7 @@ std::optional<Index> Cutter::input_triangle(const Polygon& polygon) const {
     std::vector<Index> vertices;
     for (const Index point : polygon)
         for (const Index v : ends_by_point_[point])
-            vertices.push_back(K_.simplices(0)(v, 0));
+            vertices.push_back(v);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     if (vertices.size() != 3)

@@ -20,7 +20,7 @@ OrderedSurface ordered(const SimplicialComplex& input, const GluedSurface& surfa
     std::vector<Index> names(static_cast<std::size_t>(surface.vertices()));
     std::iota(names.begin(), names.end(), first_new_vertex - input.size(0));
     for (Index v = 0; v < input.size(0); ++v)
-        names[v] = input.simplices(0)(v, 0);
+        names[v] = input.vertex_number(v);
     return in_order(surface, std::move(names));
 }
 

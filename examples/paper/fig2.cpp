@@ -44,7 +44,8 @@ Mesh mesh_of(const Pair& pair) {
 constexpr Index common_edge = 0; // the edges of {0, 1}, {0, 2} .. are sorted
 
 std::string kind(const Discretization& mesh) {
-    const auto kinds = facet_kinds(mesh.input(), mesh.points, mesh.input_volumes, mesh.options);
+    const auto kinds =
+        facet_kinds(mesh.input(), mesh.points(), mesh.input_volumes(), mesh.options());
     if (kinds.cospherical > 0)
         return "concyclic";
     if (kinds.non_delaunay > 0)
@@ -53,10 +54,10 @@ std::string kind(const Discretization& mesh) {
 }
 
 void draw(SvgDrawing& drawing, const Pair& pair, const Discretization& mesh) {
-    const auto at = [&](Index vertex) { return place(mesh.points, vertex, pair.shift); };
+    const auto at = [&](Index vertex) { return place(mesh.points(), vertex, pair.shift); };
     const SvgPoint upper{pair.shift[0], pair.shift[1] + pair.upper};
     const SvgPoint lower{pair.shift[0], pair.shift[1] - pair.lower};
-    const bool merged = mesh.merging.carriers(1)[common_edge].dimension == 2;
+    const bool merged = mesh.merging().carriers(1)[common_edge].dimension == 2;
 
     for (const auto& [center, apex] : {std::pair{upper, Index{2}}, {lower, Index{3}}}) {
         drawing.shapes.push_back(
@@ -72,7 +73,7 @@ void draw(SvgDrawing& drawing, const Pair& pair, const Discretization& mesh) {
     drawing.shapes.push_back(SvgPolyline{{at(0), at(1)}, edge});
 
     // from the lower triangle's center to the upper one's: up is the right way
-    const double dual = mesh.input_volumes.dual(1)[common_edge];
+    const double dual = mesh.input_volumes().dual(1)[common_edge];
     const char* color = merged ? black : dual < 0 ? negative_color : positive_color;
     drawing.shapes.push_back(SvgArrow{lower, upper, {.stroke = color, .width = 3}});
     for (const auto& center : {lower, upper})
@@ -96,10 +97,11 @@ Report fig2(const Request&) {
         draw(drawing, pair, mesh);
         // a center on the edge counts as crossing
         const bool crosses = pair.upper * pair.lower >= 0;
-        const double dual = mesh.input_volumes.dual(1)[common_edge];
+        const double dual = mesh.input_volumes().dual(1)[common_edge];
         const bool zero = std::abs(dual) < 1e-12;
         table.rows.push_back({pair.label, crosses ? "crosses the edge" : "on one side", kind(mesh),
-                              zero ? 0 : dual, zero ? 0 : star(mesh.input_volumes, 1)[common_edge],
+                              zero ? 0 : dual,
+                              zero ? 0 : star(mesh.input_volumes(), 1)[common_edge],
                               mesh.complex().size(2) == 1 ? "yes" : "no"});
     }
     return {

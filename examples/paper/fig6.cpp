@@ -15,20 +15,20 @@ using Row = IncidenceMatrix::InnerIterator;
 void draw_edges(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint& shift) {
     const auto& K = mesh.input();
     for (Index e = 0; e < K.size(1); ++e) {
-        const bool removed = mesh.merging.carriers(1)[e].dimension == 2;
+        const bool removed = mesh.merging().carriers(1)[e].dimension == 2;
         SvgStyle style{.stroke = removed ? gray : black, .width = removed ? 0.9 : 1.1};
         if (removed)
             style.dashes = {4, 3};
-        drawing.shapes.push_back(SvgPolyline{{place(mesh.points, K.simplices(1)(e, 0), shift),
-                                              place(mesh.points, K.simplices(1)(e, 1), shift)},
+        drawing.shapes.push_back(SvgPolyline{{place(mesh.points(), K.simplices(1)(e, 0), shift),
+                                              place(mesh.points(), K.simplices(1)(e, 1), shift)},
                                              style});
     }
 }
 
 /// Between circumcenters; at the boundary from a circumcenter to the middle of the edge.
 void draw_duals(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint& shift) {
-    const Points centers = cell_centers(mesh.merging, mesh.points, mesh.piece_volumes, 2);
-    const Points middles = cell_centers(mesh.merging, mesh.points, mesh.piece_volumes, 1);
+    const Points centers = cell_centers(mesh.merging(), mesh.points(), mesh.piece_volumes(), 2);
+    const Points middles = cell_centers(mesh.merging(), mesh.points(), mesh.piece_volumes(), 1);
     const auto& P = mesh.complex();
     const IncidenceMatrix faces = P.boundary(2); // row e: the faces at edge e
     for (Index e = 0; e < P.size(1); ++e) {
@@ -37,7 +37,7 @@ void draw_duals(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint&
             ends.push_back(place(centers, static_cast<Index>(face.col()), shift));
         if (ends.size() == 1)
             ends.push_back(place(middles, e, shift));
-        const bool flipped = mesh.volumes.dual(1)[e] < -1e-12;
+        const bool flipped = mesh.volumes().dual(1)[e] < -1e-12;
         drawing.shapes.push_back(
             SvgPolyline{ends, {.stroke = flipped ? negative_color : positive_color, .width = 1.3}});
     }
@@ -47,7 +47,8 @@ void draw_duals(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint&
 }
 
 std::vector<Entry> row_of(const std::string& name, const Discretization& mesh) {
-    const auto kinds = facet_kinds(mesh.input(), mesh.points, mesh.input_volumes, mesh.options);
+    const auto kinds =
+        facet_kinds(mesh.input(), mesh.points(), mesh.input_volumes(), mesh.options());
     std::vector<Entry> row{name};
     for (int k = 0; k <= 2; ++k)
         row.emplace_back(long{mesh.input().size(k)});

@@ -54,7 +54,7 @@ std::vector<Method> methods() {
 }
 
 double resolution(const Discretization& mesh) {
-    return 1 / mesh.volumes.primal(1).mean();
+    return 1 / mesh.volumes().primal(1).mean();
 }
 
 /// A row for each method and level, and a plot.
@@ -74,7 +74,7 @@ void add_family(Report& report, const Request& request, const Family& family, in
     std::vector<std::vector<double>> normalized(all.size());
     for (int level = 0; level < levels; ++level) {
         const auto mesh = discretize(family.make(level));
-        const auto polygons = polygon_mesh(mesh.merging, mesh.points);
+        const auto polygons = polygon_mesh(mesh.merging(), mesh.points());
         faces.push_back(mesh.complex().size(2));
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (request.progress)
@@ -107,7 +107,7 @@ void add_files(Report& report, const Request& request) {
         if (request.meshes.empty() || !std::filesystem::exists(path))
             continue;
         const auto mesh = discretize(read_mesh(path));
-        const auto polygons = polygon_mesh(mesh.merging, mesh.points);
+        const auto polygons = polygon_mesh(mesh.merging(), mesh.points());
         for (const auto& method : methods()) {
             const auto error = method.error(mesh, polygons);
             table.rows.push_back({std::string(file), method.name, long{mesh.complex().size(2)},

@@ -26,16 +26,15 @@ const Sign signs[] = {{1, "", "epsilon for 0"}, {-1, "_negative", "-epsilon for 
 Discretization with_least_dual_length(const Mesh& mesh, double epsilon, const Sign& sign) {
     constexpr double rounding = 1e-10; // relative to the edge
     // the tolerance tells boundary edges without dual from others; here none is without
-    auto bundle = discretize(mesh, {.criterion = MergeCriterion::none, .tolerance = 0});
-    const Vector& edges = bundle.volumes.primal(1);
-    Vector lengths = bundle.volumes.dual(1);
+    const auto bundle = discretize(mesh, {.criterion = MergeCriterion::none, .tolerance = 0});
+    const Vector& edges = bundle.volumes().primal(1);
+    Vector lengths = bundle.volumes().dual(1);
     for (Index e = 0; e < lengths.size(); ++e)
         if (std::abs(lengths[e]) < epsilon) {
             const bool is_zero = std::abs(lengths[e]) <= rounding * edges[e];
             lengths[e] = std::copysign(epsilon, is_zero ? sign.of_zero : lengths[e]);
         }
-    bundle.volumes = bundle.volumes.with_dual(1, std::move(lengths));
-    return bundle;
+    return bundle.with_volumes(bundle.volumes().with_dual(1, std::move(lengths)));
 }
 
 double franke_error(const Discretization& mesh) {

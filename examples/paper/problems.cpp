@@ -91,8 +91,8 @@ Vector inner_edge_lengths(const Discretization& mesh) {
     std::vector<double> inner;
     for (Index e = 0; e < mesh.complex().size(1); ++e)
         if (counts[e] > 1)
-            inner.push_back(mesh.volumes.primal(1)[e]);
-    return inner.empty() ? mesh.volumes.primal(1)
+            inner.push_back(mesh.volumes().primal(1)[e]);
+    return inner.empty() ? mesh.volumes().primal(1)
                          : Vector(Eigen::Map<Vector>(inner.data(), Index(inner.size())));
 }
 
@@ -103,7 +103,7 @@ double median(Vector numbers) {
 }
 
 const Vector& masses(const Discretization& mesh, Side side) {
-    return side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
+    return side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(mesh.dimension());
 }
 
 double weighted_norm(const Vector& masses, const Vector& values) {

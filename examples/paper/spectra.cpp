@@ -60,7 +60,7 @@ void add_degree(Report& report, const Request& request, int k, int levels) {
             const auto all = clusters(k);
             const auto modes =
                 spectrum(mesh, {.degree = k, .count = all.back().first + all.back().count});
-            lengths.push_back(mesh.volumes.primal(1).mean());
+            lengths.push_back(mesh.volumes().primal(1).mean());
             for (const auto& [l, first, count] : all) {
                 const Vector values = modes.eigenvalues.segment(first, count);
                 errors[l].push_back(std::abs(values.mean() - l * (l + 1)));

@@ -106,8 +106,8 @@ Counts count(const Source& source) {
             fmt::format("cells of dimension {}; the table is about surfaces", mesh.dimension()));
     const auto ours = discretize(std::move(mesh));
     const auto papers =
-        merge_cospherical(ours.input(), ours.points, ours.input_volumes, papers_test);
-    return {ours.input().size(2), {merged_pairs(papers.merging), merged_pairs(ours.merging)}};
+        merge_cospherical(ours.input(), ours.points(), ours.input_volumes(), papers_test);
+    return {ours.input().size(2), {merged_pairs(papers.merging), merged_pairs(ours.merging())}};
 }
 
 /// An error's message without the file, which stands beside it, and without the advice.

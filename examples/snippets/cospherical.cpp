@@ -32,22 +32,22 @@ void all_zeros() {
                                      {"FCC ", polydec::fcc(4)},
                                      {"4D  ", polydec::kuhn(4, 3)}}) {
         const auto result = polydec::discretize(mesh);
-        print_zeros(name, result.input(), result.input_volumes);
-        print_zeros("      ->", result.complex(), result.volumes);
+        print_zeros(name, result.input(), result.input_volumes());
+        print_zeros("      ->", result.complex(), result.volumes());
     }
 }
 
 void shared_square() {
     const auto cubes = polydec::discretize(polydec::kuhn({2, 1, 1}, {2, 1, 1}));
     for (polydec::Index e = 0; e < cubes.input().size(1); ++e) {
-        const auto carrier = cubes.merging.carriers(1)[e];
+        const auto carrier = cubes.merging().carriers(1)[e];
         const auto ends = cubes.input().simplices(1).row(e);
-        const polydec::Points places = cubes.points({ends[0], ends[1]}, Eigen::all);
+        const polydec::Points places = cubes.points()({ends[0], ends[1]}, Eigen::all);
         if (carrier.dimension == 2 && (places.col(0).array() == 1).all())
             std::cout << "the diagonal " << ends << " has a dual of area "
-                      << std::abs(cubes.input_volumes.dual(1)[e]) << "; it lies in square "
+                      << std::abs(cubes.input_volumes().dual(1)[e]) << "; it lies in square "
                       << carrier.cell << ", whose dual has the length "
-                      << cubes.volumes.dual(2)[carrier.cell] << '\n';
+                      << cubes.volumes().dual(2)[carrier.cell] << '\n';
     }
 }
 
@@ -55,7 +55,7 @@ void shapes() {
     const auto lattice = polydec::discretize(polydec::fcc(4));
     std::map<std::size_t, int> shapes;
     for (polydec::Index cell = 0; cell < lattice.complex().size(3); ++cell)
-        ++shapes[lattice.merging.vertices(3, cell).size()];
+        ++shapes[lattice.merging().vertices(3, cell).size()];
     for (const auto& [corners, cells] : shapes)
         std::cout << cells << " cells with " << corners << " corners\n";
 }
@@ -64,14 +64,14 @@ void stencils() {
     const auto cubes = polydec::discretize(polydec::kuhn(3, 4));
     const double h = 0.25;
     const polydec::SparseMatrix laplacian =
-        h * h * polydec::laplacian(cubes.complex(), cubes.volumes, 0);
+        h * h * polydec::laplacian(cubes.complex(), cubes.volumes(), 0);
     std::cout << "the vertex in the middle:";
     for (polydec::SparseMatrix::InnerIterator entry(laplacian, 62); entry; ++entry)
         std::cout << ' ' << entry.value();
     std::cout << '\n';
 
     const auto inside = polydec::relative_to_boundary(cubes.complex());
-    const auto volumes = polydec::relative_volumes(inside, cubes.volumes);
+    const auto volumes = polydec::relative_volumes(inside, cubes.volumes());
     const polydec::SparseMatrix curl = polydec::derivative(inside.complex, 1);
     const polydec::SparseMatrix curl_curl =
         h * h * polydec::codifferential(inside.complex, volumes, 2) * curl;
@@ -89,7 +89,7 @@ polydec::SvgDrawing pulled_apart(const polydec::Discretization& mesh, double fro
     auto cells = polydec::kept_cells(
         mesh, [=](const auto& centroid) { return centroid[1] > front; }, 0.25);
     for (const polydec::Index cell : cells.cells)
-        switch (mesh.merging.vertices(3, cell).size()) {
+        switch (mesh.merging().vertices(3, cell).size()) {
         case 4:
             cells.fills.push_back("#a9cfe8");
             break;

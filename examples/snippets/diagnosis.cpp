@@ -9,7 +9,7 @@ namespace {
 void kinds_of_pairs() {
     for (const double noise : {0.0, 0.01}) {
         const auto mesh = polydec::discretize(polydec::perturbed(polydec::hexagons(16), noise, 3));
-        const auto kinds = polydec::facet_kinds(mesh.input(), mesh.points, mesh.input_volumes);
+        const auto kinds = polydec::facet_kinds(mesh.input(), mesh.points(), mesh.input_volumes());
         std::cout << kinds.well_centered << " well-centered, " << kinds.delaunay << " Delaunay, "
                   << kinds.non_delaunay << " non-Delaunay, " << kinds.cospherical << " concyclic\n";
     }
@@ -31,10 +31,10 @@ void condition_numbers() {
     const polydec::Mesh torus = polydec::perturbed(polydec::torus(24, 12), 1e-7, 1);
     for (const double tolerance : {1e-10, 1e-4}) {
         const auto mesh = polydec::discretize(torus, {.tolerance = tolerance});
-        const polydec::Vector star = polydec::star(mesh.volumes, 1).cwiseAbs();
+        const polydec::Vector star = polydec::star(mesh.volumes(), 1).cwiseAbs();
         std::cout << "tolerance " << tolerance << ": condition of star_1 "
                   << star.maxCoeff() / star.minCoeff() << ", negative entries "
-                  << polydec::negative_star_cells(mesh.volumes, 1).size() << '\n';
+                  << polydec::negative_star_cells(mesh.volumes(), 1).size() << '\n';
     }
 }
 
@@ -51,7 +51,7 @@ void zero_vertex_dual() {
     }
     const auto mesh = polydec::discretize(star);
     std::cout << "ratio " << ratio << ": vertices without dual area";
-    for (const auto v : polydec::zero_star_cells(mesh.volumes, 0))
+    for (const auto v : polydec::zero_star_cells(mesh.volumes(), 0))
         std::cout << ' ' << v;
     std::cout << '\n';
 }

@@ -50,14 +50,12 @@ void quadrature() {
 
 void whitney() {
     const auto mesh = polydec::discretize(polydec::grid(4, 4));
-    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.piece_volumes);
     const auto w = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto&) {
                                         return polydec::Vector{{2, 3}};
                                     }));
     const polydec::Vector center = polydec::Vector::Constant(3, 1.0 / 3);
     std::cout << "at the center of triangle 5: "
-              << polydec::whitney_form(mesh.merging, mesh.points, lift, w, 5, center).transpose()
-              << '\n';
+              << polydec::whitney_form(mesh, w, 5, center).transpose() << '\n';
 }
 
 } // namespace

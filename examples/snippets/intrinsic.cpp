@@ -34,10 +34,10 @@ void flips() {
     const polydec::Mesh mesh = pebble(8);
     const auto before = polydec::discretize(mesh);
     const auto after = polydec::discretize(mesh, {.delaunay = polydec::Delaunay::flips});
-    const polydec::IntrinsicStatistics& done = after.passage.flips().statistics;
+    const polydec::IntrinsicStatistics& done = after.passage().flips().statistics;
     std::cout << done.negative_before << " negative dual edges, " << done.flips << " flips\n"
-              << "smallest star_1 " << polydec::star(before.volumes, 1).minCoeff() << ", after it "
-              << polydec::star(after.volumes, 1).minCoeff() << '\n';
+              << "smallest star_1 " << polydec::star(before.volumes(), 1).minCoeff()
+              << ", after it " << polydec::star(after.volumes(), 1).minCoeff() << '\n';
     print_spectrum("dual 0-forms before: ", before);
     print_spectrum("dual 0-forms after:  ", after);
 }
@@ -45,7 +45,7 @@ void flips() {
 void forms() {
     const auto mesh = polydec::discretize(pebble(8), {.delaunay = polydec::Delaunay::flips});
     const polydec::CellComplex& P = mesh.complex();
-    polydec::Cochain u{polydec::Side::primal, 0, mesh.points.col(0)};
+    polydec::Cochain u{polydec::Side::primal, 0, mesh.points().col(0)};
     const polydec::Cochain du = polydec::d(mesh.input(), u);
     const polydec::Cochain there = polydec::to_merged(mesh, du);
     const polydec::Cochain back = polydec::to_input(mesh, there);
@@ -56,9 +56,9 @@ void forms() {
 
 void pieces() {
     const auto mesh = polydec::discretize(pebble(8), {.delaunay = polydec::Delaunay::flips});
-    const polydec::Overlay pieces = polydec::overlay(mesh.passage, mesh.points);
+    const polydec::Overlay pieces = polydec::overlay(mesh.passage(), mesh.points());
     std::cout << mesh.input().size(2) << " triangles in " << pieces.size() << " pieces of area "
-              << pieces.areas.sum() << " = " << mesh.input_volumes.primal(2).sum() << '\n';
+              << pieces.areas.sum() << " = " << mesh.input_volumes().primal(2).sum() << '\n';
     polydec::write_vtu("pieces.vtu", polydec::draw_overlay(mesh));
 }
 
@@ -67,11 +67,11 @@ void splits() {
     mesh.points.col(0) += 2.3 * mesh.points.col(1); // a parallelogram
     for (const auto delaunay : {polydec::Delaunay::flips, polydec::Delaunay::flips_and_splits}) {
         const auto surface = polydec::discretize(mesh, {.delaunay = delaunay});
-        const auto& done = surface.passage.flips().statistics;
+        const auto& done = surface.passage().flips().statistics;
         std::cout << done.flips << " flips, " << done.splits
                   << " splits: " << done.negative_boundary
                   << " negative duals on the boundary, smallest star_1 "
-                  << polydec::star(surface.volumes, 1).minCoeff() << '\n';
+                  << polydec::star(surface.volumes(), 1).minCoeff() << '\n';
     }
 }
 

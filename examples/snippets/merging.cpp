@@ -20,7 +20,7 @@ void two_cubes() {
     print_cells("simplices:", cubes.input());
     print_cells("merged:   ", cubes.complex());
     for (polydec::Index e = 0; e < cubes.input().size(1); ++e) {
-        const auto carrier = cubes.merging.carriers(1)[e];
+        const auto carrier = cubes.merging().carriers(1)[e];
         if (carrier.dimension == 3) // a space diagonal
             std::cout << "edge " << cubes.input().simplices(1).row(e) << " lies in cell "
                       << carrier.cell << '\n';
@@ -35,11 +35,11 @@ void laws_of_the_maps() {
     const auto mesh = polydec::discretize(polydec::uv_sphere(12, 6));
     const auto& K = mesh.input();
     const auto& P = mesh.complex();
-    const auto dia = [&](int k) { return polydec::primal_to_merged(mesh.merging, k); };
+    const auto dia = [&](int k) { return polydec::primal_to_merged(mesh.merging(), k); };
     const auto R = [&](int k) {
-        return polydec::primal_to_input(mesh.merging, mesh.piece_volumes, k);
+        return polydec::primal_to_input(mesh.merging(), mesh.piece_volumes(), k);
     };
-    const auto S = polydec::commuting_lift(mesh.merging, mesh.points, mesh.piece_volumes);
+    const auto& S = mesh.lift();
 
     const polydec::SparseMatrix dK = polydec::derivative(K, 1), dP = polydec::derivative(P, 1);
     std::cout << "dia d - d dia:     " << norm(dia(2) * dK - dP * dia(1)) << '\n'
@@ -52,7 +52,7 @@ void laws_of_the_maps() {
 
 void on_the_triangles() {
     const auto mesh = polydec::discretize(polydec::grid(4, 4));
-    const polydec::SparseMatrix inverse_star(polydec::inverse_star(mesh.volumes, 1).asDiagonal());
+    const polydec::SparseMatrix inverse_star(polydec::inverse_star(mesh.volumes(), 1).asDiagonal());
     const polydec::SparseMatrix on_triangles =
         polydec::on_input(mesh, inverse_star, {polydec::Side::dual, 1}, {polydec::Side::primal, 1});
     std::cout << "on the merged edges " << inverse_star.rows() << ", on the edges "

@@ -30,9 +30,8 @@ void wedge_on_a_square() {
 void leibniz() {
     const auto mesh = polydec::discretize(polydec::hexagons(8));
     const auto& P = mesh.complex();
-    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.piece_volumes);
     const auto product = [&](const polydec::Cochain& a, const polydec::Cochain& b) {
-        return polydec::wedge(mesh.merging, lift, a, b);
+        return polydec::wedge(mesh, a, b);
     };
     const polydec::Cochain f{polydec::Side::primal, 0, polydec::Vector::Random(P.size(0))};
     const polydec::Cochain w{polydec::Side::primal, 1, polydec::Vector::Random(P.size(1))};
@@ -46,9 +45,9 @@ void energy() {
     const auto mesh = polydec::discretize(polydec::grid(4, 4));
     const auto& P = mesh.complex();
     const auto w = polydec::de_rham(mesh, 1, constant(3, 4));
-    const auto density = polydec::primal_dual_wedge(P, w, polydec::star(P, mesh.volumes, w));
+    const auto density = polydec::primal_dual_wedge(P, w, polydec::star(P, mesh.volumes(), w));
     std::cout << "integral of w ^ star w: " << density.sum() << ", inner product "
-              << polydec::inner_product(P, mesh.volumes, w, w) << '\n';
+              << polydec::inner_product(P, mesh.volumes(), w, w) << '\n';
 }
 
 void dual_product() {
@@ -61,10 +60,9 @@ void dual_product() {
 
 void contraction() {
     const auto mesh = polydec::discretize(polydec::grid(4, 4));
-    const auto lift = polydec::commuting_lift(mesh.merging, mesh.points, mesh.piece_volumes);
     const polydec::Points X = polydec::Vector{{2, 5}}.transpose().replicate(25, 1);
-    const polydec::SparseMatrix i_X = polydec::interior_product(mesh.merging, lift, mesh.points, X,
-                                                                1, polydec::Sampling::centered);
+    const polydec::SparseMatrix i_X =
+        polydec::interior_product(mesh, X, 1, polydec::Sampling::centered);
     const auto dx = polydec::de_rham(mesh, 1, constant(1, 0));
     const polydec::Vector values = i_X * dx.values;
     std::cout << "i_X dx lies in " << values.minCoeff() << " .. " << values.maxCoeff() << '\n';
@@ -72,15 +70,13 @@ void contraction() {
 
 void transport() {
     const auto torus = polydec::discretize(polydec::torus(32, 16));
-    const auto lift = polydec::commuting_lift(torus.merging, torus.points, torus.piece_volumes);
-    polydec::Points X = polydec::Points::Zero(torus.points.rows(), 3);
-    X.col(0) = -torus.points.col(1);
-    X.col(1) = torus.points.col(0); // around the axis
+    polydec::Points X = polydec::Points::Zero(torus.points().rows(), 3);
+    X.col(0) = -torus.points().col(1);
+    X.col(1) = torus.points().col(0); // around the axis
 
-    const polydec::Vector hot = (torus.points.col(0).array() > 1).cast<double>();
+    const polydec::Vector hot = (torus.points().col(0).array() > 1).cast<double>();
     for (const auto sampling : {polydec::Sampling::centered, polydec::Sampling::upwind}) {
-        const polydec::SparseMatrix L =
-            polydec::lie_derivative(torus.merging, lift, torus.points, X, 0, sampling);
+        const polydec::SparseMatrix L = polydec::lie_derivative(torus, X, 0, sampling);
         polydec::Vector u = hot;
         for (int step = 0; step < 50; ++step)
             u -= 0.05 * (L * u);

@@ -7,11 +7,13 @@
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
 #include "dec/metric/simplex_metric.h"
+#include "dec/surfaces/overlay.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace polydec {
@@ -47,13 +49,40 @@ std::vector<std::vector<Index>> outward_faces(const Points& points, const Mergin
     return faces;
 }
 
-void draw_cell(VtuGrid& grid, const Merging& merging, int k, Index cell) {
-    if (k == 1)
-        add_cell(grid, VtuCell::line, merging.vertices(1, cell));
-    else if (k == 2)
-        add_cell(grid, VtuCell::polygon, corners(merging, cell));
-    else
-        add_polyhedron(grid, outward_faces(grid.points, merging, cell));
+/// What stands for some vertices in the picture.
+using Naming = std::function<std::vector<Index>(std::vector<Index>)>;
+
+/// The cells that carry k-forms; the points of the grid are those of the vertices, in their order.
+VtuGrid draw(const Merging& merging, const Points& points, int k, const Naming& named) {
+    cell_degree(merging.merged(), Side::primal, k);
+    const int drawn = k == 0 ? merging.merged().dimension() : k;
+    check_drawable(drawn, static_cast<int>(points.cols()));
+    require_points(merging.pieces(), points, "a drawing");
+    VtuGrid grid;
+    grid.points = points;
+    for (Index cell = 0; cell < merging.merged().size(drawn); ++cell)
+        if (drawn == 1)
+            add_cell(grid, VtuCell::line, named(merging.vertices(1, cell)));
+        else if (drawn == 2)
+            add_cell(grid, VtuCell::polygon, named(corners(merging, cell)));
+        else {
+            auto faces = outward_faces(points, merging, cell);
+            std::transform(faces.begin(), faces.end(), faces.begin(), named);
+            add_polyhedron(grid, faces);
+        }
+    return grid;
+}
+
+PolygonMesh polygons(const Merging& merging, const Points& points, const Naming& named) {
+    require_points(merging.pieces(), points, "a drawing");
+    PolygonMesh mesh;
+    mesh.points = points;
+    for (Index cell = 0; cell < merging.merged().size(2); ++cell) {
+        const auto polygon = named(corners(merging, cell));
+        mesh.corners.insert(mesh.corners.end(), polygon.begin(), polygon.end());
+        mesh.offsets.push_back(static_cast<Index>(mesh.corners.size()));
+    }
+    return mesh;
 }
 
 } // namespace
@@ -67,72 +96,81 @@ void check_drawable(int dimension, int ambient_dimension) {
 }
 
 VtuGrid draw_cells(const Merging& merging, const Points& points, int k) {
-    cell_degree(merging.merged(), Side::primal, k);
-    const int drawn = k == 0 ? merging.merged().dimension() : k;
-    check_drawable(drawn, static_cast<int>(points.cols()));
-    VtuGrid grid;
-    grid.points = points;
-    for (Index cell = 0; cell < merging.merged().size(drawn); ++cell)
-        draw_cell(grid, merging, drawn, cell);
-    return grid;
+    return draw(merging, points, k, std::identity());
 }
 
 void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
                  const Eigen::Ref<const DenseMatrix>& values) {
     cell_degree(merging.merged(), Side::primal, k);
     check_as_many(fmt::format("rows of `{}`", name), values.rows(), merging.merged().size(k));
-    if (k > 0) {
-        grid.cell_data.push_back(vtu_array(std::move(name), values));
-        return;
-    }
-    const auto& vertices = merging.pieces().simplices(0);
-    check_number("the point", vertices.maxCoeff(), 0, grid.points.rows() - 1);
-    DenseMatrix at_points = DenseMatrix::Zero(grid.points.rows(), values.cols());
-    for (Index v = 0; v < vertices.rows(); ++v)
-        at_points.row(vertices(v, 0)) = values.row(v);
-    grid.point_data.push_back(vtu_array(std::move(name), at_points));
+    (k > 0 ? grid.cell_data : grid.point_data).push_back(vtu_array(std::move(name), values));
 }
 
 namespace {
 
 /// Cells whose corners have points: those of the input where edges were flipped.
 Merging drawn(const Discretization& discretization) {
-    return discretization.passage.is_identity() ? discretization.merging
-                                                : unmerged(discretization.input());
+    return discretization.passage().is_identity() ? discretization.merging()
+                                                  : unmerged(discretization.input());
+}
+
+/// Rows of the input's vertices where its numbers say, those of vertices of no cell between them.
+Points by_number(const Discretization& mesh, const Points& rows, const Points& others) {
+    Points result(rows.rows() + others.rows(), rows.cols());
+    Index v = 0, isolated = 0;
+    for (Index i = 0; i < result.rows(); ++i)
+        result.row(i) = v < rows.rows() && mesh.input().vertex_number(v) == i
+                            ? rows.row(v++)
+                            : others.row(isolated++);
+    return result;
+}
+
+/// The points of the input, by its numbers and in its units.
+Points points_of_input(const Discretization& mesh) {
+    return mesh.unit() * by_number(mesh, mesh.input_points(), mesh.isolated());
+}
+
+/// By these numbers.
+Naming numbers_of_input(const Discretization& mesh) {
+    return
+        [&mesh](std::vector<Index> list) { return mesh.input().vertex_numbers(std::move(list)); };
 }
 
 } // namespace
 
-VtuGrid draw_cells(const Discretization& discretization, int k) {
-    auto grid = draw_cells(drawn(discretization), discretization.points, k);
-    grid.points *= discretization.unit;
+VtuGrid draw_cells(const Discretization& mesh, int k) {
+    auto grid = draw(drawn(mesh), mesh.input_points(), k, numbers_of_input(mesh));
+    grid.points = points_of_input(mesh);
     return grid;
 }
 
-void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
-              const Cochain& form) {
-    const int k = cell_degree(discretization.complex(), form.side, form.degree);
-    check(discretization.complex(), form);
-    if (discretization.passage.is_identity())
-        return add_cochain(grid, discretization.merging, k, std::move(name), form.values);
+void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const Cochain& form) {
+    const int k = cell_degree(mesh.complex(), form.side, form.degree);
+    check(mesh.complex(), form);
     Cochain shown = form;
-    if (form.side == Side::dual && k < discretization.dimension())
-        shown = {Side::primal, k,
-                 star(discretization.volumes, k).cwiseInverse().cwiseProduct(form.values)};
-    add_cochain(grid, drawn(discretization), k, std::move(name),
-                to_input(discretization, shown).values);
+    if (!mesh.passage().is_identity()) {
+        if (form.side == Side::dual && k < mesh.dimension())
+            shown = {Side::primal, k,
+                     star(mesh.volumes(), k).cwiseInverse().cwiseProduct(form.values)};
+        shown = to_input(mesh, shown);
+    }
+    if (k == 0)
+        shown.values = by_number(mesh, shown.values, Vector::Zero(mesh.isolated().rows()));
+    (k > 0 ? grid.cell_data : grid.point_data).push_back(vtu_array(std::move(name), shown.values));
 }
 
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {
-    require_points(points.cols(), "a drawing");
-    PolygonMesh mesh;
-    mesh.points = points;
-    for (Index cell = 0; cell < merging.merged().size(2); ++cell) {
-        const auto polygon = corners(merging, cell);
-        mesh.corners.insert(mesh.corners.end(), polygon.begin(), polygon.end());
-        mesh.offsets.push_back(static_cast<Index>(mesh.corners.size()));
+    return polygons(merging, points, std::identity());
+}
+
+PolygonMesh polygon_mesh(const Discretization& mesh) {
+    if (mesh.passage().is_identity()) {
+        auto result = polygons(mesh.merging(), mesh.points(), numbers_of_input(mesh));
+        result.points = points_of_input(mesh);
+        return result;
     }
-    return mesh;
+    Overlay pieces = overlay(mesh.passage(), mesh.points());
+    return {mesh.unit() * pieces.points, std::move(pieces.corners), std::move(pieces.offsets)};
 }
 
 } // namespace polydec

@@ -16,26 +16,29 @@ void check_drawable(int dimension, int ambient_dimension);
 
 /// The cells of P that carry primal k-forms, as a picture: lines, polygons (VTK type 7) or
 /// polyhedra (42), whose faces look outward; for k = 0, whose values belong to points, the cells of
-/// largest dimension. Points keep the input's numbers, those of no cell too. points has a row per
-/// vertex number. Throws like check_drawable.
+/// largest dimension. Points are those of the vertices, in their order. Throws like check_drawable
+/// and require_points.
 VtuGrid draw_cells(const Merging& merging, const Points& points, int k);
 
 /// Adds the values of a primal k-form on P, or of the dual (n-k)-form on the same cells, to what
-/// draw_cells made for that k: point data for k = 0 (0 at points that belong to no cell), else
-/// cell data. Or a vector at each of these cells, a row of two or three numbers. Throws
-/// InvalidInput unless there is a row for every k-cell, and like vtu_array.
+/// draw_cells made for that k: point data for k = 0, else cell data. Or a vector at each of these
+/// cells, a row of two or three numbers. Throws InvalidInput unless there is a row for every
+/// k-cell, and like vtu_array.
 void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
                  const Eigen::Ref<const DenseMatrix>& values);
 
-/// The same for the cells of a bundle, at the places of the input (discretization.unit), and a form
-/// on them, whose values are taken as they are. After intrinsic flips, whose cells cross
+/// The same for the cells of a bundle, and a form on them, whose values are taken as they are.
+/// Points have the numbers and places of the input; there are those of no cell too, where 0-forms
+/// are shown as 0. After intrinsic flips, whose cells cross
 /// the input's, it is the input that is shown, with the form as to_input brings it there; dual
 /// 1-forms are shown by the primal ones that they are stars of.
 VtuGrid draw_cells(const Discretization& discretization, int k);
 void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
               const Cochain& form);
 
-/// The merged 2-cells of a surface as polygons; vertices keep the input's numbers.
+/// The merged 2-cells of a surface as polygons; of a bundle with the numbers and places of the
+/// input, and after intrinsic flips those of draw_overlay.
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points);
+PolygonMesh polygon_mesh(const Discretization& discretization);
 
 } // namespace polydec

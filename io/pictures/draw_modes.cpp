@@ -16,11 +16,11 @@ void write_vtu(const std::filesystem::path& path, const Discretization& discreti
     // of norm 1 in the units of the input too; stars of k-forms are there unit^(n-2k) times as
     // large
     const bool primal = spectrum.side == Side::primal ||
-                        (!discretization.passage.is_identity() && k < discretization.dimension());
+                        (!discretization.passage().is_identity() && k < discretization.dimension());
     const double half_power = (discretization.dimension() - 2 * k) / 2.0;
     for (Index i = 0; i < spectrum.modes.cols(); ++i) {
         const Vector mode =
-            in_input_units(spectrum.modes.col(i), discretization.unit,
+            in_input_units(spectrum.modes.col(i), discretization.unit(),
                            primal ? -half_power : half_power, fmt::format("mode {}", i));
         add_form(grid, discretization, fmt::format("mode_{}", i),
                  {spectrum.side, spectrum.degree, mode});

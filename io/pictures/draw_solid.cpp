@@ -226,17 +226,17 @@ public:
          const Vector& values)
         : mesh_(mesh), values_(values) {
         const Index n_cells = mesh.complex().size(3);
-        require_points(mesh.points.cols(), "a drawing");
-        if (mesh.dimension() != 3 || mesh.points.cols() != 3)
+        require_points(mesh.points().cols(), "a drawing");
+        if (mesh.dimension() != 3 || mesh.points().cols() != 3)
             throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates are no solid: "
                                            "expected 3 and 3",
-                                           mesh.dimension(), mesh.points.cols()));
+                                           mesh.dimension(), mesh.points().cols()));
         if (values.size() != 0 && values.size() != n_cells)
             throw InvalidInput(fmt::format(
                 "{} values are given: expected one for each of the {} merged 3-cells, or none",
                 values.size(), n_cells));
-        centroids_ = cell_centroids(mesh.merging, mesh.points, mesh.piece_volumes, 3);
-        centers_ = cell_centers(mesh.merging, mesh.points, mesh.piece_volumes, 3);
+        centroids_ = cell_centroids(mesh.merging(), mesh.points(), mesh.piece_volumes(), 3);
+        centers_ = cell_centers(mesh.merging(), mesh.points(), mesh.piece_volumes(), 3);
         for (Index cell = 0; cell < n_cells; ++cell)
             if (keep(centroids_.row(cell).transpose()))
                 cells_.push_back(cell);
@@ -258,9 +258,9 @@ public:
 
     /// The corners of a cell's face, counterclockwise from outside.
     std::vector<Index> outward(Index cell, Index face) const {
-        const auto ring = corners(mesh_.merging, face);
-        const Place out = mean_of(mesh_.points, ring) - centroid(cell);
-        const bool turned = normal_of(mesh_.points, ring).dot(out) < 0;
+        const auto ring = corners(mesh_.merging(), face);
+        const Place out = mean_of(mesh_.points(), ring) - centroid(cell);
+        const bool turned = normal_of(mesh_.points(), ring).dot(out) < 0;
         return turned ? std::vector<Index>(ring.rbegin(), ring.rend()) : ring;
     }
 
@@ -294,7 +294,7 @@ SolidFaces kept_faces(const Discretization& mesh,
     const Kept kept(mesh, keep, values);
     const auto counts = kept.cell_counts();
     SolidFaces faces;
-    faces.polygons.points = mesh.points;
+    faces.polygons.points = mesh.points();
     for (const Index cell : kept.cells())
         for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(2), cell); f; ++f)
             if (counts[f.col()] == 1)
@@ -315,7 +315,7 @@ SolidFaces kept_cells(const Discretization& mesh,
         for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(2), cell); f; ++f) {
             auto ring = kept.outward(cell, static_cast<Index>(f.col()));
             for (Index& v : ring) {
-                const Place corner = mesh.points.row(v);
+                const Place corner = mesh.points().row(v);
                 v = static_cast<Index>(points.size());
                 points.push_back(corner + gap * (kept.centroid(cell) - corner));
             }

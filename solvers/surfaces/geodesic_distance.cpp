@@ -171,7 +171,7 @@ GeodesicDistance::GeodesicDistance(const GluedSurface& surface, const Vector& le
 GeodesicDistance::GeodesicDistance(const Discretization& discretization,
                                    const GeodesicOptions& options)
     : GeodesicDistance(GluedSurface(discretization.pieces()),
-                       discretization.piece_volumes.primal(1), options) {}
+                       discretization.piece_volumes().primal(1), options) {}
 
 GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;
 GeodesicDistance::~GeodesicDistance() = default;

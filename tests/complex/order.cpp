@@ -65,7 +65,7 @@ TEST_P(Orders, are_told_apart_where_cells_differ) {
 std::pair<std::vector<Index>, int> old_simplex(const SimplicialComplex& complex, int k, Index s,
                                                const std::vector<Index>& old_number) {
     std::vector<Index> list;
-    for (const Index v : complex.simplices(k).row(s))
+    for (const Index v : complex.vertex_numbers(k, s))
         list.push_back(old_number[v]);
     int sign = 1;
     for (std::size_t i = 0; i < list.size(); ++i)
@@ -87,8 +87,7 @@ TEST_P(Orders, of_vertices_rename_the_simplices_and_change_nothing_else) {
         ASSERT_EQ(K.size(k), L.size(k));
         std::map<std::vector<Index>, Index> numbers;
         for (Index s = 0; s < K.size(k); ++s) {
-            const auto row = K.simplices(k).row(s);
-            numbers[{row.begin(), row.end()}] = s;
+            numbers[K.vertex_numbers(k, s)] = s;
         }
         for (Index s = 0; s < L.size(k); ++s) {
             const auto [list, turn] = old_simplex(L, k, s, renumbered.vertices);

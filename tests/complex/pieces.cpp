@@ -48,9 +48,10 @@ class PiecesOf : public OverMeshes {};
 
 TEST_P(PiecesOf, a_simplicial_complex_are_glued_again_from_its_faces) {
     const auto& K = mesh().K();
-    const auto& numbers = K.simplices(0);
-    const Pieces again(face_tables(K), orientations(K),
-                       {numbers.data(), numbers.data() + numbers.size()});
+    std::vector<Index> numbers;
+    for (Index v = 0; v < K.size(0); ++v)
+        numbers.push_back(K.vertex_number(v));
+    const Pieces again(face_tables(K), orientations(K), numbers);
     EXPECT_EQ(again.orientable(), K.orientable());
     for (int k = 0; k <= K.dimension(); ++k) {
         EXPECT_EQ(again.simplices(k), K.simplices(k)) << "degree " << k;

@@ -70,7 +70,7 @@ TEST_P(BoundaryData, with_it_linear_dual_functions_have_their_gradient_on_flat_m
     const int n = mesh().n();
     const Vector slope = random_vector(n, 1);
     const auto centers = [&](int k) {
-        return cell_centers(bundle.merging, bundle.points, bundle.input_volumes, k);
+        return cell_centers(bundle.merging(), bundle.points(), bundle.input_volumes(), k);
     };
     const Vector inside = dual_derivative(bundle.complex(), 0) * Vector(centers(n) * slope);
     const Vector at_boundary =

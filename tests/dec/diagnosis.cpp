@@ -18,7 +18,7 @@ namespace {
 
 FacetKinds kinds(const Mesh& mesh) {
     const auto bundle = discretize(mesh);
-    return facet_kinds(bundle.input(), bundle.points, bundle.input_volumes, bundle.options);
+    return facet_kinds(bundle.input(), bundle.points(), bundle.input_volumes(), bundle.options());
 }
 
 std::vector<Index> counts(const FacetKinds& kinds) {
@@ -73,7 +73,7 @@ TEST_P(KindsOf, cospherical_pairs_are_those_that_merge_unless_a_guard_forbids) {
 POLYDEC_OVER_MESHES(KindsOf);
 
 TEST(MergedPairs, count_removed_edges_and_the_triangles_beside_them) {
-    const auto squares = merged_pairs(discretize(grid(4, 3)).merging);
+    const auto squares = merged_pairs(discretize(grid(4, 3)).merging());
     EXPECT_EQ(squares.facets, 12);
     EXPECT_EQ(squares.simplices, 24);
     // a hexagon of four triangles has three diagonals
@@ -81,7 +81,7 @@ TEST(MergedPairs, count_removed_edges_and_the_triangles_beside_them) {
     const auto fans =
         merged_pairs(discretize(made_of({{r, 0}, {1, 2}, {-1, 2}, {-r, 0}, {-1, -2}, {1, -2}},
                                         {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}))
-                         .merging);
+                         .merging());
     EXPECT_EQ(fans.facets, 3);
     EXPECT_EQ(fans.simplices, 4);
 }
@@ -172,7 +172,7 @@ TEST(Verdicts, are_told_in_words_with_their_reason) {
 
 TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
     const auto mesh = discretize(grid(4, 4));
-    const auto before = spectrum_verdicts(mesh.input_volumes);
+    const auto before = spectrum_verdicts(mesh.input_volumes());
     ASSERT_EQ(before.size(), 3U);
     EXPECT_TRUE(before[0].exists);
     EXPECT_FALSE(before[1].exists);
@@ -180,13 +180,13 @@ TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
     EXPECT_FALSE(before[2].exists);
     EXPECT_EQ(before[2].reason,
               "an inverse star divides by zero: 16 1-cells have a dual without volume");
-    for (const auto& verdict : spectrum_verdicts(mesh.volumes)) {
+    for (const auto& verdict : spectrum_verdicts(mesh.volumes())) {
         EXPECT_TRUE(verdict.exists);
         EXPECT_EQ(verdict.reason, "");
     }
     const auto flat =
         discretize(made_of({{-1, 0}, {1, 0}, {0, 0.5}, {0, -0.5}}, {{0, 1, 2}, {0, 3, 1}}));
-    const auto verdicts = spectrum_verdicts(flat.volumes);
+    const auto verdicts = spectrum_verdicts(flat.volumes());
     EXPECT_FALSE(verdicts[1].exists);
     EXPECT_EQ(verdicts[1].reason, "the mass is not positive: 1 1-cell has a negative dual");
     EXPECT_TRUE(verdicts[2].exists);

@@ -19,16 +19,16 @@ class Discretizations : public OverMeshes {};
 
 TEST_P(Discretizations, are_what_their_steps_make) {
     const auto whole = discretize(mesh_named(GetParam()), {MergeCriterion::dual_length, tolerance});
-    EXPECT_EQ(whole.points, mesh().points);
-    EXPECT_EQ(whole.options.tolerance, tolerance);
-    EXPECT_EQ(whole.degenerate.interior, mesh().result.degenerate.interior);
+    EXPECT_EQ(whole.points(), mesh().points);
+    EXPECT_EQ(whole.options().tolerance, tolerance);
+    EXPECT_EQ(whole.degenerate().interior, mesh().result.degenerate.interior);
     EXPECT_EQ(whole.dimension(), mesh().n());
     for (int k = 0; k <= mesh().n(); ++k) {
         EXPECT_TRUE(
-            equal(integers(whole.merging.diamond(k)), integers(mesh().merging().diamond(k))));
-        EXPECT_EQ(whole.volumes.primal(k), mesh().volumes.primal(k));
-        EXPECT_EQ(whole.volumes.dual(k), mesh().volumes.dual(k));
-        EXPECT_EQ(whole.input_volumes.dual(k), mesh().input_volumes.dual(k));
+            equal(integers(whole.merging().diamond(k)), integers(mesh().merging().diamond(k))));
+        EXPECT_EQ(whole.volumes().primal(k), mesh().volumes.primal(k));
+        EXPECT_EQ(whole.volumes().dual(k), mesh().volumes.dual(k));
+        EXPECT_EQ(whole.input_volumes().dual(k), mesh().input_volumes.dual(k));
     }
 }
 
@@ -43,7 +43,7 @@ TEST(Discretize, tells_its_stages_as_they_begin) {
 }
 
 TEST(Discretize, warns_of_nothing_where_all_is_well) {
-    EXPECT_EQ(discretize(grid(2, 2)).warnings, Words{});
+    EXPECT_EQ(discretize(grid(2, 2)).warnings(), Words{});
 }
 
 TEST(Discretize, gives_a_merged_cell_the_tag_that_its_simplices_share) {
@@ -55,33 +55,34 @@ TEST(Discretize, gives_a_merged_cell_the_tag_that_its_simplices_share) {
         mesh.tags.push_back(sum < 1.5 ? 7 : 9);
     }
     const auto two = discretize(mesh);
-    EXPECT_EQ(std::multiset<Index>(two.tags.begin(), two.tags.end()), (std::multiset<Index>{7, 9}));
-    EXPECT_EQ(two.warnings, Words{});
-    EXPECT_TRUE(discretize(grid(2, 1)).tags.empty());
+    EXPECT_EQ(std::multiset<Index>(two.tags().begin(), two.tags().end()),
+              (std::multiset<Index>{7, 9}));
+    EXPECT_EQ(two.warnings(), Words{});
+    EXPECT_TRUE(discretize(grid(2, 1)).tags().empty());
 
     Mesh mixed = grid(2, 1);
     mixed.tags = {7, 9, 7, 8};
     const auto clash = discretize(mixed);
-    EXPECT_EQ(clash.tags, (std::vector<Index>{7, 0}));
-    EXPECT_EQ(clash.warnings,
+    EXPECT_EQ(clash.tags(), (std::vector<Index>{7, 0}));
+    EXPECT_EQ(clash.warnings(),
               (Words{"1 merged cell joins simplices of different groups; its tag is 0"}));
 }
 
 TEST(Discretize, warns_of_cells_that_were_turned) {
     Mesh mesh = grid(2, 2);
     mesh.simplices.row(3).reverseInPlace();
-    EXPECT_EQ(discretize(mesh).warnings,
+    EXPECT_EQ(discretize(mesh).warnings(),
               (Words{"1 of 8 cells was turned to be oriented like its neighbors"}));
     mesh.simplices.row(5).reverseInPlace();
-    EXPECT_EQ(discretize(mesh).warnings,
+    EXPECT_EQ(discretize(mesh).warnings(),
               (Words{"2 of 8 cells were turned to be oriented like their neighbors"}));
 }
 
 TEST(Discretize, warns_of_one_sided_and_branching_meshes) {
-    EXPECT_EQ(discretize(moebius(8, 1)).warnings,
+    EXPECT_EQ(discretize(moebius(8, 1)).warnings(),
               (Words{"the mesh is non-orientable: its cells keep the orientation of the input, and "
                      "operators on dual 0-forms see jumps of sign"}));
-    EXPECT_EQ(discretize(mesh_named("branching")).warnings,
+    EXPECT_EQ(discretize(mesh_named("branching")).warnings(),
               (Words{"not a manifold: 1 facet with three or more cells"}));
 }
 
@@ -93,7 +94,7 @@ TEST(Discretize, tidies_first) {
     const auto result = discretize(mesh);
     EXPECT_EQ(result.input().size(2), 2);
     EXPECT_EQ(result.complex().size(2), 1);
-    EXPECT_EQ(result.warnings.size(), 2U);
+    EXPECT_EQ(result.warnings().size(), 2U);
 }
 
 TEST(Discretize, refuses_what_has_no_place) {

@@ -43,8 +43,8 @@ inline Vector orientations_in_space(const Discretization& mesh) {
     for (Index t = 0; t < K.size(n); ++t) {
         DenseMatrix edges(n, n);
         for (int i = 0; i < n; ++i)
-            edges.row(i) =
-                mesh.points.row(K.simplices(n)(t, i + 1)) - mesh.points.row(K.simplices(n)(t, 0));
+            edges.row(i) = mesh.points().row(K.simplices(n)(t, i + 1)) -
+                           mesh.points().row(K.simplices(n)(t, 0));
         result[t] = K.orientation(t) * (edges.determinant() > 0 ? 1 : -1);
     }
     return result;

@@ -6,6 +6,7 @@
 #include "dec/merging/lift.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
@@ -39,17 +40,14 @@ Vector mean_over_pieces(const Merged& mesh, int j, const Vector& values) {
     return sums.cwiseQuotient(mesh.volumes.primal(k));
 }
 
-std::vector<DualProduct> products(const Merged& mesh, const std::vector<SparseMatrix>& lift) {
+std::vector<DualProduct> products(const Merged& mesh, const Discretization& whole) {
     return {{"simplices", mesh.K(), mesh.input_volumes,
              [&](const Cochain& a, const Cochain& b) {
                  return dual_wedge(mesh.K(), mesh.points, mesh.input_volumes, a, b);
              },
              [](int, const Vector& values) { return values; }},
             {"merged", mesh.P(), mesh.volumes,
-             [&](const Cochain& a, const Cochain& b) {
-                 return dual_wedge(mesh.merging(), lift, mesh.points, mesh.input_volumes,
-                                   mesh.volumes, a, b);
-             },
+             [&](const Cochain& a, const Cochain& b) { return dual_wedge(whole, a, b); },
              [&](int j, const Vector& values) { return mean_over_pieces(mesh, j, values); }}};
 }
 
@@ -65,7 +63,7 @@ template <class Law>
 void for_products(const std::string& name, Law law) {
     const auto& mesh = merged(name);
     const int n = mesh.n();
-    for (const auto& product : products(mesh, lift_of(name)))
+    for (const auto& product : products(mesh, discretized(name)))
         for (int k = 0; k <= n; ++k)
             for (int l = 0; k + l <= n; ++l)
                 if (zero_star_cells(product.volumes, n - k).empty() &&
@@ -147,8 +145,8 @@ POLYDEC_OVER_MESHES(DualWedges);
 /// of their primal cells, are kept away from.
 double smooth_error(const Mesh& input) {
     const auto mesh = make_merged(input);
-    const auto lift = commuting_lift(mesh.merging(), mesh.points, mesh.input_volumes);
-    const auto product = products(mesh, lift)[1];
+    const auto whole = discretize(input, {MergeCriterion::dual_length, tolerance});
+    const auto product = products(mesh, whole)[1];
     const auto first = [](const Vector& x) -> Vector {
         return Eigen::Vector2d(std::sin(x[0] + 2 * x[1]), std::cos(x[0]));
     };
@@ -195,35 +193,15 @@ TEST(DualWedgesBroken, obey_the_rule_of_leibniz_for_constants_alone) {
     EXPECT_GT(relative_difference(left.values, right.values), 0.1);
 }
 
-TEST(DualWedgesBroken, without_the_lift_are_not_exact_on_merged_cells) {
-    const auto& mesh = merged("grid4");
-    const auto& K = mesh.K();
-    std::vector<SparseMatrix> by_fraction;
-    for (int k = 0; k <= 2; ++k)
-        by_fraction.emplace_back(
-            mesh.input_volumes.primal(k).asDiagonal() *
-            SparseMatrix(mesh.merging().diamond(k).cast<double>().transpose()) *
-            mesh.volumes.primal(k).cwiseInverse().asDiagonal());
-    const auto form = [&](const Vector& coefficients) -> Cochain {
-        const auto smooth = [&](const Vector&) { return coefficients; };
-        return {Side::dual, 1, mean_over_pieces(mesh, 1, dual_de_rham(K, mesh.points, 1, smooth))};
+TEST(DualWedgesOfConstants, are_areas_and_those_of_a_form_with_itself_are_not) {
+    const auto& mesh = discretized("grid4");
+    const auto form = [&](const Vector& coefficients) {
+        return dual_de_rham(mesh, 1, [=](const Vector&) { return coefficients; });
     };
     const auto dx = form(Eigen::Vector2d(1, 0)), dy = form(Eigen::Vector2d(0, 1));
-    const auto& areas = mesh.volumes.dual(0);
-    const auto exact = products(mesh, lift_of("grid4"))[1].product(dx, dy);
-    const auto wrong = products(mesh, by_fraction)[1].product(dx, dy);
-    EXPECT_LE(relative_difference(exact.values, areas), rounding);
-    EXPECT_GT(relative_difference(wrong.values, areas), 0.1);
-}
-
-TEST(DualWedgesOfDiscretizations, are_those_with_the_lift_of_their_merging) {
-    const auto mesh = discretize(goldberg(1));
-    const auto a = random_form(mesh.complex(), Side::dual, 1, 1);
-    const auto b = random_form(mesh.complex(), Side::dual, 1, 2);
-    const auto lift = commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
-    EXPECT_EQ(
-        dual_wedge(mesh, a, b).values,
-        dual_wedge(mesh.merging, lift, mesh.points, mesh.input_volumes, mesh.volumes, a, b).values);
+    const auto& areas = mesh.volumes().dual(0);
+    EXPECT_LE(relative_difference(dual_wedge(mesh, dx, dy).values, areas), rounding);
+    EXPECT_GT(relative_difference(dual_wedge(mesh, dx, dx).values, areas), 0.1);
 }
 
 TEST(DualWedgeErrors, name_the_forms_and_the_zeros_of_the_star) {
@@ -233,22 +211,15 @@ TEST(DualWedgeErrors, name_the_forms_and_the_zeros_of_the_star) {
         return refusal([&] { dual_wedge(K, mesh.points, mesh.input_volumes, a, b); });
     };
     const auto one = random_form(K, Side::dual, 1, 1), two = random_form(K, Side::dual, 2, 1);
-    EXPECT_EQ(multiply(one, two), "the wedge product of a dual 1-form and a dual 2-form has degree "
+    EXPECT_EQ(multiply(one, two), "the product of a 1-form and a 2-form has degree "
                                   "3: in dimension 2 there is no such form");
     EXPECT_EQ(multiply(one, random_form(K, Side::primal, 1, 1)),
-              "the dual wedge product of a dual 1-form and a primal 1-form is asked for: expected "
-              "two dual forms; take wedge for primal forms, primal_dual_wedge for a primal k-form "
-              "and a dual (n-k)-form");
+              "the product of a dual 1-form and a primal 1-form is asked for: expected two dual "
+              "forms; take wedge for primal forms, dual_wedge for dual ones, primal_dual_wedge for "
+              "a primal k-form and a dual (n-k)-form");
     EXPECT_EQ(multiply(one, one),
               "the inverse star of degree 1 divides by zero: the duals of 16 1-cells have no "
               "volume (cells 2, 5, 8, 11, 15, ..)");
-    EXPECT_EQ(refusal([&] {
-                  dual_wedge(mesh.merging(), {}, mesh.points, mesh.input_volumes, mesh.volumes,
-                             random_form(mesh.P(), Side::dual, 1, 1),
-                             random_form(mesh.P(), Side::dual, 1, 1));
-              }),
-              "a lift of 0 matrices is given: expected one for each degree 0 to 2, as "
-              "commuting_lift makes them");
 }
 
 } // namespace

@@ -29,9 +29,9 @@ bool is_at_cells(Flat kind) {
 
 /// A field sampled where the flat wants it: at the points or at the circumcenters of merged cells.
 DenseMatrix sampled(const Discretization& mesh, Flat kind, const SmoothForm& field) {
-    const Points places = is_at_cells(kind) ? cell_centers(mesh.merging, mesh.points,
-                                                           mesh.input_volumes, mesh.dimension())
-                                            : mesh.points;
+    const Points places = is_at_cells(kind) ? cell_centers(mesh.merging(), mesh.points(),
+                                                           mesh.input_volumes(), mesh.dimension())
+                                            : mesh.points();
     DenseMatrix result(places.rows(), places.cols());
     for (Index i = 0; i < places.rows(); ++i)
         result.row(i) = field(places.row(i));
@@ -45,7 +45,7 @@ SmoothForm linear_field(Index N, unsigned seed) {
 }
 
 SmoothForm random_constant(const Discretization& mesh) {
-    return constant_form(random_vector(static_cast<Index>(mesh.points.cols()), 6));
+    return constant_form(random_vector(static_cast<Index>(mesh.points().cols()), 6));
 }
 
 class Flats : public OverMeshes {};
@@ -53,12 +53,12 @@ class Flats : public OverMeshes {};
 /// By how much rounding grows where the parts of an edge's dual nearly cancel.
 double amplification(const Discretization& mesh) {
     const SparseMatrix parts =
-        dual_parts(mesh.input(), mesh.points, mesh.input_volumes, 1, mesh.dimension());
+        dual_parts(mesh.input(), mesh.points(), mesh.input_volumes(), 1, mesh.dimension());
     const Vector sizes = parts.cwiseAbs().transpose() * Vector::Ones(parts.rows());
     double result = 1;
     for (Index e = 0; e < sizes.size(); ++e)
-        if (mesh.merging.carriers(1)[e].dimension == 1)
-            result = std::max(result, sizes[e] / std::abs(mesh.input_volumes.dual(1)[e]));
+        if (mesh.merging().carriers(1)[e].dimension == 1)
+            result = std::max(result, sizes[e] / std::abs(mesh.input_volumes().dual(1)[e]));
     return result;
 }
 
@@ -67,7 +67,7 @@ TEST_P(Flats, of_constant_fields_on_edges_are_their_circulations) {
         const SmoothForm X = random_constant(mesh);
         const Vector exact = de_rham(mesh, 1, circulation_form(X)).values;
         for (const Flat kind : primal_kinds) {
-            if (kind == Flat::dpp && !zero_star_cells(mesh.volumes, 1).empty()) {
+            if (kind == Flat::dpp && !zero_star_cells(mesh.volumes(), 1).empty()) {
                 EXPECT_NE(refusal([&] { flat(mesh, kind, sampled(mesh, kind, X)); }), "accepted");
                 continue;
             }
@@ -96,7 +96,7 @@ TEST_P(Flats, of_constant_fields_on_dual_edges_are_their_circulations) {
 
 TEST_P(Flats, of_linear_fields_at_vertices_are_exact_on_edges) {
     for_merged_and_not(GetParam(), [](const Discretization& mesh) {
-        const SmoothForm X = linear_field(static_cast<Index>(mesh.points.cols()), 1);
+        const SmoothForm X = linear_field(static_cast<Index>(mesh.points().cols()), 1);
         EXPECT_LE(relative_difference(flat(mesh, Flat::ppp, sampled(mesh, Flat::ppp, X)).values,
                                       de_rham(mesh, 1, circulation_form(X)).values),
                   rounding);
@@ -105,7 +105,7 @@ TEST_P(Flats, of_linear_fields_at_vertices_are_exact_on_edges) {
 
 TEST_P(Flats, of_linear_fields_at_vertices_are_exact_on_dual_edges) {
     for_merged_and_not(GetParam(), [](const Discretization& mesh) {
-        const SmoothForm X = linear_field(static_cast<Index>(mesh.points.cols()), 3);
+        const SmoothForm X = linear_field(static_cast<Index>(mesh.points().cols()), 3);
         const Vector exact = dual_de_rham(mesh, 1, circulation_form(X)).values;
         const auto error = [&](Flat kind) {
             return relative_difference(flat(mesh, kind, sampled(mesh, kind, X)).values, exact);
@@ -116,8 +116,8 @@ TEST_P(Flats, of_linear_fields_at_vertices_are_exact_on_dual_edges) {
 
 TEST_P(Flats, ppp_and_pdp_are_one) {
     const auto& mesh = discretized(GetParam());
-    const DenseMatrix field = random_vector(static_cast<Index>(mesh.points.size()), 9)
-                                  .reshaped(mesh.points.rows(), mesh.points.cols());
+    const DenseMatrix field = random_vector(static_cast<Index>(mesh.points().size()), 9)
+                                  .reshaped(mesh.points().rows(), mesh.points().cols());
     EXPECT_EQ(relative_difference(flat(mesh, Flat::pdp, field).values,
                                   flat(mesh, Flat::ppp, field).values),
               0);
@@ -135,7 +135,7 @@ Vector inside(const Discretization& mesh, Vector values) {
 
 /// How far a dual flat of a linear field is from its circulation, between cells.
 double linear_defect(const Discretization& mesh, Flat kind) {
-    const SmoothForm X = linear_field(static_cast<Index>(mesh.points.cols()), 3);
+    const SmoothForm X = linear_field(static_cast<Index>(mesh.points().cols()), 3);
     return relative_difference(inside(mesh, flat(mesh, kind, sampled(mesh, kind, X)).values),
                                inside(mesh, dual_de_rham(mesh, 1, circulation_form(X)).values));
 }
@@ -153,7 +153,7 @@ TEST(FlatsOnBoxes, of_a_field_that_jumps_between_boxes_are_its_circulations_on_d
     for (const auto& name : equal_boxes) {
         const auto& mesh = discretized(name);
         const auto n = mesh.dimension();
-        const Points centers = cell_centers(mesh.merging, mesh.points, mesh.input_volumes, n);
+        const Points centers = cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), n);
         const DenseMatrix field =
             random_vector(static_cast<Index>(centers.size()), 2).reshaped(centers.rows(), n);
         const auto of_box = [&](const Vector& x) {
@@ -194,9 +194,11 @@ TEST(FlatsRefuse, fields_of_the_wrong_shape_and_what_is_not_finite) {
     EXPECT_EQ(refusal([&] { flat(mesh, Flat::pdd, field); }),
               "the vector at vertex 7 is not finite");
     const auto& sparse = discretized("with_isolated_vertices");
-    DenseMatrix unused = DenseMatrix::Ones(sparse.points.rows(), sparse.points.cols());
-    unused(0, 0) = field(7, 1);
-    EXPECT_TRUE(flat(sparse, Flat::ppp, unused).values.allFinite());
+    const auto rows = sparse.points().rows(), unused = sparse.isolated().rows();
+    ASSERT_GT(unused, 0);
+    EXPECT_TRUE(flat(sparse, Flat::ppp, DenseMatrix::Ones(rows, 2)).values.allFinite());
+    EXPECT_NE(refusal([&] { flat(sparse, Flat::ppp, DenseMatrix::Ones(rows + unused, 2)); }),
+              "accepted");
 }
 
 } // namespace

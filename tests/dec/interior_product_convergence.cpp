@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
 #include "dec/fields/interior_product.h"
-#include "dec/merging/lift.h"
+#include "dec/fields/transfer.h"
 #include "meshes/generate.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"
@@ -39,33 +39,24 @@ struct Errors {
     double inside = 0; // off the boundary
 };
 
-struct Lifted {
-    Merged mesh;
-    std::vector<SparseMatrix> lift;
-
-    explicit Lifted(const Mesh& input)
-        : mesh(make_merged(input)),
-          lift(commuting_lift(mesh.merging(), mesh.points, mesh.input_volumes)) {}
-};
-
-Errors errors_of(const Lifted& lifted, int k, Sampling sampling) {
-    const auto& mesh = lifted.mesh;
-    Points field(mesh.points.rows(), mesh.points.cols());
+Errors errors_of(const Discretization& mesh, int k, Sampling sampling) {
+    Points field(mesh.points().rows(), mesh.points().cols());
     for (Index v = 0; v < field.rows(); ++v)
-        field.row(v) = smooth_field(mesh.points.row(v));
+        field.row(v) = smooth_field(mesh.points().row(v));
 
     const auto integrals = [&](int degree, const Form& form) {
-        return on_merged_cells(mesh, degree, integrate(mesh.K(), mesh.points, degree, form));
+        return to_merged(mesh, {Side::primal, degree,
+                                integrate(mesh.input(), mesh.points(), degree, form)})
+            .values;
     };
     const Vector a = integrals(k, [&](const Vector& x) { return smooth_form(x, k); });
     const Vector exact = integrals(
         k - 1, [&](const Vector& x) { return contraction(smooth_field(x), k, smooth_form(x, k)); });
-    const SparseMatrix X =
-        interior_product(mesh.merging(), lifted.lift, mesh.points, field, k, sampling);
-    const Vector difference = (X * a - exact).cwiseQuotient(mesh.volumes.primal(k - 1));
+    const SparseMatrix X = interior_product(mesh, field, k, sampling);
+    const Vector difference = (X * a - exact).cwiseQuotient(mesh.volumes().primal(k - 1));
 
     Errors errors;
-    const auto boundary = boundary_cells(mesh.P());
+    const auto boundary = boundary_cells(mesh.complex());
     for (Index s = 0; s < difference.size(); ++s) {
         errors.everywhere = std::max(errors.everywhere, std::abs(difference[s]));
         if (!boundary[k - 1][s])
@@ -76,18 +67,18 @@ Errors errors_of(const Lifted& lifted, int k, Sampling sampling) {
 
 struct Family {
     std::string name;
-    Lifted coarse, fine; // of half the size
-    bool symmetric;      // the simplices around every inner cell
+    Discretization coarse, fine; // of half the size
+    bool symmetric;              // the simplices around every inner cell
 };
 
 TEST(InteriorProductConvergence, is_of_first_order_and_centered_of_second_where_symmetric) {
     const std::vector<Family> families = {
-        {"grid", Lifted(grid(16, 16)), Lifted(grid(32, 32)), true},
-        {"hexagons", Lifted(hexagons(16)), Lifted(hexagons(32)), false},
-        {"acute", Lifted(well_centered(16)), Lifted(well_centered(32)), false},
-        {"kuhn", Lifted(kuhn(3, 4)), Lifted(kuhn(3, 8)), true}};
+        {"grid", discretize(grid(16, 16)), discretize(grid(32, 32)), true},
+        {"hexagons", discretize(hexagons(16)), discretize(hexagons(32)), false},
+        {"acute", discretize(well_centered(16)), discretize(well_centered(32)), false},
+        {"kuhn", discretize(kuhn(3, 4)), discretize(kuhn(3, 8)), true}};
     for (const auto& [name, coarse, fine, symmetric] : families)
-        for (int k = 1; k <= fine.mesh.n(); ++k)
+        for (int k = 1; k <= fine.dimension(); ++k)
             for (const auto sampling : {Sampling::centered, Sampling::upwind}) {
                 const auto first = errors_of(coarse, k, sampling);
                 const auto second = errors_of(fine, k, sampling);

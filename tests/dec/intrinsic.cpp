@@ -4,7 +4,6 @@
 #include "dec/fields/transfer.h"
 #include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
-#include "dec/merging/lift.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/surfaces/side_lengths.h"
 #include "meshes/generate.h"
@@ -40,7 +39,7 @@ Vector carry_back(const Discretization& mesh, int k, const Vector& values) {
 
 /// Entries of star_1, by the number of polygons at the edge.
 std::vector<double> stars_of_edges(const Discretization& mesh, Index cofaces) {
-    const Vector all = star(mesh.volumes, 1);
+    const Vector all = star(mesh.volumes(), 1);
     std::vector<double> result;
     for (Index e = 0; e < all.size(); ++e)
         if (mesh.complex().coface_counts(1)[e] == cofaces)
@@ -72,18 +71,18 @@ protected:
 
 TEST_P(Flipped, have_positive_stars_inside_and_vertices_off_negative_boundary) {
     const auto mesh = flipped(this->mesh(), Delaunay::flips);
-    EXPECT_EQ(mesh.passage.flips().statistics.negative_interior, 0);
-    const Vector star_1 = star(mesh.volumes, 1);
+    EXPECT_EQ(mesh.passage().flips().statistics.negative_interior, 0);
+    const Vector star_1 = star(mesh.volumes(), 1);
     std::vector<bool> beside(static_cast<std::size_t>(mesh.complex().size(0)), false);
     for (Index e = 0; e < star_1.size(); ++e) {
         if (mesh.complex().coface_counts(1)[e] == 2) {
-            EXPECT_GT(star_1[e], mesh.options.tolerance) << "edge " << e;
-        } else if (star_1[e] < mesh.options.tolerance) {
+            EXPECT_GT(star_1[e], mesh.options().tolerance) << "edge " << e;
+        } else if (star_1[e] < mesh.options().tolerance) {
             for (const Index v : {0, 1})
                 beside[mesh.complex().coboundary(0).innerIndexPtr()[2 * e + v]] = true;
         }
     }
-    const Vector star_0 = star(mesh.volumes, 0);
+    const Vector star_0 = star(mesh.volumes(), 0);
     for (Index v = 0; v < star_0.size(); ++v)
         EXPECT_TRUE(star_0[v] > 0 || beside[v]) << "vertex " << v;
 }
@@ -92,14 +91,14 @@ TEST_P(Flipped, keep_topology_area_and_points) {
     const auto mesh = flipped(this->mesh(), Delaunay::flips);
     EXPECT_EQ(betti_numbers(mesh.complex()), betti_numbers(mesh.input()));
     EXPECT_EQ(mesh.complex().size(0), mesh.input().size(0));
-    const double area = mesh.input_volumes.primal(2).sum();
-    EXPECT_NEAR(mesh.volumes.primal(2).sum(), area, rounding * area);
-    EXPECT_NEAR(mesh.volumes.dual(0).sum(), area, 1e-9 * area);
+    const double area = mesh.input_volumes().primal(2).sum();
+    EXPECT_NEAR(mesh.volumes().primal(2).sum(), area, rounding * area);
+    EXPECT_NEAR(mesh.volumes().dual(0).sum(), area, 1e-9 * area);
 }
 
 TEST_P(Flipped, make_the_laplacian_an_m_matrix_inside) {
     const auto mesh = flipped(this->mesh(), Delaunay::flips_and_splits);
-    const SparseMatrix L = symmetric_laplacian(mesh.complex(), mesh.volumes, 0);
+    const SparseMatrix L = symmetric_laplacian(mesh.complex(), mesh.volumes(), 0);
     for (Index row = 0; row < L.rows(); ++row)
         for (SparseMatrix::InnerIterator entry(L, row); entry; ++entry)
             if (entry.col() != row) {
@@ -110,9 +109,9 @@ TEST_P(Flipped, make_the_laplacian_an_m_matrix_inside) {
 TEST_P(Flipped, have_positive_stars_everywhere_after_splits) {
     const auto mesh = flipped(this->mesh(), Delaunay::flips_and_splits);
     for (int k = 0; k <= 2; ++k)
-        EXPECT_GT(star(mesh.volumes, k).minCoeff(), 0) << "degree " << k;
+        EXPECT_GT(star(mesh.volumes(), k).minCoeff(), 0) << "degree " << k;
     EXPECT_EQ(betti_numbers(mesh.complex()), betti_numbers(mesh.input()));
-    const auto& done = mesh.passage.flips().statistics;
+    const auto& done = mesh.passage().flips().statistics;
     EXPECT_EQ(mesh.complex().size(0), mesh.input().size(0) + done.splits);
     EXPECT_EQ(done.negative_boundary, 0);
 }
@@ -120,7 +119,7 @@ TEST_P(Flipped, have_positive_stars_everywhere_after_splits) {
 TEST_P(Flipped, carry_forms_there_and_back_by_maps_that_commute_with_d) {
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto mesh = flipped(this->mesh(), delaunay);
-        const auto lift = commuting_lift(mesh.merging, mesh.metric(), mesh.piece_volumes);
+        const auto& lift = mesh.lift();
         for (int k = 0; k < 2; ++k) {
             const SparseMatrix d = mesh.input().coboundary(k).cast<double>();
             const SparseMatrix d_P = mesh.complex().coboundary(k).cast<double>();
@@ -136,16 +135,17 @@ TEST_P(Flipped, carry_forms_there_and_back_by_maps_that_commute_with_d) {
                       rounding);
         }
         for (int k = 0; k <= 2; ++k) {
-            const SparseMatrix pieces = mesh.merging.diamond(k).cast<double>();
+            const SparseMatrix pieces = mesh.merging().diamond(k).cast<double>();
             SparseMatrix identity(pieces.rows(), pieces.rows());
             identity.setIdentity();
             EXPECT_LT(relative_difference(SparseMatrix(pieces * lift[k]), identity), rounding);
             const Vector w = random_vector(mesh.input().size(k), 5);
-            EXPECT_LT(relative_difference(mesh.passage.matrix(k) * w, mesh.passage.forth(k, w)),
+            EXPECT_LT(relative_difference(mesh.passage().matrix(k) * w, mesh.passage().forth(k, w)),
                       rounding);
             const Vector x = random_vector(mesh.pieces().size(k), 6);
-            EXPECT_LT(relative_difference(mesh.passage.matrix_back(k) * x, mesh.passage.back(k, x)),
-                      rounding);
+            EXPECT_LT(
+                relative_difference(mesh.passage().matrix_back(k) * x, mesh.passage().back(k, x)),
+                rounding);
         }
     }
 }
@@ -158,7 +158,7 @@ TEST_P(Flipped, give_functions_and_their_derivatives_back_unchanged) {
     EXPECT_LT(relative_difference(carry_back(mesh, 1, carry(mesh, 1, du)), du), rounding);
     const Vector areas = random_vector(mesh.input().size(2), 9).cwiseAbs();
     if (mesh.input().orientable()) { // else values of turned neighbors cancel
-        EXPECT_NEAR(mesh.passage.forth(2, areas).sum(), areas.sum(), rounding * areas.sum());
+        EXPECT_NEAR(mesh.passage().forth(2, areas).sum(), areas.sum(), rounding * areas.sum());
     }
 }
 
@@ -178,7 +178,7 @@ TEST_P(Flipped, do_not_depend_on_the_order_of_vertices_and_triangles) {
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto a = flipped(input, delaunay), b = flipped(other, delaunay);
         for (int k = 0; k <= 2; ++k)
-            expect_near(sorted(b.volumes.primal(k)), sorted(a.volumes.primal(k)), 1e-9);
+            expect_near(sorted(b.volumes().primal(k)), sorted(a.volumes().primal(k)), 1e-9);
         for (const Index cofaces : {1, 2})
             expect_near(stars_of_edges(b, cofaces), stars_of_edges(a, cofaces), 1e-9);
     }
@@ -191,7 +191,7 @@ TEST_P(Flipped, do_not_depend_on_scale) {
         other.points *= scale;
         for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
             const auto a = flipped(input, delaunay), b = flipped(other, delaunay);
-            EXPECT_EQ(b.passage.flips().statistics.splits, a.passage.flips().statistics.splits);
+            EXPECT_EQ(b.passage().flips().statistics.splits, a.passage().flips().statistics.splits);
             for (const Index cofaces : {1, 2})
                 expect_near(stars_of_edges(b, cofaces), stars_of_edges(a, cofaces), 1e-9);
         }
@@ -201,7 +201,8 @@ TEST_P(Flipped, do_not_depend_on_scale) {
 TEST_P(Flipped, have_volumes_of_their_simplices_before_any_flip) {
     const Mesh input = mesh();
     const SimplicialComplex K(input.simplices);
-    const auto expected = circumcentric_volumes(K, input.points);
+    const Points points = vertex_points(K, input.points);
+    const auto expected = circumcentric_volumes(K, points);
     const GluedSurface surface(K);
     std::vector<Index> names(static_cast<std::size_t>(K.size(0)));
     std::iota(names.begin(), names.end(), 0);
@@ -231,8 +232,8 @@ INSTANTIATE_TEST_SUITE_P(Family, Flipped,
 
 TEST(IntrinsicDelaunay, without_flips_shaken_meshes_have_negative_stars) {
     const Mesh mesh = shaken(icosphere(5), 0.25, 7);
-    EXPECT_LT(star(discretize(mesh).volumes, 1).minCoeff(), 0);
-    EXPECT_GT(star(flipped(mesh, Delaunay::flips).volumes, 1).minCoeff(), 0);
+    EXPECT_LT(star(discretize(mesh).volumes(), 1).minCoeff(), 0);
+    EXPECT_GT(star(flipped(mesh, Delaunay::flips).volumes(), 1).minCoeff(), 0);
 }
 
 TEST(IntrinsicDelaunay, without_splits_obtuse_corners_keep_negative_stars_on_the_boundary) {
@@ -272,11 +273,11 @@ TEST(IntrinsicDelaunay, gives_needles_and_coinciding_points_some_area) {
     mesh.points.row(mesh.simplices(100, 0)) =          // a needle
         (mesh.points.row(mesh.simplices(100, 1)) + mesh.points.row(mesh.simplices(100, 2))) / 2;
     const auto result = flipped(mesh, Delaunay::flips);
-    EXPECT_GT(result.passage.flips().statistics.added_length, 0);
-    EXPECT_GT(star(result.volumes, 1).minCoeff(), 0);
-    ASSERT_EQ(result.warnings.size(), 1u);
-    EXPECT_EQ(result.warnings[0].substr(0, 31), "a triangle has nearly no area: ");
-    EXPECT_LT(result.passage.flips().statistics.added_area, 1e-4);
+    EXPECT_GT(result.passage().flips().statistics.added_length, 0);
+    EXPECT_GT(star(result.volumes(), 1).minCoeff(), 0);
+    ASSERT_EQ(result.warnings().size(), 1u);
+    EXPECT_EQ(result.warnings()[0].substr(0, 31), "a triangle has nearly no area: ");
+    EXPECT_LT(result.passage().flips().statistics.added_area, 1e-4);
     EXPECT_EQ(refusal([&] { discretize(mesh); }).substr(0, 5), "cell ");
 }
 
@@ -314,13 +315,14 @@ TEST(IntrinsicDelaunay, is_refused_where_it_makes_no_sense) {
 
 TEST(IntrinsicDelaunay, forms_of_another_size_or_degree_are_refused) {
     const auto mesh = flipped(mesh_named("icosphere3"), Delaunay::flips);
-    EXPECT_EQ(refusal([&] { mesh.passage.back(1, Vector::Zero(3)); }),
+    EXPECT_EQ(refusal([&] { mesh.passage().back(1, Vector::Zero(3)); }),
               "3 values on 1-cells are given: expected 270");
     const std::string first = ": the first surface has 92 vertices, 270 edges and 180 triangles";
-    EXPECT_EQ(refusal([&] { mesh.passage.forth(0, Vector::Zero(3)); }),
+    EXPECT_EQ(refusal([&] { mesh.passage().forth(0, Vector::Zero(3)); }),
               "3 values are given for a 0-form" + first);
-    EXPECT_EQ(refusal([&] { mesh.passage.matrix(3); }), "0 values are given for a 3-form" + first);
-    EXPECT_EQ(refusal([] { discretize(mesh_named("icosphere3")).passage.flips(); }),
+    EXPECT_EQ(refusal([&] { mesh.passage().matrix(3); }),
+              "0 values are given for a 3-form" + first);
+    EXPECT_EQ(refusal([] { discretize(mesh_named("icosphere3")).passage().flips(); }),
               "what edges were flipped is asked for, but no edges were flipped: take "
               "MergeOptions::delaunay");
 }

@@ -71,7 +71,7 @@ TEST(Layers, stay_layers_when_turned_shuffled_or_given_by_lengths) {
 TEST(Layers, stay_layers_after_flips) {
     const auto mesh = discretize(layers(2, 10, 1e-5), {.delaunay = Delaunay::flips});
     EXPECT_EQ(sizes(mesh.complex()), sizes_of_boxes(2, 10));
-    EXPECT_EQ(mesh.degenerate.boundary, 0);
+    EXPECT_EQ(mesh.degenerate().boundary, 0);
 }
 
 TEST(Layers, have_duals_on_their_boundary) {
@@ -79,18 +79,18 @@ TEST(Layers, have_duals_on_their_boundary) {
         const auto mesh = discretize(layers(n, 4, 1e-5));
         for (const bool without : boundary_facets_without_dual(mesh))
             EXPECT_FALSE(without);
-        EXPECT_EQ(mesh.degenerate.boundary, 0);
+        EXPECT_EQ(mesh.degenerate().boundary, 0);
     }
 }
 
 TEST(LayersBroken, by_size_of_the_facet_alone_would_be_one) {
     const auto mesh = discretize(layers(2, 10, 1e-6), {.criterion = MergeCriterion::none});
     const auto defects =
-        facet_defects(mesh.input(), mesh.metric(), mesh.input_volumes, mesh.options);
+        facet_defects(mesh.input(), mesh.metric(), mesh.input_volumes(), mesh.options());
     Index within = 0, degenerate = 0;
     for (Index e = 0; e < mesh.input().size(1); ++e)
         if (mesh.input().coface_counts(1)[e] == 2) {
-            within += defects.ratio(e) <= mesh.options.tolerance;
+            within += defects.ratio(e) <= mesh.options().tolerance;
             degenerate += defects.degenerate[e];
         }
     EXPECT_EQ(degenerate, 100);  // the diagonals

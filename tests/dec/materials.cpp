@@ -38,7 +38,7 @@ Index removed_walls(const Discretization& mesh, const std::vector<Index>& tags) 
         const bool is_wall = std::any_of(around.begin(), around.end(), [&](const Coface& t) {
             return tag(t) != tag(around.front());
         });
-        removed += is_wall && mesh.merging.carriers(n - 1)[f].dimension == n ? 1 : 0;
+        removed += is_wall && mesh.merging().carriers(n - 1)[f].dimension == n ? 1 : 0;
     }
     return removed;
 }
@@ -50,9 +50,9 @@ TEST_P(MaterialsOf, a_mesh_are_kept_apart_by_all_facets_between_them) {
     const auto mesh = discretize(input, apart);
     const int n = mesh.dimension();
     EXPECT_EQ(removed_walls(mesh, input.tags), 0);
-    ASSERT_EQ(mesh.tags.size(), static_cast<std::size_t>(mesh.complex().size(n)));
+    ASSERT_EQ(mesh.tags().size(), static_cast<std::size_t>(mesh.complex().size(n)));
     for (Index t = 0; t < mesh.pieces().size(n); ++t)
-        EXPECT_EQ(mesh.tags[mesh.merging.carriers(n)[t].cell],
+        EXPECT_EQ(mesh.tags()[mesh.merging().carriers(n)[t].cell],
                   input.tags[mesh.input().input_row(t)]);
     EXPECT_EQ(betti_numbers(mesh.complex()), betti_numbers(mesh.input()));
 }
@@ -62,7 +62,7 @@ TEST_P(MaterialsOf, one_kind_merge_as_if_there_were_none) {
     const auto none = discretize(mesh_named(GetParam()), {.tolerance = tolerance});
     for (int k = 0; k <= none.dimension(); ++k) {
         EXPECT_EQ(one.complex().size(k), none.complex().size(k));
-        EXPECT_EQ(one.volumes.dual(k), none.volumes.dual(k));
+        EXPECT_EQ(one.volumes().dual(k), none.volumes().dual(k));
     }
 }
 

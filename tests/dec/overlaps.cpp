@@ -19,7 +19,8 @@ namespace {
 using Cells = std::vector<Index>;
 
 Overlaps overlaps(const Mesh& mesh) {
-    return find_overlaps(SimplicialComplex(mesh.simplices), mesh.points);
+    const SimplicialComplex complex(mesh.simplices);
+    return find_overlaps(complex, vertex_points(complex, mesh.points));
 }
 
 class Overlapping : public OverMeshes {};
@@ -167,16 +168,16 @@ TEST(Overlapping, is_not_concluded_from_a_cell_that_is_flat_but_for_rounding) {
 TEST(Discretize, tells_of_folds_and_windings) {
     Mesh mesh = grid(2, 2);
     mesh.points.row(4) << 0.9, 1.3;
-    const auto folded = discretize(mesh).warnings;
+    const auto folded = discretize(mesh).warnings();
     ASSERT_EQ(folded.size(), 1U);
     EXPECT_EQ(folded[0].substr(0, folded[0].find(" (vertices")),
               "the mesh is folded: 1 of 8 cells lies over its neighbors");
-    EXPECT_EQ(discretize(winding(2, 5, 2)).warnings,
+    EXPECT_EQ(discretize(winding(2, 5, 2)).warnings(),
               (std::vector<std::string>{
                   "the mesh overlaps itself: cells around 1 vertex lie over each other without a "
                   "fold (vertex 0): what is computed is for the mesh as it is glued, not for the "
                   "region that it covers"}));
-    EXPECT_EQ(discretize(made_of({{0}, {1}, {0.5}}, {{0, 1}, {1, 2}})).warnings,
+    EXPECT_EQ(discretize(made_of({{0}, {1}, {0.5}}, {{0, 1}, {1, 2}})).warnings(),
               (std::vector<std::string>{
                   "the mesh is folded: 1 of 2 cells lies over its neighbors (vertices 1 2): what "
                   "is computed is for the folded mesh, not for the region that it covers"}));

@@ -35,9 +35,9 @@ Vector sums(const std::vector<Index>& groups, const Vector& values, Eigen::Index
 TEST_P(Overlays, cut_both_triangulations_into_the_same_pieces) {
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto mesh = this->mesh(delaunay);
-        const Overlay pieces = overlay(mesh.passage, mesh.points);
-        const Vector& input = mesh.input_volumes.primal(2);
-        const Vector& flipped = mesh.piece_volumes.primal(2);
+        const Overlay pieces = overlay(mesh.passage(), mesh.points());
+        const Vector& input = mesh.input_volumes().primal(2);
+        const Vector& flipped = mesh.piece_volumes().primal(2);
         EXPECT_LT(relative_difference(sums(pieces.input, pieces.areas, input.size()), input), 1e-9);
         EXPECT_LT(relative_difference(sums(pieces.triangle, pieces.areas, flipped.size()), flipped),
                   1e-9);
@@ -46,7 +46,7 @@ TEST_P(Overlays, cut_both_triangulations_into_the_same_pieces) {
 
 TEST_P(Overlays, have_strands_whose_crossings_ascend) {
     const auto mesh = this->mesh();
-    const auto& T = mesh.passage.flips();
+    const auto& T = mesh.passage().flips();
     const Strands strands = trace(T.surface, T.crossings);
     const auto places = strand_places(T.surface, T.lengths, strands);
     for (std::size_t s = 0; s < strands.ends.size(); ++s)
@@ -62,8 +62,8 @@ TEST_P(Overlays, bring_functions_of_cells_back_as_means) {
     const Vector means = to_input(mesh, {Side::dual, 0, u}).values;
     EXPECT_LE(means.cwiseAbs().maxCoeff(), u.cwiseAbs().maxCoeff() + 1e-12);
     if (mesh.input().orientable()) {
-        EXPECT_NEAR(means.dot(mesh.input_volumes.primal(2)), u.dot(mesh.volumes.primal(2)),
-                    1e-9 * mesh.volumes.primal(2).sum());
+        EXPECT_NEAR(means.dot(mesh.input_volumes().primal(2)), u.dot(mesh.volumes().primal(2)),
+                    1e-9 * mesh.volumes().primal(2).sum());
     }
 }
 
@@ -79,14 +79,14 @@ TEST_P(Overlays, bring_functions_of_cells_back_with_the_signs_that_flips_give) {
     for (Index t = 0; t < mesh.complex().size(2); ++t) {
         const Vector one = Vector::Unit(mesh.complex().size(2), t);
         const Vector by_flips =
-            mesh.passage.back(2, mesh.merging.diamond(2).cast<double>().transpose() * one);
+            mesh.passage().back(2, mesh.merging().diamond(2).cast<double>().transpose() * one);
         EXPECT_GT(by_flips.dot(to_input(mesh, {Side::dual, 0, one}).values), 0) << "triangle " << t;
     }
 }
 
 TEST_P(Overlays, know_what_crosses_by_integers_that_one_missed_flip_spoils) {
     const auto mesh = this->mesh(Delaunay::flips);
-    const auto& T = mesh.passage.flips();
+    const auto& T = mesh.passage().flips();
     if (T.statistics.flips == 0)
         return;
     const NormalCoordinates ignorant(T.surface);
@@ -99,7 +99,7 @@ TEST(Overlay, is_refused_without_flips) {
     EXPECT_EQ(
         refusal([] {
             const auto mesh = discretize(grid(2, 2));
-            overlay(mesh.passage, mesh.points);
+            overlay(mesh.passage(), mesh.points());
         }),
         "an overlay of the input's triangles and those after flips is asked for, but no edges "
         "were flipped: take MergeOptions::delaunay");

@@ -43,17 +43,18 @@ void expect_scaled(const CellVolumes& volumes, const CellVolumes& original, doub
 template <class AnyMesh>
 void expect_equal_at_all_sizes(const AnyMesh& mesh, const MergeOptions& options) {
     const auto original = discretize(mesh, options);
-    ASSERT_EQ(original.unit, 1);
+    ASSERT_EQ(original.unit(), 1);
     for (const int exponent : exponents) {
         const double size = std::exp2(exponent);
         const auto found = discretize(scaled(mesh, size), options);
-        const double rest = size / found.unit;
-        EXPECT_EQ(found.unit != 1, std::abs(exponent) > 40);
-        EXPECT_EQ(found.warnings.size(), original.warnings.size() + (found.unit != 1 ? 1 : 0));
-        EXPECT_EQ(found.points, rest * original.points);
-        expect_scaled(found.volumes, original.volumes, rest);
-        expect_scaled(found.input_volumes, original.input_volumes, rest);
-        EXPECT_EQ(found.degenerate.interior, original.degenerate.interior);
+        const double rest = size / found.unit();
+        EXPECT_EQ(found.unit() != 1, std::abs(exponent) > 40);
+        EXPECT_EQ(found.warnings().size(),
+                  original.warnings().size() + (found.unit() != 1 ? 1 : 0));
+        EXPECT_EQ(found.points(), rest * original.points());
+        expect_scaled(found.volumes(), original.volumes(), rest);
+        expect_scaled(found.input_volumes(), original.input_volumes(), rest);
+        EXPECT_EQ(found.degenerate().interior, original.degenerate().interior);
     }
 }
 
@@ -99,10 +100,10 @@ TEST(AtAllSizes, flips_by_themselves_lead_to_the_same_surface) {
 }
 
 TEST(Units, are_told_in_a_warning) {
-    EXPECT_EQ(discretize(scaled(grid(1, 1), std::exp2(500))).warnings,
+    EXPECT_EQ(discretize(scaled(grid(1, 1), std::exp2(500))).warnings(),
               (std::vector<std::string>{"the lengths of the mesh are far from 1: it is measured in "
                                         "units of 2^500 = 3.27e+150"}));
-    EXPECT_EQ(discretize(scaled(length_mesh(grid(1, 1)), std::exp2(-333))).warnings,
+    EXPECT_EQ(discretize(scaled(length_mesh(grid(1, 1)), std::exp2(-333))).warnings(),
               (std::vector<std::string>{"the lengths of the mesh are far from 1: it is measured in "
                                         "units of 2^-334 = 2.86e-101"}));
 }
@@ -113,7 +114,7 @@ TEST(MixedSizes, are_right_or_refused_by_name) {
         return united(grid(2, 2), transformed(grid(2, 2), DenseMatrix::Identity(2, 2), size, 3));
     };
     const auto flat = discretize(both(1e-3));
-    EXPECT_EQ(flat.unit, 1);
+    EXPECT_EQ(flat.unit(), 1);
     const auto apart = [](double size) {
         Mesh mesh = kuhn(1, 1);
         mesh.points.conservativeResize(4, Eigen::NoChange);
@@ -122,7 +123,7 @@ TEST(MixedSizes, are_right_or_refused_by_name) {
         mesh.simplices << 0, 1, 2, 3;
         return mesh;
     };
-    EXPECT_EQ(star(discretize(apart(1e-90)).volumes, 1)[1], 1 / 1e-90);
+    EXPECT_EQ(star(discretize(apart(1e-90)).volumes(), 1)[1], 1 / 1e-90);
     EXPECT_EQ(refusal([&] { discretize(apart(1e-150)); }),
               "the 1-simplex with vertices 2, 3 has edges of about 1e-150 and volume 1e-150: "
               "products of such numbers are none; scale the mesh to a size nearer to 1, or leave "

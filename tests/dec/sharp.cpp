@@ -6,7 +6,6 @@
 #include "dec/fields/flat.h"
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/forms/star.h"
-#include "dec/merging/lift.h"
 #include "dec/metric/dual_parts.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
@@ -32,17 +31,13 @@ protected:
     bool flat_mesh() const { return is_flat(mesh_named(GetParam())); }
 };
 
-std::vector<SparseMatrix> lift_of(const Discretization& mesh) {
-    return commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
-}
-
 Index space(const Discretization& mesh) {
-    return static_cast<Index>(mesh.points.cols());
+    return static_cast<Index>(mesh.points().cols());
 }
 
 /// The flat of a constant field: the differential of a linear function.
 Cochain constant_circulation(const Discretization& mesh, const Vector& X) {
-    return flat(mesh, Flat::ppp, X.transpose().replicate(mesh.points.rows(), 1));
+    return flat(mesh, Flat::ppp, X.transpose().replicate(mesh.points().rows(), 1));
 }
 
 Cochain random_differential(const Discretization& mesh) {
@@ -61,16 +56,16 @@ double difference(const DenseMatrix& a, const DenseMatrix& b) {
 /// Means by volume, over merged cells, of the rows of n-simplices.
 DenseMatrix mean_over_cells(const Discretization& mesh, const DenseMatrix& rows) {
     const int n = mesh.dimension();
-    const SparseMatrix pieces = mesh.merging.diamond(n).cast<double>().cwiseAbs();
-    const DenseMatrix sums = pieces * (mesh.input_volumes.primal(n).asDiagonal() * rows);
-    return mesh.volumes.primal(n).cwiseInverse().asDiagonal() * sums;
+    const SparseMatrix pieces = mesh.merging().diamond(n).cast<double>().cwiseAbs();
+    const DenseMatrix sums = pieces * (mesh.input_volumes().primal(n).asDiagonal() * rows);
+    return mesh.volumes().primal(n).cwiseInverse().asDiagonal() * sums;
 }
 
 /// Whether the cell lies in one n-plane.
 bool is_unbent(const Discretization& mesh, Index cell) {
     const int n = mesh.dimension();
-    const auto corners = mesh.merging.vertices(n, cell);
-    DenseMatrix edges = mesh.points(corners, Eigen::all);
+    const auto corners = mesh.merging().vertices(n, cell);
+    DenseMatrix edges = mesh.points()(corners, Eigen::all);
     edges.rowwise() -= edges.row(0).eval();
     const Eigen::JacobiSVD<DenseMatrix> svd(edges);
     return svd.singularValues().size() == n ||
@@ -91,8 +86,8 @@ TEST_P(Sharps, return_constant_fields_on_flat_meshes) {
         const Vector X = random_vector(space(mesh), 3);
         const Cochain form = constant_circulation(mesh, X);
         EXPECT_LE(difference(sharp_pd(mesh, form), X), rounding);
-        const DenseMatrix at_points = sharp_pp(mesh, lift_of(mesh), form);
-        for (const Index v : mesh.input().simplices(0).reshaped())
+        const DenseMatrix at_points = sharp_pp(mesh, form);
+        for (Index v = 0; v < mesh.points().rows(); ++v)
             EXPECT_LE(difference(at_points.row(v), X), rounding) << "vertex " << v;
     });
 }
@@ -101,8 +96,7 @@ TEST_P(Sharps, at_cells_return_the_tangential_part_of_constant_fields_on_unbent_
     for_merged_and_not(GetParam(), [](const Discretization& mesh) {
         const Vector X = random_vector(space(mesh), 5);
         const DenseMatrix result = sharp_pd(mesh, constant_circulation(mesh, X));
-        const DenseMatrix covectors = whitney_at_centroids(mesh.merging, mesh.points, lift_of(mesh),
-                                                           constant_circulation(mesh, X));
+        const DenseMatrix covectors = whitney_at_centroids(mesh, constant_circulation(mesh, X));
         const DenseMatrix expected = mean_over_cells(mesh, covectors);
         for (Index cell = 0; cell < result.rows(); ++cell)
             if (is_unbent(mesh, cell)) {
@@ -115,7 +109,7 @@ TEST_P(Sharps, at_cells_return_the_tangential_part_of_constant_fields_on_unbent_
 TEST_P(Sharps, at_simplices_of_the_differential_of_a_function_are_its_gradients) {
     const auto& mesh = discretized(GetParam(), MergeCriterion::none);
     const Cochain df = random_differential(mesh);
-    EXPECT_LE(difference(sharp_pd(mesh, df), whitney_at_centroids(mesh.input(), mesh.points, df)),
+    EXPECT_LE(difference(sharp_pd(mesh, df), whitney_at_centroids(mesh.input(), mesh.points(), df)),
               rounding);
 }
 
@@ -127,7 +121,7 @@ Cochain on_simplices(const Discretization& mesh) {
 /// Mean by area of the gradients of the above on the pieces of each cell.
 DenseMatrix mean_gradients(const Discretization& mesh) {
     return mean_over_cells(mesh,
-                           whitney_at_centroids(mesh.input(), mesh.points, on_simplices(mesh)));
+                           whitney_at_centroids(mesh.input(), mesh.points(), on_simplices(mesh)));
 }
 
 /// In curves and surfaces the weights of a cell's edges make the unit matrix, times its volume.
@@ -145,16 +139,16 @@ TEST_P(Sharps, at_polygons_of_the_differential_of_a_function_are_means_of_its_gr
 
 TEST_P(Sharps, at_polygons_are_adjoint_to_the_dpp_flat) {
     const auto& mesh = discretized(GetParam());
-    if (!has_isotropic_weights(mesh) || !zero_star_cells(mesh.volumes, 1).empty())
+    if (!has_isotropic_weights(mesh) || !zero_star_cells(mesh.volumes(), 1).empty())
         return;
     const int n = mesh.dimension();
     const Cochain a{Side::primal, 1, random_vector(mesh.complex().size(1), 7)};
     const DenseMatrix X = random_vector(mesh.complex().size(n) * space(mesh), 8)
                               .reshaped(mesh.complex().size(n), space(mesh));
     const Vector products = sharp_pd(mesh, a).cwiseProduct(X).rowwise().sum();
-    const Vector by_cell = products.cwiseProduct(mesh.volumes.primal(n));
+    const Vector by_cell = products.cwiseProduct(mesh.volumes().primal(n));
     const Cochain flattened = flat(mesh, Flat::dpp, X);
-    EXPECT_NEAR(inner_product(mesh.complex(), mesh.volumes, a, flattened), by_cell.sum(),
+    EXPECT_NEAR(inner_product(mesh.complex(), mesh.volumes(), a, flattened), by_cell.sum(),
                 rounding * by_cell.cwiseAbs().sum());
 }
 
@@ -162,17 +156,17 @@ TEST_P(Sharps, at_polygons_are_adjoint_to_the_dpp_flat) {
 double integral_defect(const Discretization& mesh, const DenseMatrix& X) {
     const int n = mesh.dimension();
     const DenseMatrix gradients =
-        whitney_at_centroids(mesh.input(), mesh.points, on_simplices(mesh));
-    const Vector& volumes = mesh.input_volumes.primal(n);
+        whitney_at_centroids(mesh.input(), mesh.points(), on_simplices(mesh));
+    const Vector& volumes = mesh.input_volumes().primal(n);
     Vector defect = -(gradients.transpose() * volumes);
     for (Index v = 0; v < mesh.input().size(0); ++v)
-        defect += mesh.volumes.dual(0)[v] * X.row(mesh.input().simplices(0)(v, 0)).transpose();
+        defect += mesh.volumes().dual(0)[v] * X.row(v).transpose();
     return defect.cwiseAbs().maxCoeff() / (gradients.cwiseAbs().transpose() * volumes).maxCoeff();
 }
 
 TEST_P(Sharps, at_vertices_have_the_same_integral_as_the_gradients) {
     for_merged_and_not(GetParam(), [](const Discretization& mesh) {
-        const DenseMatrix X = sharp_pp(mesh, lift_of(mesh), random_differential(mesh));
+        const DenseMatrix X = sharp_pp(mesh, random_differential(mesh));
         EXPECT_LE(integral_defect(mesh, X), rounding);
     });
 }
@@ -186,7 +180,7 @@ TEST_P(Sharps, of_fluxes_return_constant_fields_on_flat_meshes) {
         // fluxes are meant as the cells are oriented
         const Vector signs = orientations_in_space(mesh);
         DenseMatrix result = flux_sharp(mesh, flux);
-        const auto& carriers = mesh.merging.carriers(mesh.dimension());
+        const auto& carriers = mesh.merging().carriers(mesh.dimension());
         for (Index t = 0; t < signs.size(); ++t)
             EXPECT_LE(difference(signs[t] * result.row(carriers[t].cell), X), rounding);
     });
@@ -199,15 +193,15 @@ double moment_defect(const Discretization& mesh, const Points& places) {
     const auto linear = [&](const Vector& x) { return slope.dot(x); };
     const Vector moments = de_rham(mesh, n, function_form(linear), 1).values.cwiseAbs();
     const Vector values = (places * slope).cwiseAbs();
-    return relative_difference(values.cwiseProduct(mesh.volumes.primal(n)), moments);
+    return relative_difference(values.cwiseProduct(mesh.volumes().primal(n)), moments);
 }
 
 TEST_P(Sharps, belong_to_centroids_where_linear_functions_have_their_means) {
     if (!flat_mesh())
         return;
     for_merged_and_not(GetParam(), [](const Discretization& mesh) {
-        EXPECT_LE(moment_defect(mesh, cell_centroids(mesh.merging, mesh.points, mesh.input_volumes,
-                                                     mesh.dimension())),
+        EXPECT_LE(moment_defect(mesh, cell_centroids(mesh.merging(), mesh.points(),
+                                                     mesh.input_volumes(), mesh.dimension())),
                   rounding);
     });
 }
@@ -217,7 +211,7 @@ POLYDEC_OVER_MESHES(Sharps);
 TEST(SharpsOfCurves, at_vertices_weight_the_slopes_by_length) {
     const auto mesh = discretize(made_of({{0}, {1}, {1.5}, {4.5}}, {{0, 1}, {1, 2}, {2, 3}}));
     const Cochain df = d(mesh.complex(), {Side::primal, 0, Vector{{0, 3, 4, 16}}});
-    const DenseMatrix X = sharp_pp(mesh, lift_of(mesh), df);
+    const DenseMatrix X = sharp_pp(mesh, df);
     const Vector expected{{3, 4 / 1.5, 13 / 3.5, 4}};
     EXPECT_LE(relative_difference(Vector(X.col(0)), expected), rounding);
 }
@@ -233,8 +227,8 @@ TEST(SharpsBroken, without_weights_are_not_the_means_of_the_gradients) {
             DenseMatrix M = DenseMatrix::Zero(N, N);
             Vector sum = Vector::Zero(N);
             for (IncidenceMatrix::InnerIterator e(sides, cell); e; ++e) {
-                const auto ends = mesh.merging.vertices(1, static_cast<Index>(e.col()));
-                const Vector edge = mesh.points.row(ends[1]) - mesh.points.row(ends[0]);
+                const auto ends = mesh.merging().vertices(1, static_cast<Index>(e.col()));
+                const Vector edge = mesh.points().row(ends[1]) - mesh.points().row(ends[0]);
                 M += edge * edge.transpose();
                 sum += df.values[e.col()] * edge;
             }
@@ -251,8 +245,8 @@ TEST(SharpsBroken, without_weights_are_not_the_means_of_the_gradients) {
 TEST(SharpsBroken, circumcenters_are_no_centroids) {
     for (const auto& name : {"hex4", "well_centered3", "obtuse_solid"}) {
         const auto& mesh = discretized(name);
-        EXPECT_GT(moment_defect(mesh, cell_centers(mesh.merging, mesh.points, mesh.input_volumes,
-                                                   mesh.dimension())),
+        EXPECT_GT(moment_defect(mesh, cell_centers(mesh.merging(), mesh.points(),
+                                                   mesh.input_volumes(), mesh.dimension())),
                   1e-3)
             << name;
     }
@@ -263,9 +257,9 @@ TEST(SharpsBroken, at_vertices_by_plain_means_of_the_gradients_have_another_inte
         const auto& mesh = discretized(name);
         const auto& tops = mesh.input().simplices(mesh.dimension());
         const DenseMatrix gradients =
-            whitney_at_centroids(mesh.input(), mesh.points, on_simplices(mesh));
-        DenseMatrix X = DenseMatrix::Zero(mesh.points.rows(), space(mesh));
-        Vector counts = Vector::Zero(mesh.points.rows());
+            whitney_at_centroids(mesh.input(), mesh.points(), on_simplices(mesh));
+        DenseMatrix X = DenseMatrix::Zero(mesh.points().rows(), space(mesh));
+        Vector counts = Vector::Zero(mesh.points().rows());
         for (Index t = 0; t < tops.rows(); ++t)
             for (const Index v : tops.row(t)) {
                 X.row(v) += gradients.row(t);
@@ -280,9 +274,11 @@ TEST(SharpsBroken, at_vertices_without_the_lift_miss_constant_fields) {
     for (const auto& name : {"grid4", "hex4", "kuhn3"}) {
         const auto& mesh = discretized(name);
         const Vector X = random_vector(space(mesh), 3);
-        auto lift = lift_of(mesh);
-        lift[1] = mesh.merging.diamond(1).cast<double>().transpose();
-        EXPECT_GT(difference(sharp_pp(mesh, lift, constant_circulation(mesh, X)), X), 0.1) << name;
+        const auto simplices = discretized(name, MergeCriterion::none);
+        const Cochain fine{Side::primal, 1,
+                           mesh.merging().diamond(1).cast<double>().transpose() *
+                               constant_circulation(mesh, X).values};
+        EXPECT_GT(difference(sharp_pp(simplices, fine), X), 0.1) << name;
     }
 }
 
@@ -290,13 +286,13 @@ TEST(SharpsBroken, of_fluxes_about_circumcenters_of_facets_are_wrong_in_space) {
     const auto& mesh = discretized("split_cubes", MergeCriterion::none);
     const Vector X = random_vector(3, 6);
     const Cochain flux = de_rham(mesh, 2, flux_form(constant_form(X)), 1);
-    const Points facets = cell_centers(mesh.merging, mesh.points, mesh.input_volumes, 2);
-    const Points cells = cell_centers(mesh.merging, mesh.points, mesh.input_volumes, 3);
+    const Points facets = cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), 2);
+    const Points cells = cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), 3);
     DenseMatrix result = DenseMatrix::Zero(cells.rows(), 3);
     for (Index P = 0; P < result.rows(); ++P)
         for (IncidenceMatrix::InnerIterator e(mesh.complex().coboundary(2), P); e; ++e)
             result.row(P) += e.value() * flux.values[e.col()] *
-                             (facets.row(e.col()) - cells.row(P)) / mesh.volumes.primal(3)[P];
+                             (facets.row(e.col()) - cells.row(P)) / mesh.volumes().primal(3)[P];
     EXPECT_GT(difference(result, X), 0.1);
 }
 
@@ -311,9 +307,7 @@ TEST(SharpsRefuse, vertices_without_dual_cell) {
         triangles.push_back({0, i + 1, (i + 1) % 6 + 1});
     }
     const auto mesh = discretize(made_of(points, triangles), {MergeCriterion::none, 0});
-    EXPECT_EQ(refusal([&] {
-                  sharp_pp(mesh, lift_of(mesh), constant_circulation(mesh, Vector::Ones(2)));
-              }),
+    EXPECT_EQ(refusal([&] { sharp_pp(mesh, constant_circulation(mesh, Vector::Ones(2))); }),
               "the sharp to vertices divides by zero: the dual cells of 1 vertices have no volume "
               "(vertices 0); take vectors at the cells, sharp_pd, or move the vertices");
 }
@@ -325,12 +319,12 @@ Discretization tetrahedron(double x) {
 
 /// Determinant of the sum of w e e^T over the edges of the only tetrahedron.
 double determinant(const Discretization& mesh) {
-    const SparseMatrix parts = dual_parts(mesh.input(), mesh.points, mesh.input_volumes, 1, 3);
+    const SparseMatrix parts = dual_parts(mesh.input(), mesh.points(), mesh.input_volumes(), 1, 3);
     DenseMatrix M = DenseMatrix::Zero(3, 3);
     for (SparseMatrix::InnerIterator e(parts, 0); e; ++e) {
         const auto ends = mesh.input().simplices(1).row(e.col());
-        const Vector edge = mesh.points.row(ends[1]) - mesh.points.row(ends[0]);
-        M += e.value() / mesh.input_volumes.primal(1)[e.col()] * edge * edge.transpose();
+        const Vector edge = mesh.points().row(ends[1]) - mesh.points().row(ends[0]);
+        M += e.value() / mesh.input_volumes().primal(1)[e.col()] * edge * edge.transpose();
     }
     return M.determinant();
 }
@@ -349,16 +343,13 @@ TEST(SharpsRefuse, cells_whose_edges_leave_the_vector_undetermined) {
               "whose weights cancel: move its vertices");
 }
 
-TEST(SharpsRefuse, other_forms_and_lifts) {
+TEST(SharpsRefuse, other_forms) {
     const auto& mesh = discretized("grid4");
     const Cochain dual{Side::dual, 1, Vector::Ones(mesh.complex().size(1))};
     EXPECT_EQ(refusal([&] { sharp_pd(mesh, dual); }),
               "a primal 1-form is expected: a dual 1-form is given");
-    EXPECT_EQ(refusal([&] {
-                  sharp_pp(mesh, {}, {Side::primal, 1, dual.values});
-              }),
-              "a lift of 0 matrices is given: expected one for each degree 0 to 2, as "
-              "commuting_lift makes them");
+    EXPECT_EQ(refusal([&] { sharp_pp(mesh, dual); }),
+              "a primal 1-form is expected: a dual 1-form is given");
     EXPECT_NE(refusal([&] { flux_sharp(mesh, {Side::primal, 1, Vector::Ones(3)}); }), "accepted");
 }
 

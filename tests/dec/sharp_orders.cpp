@@ -29,13 +29,13 @@ double error(const Discretization& mesh, const Points& places, Counted counted) 
     double sum = 0;
     for (Index cell = 0; cell < X.rows(); ++cell)
         if (counted(cell))
-            sum += mesh.volumes.primal(mesh.dimension())[cell] *
+            sum += mesh.volumes().primal(mesh.dimension())[cell] *
                    (X.row(cell).transpose() - gradient(places.row(cell))).squaredNorm();
     return std::sqrt(sum);
 }
 
 Points centroids(const Discretization& mesh) {
-    return cell_centroids(mesh.merging, mesh.points, mesh.input_volumes, mesh.dimension());
+    return cell_centroids(mesh.merging(), mesh.points(), mesh.input_volumes(), mesh.dimension());
 }
 
 bool all(Index) {
@@ -82,7 +82,7 @@ TEST(SharpsOfSmoothFunctions, are_of_order_1_on_irregular_triangles) {
 TEST(SharpsBroken, attached_to_circumcenters_have_larger_errors) {
     for (const auto& mesh :
          {exactly_merged(hexagons(16)), exactly_merged(perturbed(grid(16, 16), 0.2 / 16, 5))}) {
-        const Points circum = cell_centers(mesh.merging, mesh.points, mesh.input_volumes, 2);
+        const Points circum = cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), 2);
         EXPECT_GT(error(mesh, circum, all), 1.05 * error(mesh));
     }
 }

@@ -39,7 +39,7 @@ SparseMatrix identity(Index size) {
 constexpr double rounding = 1e-12;
 
 TEST_P(Transfers, there_and_back_is_the_identity_on_merged_cells) {
-    const auto& [merging, volumes] = std::tie(bundle().merging, bundle().input_volumes);
+    const auto& [merging, volumes] = std::tie(bundle().merging(), bundle().input_volumes());
     for (int k = 0; k <= n(); ++k) {
         const SparseMatrix I = identity(bundle().complex().size(k));
         EXPECT_LE(
@@ -54,7 +54,7 @@ TEST_P(Transfers, there_and_back_is_the_identity_on_merged_cells) {
 }
 
 TEST_P(Transfers, sums_commute_with_d_and_copies_with_the_dual_d) {
-    const auto& merging = bundle().merging;
+    const auto& merging = bundle().merging();
     const auto& K = bundle().input();
     const auto& P = bundle().complex();
     for (int k = 0; k < n(); ++k) {
@@ -68,7 +68,7 @@ TEST_P(Transfers, sums_commute_with_d_and_copies_with_the_dual_d) {
 }
 
 TEST_P(Transfers, shares_and_copies_are_transposed) {
-    const auto& [merging, volumes] = std::tie(bundle().merging, bundle().input_volumes);
+    const auto& [merging, volumes] = std::tie(bundle().merging(), bundle().input_volumes());
     for (int k = 0; k <= n(); ++k) {
         EXPECT_EQ(
             relative_difference(SparseMatrix(primal_to_input(merging, volumes, k).transpose()),
@@ -83,10 +83,11 @@ TEST_P(Transfers, shares_and_copies_are_transposed) {
 TEST_P(Transfers, the_star_of_merged_cells_is_that_of_the_simplices_between_the_maps) {
     // star_k^P = R_k^T star_k R_k: what the volumes of merged cells are made for
     for (int k = 0; k <= n(); ++k) {
-        const SparseMatrix R = primal_to_input(bundle().merging, bundle().input_volumes, k);
+        const SparseMatrix R = primal_to_input(bundle().merging(), bundle().input_volumes(), k);
         const SparseMatrix between =
-            SparseMatrix(R.transpose()) * star(bundle().input_volumes, k).asDiagonal() * R;
-        EXPECT_LE(relative_difference(Vector(between.diagonal()), star(bundle().volumes, k)), 1e-11)
+            SparseMatrix(R.transpose()) * star(bundle().input_volumes(), k).asDiagonal() * R;
+        EXPECT_LE(relative_difference(Vector(between.diagonal()), star(bundle().volumes(), k)),
+                  1e-11)
             << "k = " << k;
     }
 }
@@ -119,12 +120,12 @@ TEST_P(Transfers, copies_are_consistent_and_nothing_else_is) {
 
         // one removed simplex, or one piece among several, that is changed must be found
         for (Index s = 0; s < form.values.size(); ++s) {
-            const auto& carrier = bundle().merging.carriers(k)[s];
+            const auto& carrier = bundle().merging().carriers(k)[s];
             const auto pieces =
                 carrier.dimension == k
                     ? SparseMatrix::StorageIndex(
-                          bundle().merging.diamond(k).outerIndexPtr()[carrier.cell + 1] -
-                          bundle().merging.diamond(k).outerIndexPtr()[carrier.cell])
+                          bundle().merging().diamond(k).outerIndexPtr()[carrier.cell + 1] -
+                          bundle().merging().diamond(k).outerIndexPtr()[carrier.cell])
                     : 0;
             if (pieces == 1)
                 continue;
@@ -141,16 +142,16 @@ POLYDEC_OVER_MESHES(Transfers);
 
 TEST(TransfersBroken, shares_are_no_cochain_map) {
     const auto bundle = discretize(grid(3, 3));
-    const SparseMatrix up =
-        derivative(bundle.input(), 0) * primal_to_input(bundle.merging, bundle.input_volumes, 0);
-    const SparseMatrix down =
-        primal_to_input(bundle.merging, bundle.input_volumes, 1) * derivative(bundle.complex(), 0);
+    const SparseMatrix up = derivative(bundle.input(), 0) *
+                            primal_to_input(bundle.merging(), bundle.input_volumes(), 0);
+    const SparseMatrix down = primal_to_input(bundle.merging(), bundle.input_volumes(), 1) *
+                              derivative(bundle.complex(), 0);
     EXPECT_GE(largest(up - down), 1);
 }
 
 TEST(TransfersBroken, the_transposed_sum_is_no_right_inverse_for_cells_of_several_pieces) {
     const auto bundle = discretize(grid(3, 3));
-    const SparseMatrix dia = primal_to_merged(bundle.merging, 2);
+    const SparseMatrix dia = primal_to_merged(bundle.merging(), 2);
     EXPECT_GE(relative_difference(product(dia, SparseMatrix(dia.transpose())),
                                   identity(bundle.complex().size(2))),
               1);
@@ -158,13 +159,13 @@ TEST(TransfersBroken, the_transposed_sum_is_no_right_inverse_for_cells_of_severa
 
 TEST(TransfersBroken, adding_the_entries_of_star_2_is_not_the_star_of_merged_cells) {
     const auto bundle = discretize(grid(3, 3));
-    const Vector sums = primal_to_merged(bundle.merging, 2) * star(bundle.input_volumes, 2);
-    EXPECT_GT(relative_difference(sums, star(bundle.volumes, 2)), 1);
+    const Vector sums = primal_to_merged(bundle.merging(), 2) * star(bundle.input_volumes(), 2);
+    EXPECT_GT(relative_difference(sums, star(bundle.volumes(), 2)), 1);
 }
 
 TEST(Transfers, a_laplacian_of_the_merged_mesh_runs_on_the_triangle_mesh) {
     const auto bundle = discretize(grid(4, 4));
-    const SparseMatrix L = on_input(bundle, dual_laplacian(bundle.complex(), bundle.volumes, 0),
+    const SparseMatrix L = on_input(bundle, dual_laplacian(bundle.complex(), bundle.volumes(), 0),
                                     {Side::dual, 0}, {Side::dual, 0});
     EXPECT_EQ(L.rows(), 32);
     const Vector image = L * Vector::Ones(32);
@@ -178,7 +179,7 @@ TEST(Consistency, names_the_worst_offender) {
     Cochain circulation{Side::dual, 1, Vector::Zero(5)};
     EXPECT_EQ(consistency(bundle, circulation).description, "");
     Index diagonal = 0;
-    while (bundle.merging.carriers(1)[diagonal].dimension == 1)
+    while (bundle.merging().carriers(1)[diagonal].dimension == 1)
         ++diagonal;
     circulation.values[diagonal] = 0.25;
     EXPECT_EQ(consistency(bundle, circulation).description,

@@ -156,7 +156,11 @@ TEST(VolumesOf, an_obtuse_triangle_have_a_negative_dual_edge) {
 }
 
 std::string refused_volumes(const Mesh& mesh) {
-    return refusal([&] { circumcentric_volumes(SimplicialComplex(mesh.simplices), mesh.points); });
+    return refusal([&] {
+        const SimplicialComplex complex(mesh.simplices);
+        const Points points = vertex_points(complex, mesh.points);
+        circumcentric_volumes(complex, points);
+    });
 }
 
 TEST(VolumesOf, cells_without_extent_are_refused) {

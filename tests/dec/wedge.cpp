@@ -5,6 +5,7 @@
 #include "dec/merging/lift.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
+#include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
 #include "tests/support/forms.h"
 #include "tests/support/hand_made.h"
@@ -35,20 +36,18 @@ struct NamedProduct {
 /// The product of the simplices and of the merged cells of a mesh, with each of the weights.
 std::vector<NamedProduct> products(const std::string& name, WedgeWeights weights) {
     const auto& mesh = merged(name);
-    const auto& lift = lift_of(name);
+    const auto& whole = discretized(name);
     if (weights == WedgeWeights::uniform)
         return {{"simplices", mesh.K(),
                  [&](const Cochain& a, const Cochain& b) { return wedge(mesh.K(), a, b); }},
-                {"merged", mesh.P(), [&](const Cochain& a, const Cochain& b) {
-                     return wedge(mesh.merging(), lift, a, b);
-                 }}};
+                {"merged", whole.complex(),
+                 [&](const Cochain& a, const Cochain& b) { return wedge(whole, a, b); }}};
     return {{"simplices, circumcentric", mesh.K(),
              [&](const Cochain& a, const Cochain& b) {
                  return circumcentric_wedge(mesh.K(), mesh.points, mesh.input_volumes, a, b);
              }},
-            {"merged, circumcentric", mesh.P(), [&](const Cochain& a, const Cochain& b) {
-                 return circumcentric_wedge(mesh.merging(), lift, mesh.points, mesh.input_volumes,
-                                            a, b);
+            {"merged, circumcentric", whole.complex(), [&](const Cochain& a, const Cochain& b) {
+                 return wedge(whole, a, b, WedgeWeights::circumcentric);
              }}};
 }
 
@@ -185,22 +184,17 @@ double polygon_product(const Vector& a, const Vector& b) {
 TEST_P(Wedges, of_closed_1_forms_on_polygons_are_those_of_their_boundary_values) {
     if (mesh().n() == 1)
         return;
-    const auto& K = mesh().K();
     const auto& P = mesh().P();
     const Cochain f{Side::primal, 0, random_vector(P.size(0), 1)};
     const Cochain g{Side::primal, 0, random_vector(P.size(0), 2)};
-    const auto found = wedge(mesh().merging(), lift_of(GetParam()), d(P, f), d(P, g));
-    std::vector<Index> number(mesh().points.rows(), -1);
-    for (Index v = 0; v < K.size(0); ++v)
-        number[K.simplices(0)(v, 0)] = v;
-
+    const auto found = wedge(discretized(GetParam()), d(P, f), d(P, g));
     for (Index F = 0; F < P.size(2); ++F) {
         const auto walk = corners(mesh().merging(), F);
         const auto along = [&](const Cochain& function) {
             Vector differences(walk.size());
             for (std::size_t i = 0; i < walk.size(); ++i)
-                differences[i] = function.values[number[walk[(i + 1) % walk.size()]]] -
-                                 function.values[number[walk[i]]];
+                differences[i] =
+                    function.values[walk[(i + 1) % walk.size()]] - function.values[walk[i]];
             return differences;
         };
         EXPECT_NEAR(found.values[F], polygon_product(along(f), along(g)), rounding)
@@ -230,13 +224,17 @@ TEST(WedgesOfDiscretizations, are_those_with_the_lift_of_their_merging) {
     const auto mesh = discretize(hexagons(3));
     const auto& P = mesh.complex();
     const auto a = random_form(P, Side::primal, 1, 1), b = random_form(P, Side::primal, 1, 2);
-    const auto lift = commuting_lift(mesh.merging, mesh.points, mesh.input_volumes);
-    const auto uniform = wedge(mesh.merging, lift, a, b);
-    const auto other =
-        circumcentric_wedge(mesh.merging, lift, mesh.points, mesh.input_volumes, a, b);
-    EXPECT_EQ(wedge(mesh, a, b).values, uniform.values);
-    EXPECT_EQ(wedge(mesh, a, b, WedgeWeights::circumcentric).values, other.values);
-    EXPECT_GT(relative_difference(other.values, uniform.values), 1e-2);
+    const auto lift = commuting_lift(mesh.merging(), mesh.points(), mesh.input_volumes());
+    const Cochain fine_a{Side::primal, 1, lift[1] * a.values};
+    const Cochain fine_b{Side::primal, 1, lift[1] * b.values};
+    const SparseMatrix dia = mesh.merging().diamond(2).cast<double>();
+    const auto& K = mesh.input();
+    const Vector uniform = dia * wedge(K, fine_a, fine_b).values;
+    const Vector other =
+        dia * circumcentric_wedge(K, mesh.points(), mesh.input_volumes(), fine_a, fine_b).values;
+    EXPECT_EQ(wedge(mesh, a, b).values, uniform);
+    EXPECT_EQ(wedge(mesh, a, b, WedgeWeights::circumcentric).values, other);
+    EXPECT_GT(relative_difference(other, uniform), 1e-2);
 }
 
 TEST(WedgesBroken, circumcentric_weights_break_the_rule_of_leibniz_from_degree_1_on) {
@@ -276,7 +274,7 @@ TEST(WedgesBroken, polygons_know_more_than_the_boundary_values_of_forms_that_are
     const auto& mesh = merged("grid4");
     const auto a = random_form(mesh.P(), Side::primal, 1, 1);
     const auto b = random_form(mesh.P(), Side::primal, 1, 2);
-    const auto found = wedge(mesh.merging(), lift_of("grid4"), a, b);
+    const auto found = wedge(discretized("grid4"), a, b);
     double largest_error = 0;
     for (Index F = 0; F < mesh.P().size(2); ++F) {
         const auto walk = corners(mesh.merging(), F);
@@ -310,8 +308,13 @@ TEST(WedgesBroken, zeros_instead_of_the_lift_give_a_third_of_dx_dy_on_the_square
     };
     const auto dx = form(Eigen::Vector2d(1, 0)), dy = form(Eigen::Vector2d(0, 1));
     const auto lift = commuting_lift(mesh.merging(), mesh.points, mesh.input_volumes);
-    EXPECT_NEAR(wedge(mesh.merging(), lift, dx, dy).values[0], 1, rounding);
-    EXPECT_NEAR(wedge(mesh.merging(), by_fraction, dx, dy).values[0], 1.0 / 3, rounding);
+    const auto product = [&](const std::vector<SparseMatrix>& lifts) {
+        return wedge(mesh.K(), {Side::primal, 1, lifts[1] * dx.values},
+                     {Side::primal, 1, lifts[1] * dy.values})
+            .values.sum();
+    };
+    EXPECT_NEAR(product(lift), 1, rounding);
+    EXPECT_NEAR(product(by_fraction), 1.0 / 3, rounding);
 }
 
 TEST(WedgeErrors, name_the_degrees_and_the_product_to_take) {
@@ -319,23 +322,16 @@ TEST(WedgeErrors, name_the_degrees_and_the_product_to_take) {
     const auto& P = mesh.P();
     const auto one = random_form(P, Side::primal, 1, 1), two = random_form(P, Side::primal, 2, 1);
     const auto dual = random_form(P, Side::dual, 1, 1);
-    const auto& lift = lift_of("grid4");
     const auto multiply = [&](const Cochain& a, const Cochain& b) {
-        return refusal([&] { wedge(mesh.merging(), lift, a, b); });
+        return refusal([&] { wedge(discretized("grid4"), a, b); });
     };
-    EXPECT_EQ(multiply(one, two), "the wedge product of a 1-form and a 2-form has degree 3: in "
+    EXPECT_EQ(multiply(one, two), "the product of a 1-form and a 2-form has degree 3: in "
                                   "dimension 2 there is no such form");
     EXPECT_EQ(
         multiply(one, dual),
-        "the wedge product of a primal 1-form and a dual 1-form is asked for: wedge multiplies "
-        "primal forms; take primal_dual_wedge for a primal k-form and a dual (n-k)-form, "
-        "dual_wedge for two dual forms");
-    EXPECT_EQ(refusal([&] { wedge(mesh.merging(), {}, one, one); }),
-              "a lift of 0 matrices is given: expected one for each degree 0 to 2, as "
-              "commuting_lift makes them");
-    EXPECT_EQ(refusal([&] { wedge(mesh.merging(), lift_of("hex4"), one, one); }),
-              "the lift of degree 0 is 46 x 46: expected 25 x 25, simplices times merged cells of "
-              "the same merging");
+        "the product of a primal 1-form and a dual 1-form is asked for: expected two primal forms; "
+        "take wedge for primal forms, dual_wedge for dual ones, primal_dual_wedge for a primal "
+        "k-form and a dual (n-k)-form");
     EXPECT_EQ(refusal([&] { wedge(mesh.K(), one, one); }),
               "a primal 1-form of 40 values is given: the complex has 56 1-cells");
 }

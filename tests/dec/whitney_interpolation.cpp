@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/whitney_interpolation.h"
 
-#include "dec/merging/lift.h"
 #include "dec/metric/quadrature.h"
+#include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -90,7 +90,7 @@ Vector barycentric_point(int n, unsigned seed) {
 TEST_P(WhitneyInterpolation, returns_constant_forms_at_every_point_of_flat_meshes) {
     if (!is_flat(mesh_named(GetParam())))
         return;
-    const auto lift = commuting_lift(mesh().merging(), points(), mesh().input_volumes);
+    const auto& whole = discretized(GetParam());
     for (int k = 0; k <= mesh().n(); ++k) {
         const Vector w = random_vector(coefficients(mesh().n(), k), 5);
         const Cochain fine{Side::primal, k, integrate(K(), points(), k, constant_form(w))};
@@ -100,18 +100,13 @@ TEST_P(WhitneyInterpolation, returns_constant_forms_at_every_point_of_flat_meshe
             const Vector place = barycentric_point(mesh().n(), t);
             EXPECT_LE(relative_difference(whitney_form(K(), points(), fine, t, place), w), 1e-12)
                 << "k = " << k << ", simplex " << t;
-            EXPECT_LE(relative_difference(
-                          whitney_form(mesh().merging(), points(), lift, coarse, t, place), w),
-                      1e-12)
+            EXPECT_LE(relative_difference(whitney_form(whole, coarse, t, place), w), 1e-12)
                 << "k = " << k << ", simplex " << t << ", merged";
         }
         const DenseMatrix expected = w.transpose().replicate(K().size(mesh().n()), 1);
         EXPECT_LE((whitney_at_centroids(K(), points(), fine) - expected).cwiseAbs().maxCoeff(),
                   1e-12);
-        EXPECT_LE((whitney_at_centroids(mesh().merging(), points(), lift, coarse) - expected)
-                      .cwiseAbs()
-                      .maxCoeff(),
-                  1e-12);
+        EXPECT_LE((whitney_at_centroids(whole, coarse) - expected).cwiseAbs().maxCoeff(), 1e-12);
     }
 }
 
@@ -124,8 +119,7 @@ double gradient_defect(const Merged& mesh, const Vector& f, double sign, Index t
     double worst = 0;
     for (const Index e : faces(K, 1, t)) {
         const Index tail = K.face(1, e, 1), head = K.face(1, e, 0);
-        const Vector edge =
-            mesh.points.row(K.simplices(0)(head, 0)) - mesh.points.row(K.simplices(0)(tail, 0));
+        const Vector edge = mesh.points.row(head) - mesh.points.row(tail);
         const double change = f[head] - f[tail];
         worst = std::max(worst, std::abs(edge.dot(gradient) - change));
     }
@@ -162,15 +156,12 @@ TEST(WhitneyInterpolationBroken, by_zeros_inside_merged_cells_misses_constant_fo
         const auto& mesh = merged(name);
         const Vector w = random_vector(mesh.n(), 5);
         const SparseMatrix diamond = mesh.merging().diamond(1).cast<double>();
-        auto lift = commuting_lift(mesh.merging(), mesh.points, mesh.input_volumes);
-        const Cochain form{Side::primal, 1,
-                           diamond * integrate(mesh.K(), mesh.points, 1, constant_form(w))};
-        lift[1] = diamond.transpose();
+        const Vector form = diamond * integrate(mesh.K(), mesh.points, 1, constant_form(w));
+        const Cochain fine{Side::primal, 1, diamond.transpose() * form};
         const DenseMatrix expected = w.transpose().replicate(mesh.K().size(mesh.n()), 1);
-        EXPECT_GT((whitney_at_centroids(mesh.merging(), mesh.points, lift, form) - expected)
-                      .cwiseAbs()
-                      .maxCoeff(),
-                  0.05)
+        EXPECT_GT(
+            (whitney_at_centroids(mesh.K(), mesh.points, fine) - expected).cwiseAbs().maxCoeff(),
+            0.05)
             << name;
     }
 }
@@ -201,12 +192,8 @@ TEST(WhitneyInterpolationRefuses, what_it_cannot_place) {
     EXPECT_EQ(refusal([&] { whitney_form(K, mesh.points, form, 0, Vector::Ones(3)); }),
               "(1, 1, 1) are no barycentric coordinates in 2-simplex 0: 3 numbers of sum 1 are "
               "expected");
-    EXPECT_EQ(refusal([&] {
-                  whitney_at_centroids(mesh.merging(), mesh.points, {},
-                                       {Side::primal, 0, Vector::Ones(mesh.P().size(0))});
-              }),
-              "a lift of 0 matrices is given: expected one for each degree 0 to 2, as "
-              "commuting_lift makes them");
+    EXPECT_EQ(refusal([&] { whitney_at_centroids(discretized("grid4"), form); }),
+              "a primal 1-form of 56 values is given: the complex has 40 1-cells");
     EXPECT_NE(refusal([&] {
                   whitney_at_centroids(K, mesh.points, {Side::primal, 2, form.values});
               }),

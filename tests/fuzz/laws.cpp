@@ -68,18 +68,18 @@ void require_facts(const Discretization& mesh) {
 } // namespace
 
 void require_laws(const Discretization& mesh) {
-    for (const auto& warning : mesh.warnings)
+    for (const auto& warning : mesh.warnings())
         require_message(warning);
     require_topology(mesh.input());
     require_topology(mesh.complex());
     require(betti_numbers(mesh.input()) == betti_numbers(mesh.complex()),
             "merging keeps the topology");
-    require_volumes(mesh.complex(), mesh.volumes);
+    require_volumes(mesh.complex(), mesh.volumes());
     require_facts(mesh);
-    if (!mesh.passage.is_identity())
+    if (!mesh.passage().is_identity())
         return;
-    require_volumes(mesh.input(), mesh.input_volumes);
-    require_duals_that_fill(mesh.input_volumes);
+    require_volumes(mesh.input(), mesh.input_volumes());
+    require_duals_that_fill(mesh.input_volumes());
 }
 
 void require_poisson(const Discretization& mesh) {

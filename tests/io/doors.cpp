@@ -35,9 +35,9 @@ std::vector<Door> doors_of_complexes(const Sample& s) {
         {"coface_counts", 0, n, [&](int k) { s.P().coface_counts(k); }},
         {"simplices", 0, n, [&](int k) { s.K().simplices(k); }},
         {"face", 1, n, [&](int k) { s.K().face(k, 0, 0); }},
-        {"carriers", 0, n, [&](int k) { s.mesh.merging.carriers(k); }},
-        {"diamond", 0, n, [&](int k) { s.mesh.merging.diamond(k); }},
-        {"Merging::vertices", 0, n, [&](int k) { s.mesh.merging.vertices(k, 0); }},
+        {"carriers", 0, n, [&](int k) { s.mesh.merging().carriers(k); }},
+        {"diamond", 0, n, [&](int k) { s.mesh.merging().diamond(k); }},
+        {"Merging::vertices", 0, n, [&](int k) { s.mesh.merging().vertices(k, 0); }},
         {"cell_vertices", 0, n, [&](int k) { cell_vertices(s.mesh, k, 0); }},
         {"homology_generators", 0, n, [&](int k) { homology_generators(s.P(), k); }},
         {"regular_minor", 0, n, [&](int k) { regular_minor(s.P(), k); }},
@@ -79,30 +79,30 @@ std::vector<Door> doors_of_operators(const Sample& s) {
         {"apply_dual_laplacian", 0, n,
          [=, &s](int j) { apply_dual_laplacian(s.P(), s.V(), j, ones(n - j)); }},
         {"dual_boundary_derivative", 0, n, [=, &s](int j) { dual_boundary_derivative(s.P(), j); }},
-        {"primal_to_merged", 0, n, [=, &s](int k) { primal_to_merged(s.mesh.merging, k); }},
-        {"primal_to_input", 0, n, [=, &s](int k) { primal_to_input(s.mesh.merging, s.W(), k); }},
-        {"dual_to_merged", 0, n, [=, &s](int j) { dual_to_merged(s.mesh.merging, s.W(), j); }},
-        {"dual_to_input", 0, n, [=, &s](int j) { dual_to_input(s.mesh.merging, j); }},
+        {"primal_to_merged", 0, n, [=, &s](int k) { primal_to_merged(s.mesh.merging(), k); }},
+        {"primal_to_input", 0, n, [=, &s](int k) { primal_to_input(s.mesh.merging(), s.W(), k); }},
+        {"dual_to_merged", 0, n, [=, &s](int j) { dual_to_merged(s.mesh.merging(), s.W(), j); }},
+        {"dual_to_input", 0, n, [=, &s](int j) { dual_to_input(s.mesh.merging(), j); }},
     };
 }
 
 std::vector<Door> doors_of_the_metric(const Sample& s) {
     const int n = s.n();
     const auto& mesh = s.mesh;
-    const Points field = Points::Ones(mesh.points.rows(), mesh.points.cols());
+    const Points field = Points::Ones(mesh.points().rows(), mesh.points().cols());
     const auto constant = [](int degree, Index coordinates) -> SmoothForm {
         Index count = 1;
         for (int i = 0; i < degree && count != 0; ++i)
             count = count * (coordinates - i) / (i + 1);
         return [count](const Vector&) { return Vector(Vector::Ones(count)); };
     };
-    const auto N = static_cast<Index>(mesh.points.cols());
+    const auto N = static_cast<Index>(mesh.points().cols());
     return {
         {"circumradii", 0, n, [=, &s, &mesh](int k) { circumradii(s.K(), mesh.metric(), k); }},
         {"cell_centers", 0, n,
-         [=, &s, &mesh](int k) { cell_centers(mesh.merging, mesh.points, s.W(), k); }},
+         [=, &s, &mesh](int k) { cell_centers(mesh.merging(), mesh.points(), s.W(), k); }},
         {"cell_centroids", 0, n,
-         [=, &s, &mesh](int k) { cell_centroids(mesh.merging, mesh.points, s.W(), k); }},
+         [=, &s, &mesh](int k) { cell_centroids(mesh.merging(), mesh.points(), s.W(), k); }},
         {"cell_centers of a bundle", 0, n, [=, &s, &mesh](int k) { cell_centers(mesh, k); }},
         {"cell_centers after flips", 0, 2, [](int k) { cell_centers(flipped(), k); }},
         {"cell_vertices after flips", 0, 2, [](int k) { cell_vertices(flipped(), k, 0); }},
@@ -113,17 +113,17 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
         {"de_rham", 0, n, [=, &mesh](int k) { de_rham(mesh, k, constant(k, N)); }},
         {"dual_de_rham", 0, n, [=, &mesh](int j) { dual_de_rham(mesh, j, constant(j, N)); }},
         {"interior_product", 0, n + 1,
-         [=, &s](int k) { interior_product(s.K(), s.mesh.points, field, k, Sampling::centered); }},
-        {"lie_derivative", 0, n,
-         [=, &s](int k) { lie_derivative(s.K(), s.mesh.points, field, k, Sampling::upwind); }},
-        {"interior_product on cells", 0, n + 1,
          [=, &s](int k) {
-             interior_product(s.mesh.merging, s.lift, s.mesh.points, field, k, Sampling::upwind);
+             interior_product(s.K(), s.mesh.points(), field, k, Sampling::centered);
          }},
+        {"lie_derivative", 0, n,
+         [=, &s](int k) { lie_derivative(s.K(), s.mesh.points(), field, k, Sampling::upwind); }},
+        {"interior_product on cells", 0, n + 1,
+         [=, &s](int k) { interior_product(s.mesh, field, k, Sampling::upwind); }},
         {"whitney_mass", 0, n,
          [=, &s, &mesh](int j) {
              const auto corners = s.K().simplices(n);
-             whitney_mass(mesh.points, {&corners(0, 0), std::size_t(n) + 1}, j);
+             whitney_mass(mesh.points(), {&corners(0, 0), std::size_t(n) + 1}, j);
          }},
     };
 }
@@ -164,7 +164,7 @@ std::vector<Door> doors_of_forms(const Sample& s) {
         doors.push_back({"draw_cells", 0, n, [&](int k) { draw_cells(s.mesh, k); }});
         doors.push_back({"add_cochain", 0, n, [&](int k) {
                              VtuGrid grid = draw_cells(s.mesh, 0);
-                             add_cochain(grid, s.mesh.merging, k, "a",
+                             add_cochain(grid, s.mesh.merging(), k, "a",
                                          Vector(Vector::Ones(s.P().size(k))));
                          }});
     }
@@ -172,7 +172,7 @@ std::vector<Door> doors_of_forms(const Sample& s) {
 }
 
 std::vector<Door> doors_of_flips() {
-    const auto& passage = flipped().passage;
+    const auto& passage = flipped().passage();
     const auto& history = passage.flips().history;
     const auto size = [&](int k) { return passage.pieces().size(k); };
     return {

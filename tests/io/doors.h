@@ -14,18 +14,15 @@ namespace polydec::test {
 struct Sample {
     std::string name;
     Discretization mesh;
-    std::vector<SparseMatrix> lift;
 
     explicit Sample(std::string title, const Mesh& input)
-        : name(std::move(title)),
-          mesh(discretize(input)),
-          lift(commuting_lift(mesh.merging, mesh.metric(), mesh.input_volumes)) {}
+        : name(std::move(title)), mesh(discretize(input)) {}
 
     int n() const { return mesh.dimension(); }
     const SimplicialComplex& K() const { return mesh.input(); }
     const CellComplex& P() const { return mesh.complex(); }
-    const CellVolumes& V() const { return mesh.volumes; }
-    const CellVolumes& W() const { return mesh.input_volumes; }
+    const CellVolumes& V() const { return mesh.volumes(); }
+    const CellVolumes& W() const { return mesh.input_volumes(); }
 };
 
 inline const std::vector<Sample>& samples() {

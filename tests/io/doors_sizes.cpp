@@ -18,21 +18,21 @@ TEST(doors, a_cell_that_there_is_not_is_refused) {
         const int n = s.n();
         for (int k = 0; k <= n; ++k)
             for (const Index cell : {-1, s.P().size(k), s.P().size(k) + 1, Index(1) << 30}) {
-                EXPECT_EQ(outcome([&] { s.mesh.merging.vertices(k, cell); }), "refused");
+                EXPECT_EQ(outcome([&] { s.mesh.merging().vertices(k, cell); }), "refused");
                 EXPECT_EQ(outcome([&] { cell_vertices(s.mesh, k, cell); }), "refused");
             }
         for (const Index cell : {-1, s.K().size(n), Index(1) << 30}) {
             EXPECT_EQ(outcome([&] { s.K().input_row(cell); }), "refused");
             EXPECT_EQ(outcome([&] { s.K().orientation(cell); }), "refused");
             EXPECT_EQ(outcome([&] {
-                          whitney_form(s.K(), s.mesh.points,
+                          whitney_form(s.K(), s.mesh.points(),
                                        {Side::primal, 0, Vector::Ones(s.K().size(0))}, cell,
                                        Vector::Constant(n + 1, 1.0 / (n + 1)));
                       }),
                       "refused");
         }
         for (const Index cell : {-1, s.P().size(2), Index(1) << 30})
-            EXPECT_EQ(outcome([&] { corners(s.mesh.merging, cell); }), "refused");
+            EXPECT_EQ(outcome([&] { corners(s.mesh.merging(), cell); }), "refused");
         EXPECT_EQ(outcome([&] { geodesic_distance(s.mesh, std::vector<Index>{-1}); }), "refused");
     }
 }
@@ -71,7 +71,7 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
                 if (n <= 3)
                     calls.emplace_back("add_cochain", [&] {
                         VtuGrid grid = draw_cells(s.mesh, 0);
-                        add_cochain(grid, s.mesh.merging, k, "a", x);
+                        add_cochain(grid, s.mesh.merging(), k, "a", x);
                     });
                 for (const auto& [what, call] : calls)
                     EXPECT_EQ(outcome(call), "refused")
@@ -117,9 +117,9 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
                 {"apply_laplacian", [&] { apply_laplacian(s.P(), other.V(), k, w.values); }},
                 {"star", [&] { star(s.P(), other.V(), w); }},
                 {"inner_product", [&] { inner_product(s.P(), other.V(), w, w); }},
-                {"dual_to_merged", [&] { dual_to_merged(s.mesh.merging, other.W(), k); }},
+                {"dual_to_merged", [&] { dual_to_merged(s.mesh.merging(), other.W(), k); }},
                 {"dual_parts", [&] { dual_parts(s.K(), s.mesh.metric(), other.W(), k, s.n()); }},
-                {"lift", [&] { commuting_lift(s.mesh.merging, s.mesh.metric(), other.W()); }},
+                {"lift", [&] { commuting_lift(s.mesh.merging(), s.mesh.metric(), other.W()); }},
                 {"merge", [&] { merge_cospherical(s.K(), s.mesh.metric(), other.W()); }},
                 {"facet_kinds", [&] { facet_kinds(s.K(), s.mesh.metric(), other.W()); }},
                 {"heat", [&] { HeatSolver(s.P(), other.V(), Side::primal, k, {.time_step = 1}); }},
@@ -130,10 +130,10 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
             for (const auto& [what, call] : calls)
                 EXPECT_EQ(outcome(call), "refused") << what << ", degree " << k << ", " << s.name;
         }
-        const Points few = s.mesh.points.topRows(2);
+        const Points few = s.mesh.points().topRows(2);
         for (int k = 0; k <= s.n(); ++k) {
-            EXPECT_EQ(outcome([&] { cell_centers(s.mesh.merging, few, s.W(), k); }), "refused");
-            EXPECT_EQ(outcome([&] { cell_centroids(s.mesh.merging, few, s.W(), k); }), "refused");
+            EXPECT_EQ(outcome([&] { cell_centers(s.mesh.merging(), few, s.W(), k); }), "refused");
+            EXPECT_EQ(outcome([&] { cell_centroids(s.mesh.merging(), few, s.W(), k); }), "refused");
             EXPECT_EQ(outcome([&] { circumcenters(few, s.K().simplices(k)); }), "refused");
             EXPECT_EQ(outcome([&] { circumradii(few, s.K().simplices(k)); }), "refused");
         }

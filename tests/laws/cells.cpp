@@ -77,9 +77,9 @@ TEST(HostileMeshes, are_filled_by_their_duals) {
     };
     EXPECT_TRUE(holds_on_hostile_discretizations(
         "sum |s||*s| = C(n,k)|K|", [&](const Discretization& mesh) {
-            fills(mesh.input_volumes, 1e-11);
+            fills(mesh.input_volumes(), 1e-11);
             // the duals of removed facets, as long as the tolerance allows, are left out
-            fills(mesh.volumes, 10 * mesh.options.tolerance);
+            fills(mesh.volumes(), 10 * mesh.options().tolerance);
         }));
 }
 
@@ -92,7 +92,7 @@ TEST(HostileMeshes, do_not_depend_on_the_order_of_their_input) {
             return;
         RC_ASSERT(same_counts(first->complex(), second->complex()));
         for (int k = 0; k < first->dimension(); ++k)
-            RC_ASSERT(difference_of_duals(first->volumes, second->volumes, k, 1) <= 1e-7);
+            RC_ASSERT(difference_of_duals(first->volumes(), second->volumes(), k, 1) <= 1e-7);
     }));
 }
 
@@ -107,19 +107,19 @@ TEST(HostileMeshes, scale_by_powers_of_two_without_a_change_of_a_bit) {
         if (!first)
             return;
         RC_ASSERT(same_counts(first->complex(), second->complex()));
-        const double in_units = second->unit / (first->unit * scale);
+        const double in_units = second->unit() / (first->unit() * scale);
         for (int k = 0; k < first->dimension(); ++k)
-            RC_ASSERT(difference_of_duals(first->volumes, second->volumes, k,
+            RC_ASSERT(difference_of_duals(first->volumes(), second->volumes(), k,
                                           std::pow(in_units, first->dimension() - k)) == 0);
     }));
 }
 
 TEST(HostileMeshes, would_show_a_wrong_factor) {
     const auto mesh = discretize(mesh_named("torus8x6"));
-    EXPECT_LE(defect_of_dual_volumes(mesh.volumes, 1), 1e-14);
-    EXPECT_GT(defect_of_dual_volumes(mesh.volumes, 1, 1.1), 1e-3);
-    EXPECT_EQ(difference_of_duals(mesh.volumes, mesh.volumes, 1, 1), 0);
-    EXPECT_GT(difference_of_duals(mesh.volumes, mesh.volumes, 1, 1.1), 1e-3);
+    EXPECT_LE(defect_of_dual_volumes(mesh.volumes(), 1), 1e-14);
+    EXPECT_GT(defect_of_dual_volumes(mesh.volumes(), 1, 1.1), 1e-3);
+    EXPECT_EQ(difference_of_duals(mesh.volumes(), mesh.volumes(), 1, 1), 0);
+    EXPECT_GT(difference_of_duals(mesh.volumes(), mesh.volumes(), 1, 1.1), 1e-3);
 }
 
 } // namespace

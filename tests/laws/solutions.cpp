@@ -34,15 +34,15 @@ ExtendedVector extended_star(const CellVolumes& volumes, int k) {
 /// A_k of the Laplace-de Rham operator, from its definition.
 Extended dense_laplacian(const Discretization& mesh, int k) {
     const auto& complex = mesh.complex();
-    const ExtendedVector mass = extended_star(mesh.volumes, k);
+    const ExtendedVector mass = extended_star(mesh.volumes(), k);
     Extended A = Extended::Zero(complex.size(k), complex.size(k));
     if (k < mesh.dimension()) {
         const Extended d = dense(complex.coboundary(k));
-        A += d.transpose() * extended_star(mesh.volumes, k + 1).asDiagonal() * d;
+        A += d.transpose() * extended_star(mesh.volumes(), k + 1).asDiagonal() * d;
     }
     if (k > 0) {
         const Extended up = mass.asDiagonal() * dense(complex.coboundary(k - 1));
-        A += up * extended_star(mesh.volumes, k - 1).cwiseInverse().asDiagonal() * up.transpose();
+        A += up * extended_star(mesh.volumes(), k - 1).cwiseInverse().asDiagonal() * up.transpose();
     }
     return A;
 }
@@ -53,7 +53,7 @@ struct DenseSpectrum {
 };
 
 DenseSpectrum dense_spectrum(const Discretization& mesh, int k) {
-    const ExtendedVector scaling = extended_star(mesh.volumes, k).cwiseSqrt().cwiseInverse();
+    const ExtendedVector scaling = extended_star(mesh.volumes(), k).cwiseSqrt().cwiseInverse();
     const Extended B = scaling.asDiagonal() * dense_laplacian(mesh, k) * scaling.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Extended> solver((B + B.transpose()) / 2,
                                                          Eigen::EigenvaluesOnly);
@@ -76,7 +76,7 @@ TEST(HostileMeshes, have_eigenvalues_within_their_radii) {
             const SpectrumOptions options{.degree = k,
                                           .count = std::min<Index>(4, mesh.complex().size(k))};
             const auto found =
-                unless_refused([&] { return spectrum(mesh.complex(), mesh.volumes, options); });
+                unless_refused([&] { return spectrum(mesh.complex(), mesh.volumes(), options); });
             if (!found)
                 continue;
             RC_ASSERT(found->eigenvalues.size() == options.count);
@@ -106,13 +106,14 @@ struct DensePoisson {
 DensePoisson dense_poisson(const Discretization& mesh, const Vector& f) {
     const auto& complex = mesh.complex();
     const Extended d = dense(complex.coboundary(0));
-    const Extended A = d.transpose() * extended_star(mesh.volumes, 1).asDiagonal() * d;
+    const Extended A = d.transpose() * extended_star(mesh.volumes(), 1).asDiagonal() * d;
     const auto marks = essential_cells(complex, {});
     std::vector<Index> inside;
     for (Index v = 0; v < complex.size(0); ++v)
         if (!marks[0][v])
             inside.push_back(v);
-    const ExtendedVector load = extended_star(mesh.volumes, 0).cwiseProduct(f.cast<long double>());
+    const ExtendedVector load =
+        extended_star(mesh.volumes(), 0).cwiseProduct(f.cast<long double>());
     const Extended interior = A(inside, inside);
     DensePoisson result{ExtendedVector::Zero(complex.size(0)), 1};
     if (inside.empty())

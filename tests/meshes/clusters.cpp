@@ -18,7 +18,7 @@ namespace {
 std::vector<std::size_t> corner_counts(const Discretization& mesh) {
     const int n = mesh.dimension();
     std::vector<std::set<Index>> corners(static_cast<std::size_t>(mesh.complex().size(n)));
-    const auto& carriers = mesh.merging.carriers(n);
+    const auto& carriers = mesh.merging().carriers(n);
     for (std::size_t t = 0; t < carriers.size(); ++t)
         for (int i = 0; i <= n; ++i)
             corners[carriers[t].cell].insert(
@@ -37,7 +37,7 @@ double least_inner_star(const Mesh& input, MergeCriterion criterion) {
     double least = std::numeric_limits<double>::infinity();
     for (Index f = 0; f < mesh.complex().size(n - 1); ++f)
         if (mesh.complex().coface_counts(n - 1)[f] == 2)
-            least = std::min(least, mesh.volumes.dual(n - 1)[f]);
+            least = std::min(least, mesh.volumes().dual(n - 1)[f]);
     return least;
 }
 

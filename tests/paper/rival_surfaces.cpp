@@ -35,7 +35,7 @@ PolygonLaplacian of_graph(const PolygonMesh& mesh) {
 
 PolygonMesh polygons(const Mesh& mesh) {
     const auto made = discretize(mesh);
-    auto result = polygon_mesh(made.merging, made.points);
+    auto result = polygon_mesh(made.merging(), made.points());
     const auto axes = result.points.cols();
     result.points.conservativeResize(Eigen::NoChange, 3);
     result.points.rightCols(3 - axes).setZero();

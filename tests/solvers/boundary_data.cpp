@@ -30,19 +30,19 @@ DenseMatrix outward_normals(const Discretization& mesh) {
     const IncidenceMatrix cofaces = K.boundary(n);
     DenseMatrix normals = DenseMatrix::Zero(mesh.complex().size(n - 1), n);
     for (Index f = 0; f < K.size(n - 1); ++f) {
-        const auto& carrier = mesh.merging.carriers(n - 1)[f];
+        const auto& carrier = mesh.merging().carriers(n - 1)[f];
         if (K.coface_counts(n - 1)[f] != 1 || carrier.dimension != n - 1)
             continue;
         const auto corners = K.simplices(n - 1).row(f);
         const auto top = static_cast<Index>(IncidenceMatrix::InnerIterator(cofaces, f).col());
         DenseMatrix edges(n, n - 1);
         for (int i = 1; i < n; ++i)
-            edges.col(i - 1) = (mesh.points.row(corners[i]) - mesh.points.row(corners[0]));
+            edges.col(i - 1) = (mesh.points().row(corners[i]) - mesh.points().row(corners[0]));
         const DenseMatrix Q = Eigen::HouseholderQR<DenseMatrix>(edges).householderQ();
         Vector normal = Q.col(n - 1);
         for (const Index v : K.simplices(n).row(top))
             if (std::find(corners.begin(), corners.end(), v) == corners.end() &&
-                normal.dot((mesh.points.row(v) - mesh.points.row(corners[0])).transpose()) > 0)
+                normal.dot((mesh.points().row(v) - mesh.points().row(corners[0])).transpose()) > 0)
                 normal = -normal;
         normals.row(carrier.cell) = normal;
     }
@@ -60,7 +60,7 @@ protected:
         const int n = mesh().dimension();
         const Vector slope = Vector::LinSpaced(n, 1, 2);
         const double middle =
-            (mesh().points.col(0).minCoeff() + mesh().points.col(0).maxCoeff()) / 2;
+            (mesh().points().col(0).minCoeff() + mesh().points().col(0).maxCoeff()) / 2;
         const Points sites = cell_centers_of_facets();
         PoissonSolver solver(
             mesh(), {.side = side, .boundary = essential_where(sites, [&](const Vector& site) {
@@ -117,7 +117,7 @@ double wave_error(Side side, int cells) {
     }
     const Vector u = solver.solve(f, values, slopes);
     const Vector& volume =
-        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
+        side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(mesh.dimension());
     double square = 0;
     for (Index i = 0; i < u.size(); ++i)
         square += volume[i] * std::pow(u[i] - wave(solver.sites().row(i)), 2);
@@ -150,12 +150,12 @@ TEST(NaturalConditions, say_how_far_fluxes_are_from_balanced) {
 Vector harmonic_extension(const Discretization& mesh, int k, const Vector& w) {
     const auto& P = mesh.complex();
     const auto relative = relative_to_boundary(P);
-    const auto volumes = relative_volumes(relative, mesh.volumes);
+    const auto volumes = relative_volumes(relative, mesh.volumes());
     Vector boundary_part = w;
     boundary_part(relative.cells[k]).setZero();
 
     const SparseMatrix d = derivative(P, k);
-    const Vector flux = d.transpose() * star(mesh.volumes, k + 1).cwiseProduct(d * boundary_part);
+    const Vector flux = d.transpose() * star(mesh.volumes(), k + 1).cwiseProduct(d * boundary_part);
     const auto solver = make_linear_solver("auto");
     solver->factorize(symmetric_laplacian(relative.complex, volumes, k),
                       {.symmetry = Symmetry::symmetric, .definiteness = Definiteness::positive});

@@ -69,7 +69,7 @@ BoundaryConditions left_part(const Discretization& mesh) {
 
 TEST(CrossedSquares, have_one_dual_spectrum_exact_jittered_and_in_single_precision) {
     const Mesh exact = crossed_squares(10);
-    ASSERT_EQ(discretize(exact).degenerate.boundary, 40);
+    ASSERT_EQ(discretize(exact).degenerate().boundary, 40);
     EXPECT_NEAR(first_eigenvalue(exact, Side::dual, dirichlet), 19.5774, 5e-5);
     for (const auto& other : {perturbed(exact, 1e-7, 1), perturbed(exact, 1e-7, 2),
                               in_single_precision(exact), perturbed(exact, 1e-12, 3)})
@@ -88,7 +88,7 @@ std::vector<Mesh> with_centers_on_the_boundary() {
 TEST(DualSpectra, have_the_modes_of_the_Poisson_problem_under_the_same_conditions) {
     for (const auto& input : with_centers_on_the_boundary()) {
         const auto mesh = discretize(input);
-        ASSERT_GT(mesh.degenerate.boundary, 0);
+        ASSERT_GT(mesh.degenerate().boundary, 0);
         for (const auto& conditions : {dirichlet, left_part(mesh)}) {
             const auto found =
                 spectrum(mesh, conditions, {.side = Side::dual, .degree = 0, .count = 4});
@@ -132,7 +132,7 @@ TEST(DualSpectra, without_flow_have_the_constants_at_0) {
         EXPECT_NEAR(found.eigenvalues[0], 0, 1e-9 * found.eigenvalues[1]);
         EXPECT_GT(found.eigenvalues[1], 0.1);
         const Vector mode = found.modes.col(0);
-        const Vector& volumes = mesh.volumes.primal(mesh.dimension());
+        const Vector& volumes = mesh.volumes().primal(mesh.dimension());
         EXPECT_LE((mode.array() - mode[0]).abs().maxCoeff(), 1e-8 * std::abs(mode[0]));
         EXPECT_NEAR(volumes.dot(mode.cwiseAbs2()), 1, 1e-9);
     }
@@ -221,20 +221,20 @@ TEST(DualSpectra, of_1_forms_have_those_of_functions_among_them) {
 TEST(DualSpectraBroken, with_the_duals_of_centers_on_the_boundary_make_no_sense) {
     const auto exact = discretize(crossed_squares(10));
     EXPECT_EQ(refusal([&] {
-                  spectrum(exact.complex(), exact.volumes, {.side = Side::dual, .count = 1});
+                  spectrum(exact.complex(), exact.volumes(), {.side = Side::dual, .count = 1});
               }).substr(0, 45),
               "the inverse star of degree 1 divides by zero:");
     const auto moved = discretize(perturbed(crossed_squares(10), 1e-7, 1));
     EXPECT_LT(
-        spectrum(moved.complex(), moved.volumes, {.side = Side::dual, .count = 1}).eigenvalues[0],
+        spectrum(moved.complex(), moved.volumes(), {.side = Side::dual, .count = 1}).eigenvalues[0],
         -1e6);
 }
 
 TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
     // the diagonals, of which none is on the boundary
     const auto mesh = discretize(grid(4, 4), {.criterion = MergeCriterion::none});
-    const auto zero = zero_star_cells(mesh.volumes, 1);
-    const auto cells = "(cells " + numbers_of(mesh.volumes, 1, zero) + ")";
+    const auto zero = zero_star_cells(mesh.volumes(), 1);
+    const auto cells = "(cells " + numbers_of(mesh.volumes(), 1, zero) + ")";
     for (const Side side : sides) {
         // by which the boundary is left out
         const auto& conditions = side == Side::primal ? dirichlet : neumann;
@@ -257,7 +257,7 @@ TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
 TEST(ConditionedErrors, know_the_mesh_through_several_relative_complexes) {
     const auto mesh = discretize(grid(4, 4), {.criterion = MergeCriterion::none});
     const auto inside = relative_to_boundary(mesh.complex());
-    const auto volumes = relative_volumes(inside, mesh.volumes);
+    const auto volumes = relative_volumes(inside, mesh.volumes());
     CellMarks marks;
     for (int k = 0; k <= 2; ++k)
         marks.emplace_back(inside.complex.size(k), false);
@@ -267,8 +267,8 @@ TEST(ConditionedErrors, know_the_mesh_through_several_relative_complexes) {
     for (int k = 0; k <= 2; ++k)
         for (Index cell = 0; cell < rest.complex.size(k); ++cell)
             EXPECT_EQ(rest_volumes.number(k, cell), inside.cells[k][rest.cells[k][cell]]);
-    EXPECT_EQ(mesh.volumes.number(1, 7), 7);
-    EXPECT_NE(refusal([&] { mesh.volumes.numbered({}); }), "accepted");
+    EXPECT_EQ(mesh.volumes().number(1, 7), 7);
+    EXPECT_NE(refusal([&] { mesh.volumes().numbered({}); }), "accepted");
 }
 
 TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
@@ -281,7 +281,7 @@ TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
     // clang-format on
     const auto mesh = discretize(ring);
     const auto inside = relative_to_boundary(mesh.complex());
-    const auto volumes = relative_volumes(inside, mesh.volumes);
+    const auto volumes = relative_volumes(inside, mesh.volumes());
     const auto negative = negative_star_cells(volumes, 1);
     ASSERT_EQ(negative.size(), 1U);
     const Index edge = inside.cells[1][negative[0]];

@@ -32,14 +32,15 @@ Vector random_conductivity(const Discretization& mesh, unsigned seed) {
 
 /// That of every n-simplex.
 Vector on_simplices(const Discretization& mesh, const Vector& conductivity) {
-    const SparseMatrix pieces = mesh.merging.diamond(mesh.dimension()).cast<double>().cwiseAbs();
+    const SparseMatrix pieces = mesh.merging().diamond(mesh.dimension()).cast<double>().cwiseAbs();
     return pieces.transpose() * conductivity;
 }
 
 /// star_1 of a simplex that is a mesh of its own, in the lexicographic order of its edges.
-Vector star_of(const Mesh& mesh, const Simplices& simplex) {
+Vector star_of(const Points& all, const Simplices& simplex) {
     const SimplicialComplex alone(simplex);
-    return star(circumcentric_volumes(alone, SimplexMetric(mesh.points)), 1);
+    const Points points = vertex_points(alone, all);
+    return star(circumcentric_volumes(alone, SimplexMetric(points)), 1);
 }
 
 /// The matrix for 0-forms of the simplices, each alone in the world, added up.
@@ -49,16 +50,13 @@ DenseMatrix sum_over_simplices(const Mesh& input, const Discretization& mesh,
     const int n = K.dimension();
     const SparseMatrix d = derivative(K, 0);
     DenseMatrix A = DenseMatrix::Zero(K.size(0), K.size(0));
-    std::vector<Index> number(input.points.rows(), -1);
-    for (Index v = 0; v < K.size(0); ++v)
-        number[K.simplices(0)(v, 0)] = v;
     for (Index t = 0; t < K.size(n); ++t) {
         const Simplices corners = K.simplices(n).row(t);
-        const Vector weights = conductivity[t] * star_of(input, corners);
+        const Vector weights = conductivity[t] * star_of(mesh.points(), corners);
         Index edge = 0;
         for (int i = 0; i <= n; ++i)
             for (int j = i + 1; j <= n; ++j, ++edge) {
-                const Index a = number[corners(0, i)], b = number[corners(0, j)];
+                const Index a = corners(0, i), b = corners(0, j);
                 A(a, a) += weights[edge], A(b, b) += weights[edge];
                 A(a, b) -= weights[edge], A(b, a) -= weights[edge];
             }
@@ -72,7 +70,7 @@ double error_of_solution(const Discretization& mesh, const Vector& conductivity,
                          const DenseMatrix& A) {
     PoissonSolver solver(mesh, {.conductivity = conductivity});
     const Vector v = random_vector(mesh.complex().size(0), 17);
-    const Vector f = (A * v).cwiseQuotient(star(mesh.volumes, 0));
+    const Vector f = (A * v).cwiseQuotient(star(mesh.volumes(), 0));
     const Vector u = solver.solve(f, v);
     const SparseMatrix d = derivative(mesh.complex(), 0);
     return relative_difference(Vector(d * u), Vector(d * v));
@@ -98,10 +96,10 @@ DenseMatrix finite_elements(const Discretization& mesh, const Vector& conductivi
     DenseMatrix A = DenseMatrix::Zero(K.size(0), K.size(0));
     for (Index t = 0; t < K.size(2); ++t) {
         const auto corners = K.simplices(2).row(t);
-        Points sides(3, mesh.points.cols());
+        Points sides(3, mesh.points().cols());
         for (int i = 0; i < 3; ++i)
             sides.row(i) =
-                mesh.points.row(corners[(i + 2) % 3]) - mesh.points.row(corners[(i + 1) % 3]);
+                mesh.points().row(corners[(i + 2) % 3]) - mesh.points().row(corners[(i + 1) % 3]);
         const DenseMatrix products = sides * sides.transpose();
         const double area =
             std::sqrt(products(0, 0) * products(1, 1) - std::pow(products(0, 1), 2)) / 2;

@@ -93,8 +93,9 @@ TEST(PencilRefuses, what_is_no_number_or_no_share) {
 TEST(CoexactSpectrum, of_forms_that_there_are_not_is_refused_at_once) {
     const auto mesh = discretize(kuhn(3, 6));
     const auto refused = [&](int k, Index count) {
-        return refusal(
-            [&] { coexact_spectrum(mesh.complex(), mesh.volumes, {.degree = k, .count = count}); });
+        return refusal([&] {
+            coexact_spectrum(mesh.complex(), mesh.volumes(), {.degree = k, .count = count});
+        });
     };
     EXPECT_EQ(refused(3, 1), "1 coexact 3-forms asked for: there are 0");
     EXPECT_EQ(refused(0, 343), "343 coexact 0-forms asked for: there are 342");
@@ -122,7 +123,7 @@ TEST(CoexactSpectrum, names_its_own_rough_values) {
     for (Index i = 0; i + 1 < count; ++i)
         strip.simplices.row(count + i) << i + 1, count + 2 + i, count + 1 + i;
     const auto mesh = discretize(strip);
-    const auto found = coexact_spectrum(mesh.complex(), mesh.volumes, {.degree = 0, .count = 1});
+    const auto found = coexact_spectrum(mesh.complex(), mesh.volumes(), {.degree = 0, .count = 1});
     ASSERT_EQ(found.eigenvalues.size(), 1);
     for (const Index i : found.rough)
         EXPECT_EQ(i, 0);

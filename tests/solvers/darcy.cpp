@@ -25,7 +25,7 @@ protected:
     /// Pressures given where the first coordinate is small, fluxes elsewhere.
     BoundaryConditions mixed(const Points& facets) const {
         const double middle =
-            (mesh().points.col(0).minCoeff() + mesh().points.col(0).maxCoeff()) / 2;
+            (mesh().points().col(0).minCoeff() + mesh().points().col(0).maxCoeff()) / 2;
         return essential_where(facets, [=](const Vector& site) { return site[0] < middle; });
     }
 
@@ -37,7 +37,7 @@ protected:
         for (Index f = 0; f < result.size(); ++f)
             if (mesh().complex().coface_counts(n - 1)[f] == 1)
                 result[f] = SparseMatrix::InnerIterator(cofaces, f).value() * flux.values[f] /
-                            mesh().volumes.primal(n - 1)[f];
+                            mesh().volumes().primal(n - 1)[f];
         return result;
     }
 
@@ -55,8 +55,8 @@ TEST_P(FlatDarcy, linear_pressures_and_their_fluxes_come_out) {
     const double turn = mesh().input().orientation(0) * [&] {
         DenseMatrix edges(n, n);
         for (int i = 0; i < n; ++i)
-            edges.row(i) = mesh().points.row(mesh().input().simplices(n)(0, i + 1)) -
-                           mesh().points.row(mesh().input().simplices(n)(0, 0));
+            edges.row(i) = mesh().points().row(mesh().input().simplices(n)(0, i + 1)) -
+                           mesh().points().row(mesh().input().simplices(n)(0, 0));
         return edges.determinant() > 0 ? 1.0 : -1.0;
     }();
     const Cochain oriented = turn * exact;
@@ -76,7 +76,7 @@ TEST_P(FlatDarcy, every_cell_balances_its_source) {
     const Vector pressures = random_vector(facets.rows(), 2), out = random_vector(facets.rows(), 3);
     const auto flow = solver.solve(source, pressures, out);
     const Vector balance = derivative(mesh().complex(), n - 1) * flow.flux.values -
-                           mesh().volumes.primal(n).cwiseProduct(source);
+                           mesh().volumes().primal(n).cwiseProduct(source);
     EXPECT_LE(balance.cwiseAbs().maxCoeff(), 1e-10 * flow.flux.values.cwiseAbs().maxCoeff());
 }
 
@@ -98,7 +98,7 @@ TEST(DarcyCorners, cells_with_several_facets_without_dual_balance_as_a_whole) {
     const auto flow = solver.solve(source, solver.facet_sites() * slope,
                                    Vector::Zero(solver.facet_sites().rows()));
     const Vector balance = derivative(mesh.complex(), 2) * flow.flux.values -
-                           mesh.volumes.primal(3).cwiseProduct(source);
+                           mesh.volumes().primal(3).cwiseProduct(source);
     EXPECT_LE(balance.cwiseAbs().maxCoeff(), 1e-12);
 }
 
@@ -133,11 +133,11 @@ Orders errors(const Mesh& input) {
                                    return X;
                                }));
     const Vector weights =
-        mesh.volumes.dual(n - 1).cwiseAbs().cwiseQuotient(mesh.volumes.primal(n - 1));
+        mesh.volumes().dual(n - 1).cwiseAbs().cwiseQuotient(mesh.volumes().primal(n - 1));
     const double sign =
         exact.values.dot(flow.flux.values) > 0 ? 1 : -1; // cells may be turned against R^n
     const Vector difference = flow.flux.values - sign * exact.values;
-    return {std::sqrt(mesh.volumes.primal(n).dot((flow.pressure.values - p).cwiseAbs2())),
+    return {std::sqrt(mesh.volumes().primal(n).dot((flow.pressure.values - p).cwiseAbs2())),
             std::sqrt(weights.dot(difference.cwiseAbs2()))};
 }
 

@@ -197,7 +197,7 @@ TEST(MixedConditions, have_the_harmonic_forms_of_the_pair) {
     // a ring held at the outer circle is that circle times an interval held at one end
     const auto ring = discretize(annulus(12));
     const auto& P = ring.complex();
-    const Points sites = cell_centers(ring.merging, ring.points, ring.input_volumes, 1);
+    const Points sites = cell_centers(ring.merging(), ring.points(), ring.input_volumes(), 1);
     const double middle =
         0.5 * (sites.rowwise().norm().maxCoeff() + sites.rowwise().norm().minCoeff());
     const auto held =
@@ -205,7 +205,7 @@ TEST(MixedConditions, have_the_harmonic_forms_of_the_pair) {
                                                 return site.norm() > middle;
                                             })));
     EXPECT_EQ(betti_numbers(held.complex), (std::vector<Index>{0, 0, 0}));
-    const auto volumes = relative_volumes(held, ring.volumes);
+    const auto volumes = relative_volumes(held, ring.volumes());
     EXPECT_EQ(harmonic_forms(held.complex, volumes, Side::primal, 1).cols(), 0);
 }
 
@@ -213,11 +213,11 @@ TEST(HarmonicForms, on_a_flat_ring_are_the_angle) {
     // |d angle|^2 integrates to 2 pi log(outer / inner), so periods tell the norm
     const auto error = [](int segments) {
         const auto ring = discretize(annulus(segments));
-        const DenseMatrix H = harmonic_forms(ring.complex(), ring.volumes, Side::primal, 1);
+        const DenseMatrix H = harmonic_forms(ring.complex(), ring.volumes(), Side::primal, 1);
         const SparseMatrix G = homology_generators(ring.complex(), 1);
         const double period = std::abs((G.transpose() * H)(0, 0));
-        const double outer = ring.points.rowwise().norm().maxCoeff();
-        const double inner = ring.points.rowwise().norm().minCoeff();
+        const double outer = ring.points().rowwise().norm().maxCoeff();
+        const double inner = ring.points().rowwise().norm().minCoeff();
         const double exact = std::sqrt(2 * M_PI / std::log(outer / inner));
         return std::abs(period - exact) / exact;
     };

@@ -31,15 +31,15 @@ TEST_P(OnFlippedSurfaces, harmonic_forms_are_as_many_as_betti_numbers_say) {
     const auto mesh = flipped(this->mesh());
     const auto betti = betti_numbers(mesh.complex());
     for (int k = 0; k <= 2; ++k)
-        EXPECT_EQ(harmonic_forms(mesh.complex(), mesh.volumes, Side::primal, k).cols(), betti[k])
+        EXPECT_EQ(harmonic_forms(mesh.complex(), mesh.volumes(), Side::primal, k).cols(), betti[k])
             << "degree " << k;
 }
 
 TEST_P(OnFlippedSurfaces, forms_are_sums_of_orthogonal_parts) {
     const auto mesh = flipped(this->mesh());
     const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 5)};
-    const auto parts = hodge_decomposition(mesh.complex(), mesh.volumes, form);
-    const Vector mass = star(mesh.volumes, 1);
+    const auto parts = hodge_decomposition(mesh.complex(), mesh.volumes(), form);
+    const Vector mass = star(mesh.volumes(), 1);
     const Vector sum = parts.exact.values + parts.coexact.values + parts.harmonic.values;
     EXPECT_LT(relative_difference(sum, form.values), 1e-9);
     const double size = form.values.dot(mass.cwiseProduct(form.values));
@@ -73,7 +73,7 @@ TEST(OnSurfacesAsTheyAre, forms_have_no_mass_where_duals_are_negative) {
 /// given, on a square of bad triangles after flips.
 double error_in_the_plane(Side side, const std::function<double(double, double)>& u, double f) {
     const auto mesh = flipped(perturbed(grid(9, 9), 0.04, 3));
-    EXPECT_GT(mesh.passage.flips().statistics.flips, 0);
+    EXPECT_GT(mesh.passage().flips().statistics.flips, 0);
     PoissonSolver solver(mesh, {.side = side});
     const auto at = [&](const Points& sites) {
         Vector values(sites.rows());
@@ -121,7 +121,7 @@ TEST(GeodesicDistance, of_a_bundle_is_that_of_its_triangles_before_or_after_flip
     const Index from[] = {0};
     const auto error = [&](const Discretization& surface) {
         const Vector d = geodesic_distance(surface, from);
-        const Points points = vertex_points(surface);
+        const Points points = surface.points();
         const Vector exact = (points.rowwise() - points.row(0)).rowwise().norm();
         return (d - exact).cwiseAbs().mean();
     };

@@ -68,7 +68,8 @@ double error_of_wave(const Mesh& input, Side side) {
     };
     const Vector exact = wave(solver.sites());
     const Vector u = solver.solve(n * M_PI * M_PI * exact, wave(solver.boundary_sites()));
-    const Vector& weights = side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(n);
+    const Vector& weights =
+        side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(n);
     return std::sqrt(weights.dot((u - exact).cwiseAbs2()));
 }
 

@@ -37,7 +37,7 @@ double error(const Mesh& input, MergeCriterion criterion, Side side, double seco
         discretize(input, {.criterion = criterion, .materials = Materials::keep_apart});
     Vector conductivity(mesh.complex().size(mesh.dimension()));
     for (Index cell = 0; cell < conductivity.size(); ++cell)
-        conductivity[cell] = mesh.tags[cell] == 1 ? 1 : second;
+        conductivity[cell] = mesh.tags()[cell] == 1 ? 1 : second;
     PoissonSolver solver(mesh, {.side = side, .conductivity = conductivity});
     const auto exact = [](const Points& sites) {
         return Vector(sites.col(0).unaryExpr(&potential));
@@ -77,7 +77,7 @@ TEST(TwoMaterials, have_their_exact_solution_where_the_wall_divides_cospherical_
     mesh = two_materials(mesh);
     EXPECT_LT(error(mesh, MergeCriterion::dual_length, Side::primal), rounding);
     const auto joined = discretize(mesh);
-    EXPECT_EQ(joined.warnings.size(), 1u);
+    EXPECT_EQ(joined.warnings().size(), 1u);
     EXPECT_LT(joined.complex().size(2),
               discretize(mesh, {.materials = Materials::keep_apart}).complex().size(2));
 }

@@ -19,21 +19,22 @@ namespace {
 /// star_k + (star times Laplacian) on k-forms, as a function: positive where the stars are.
 SymmetricOperator shifted_laplacian(const Discretization& cells, int k) {
     return {cells.complex().size(k), [&cells, k](const Vector& x, Vector& y) {
-                y = apply_symmetric_laplacian(cells.complex(), cells.volumes, k, x) +
-                    star(cells.volumes, k).cwiseProduct(x);
+                y = apply_symmetric_laplacian(cells.complex(), cells.volumes(), k, x) +
+                    star(cells.volumes(), k).cwiseProduct(x);
             }};
 }
 
 Vector diagonal(const Discretization& cells, int k) {
-    return symmetric_laplacian_diagonal(cells.complex(), cells.volumes, k) + star(cells.volumes, k);
+    return symmetric_laplacian_diagonal(cells.complex(), cells.volumes(), k) +
+           star(cells.volumes(), k);
 }
 
 TEST(matrix_free, solutions_are_those_with_a_matrix_for_every_degree) {
     for (const Mesh& mesh : {torus(24, 12), well_centered(8), kuhn(3, 4), kuhn(4, 2)}) {
         const auto cells = discretize(mesh);
         for (int k = 0; k <= cells.dimension(); ++k) {
-            SparseMatrix A = symmetric_laplacian(cells.complex(), cells.volumes, k);
-            A += SparseMatrix(star(cells.volumes, k).asDiagonal());
+            SparseMatrix A = symmetric_laplacian(cells.complex(), cells.volumes(), k);
+            A += SparseMatrix(star(cells.volumes(), k).asDiagonal());
             const auto direct = make_linear_solver("eigen.ldlt");
             direct->factorize(
                 A, {.symmetry = Symmetry::symmetric, .definiteness = Definiteness::positive});
@@ -52,7 +53,7 @@ TEST(matrix_free, the_diagonal_saves_iterations_where_cells_differ_in_size) {
     Mesh mesh = well_centered(12);
     mesh.points = mesh.points.array().pow(3).matrix(); // small cells near the corner
     const auto cells = discretize(mesh, {.criterion = MergeCriterion::none});
-    const Vector mass = star(cells.volumes, 0).cwiseAbs();
+    const Vector mass = star(cells.volumes(), 0).cwiseAbs();
     const SymmetricOperator A{cells.complex().size(0),
                               [&](const Vector& x, Vector& y) { y = mass.cwiseProduct(x); }};
     const Vector b = random_vector(A.size, 6);
@@ -78,7 +79,7 @@ TEST(matrix_free, what_cannot_be_solved_is_refused) {
     const Vector b = Vector::Ones(A.size);
     const SymmetricOperator without_constants{A.size, [&](const Vector& x, Vector& y) {
                                                   y = apply_symmetric_laplacian(
-                                                      cells.complex(), cells.volumes, 0, x);
+                                                      cells.complex(), cells.volumes(), 0, x);
                                               }};
     EXPECT_THROW(solve_matrix_free(without_constants, b), SolverFailure);
     EXPECT_EQ(refusal([&] { solve_matrix_free(A, Vector::Ones(3)); }),

@@ -32,7 +32,7 @@ Vector values(const Function& function, const Points& sites) {
 /// Root of the integral of the squared difference, every value weighted by its cell's volume.
 double l2(const Discretization& mesh, Side side, const Vector& difference) {
     const Vector& volume =
-        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
+        side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(mesh.dimension());
     return std::sqrt(volume.dot(difference.cwiseAbs2()));
 }
 
@@ -128,7 +128,7 @@ TEST(LinearFunctions, are_solved_exactly_on_flat_meshes_dual) {
 TEST(LinearFunctions, are_exact_where_boundary_facets_have_no_dual) {
     for (const char* name : {"fcc1.nsc", "hex4.nsc"}) {
         const Mesh mesh = read_golden(name);
-        EXPECT_GT(discretize(mesh).degenerate.boundary, 0) << name;
+        EXPECT_GT(discretize(mesh).degenerate().boundary, 0) << name;
         EXPECT_LE(error_of_linear_solution(mesh, Side::dual), 1e-11) << name;
     }
 }
@@ -146,7 +146,7 @@ std::vector<Index> components_of_sites(const Discretization& mesh, Side side) {
     const int k = side == Side::primal ? 0 : mesh.dimension();
     std::vector<Index> result;
     for (Index i = 0; i < mesh.complex().size(k); ++i)
-        result.push_back(of_vertex[mesh.merging.vertices(k, i).front()]);
+        result.push_back(of_vertex[mesh.merging().vertices(k, i).front()]);
     return result;
 }
 
@@ -154,7 +154,7 @@ std::vector<Index> components_of_sites(const Discretization& mesh, Side side) {
 Vector means(const Discretization& mesh, Side side, const Vector& u) {
     const auto component = components_of_sites(mesh, side);
     const Vector& volume =
-        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
+        side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(mesh.dimension());
     Vector sum = Vector::Zero(components(mesh.complex()).count), weight = sum;
     for (Index i = 0; i < u.size(); ++i) {
         sum[component[i]] += volume[i] * u[i];

@@ -35,7 +35,7 @@ double l2_error(const Mesh& input, Side side, BoundaryCondition condition, int t
     const Vector u = solver.solve(terms * wave.frequency * wave.frequency * exact,
                                   wave.at(solver.boundary_sites()));
     const Vector& weights =
-        side == Side::primal ? mesh.volumes.dual(0) : mesh.volumes.primal(mesh.dimension());
+        side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(mesh.dimension());
     return std::sqrt(weights.dot((u - exact).cwiseAbs2()));
 }
 

@@ -26,7 +26,7 @@ struct Cavity {
 
     explicit Cavity(const Discretization& mesh)
         : relative(relative_to_boundary(mesh.complex())),
-          volumes(relative_volumes(relative, mesh.volumes)) {}
+          volumes(relative_volumes(relative, mesh.volumes())) {}
 };
 
 Vector cavity_eigenvalues(int cells, Index count) {
@@ -132,8 +132,8 @@ struct GridEdge {
 };
 
 GridEdge grid_edge(const Discretization& mesh, Index edge, int n) {
-    const auto ends = mesh.merging.vertices(1, edge);
-    const Eigen::RowVector3d a = mesh.points.row(ends[0]), b = mesh.points.row(ends[1]);
+    const auto ends = mesh.merging().vertices(1, edge);
+    const Eigen::RowVector3d a = mesh.points().row(ends[0]), b = mesh.points().row(ends[1]);
     int axis = 0;
     (b - a).cwiseAbs().maxCoeff(&axis);
     const Eigen::RowVector3d low = a.cwiseMin(b) * n;
@@ -242,7 +242,7 @@ TEST(HeatOrders, are_1_and_2_in_time) {
     const auto modes = spectrum(mesh, {.degree = 0, .count = 2});
     const double lambda = modes.eigenvalues[1], end = 0.1;
     const auto error = [&](HeatScheme scheme, int steps) {
-        HeatSolver solver(mesh.complex(), mesh.volumes, Side::primal, 0,
+        HeatSolver solver(mesh.complex(), mesh.volumes(), Side::primal, 0,
                           {.time_step = end / steps, .scheme = scheme});
         Cochain u{Side::primal, 0, modes.modes.col(1)};
         const Vector exact = std::exp(-lambda * end) * u.values;
@@ -257,14 +257,14 @@ TEST(HeatOrders, are_1_and_2_in_time) {
 
 TEST(WaveErrors, name_what_is_wrong) {
     const auto mesh = discretize(grid(4, 4));
-    EXPECT_EQ(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes, 2, 0.1); }),
+    EXPECT_EQ(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes(), 2, 0.1); }),
               "waves of 2-forms are asked for: in dimension 2 the degrees are 0 to 1");
-    EXPECT_EQ(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes, 0, 1); }).substr(0, 42),
+    EXPECT_EQ(refusal([&] { Leapfrog(mesh.complex(), mesh.volumes(), 0, 1); }).substr(0, 42),
               "a time step of 1 is given: expected one ab");
-    EXPECT_EQ(refusal([&] { HeatSolver(mesh.complex(), mesh.volumes, Side::dual, 0, {}); }),
+    EXPECT_EQ(refusal([&] { HeatSolver(mesh.complex(), mesh.volumes(), Side::dual, 0, {}); }),
               "a time step of 0 is given: expected a finite one above 0");
     EXPECT_EQ(
-        refusal([&] { coexact_spectrum(mesh.complex(), mesh.volumes, {.side = Side::dual}); }),
+        refusal([&] { coexact_spectrum(mesh.complex(), mesh.volumes(), {.side = Side::dual}); }),
         "coexact spectra are of primal forms: a coexact dual form is the star of an exact "
         "primal one");
 }

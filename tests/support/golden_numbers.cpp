@@ -30,7 +30,7 @@ void expect_stars(const Json& expected, const Merged& mesh, int k) {
     std::vector<Entry> found, wanted;
     const Vector values = star(mesh.volumes, k);
     for (Index F = 0; F < values.size(); ++F)
-        found.emplace_back(mesh.merging().vertices(k, F), values[F]);
+        found.emplace_back(mesh.K().vertex_numbers(mesh.merging().vertices(k, F)), values[F]);
     for (const auto& entry : expected)
         wanted.emplace_back(entry.at(0).get<std::vector<Index>>(), entry.at(1).get<double>());
     std::sort(found.begin(), found.end());

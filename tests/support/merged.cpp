@@ -12,10 +12,11 @@ namespace polydec::test {
 
 Merged make_merged(const Mesh& mesh, const MergeOptions& options) {
     const SimplicialComplex complex(mesh.simplices);
-    const auto volumes = circumcentric_volumes(complex, mesh.points);
-    auto result = merge_cospherical(complex, mesh.points, volumes, options);
+    const Points points = vertex_points(complex, mesh.points);
+    const auto volumes = circumcentric_volumes(complex, points);
+    auto result = merge_cospherical(complex, points, volumes, options);
     auto merged = merged_volumes(result.merging, volumes);
-    return {mesh.points, complex, volumes, std::move(result), std::move(merged)};
+    return {points, complex, volumes, std::move(result), std::move(merged)};
 }
 
 const Merged& merged(const std::string& name) {
