@@ -15,21 +15,21 @@ namespace {
 
 struct TypeName {
     std::string_view name;
-    PlyType type;
+    NumberType type;
 };
 
 constexpr std::array type_names{
-    TypeName{"char", PlyType::int8},      TypeName{"int8", PlyType::int8},
-    TypeName{"uchar", PlyType::uint8},    TypeName{"uint8", PlyType::uint8},
-    TypeName{"short", PlyType::int16},    TypeName{"int16", PlyType::int16},
-    TypeName{"ushort", PlyType::uint16},  TypeName{"uint16", PlyType::uint16},
-    TypeName{"int", PlyType::int32},      TypeName{"int32", PlyType::int32},
-    TypeName{"uint", PlyType::uint32},    TypeName{"uint32", PlyType::uint32},
-    TypeName{"float", PlyType::float32},  TypeName{"float32", PlyType::float32},
-    TypeName{"double", PlyType::float64}, TypeName{"float64", PlyType::float64},
+    TypeName{"char", NumberType::int8},      TypeName{"int8", NumberType::int8},
+    TypeName{"uchar", NumberType::uint8},    TypeName{"uint8", NumberType::uint8},
+    TypeName{"short", NumberType::int16},    TypeName{"int16", NumberType::int16},
+    TypeName{"ushort", NumberType::uint16},  TypeName{"uint16", NumberType::uint16},
+    TypeName{"int", NumberType::int32},      TypeName{"int32", NumberType::int32},
+    TypeName{"uint", NumberType::uint32},    TypeName{"uint32", NumberType::uint32},
+    TypeName{"float", NumberType::float32},  TypeName{"float32", NumberType::float32},
+    TypeName{"double", NumberType::float64}, TypeName{"float64", NumberType::float64},
 };
 
-PlyType read_type(Scanner& scanner) {
+NumberType read_type(Scanner& scanner) {
     scanner.stay_on_line("a type");
     const auto word = scanner.word("a type");
     const auto found = std::find_if(type_names.begin(), type_names.end(),
@@ -64,7 +64,8 @@ PlyProperty read_property(Scanner& scanner) {
     property.is_list = scanner.word("a type") == "list";
     if (property.is_list) {
         property.length_type = read_type(scanner);
-        if (property.length_type == PlyType::float32 || property.length_type == PlyType::float64) {
+        if (property.length_type == NumberType::float32 ||
+            property.length_type == NumberType::float64) {
             scanner.fail("the length of a list is a floating-point number; expected a whole "
                          "number's type; correct the header");
         }
@@ -203,11 +204,6 @@ std::size_t PlyElement::find(const std::string& property) const {
 
 PlyHeader read_ply_header(const SourceFile& file) {
     return HeaderReader(file).read();
-}
-
-std::size_t size_of(PlyType type) {
-    constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
-    return sizes[static_cast<std::size_t>(type)];
 }
 
 } // namespace polydec

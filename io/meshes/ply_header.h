@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/types.h"
+#include "io/number_type.h"
 #include "io/source_file.h"
 
 #include <cstddef>
@@ -12,13 +13,11 @@ namespace polydec {
 
 enum class PlyEncoding { ascii, little_endian, big_endian };
 
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
 /// A number, or a list of numbers with its length in front.
 struct PlyProperty {
     std::string name;
-    PlyType type = PlyType::float32;
-    PlyType length_type = PlyType::uint8; ///< of a list
+    NumberType type = NumberType::float32;
+    NumberType length_type = NumberType::uint8; ///< of a list
     bool is_list = false;
 };
 
@@ -41,8 +40,5 @@ struct PlyHeader {
 /// Reads the header. Element counts are refused where the rest of the file cannot hold them.
 /// Throws InvalidInput, naming the line.
 PlyHeader read_ply_header(const SourceFile& file);
-
-/// Bytes of one number in a binary file.
-std::size_t size_of(PlyType type);
 
 } // namespace polydec

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "io/byte_reader.h"
 #include "io/meshes/ply_header.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"
@@ -22,7 +21,7 @@ public:
         scanner_.set_line(header.body_line);
     }
 
-    double value(PlyType) { return scanner_.number("a number"); }
+    double value(NumberType) { return scanner_.number("a number"); }
     void end_record() { scanner_.end_line("an element"); }
     std::size_t remaining() const { return scanner_.remaining(); }
     bool at_end() { return scanner_.at_end(); }
@@ -41,13 +40,13 @@ public:
           order_(header.encoding == PlyEncoding::big_endian ? std::endian::big
                                                             : std::endian::little) {}
 
-    double value(PlyType type) {
+    double value(NumberType type) {
         const auto size = size_of(type);
         if (size > remaining())
             fail("the file ends here; expected more elements; export it again, it seems cut off");
         const char* place = file_.text.data() + position_;
         position_ += size;
-        return value_at(place, type);
+        return value_at(place, type, order_);
     }
 
     void end_record() const {}
@@ -59,28 +58,6 @@ public:
     }
 
 private:
-    double value_at(const char* place, PlyType type) const {
-        switch (type) {
-        case PlyType::int8:
-            return number_at<std::int8_t>(place, order_);
-        case PlyType::uint8:
-            return number_at<std::uint8_t>(place, order_);
-        case PlyType::int16:
-            return number_at<std::int16_t>(place, order_);
-        case PlyType::uint16:
-            return number_at<std::uint16_t>(place, order_);
-        case PlyType::int32:
-            return number_at<std::int32_t>(place, order_);
-        case PlyType::uint32:
-            return number_at<std::uint32_t>(place, order_);
-        case PlyType::float32:
-            return static_cast<double>(number_at<float>(place, order_));
-        case PlyType::float64:
-            break;
-        }
-        return number_at<double>(place, order_);
-    }
-
     const SourceFile& file_;
     std::size_t position_;
     std::endian order_;
