@@ -2,6 +2,7 @@
 #include "backends/eigen_solver.h"
 
 #include "base/memory.h"
+#include "base/random.h"
 
 #include <fmt/format.h>
 
@@ -9,20 +10,10 @@
 #include <cmath>
 #include <cstdint>
 #include <new>
-#include <random>
 
 namespace polydec {
 
 namespace {
-
-// The generator is specified to the bit, the library's distributions are not.
-Vector pseudo_random(Index size) {
-    std::mt19937 generator(1);
-    Vector result(size);
-    for (double& entry : result)
-        entry = static_cast<double>(generator()) / 4294967296.0 - 0.5;
-    return result;
-}
 
 void check(const std::string& name, const SymmetricOperator& A, Index count,
            const EigenOptions& options) {
@@ -51,8 +42,10 @@ EigenOptions filled_in(const EigenOptions& options, Index size, Index count, std
     const std::int64_t least = std::int64_t{count} + 1;
     result.krylov_dimension =
         static_cast<Index>(std::min<std::int64_t>(std::max(wished, least), size));
-    if (options.start.size() == 0)
-        result.start = pseudo_random(size);
+    if (options.start.size() == 0) {
+        result.start.resize(size);
+        Noise(1).fill(result.start);
+    }
     return result;
 }
 

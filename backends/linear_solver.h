@@ -69,6 +69,9 @@ struct LinearSolverOptions {
     std::string engine_options = {};
 };
 
+/// Iterations that an iterative engine is allowed for that many unknowns.
+Index iteration_limit(const LinearSolverOptions& options, Eigen::Index unknowns);
+
 /// How the last solve went.
 struct SolveReport {
     std::string engine = {};     ///< the one that delivered

@@ -2,8 +2,8 @@
 #include "meshes/generate_boxes.h"
 
 #include "base/errors.h"
+#include "base/random.h"
 #include "meshes/generate_parts.h"
-#include "meshes/random.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

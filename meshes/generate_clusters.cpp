@@ -2,10 +2,10 @@
 #include "meshes/generate_clusters.h"
 
 #include "base/errors.h"
+#include "base/random.h"
 #include "meshes/delaunay.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_parts.h"
-#include "meshes/random.h"
 
 #include <fmt/format.h>
 

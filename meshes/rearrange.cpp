@@ -2,7 +2,7 @@
 #include "meshes/rearrange.h"
 
 #include "base/errors.h"
-#include "meshes/random.h"
+#include "base/random.h"
 
 #include <fmt/format.h>
 

@@ -3,12 +3,12 @@
 #include "backends/eigen/dense_pairs.h"
 #include "backends/eigen/orthonormal_basis.h"
 #include "base/errors.h"
+#include "base/random.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <limits>
-#include <random>
 #include <vector>
 
 namespace polydec::builtin {
@@ -71,11 +71,8 @@ Iteration::Iteration(const SymmetricOperator& A, Index count, const EigenOptions
 
 // The start vector, and others that have nothing to do with it.
 void Iteration::start() {
-    std::mt19937 generator(11);
     next_.resize(A_.size, width_);
-    for (Index j = 0; j < width_; ++j)
-        for (double& entry : next_.col(j))
-            entry = static_cast<double>(generator()) / 4294967296.0 - 0.5;
+    Noise(11).fill(next_.reshaped());
     next_.col(0) = options_.start / options_.start.stableNorm();
     basis_.append(next_, 0.0);
 }

@@ -121,8 +121,7 @@ DenseMatrix OrthonormalBasis::orthonormalize_one_by_one(DenseMatrix& W, double f
 
 // A unit column orthogonal to the others, of which those that are zero do not matter.
 void OrthonormalBasis::fill_with_noise(DenseMatrix& W, Eigen::Index j) {
-    for (double& entry : W.col(j))
-        entry = static_cast<double>(random_()) / 4294967296.0 - 0.5;
+    noise_.fill(W.col(j));
     W.col(j).normalize();
     for (int pass = 0; pass < 2; ++pass) {
         Vector part = W.transpose() * W.col(j);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/random.h"
 #include "base/types.h"
-
-#include <random>
 
 namespace polydec {
 
@@ -40,7 +39,7 @@ private:
     DenseMatrix columns_;
     DenseMatrix scratch_;
     Eigen::Index size_ = 0;
-    std::mt19937 random_{7}; // specified to the bit: the same in every run
+    Noise noise_{7};
 };
 
 } // namespace polydec

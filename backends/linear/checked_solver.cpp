@@ -2,6 +2,7 @@
 #include "backends/linear/checked_solver.h"
 
 #include "base/memory.h"
+#include "base/row_sum_norm.h"
 
 #include <fmt/format.h>
 
@@ -19,21 +20,6 @@ namespace {
 constexpr double residual_limit = 1e-6;
 constexpr double backward_limit = 1e-10;
 constexpr double kernel_limit = 1e-8;
-
-// CG on a million unknowns of a good mesh needs a few thousand steps; what needs more than this
-// many will not come to an end in any reasonable time.
-constexpr Index most_iterations = 50000;
-
-double largest_row_sum(const SparseMatrix& A) {
-    double largest = 0.0;
-    for (Eigen::Index i = 0; i < A.rows(); ++i) {
-        double sum = 0.0;
-        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
-            sum += std::abs(entry.value());
-        largest = std::max(largest, sum);
-    }
-    return largest;
-}
 
 bool same_pattern(const SparseMatrix& A, const SparseMatrix& B) {
     return A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
@@ -108,12 +94,6 @@ auto CheckedSolver::within_memory(const char* purpose, Eigen::Index size, Work w
     }
 }
 
-Index CheckedSolver::iteration_limit(Eigen::Index n) const {
-    if (options_.max_iterations > 0)
-        return options_.max_iterations;
-    return static_cast<Index>(std::min<Eigen::Index>(10 * n + 1000, most_iterations));
-}
-
 void CheckedSolver::check(const SparseMatrix& A, const MatrixFacts& facts) const {
     if (A.rows() != A.cols())
         throw InvalidInput(
@@ -183,7 +163,7 @@ void CheckedSolver::factorize_valid(std::shared_ptr<const SparseMatrix> A, const
         compute(*treated, treated_facts, is_known ? Pattern::same : Pattern::fresh);
 
     inertia_ = facts.inertia;
-    matrix_norm_ = largest_row_sum(*A);
+    matrix_norm_ = row_sum_norm(*A);
     treated_ = std::move(treated);
     matrix_ = std::move(A);
 }

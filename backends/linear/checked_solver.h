@@ -42,9 +42,6 @@ protected:
 
     const LinearSolverOptions& options() const { return options_; }
 
-    /// Iterations allowed for n unknowns.
-    Index iteration_limit(Eigen::Index n) const;
-
     /// Throws SolverFailure with the engine's name before the reason.
     [[noreturn]] void fail(const std::string& reason) const;
 

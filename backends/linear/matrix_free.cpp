@@ -6,7 +6,6 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace polydec {
@@ -140,9 +139,7 @@ Vector solve_matrix_free(const SymmetricOperator& A, const Vector& b, const Vect
         cg.preconditioner().set(diagonal.size() > 0 ? Vector(diagonal.cwiseInverse())
                                                     : Vector(Vector::Ones(b.size())));
         cg.setTolerance(options.tolerance);
-        cg.setMaxIterations(options.max_iterations > 0
-                                ? options.max_iterations
-                                : std::min<Eigen::Index>(10 * b.size() + 1000, 50000));
+        cg.setMaxIterations(iteration_limit(options, b.size()));
         cg.compute(applied);
         x = cg.solve(b / scale);
         how.iterations = static_cast<Index>(cg.iterations());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/petsc.h"
 
-#include "backends/linear/checked_solver.h"
+#include "backends/linear/iterative_solver.h"
 #include "backends/linear/petsc_session.h"
 #include "backends/linked.h"
 #include "backends/registry.h"
@@ -131,7 +131,7 @@ void set_kernel(const Session& session, Mat matrix, const DenseMatrix& kernel) {
     session.require(MatSetNullSpace(matrix, space.get()), "taking over the kernel");
 }
 
-class CgMultigrid final : public CheckedSolver {
+class CgMultigrid final : public IterativeSolver {
 public:
     CgMultigrid(const std::string& name, std::string multigrid, std::string for_singular,
                 const LinearSolverOptions& options);
@@ -144,14 +144,13 @@ public:
 
 protected:
     void compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) override;
-    Solution apply_inverse(const DenseMatrix& B) override;
+    Index iterate(const Vector& b, Eigen::Ref<Vector> x) override;
 
 private:
     const SparseMatrix& without_zero_rows(const SparseMatrix& A, const MatrixFacts& facts);
     void set_up(const Session& session);
     void require_all_options_read() const;
     void forget();
-    Index iterate(const Session& session, const Vector& b, Eigen::Ref<Vector> x);
     [[noreturn]] void fail_because(KSPConvergedReason reason, Index iterations) const;
 
     std::string multigrid_;
@@ -164,12 +163,7 @@ private:
 
 CgMultigrid::CgMultigrid(const std::string& name, std::string multigrid, std::string for_singular,
                          const LinearSolverOptions& options)
-    : CheckedSolver(name,
-                    {.method = Method::iterative,
-                     .symmetry = Symmetry::symmetric,
-                     .definiteness = Definiteness::semidefinite,
-                     .kernel = KernelTreatment::projection},
-                    options),
+    : IterativeSolver(name, of_conjugate_gradients, options),
       multigrid_(std::move(multigrid)),
       for_singular_(std::move(for_singular)) {
     const auto first = options.engine_options.find_first_not_of(" \t\n");
@@ -282,7 +276,8 @@ void CgMultigrid::fail_because(KSPConvergedReason reason, Index iterations) cons
                      iterations, text ? text : "no reason known", residual, cause));
 }
 
-Index CgMultigrid::iterate(const Session& session, const Vector& b, Eigen::Ref<Vector> x) {
+Index CgMultigrid::iterate(const Vector& b, Eigen::Ref<Vector> x) {
+    const Session session(name());
     PetscVector right_hand_side;
     PetscVector solution;
     const auto size = static_cast<Index>(b.size());
@@ -300,22 +295,6 @@ Index CgMultigrid::iterate(const Session& session, const Vector& b, Eigen::Ref<V
     if (reason <= 0 || !x.allFinite())
         fail_because(reason, iterations);
     return iterations;
-}
-
-CheckedSolver::Solution CgMultigrid::apply_inverse(const DenseMatrix& B) {
-    const Session session(name());
-    Solution solution{DenseMatrix::Zero(B.rows(), B.cols())};
-    for (Eigen::Index j = 0; j < B.cols(); ++j) {
-        // Squares of tiny numbers vanish, so the iteration sees a right-hand side of size one.
-        const double scale = B.col(j).lpNorm<Eigen::Infinity>();
-        if (scale == 0.0)
-            continue;
-        const Vector b = B.col(j) / scale;
-        solution.iterations =
-            std::max(solution.iterations, iterate(session, b, solution.columns.col(j)));
-        solution.columns.col(j) *= scale;
-    }
-    return solution;
 }
 
 // Hands the kernel on to where PETSc can be told of it; all else is the engine's.

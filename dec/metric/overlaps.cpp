@@ -2,6 +2,7 @@
 #include "dec/metric/overlaps.h"
 
 #include "base/parallel.h"
+#include "base/random.h"
 #include "complex/disjoint_sets.h"
 #include "dec/metric/simplex_geometry.h"
 
@@ -11,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <span>
 
 namespace polydec {
@@ -41,10 +41,8 @@ std::vector<Eigen::Index> varying_coordinates(const Points& points) {
 }
 
 DenseMatrix some_directions(Index n) {
-    std::mt19937 random(7);
     DenseMatrix directions(n, Index{lines});
-    for (double& entry : directions.reshaped())
-        entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
+    Noise(7).fill(directions.reshaped());
     return directions;
 }
 

@@ -3,6 +3,8 @@
 
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "base/random.h"
+#include "base/row_sum_norm.h"
 #include "solvers/spectra/found_pairs.h"
 #include "solvers/spectra/inertia.h"
 #include "solvers/spectra/scaled_pencil.h"
@@ -14,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -83,7 +84,7 @@ struct CertifiedEigensolver::State {
     double shift = 0; // below every eigenvalue that is not found
     bool factorized = false;
     bool smoothed = false; // with this shift
-    std::mt19937_64 random{20};
+    Random random{20};
 
     FoundPairs pairs;
     Certificate certificate;
@@ -144,7 +145,7 @@ Index CertifiedEigensolver::State::ask(Index count) {
     eigen_options.max_restarts = 300;
     eigen_options.start.resize(size());
     for (double& entry : eigen_options.start)
-        entry = static_cast<double>(random() >> 11) * 0x1p-53 - 0.5;
+        entry = random.fraction() - 0.5;
     pairs.project_out(eigen_options.start);
     if (eigen_options.start.norm() == 0)
         return 0;

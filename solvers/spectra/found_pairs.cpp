@@ -2,6 +2,7 @@
 #include "solvers/spectra/found_pairs.h"
 
 #include "base/errors.h"
+#include "base/row_sum_norm.h"
 
 #include <fmt/format.h>
 

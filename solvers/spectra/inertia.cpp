@@ -3,6 +3,7 @@
 
 #include "backends/registry.h"
 #include "base/memory.h"
+#include "base/row_sum_norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,17 +108,6 @@ SparseMatrix shifted(const SparseMatrix& B, double shift) {
     SparseMatrix I(B.rows(), B.cols());
     I.setIdentity();
     return B - shift * I;
-}
-
-double row_sum_norm(const SparseMatrix& B) {
-    double norm = 0;
-    for (Index i = 0; i < B.rows(); ++i) {
-        double sum = 0;
-        for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry)
-            sum += std::abs(entry.value());
-        norm = std::max(norm, sum);
-    }
-    return norm;
 }
 
 double small_length(const SparseMatrix& B) {

@@ -59,9 +59,6 @@ private:
 /// B - shift I.
 SparseMatrix shifted(const SparseMatrix& B, double shift);
 
-/// Largest row sum of absolute values: no eigenvalue of symmetric B is larger in size.
-double row_sum_norm(const SparseMatrix& B);
-
 /// A length on the axis below eigenvalues that are not zero, but not so small that a shift by it
 /// is next to singular. On graded meshes the coarse cells decide.
 double small_length(const SparseMatrix& B);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "base/random.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "meshes/delaunay.h"
 #include "meshes/generate.h"
-#include "meshes/random.h"
 #include "meshes/rearrange.h"
 #include "solvers/poisson.h"
 #include "tests/support/families.h"

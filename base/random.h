@@ -50,4 +50,20 @@ private:
     std::mt19937_64 engine_;
 };
 
+/// The same for vectors of which nothing matters but that they have no pattern.
+class Noise {
+public:
+    explicit Noise(std::uint32_t seed) : engine_(seed) {}
+
+    /// Uniform in [-1/2, 1/2), multiples of 2^-32, for each of the entries in their order.
+    template <class Entries>
+    void fill(Entries&& entries) {
+        for (double& entry : entries)
+            entry = static_cast<double>(engine_()) * 0x1p-32 - 0.5;
+    }
+
+private:
+    std::mt19937 engine_;
+};
+
 } // namespace polydec
