@@ -17,9 +17,20 @@ namespace {
 
 template <typename Factory>
 struct Entry {
-    EngineInfo info;
-    Factory factory;                        // empty: known, but not in this program
+    EngineInfo info = {};
+    Factory factory = {};                   // empty: known, but not in this program
     std::function<bool()> has_program = {}; // for an engine that runs one
+    std::string component = {};             // that it is from, where it is not in this program
+
+    /// What there is to tell of it now.
+    EngineInfo told() const {
+        EngineInfo result = info;
+        if (has_program)
+            result.available = has_program();
+        if (!component.empty())
+            result.how_to_get += "; link polydec::" + component;
+        return result;
+    }
 };
 
 struct Registry {
@@ -33,32 +44,32 @@ template <typename Factory>
 void add(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Factory factory) {
     info.available = static_cast<bool>(factory);
     const std::string name = info.name;
-    known.insert_or_assign(name, Entry<Factory>{std::move(info), std::move(factory), {}});
+    known.insert_or_assign(name,
+                           Entry<Factory>{.info = std::move(info), .factory = std::move(factory)});
 }
 
 // Engines of optional components, so that who asks for one is told how to get it.
 void add_missing(Registry& registry) {
-    add(registry.linear,
-        {"cholmod", EngineKind::linear, false,
-         "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts by "
-         "inertia",
-         "Debian package libsuitesparse-dev, CMake option POLYDEC_CHOLMOD=ON; link "
-         "polydec::cholmod"},
-        LinearSolverFactory());
-    for (const auto& [name, description] :
-         {std::pair{"petsc.cg-hypre",
-                    "PETSc's conjugate gradients with hypre's BoomerAMG: positive "
-                    "semidefinite, iterative, for large solids"},
-          std::pair{"petsc.cg-gamg", "PETSc's conjugate gradients with its own multigrid (GAMG): "
-                                     "positive semidefinite, iterative"}})
-        add(registry.linear,
-            {name, EngineKind::linear, false, description,
-             "Debian package petsc-dev, CMake option POLYDEC_PETSC=ON; link polydec::petsc"},
-            LinearSolverFactory());
-    add(registry.eigen,
-        {"slepc", EngineKind::eigen, false, "SLEPc's Krylov-Schur method",
-         "Debian package slepc-dev, CMake option POLYDEC_SLEPC=ON; link polydec::slepc"},
-        EigenSolverFactory());
+    const auto missing = [](auto& known, const char* component, const EngineInfo& info) {
+        known[info.name] = {.info = info, .component = component};
+    };
+    missing(registry.linear, "cholmod",
+            {"cholmod", EngineKind::linear, false,
+             "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts "
+             "by inertia",
+             POLYDEC_CHOLMOD_FROM});
+    missing(registry.linear, "petsc",
+            {"petsc.cg-hypre", EngineKind::linear, false,
+             "PETSc's conjugate gradients with hypre's BoomerAMG: positive semidefinite, "
+             "iterative, for large solids",
+             POLYDEC_PETSC_FROM});
+    missing(registry.linear, "petsc",
+            {"petsc.cg-gamg", EngineKind::linear, false,
+             "PETSc's conjugate gradients with its own multigrid (GAMG): positive semidefinite, "
+             "iterative",
+             POLYDEC_PETSC_FROM});
+    missing(registry.eigen, "slepc",
+            {"slepc", EngineKind::eigen, false, "SLEPc's Krylov-Schur method", POLYDEC_SLEPC_FROM});
 }
 
 void add_builtin(Registry& registry) {
@@ -122,12 +133,11 @@ Factory find(const std::map<std::string, Entry<Factory>>& known, const std::stri
     if (found == known.end())
         throw InvalidInput(fmt::format("there is no {} called `{}`\nKnown are: {}.", kind, name,
                                        available_names(known)));
-    const auto& info = found->second.info;
     const auto& factory = found->second.factory;
     if (!factory)
         throw BackendUnavailable(fmt::format("the {} `{}` is not part of this program\n"
                                              "To get it: {}.",
-                                             kind, name, info.how_to_get));
+                                             kind, name, found->second.told().how_to_get));
     return factory;
 }
 
@@ -144,6 +154,8 @@ void enroll(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Engin
         throw InvalidInput(fmt::format("an engine called `{}` is registered already", info.name));
     if (found != known.end() && info.description.empty())
         info.description = found->second.info.description;
+    if (found != known.end() && info.how_to_get.empty())
+        info.how_to_get = found->second.info.how_to_get;
     add(known, std::move(info), std::move(factory));
 }
 
@@ -201,11 +213,8 @@ void register_mesher(const EngineInfo& info, Mesher mesher) {
 std::vector<EngineInfo> engines() {
     std::vector<EngineInfo> result;
     const auto list = [&](const auto& known) {
-        for (const auto& [name, entry] : known) {
-            result.push_back(entry.info);
-            if (entry.has_program)
-                result.back().available = entry.has_program();
-        }
+        for (const auto& [name, entry] : known)
+            result.push_back(entry.told());
     };
     const std::lock_guard lock(registry().mutex);
     list(registry().linear);

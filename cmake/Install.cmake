@@ -15,33 +15,20 @@ install(TARGETS polydec EXPORT polydecTargets
 install(EXPORT polydecTargets NAMESPACE polydec::
     DESTINATION ${polydec_package_dir} COMPONENT polydec)
 
-# An engine is an export set of its own: who installs the core alone needs nothing of what is behind
-# it. polydec_install_component(cholmod Cholmod FindCHOLMOD ..), with the modules that find it.
-function(polydec_install_component name Name)
-    if(NOT TARGET polydec_${name})
-        return()
-    endif()
+# A component is an export set of its own: who installs the core alone needs nothing of what is
+# behind it.
+foreach(name IN LISTS polydec_built_components)
     set_target_properties(polydec_${name} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH "$ORIGIN")
-    get_target_property(header_sets polydec_${name} INTERFACE_HEADER_SETS)
-    set(headers)
-    if(header_sets)
-        set(headers FILE_SET HEADERS DESTINATION ${polydec_include_dir} COMPONENT ${name})
-    endif()
-    install(TARGETS polydec_${name} EXPORT polydec${Name}Targets
+    install(TARGETS polydec_${name} EXPORT polydecTargets_${name}
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name}
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${name}
-        ${headers})
-    install(EXPORT polydec${Name}Targets NAMESPACE polydec::
+        FILE_SET HEADERS DESTINATION ${polydec_include_dir} COMPONENT ${name})
+    install(EXPORT polydecTargets_${name} NAMESPACE polydec::
         DESTINATION ${polydec_package_dir} COMPONENT ${name})
-    foreach(module IN LISTS ARGN)
-        install(FILES ${PROJECT_SOURCE_DIR}/cmake/${module}.cmake
-            DESTINATION ${polydec_package_dir} COMPONENT ${name})
-    endforeach()
-endfunction()
-polydec_install_component(cholmod Cholmod FindCHOLMOD)
-polydec_install_component(petsc Petsc FindPETSc)
-polydec_install_component(slepc Slepc FindSLEPc)
+    install(FILES ${PROJECT_SOURCE_DIR}/cmake/Find${${name}_package}.cmake
+        DESTINATION ${polydec_package_dir} COMPONENT ${name})
+endforeach()
 
 # The command finds a shared polydec beside itself, wherever the whole tree is moved.
 if(TARGET polydec_command)
@@ -53,6 +40,11 @@ if(TARGET polydec_command)
 endif()
 
 get_target_property(polydec_type polydec TYPE)
+set(polydec_find_components)
+foreach(name IN LISTS polydec_components)
+    string(APPEND polydec_find_components
+        "polydec_find_component(${name} ${${name}_package} ${${name}_debian})\n")
+endforeach()
 # Before 1.0 a new minor version may break its users.
 configure_package_config_file(
     ${PROJECT_SOURCE_DIR}/cmake/polydecConfig.cmake.in

@@ -204,13 +204,7 @@ EigenPairs SlepcSolver::compute(const SymmetricOperator& A, Index count,
 
 void register_slepc() {
     [[maybe_unused]] static const bool is_done = [] {
-        register_eigen_solver(
-            {.name = "slepc",
-             .kind = EngineKind::eigen,
-             .available = true,
-             .description = {},
-             .how_to_get = "Debian package slepc-dev, CMake option POLYDEC_SLEPC=ON"},
-            [] { return std::make_unique<SlepcSolver>(); });
+        register_eigen_solver("slepc", [] { return std::make_unique<SlepcSolver>(); });
         return true;
     }();
 }

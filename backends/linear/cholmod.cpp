@@ -235,13 +235,9 @@ CheckedSolver::Solution Cholmod::apply_inverse(const DenseMatrix& B) {
 
 void register_cholmod() {
     [[maybe_unused]] static const bool is_done = [] {
-        register_linear_solver(
-            {.name = "cholmod",
-             .kind = EngineKind::linear,
-             .available = true,
-             .description = {},
-             .how_to_get = "Debian package libsuitesparse-dev, CMake option POLYDEC_CHOLMOD=ON"},
-            [](const LinearSolverOptions& options) { return std::make_unique<Cholmod>(options); });
+        register_linear_solver("cholmod", [](const LinearSolverOptions& options) {
+            return std::make_unique<Cholmod>(options);
+        });
         return true;
     }();
 }

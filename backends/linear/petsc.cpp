@@ -324,15 +324,9 @@ private:
 };
 
 void add(const std::string& name, const std::string& multigrid, const std::string& for_singular) {
-    register_linear_solver(
-        {.name = name,
-         .kind = EngineKind::linear,
-         .available = true,
-         .description = {},
-         .how_to_get = "Debian package petsc-dev, CMake option POLYDEC_PETSC=ON"},
-        [=](const LinearSolverOptions& options) {
-            return std::make_unique<PetscSolver>(name, multigrid, for_singular, options);
-        });
+    register_linear_solver(name, [=](const LinearSolverOptions& options) {
+        return std::make_unique<PetscSolver>(name, multigrid, for_singular, options);
+    });
 }
 
 } // namespace
