@@ -47,6 +47,7 @@
 #include "dec/merging/facet_kinds.h"
 #include "dec/merging/lift.h"
 #include "dec/merging/merge.h"
+#include "dec/merging/merged_tags.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/centers.h"

@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/listed.h"
 #include "dec/merging/lift.h"
+#include "dec/merging/merged_tags.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/overlaps.h"
@@ -70,30 +71,6 @@ void warn_of_unit(double unit, std::vector<std::string>& warnings) {
                                        std::ilogb(unit), unit));
 }
 
-/// Tags of the merged n-cells; one that joins simplices with different tags has none.
-std::vector<Index> merged_tags(const SimplicialComplex& complex, const Merging& merging,
-                               const std::vector<Index>& tags, std::vector<std::string>& warnings) {
-    if (tags.empty())
-        return {};
-    const int n = merging.merged().dimension();
-    std::vector<Index> result(static_cast<std::size_t>(merging.merged().size(n)), 0);
-    std::vector<char> state(result.size(), 'n'); // new, tagged, or of different tags
-    for (Index t = 0; t < complex.size(n); ++t) {
-        const Index cell = merging.carriers(n)[t].cell;
-        const Index tag = tags[complex.input_row(t)];
-        if (state[cell] == 'n')
-            state[cell] = 't', result[cell] = tag;
-        else if (result[cell] != tag)
-            state[cell] = 'd', result[cell] = 0;
-    }
-    const auto different = std::count(state.begin(), state.end(), 'd');
-    if (different > 0)
-        warnings.push_back(
-            fmt::format("{} merged cell{} simplices of different groups; {} tag is 0", different,
-                        different == 1 ? " joins" : "s join", different == 1 ? "its" : "their"));
-    return result;
-}
-
 void warn_of_flips(const IntrinsicStatistics& flips, double unit,
                    std::vector<std::string>& warnings) {
     if (flips.added_length > 0)
@@ -117,29 +94,27 @@ Points isolated_points(const SimplicialComplex& complex, const Points& by_number
     return result;
 }
 
-/// Marks the facets between simplices of different tags.
-std::vector<bool> facets_between_tags(const SimplicialComplex& complex,
-                                      const std::vector<Index>& tags) {
-    const int n = complex.dimension();
-    std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
-    const Cofaces cofaces(complex, n);
-    for (Index f = 0; f < complex.size(n - 1); ++f)
-        for (const Coface& t : cofaces.of(f))
-            if (tags[complex.input_row(t.cell)] !=
-                tags[complex.input_row(cofaces.of(f).front().cell)])
-                marks[f] = true;
-    return marks;
-}
-
-/// The facets that are to stay; none where the mesh has no tags or they do not matter.
+/// The facets that are to stay: between simplices of different tags, and with tags of their own.
+/// None where the mesh has no tags or they do not matter.
 std::vector<bool> staying_facets(const SimplicialComplex& complex, const std::vector<Index>& tags,
+                                 const std::vector<Index>& facet_tags,
                                  const MergeOptions& options) {
-    if (options.materials == Materials::join || tags.empty())
+    if (options.materials == Materials::join || (tags.empty() && facet_tags.empty()))
         return {};
     if (options.delaunay != Delaunay::off)
         throw InvalidInput("materials are to be kept apart, but flips join triangles of different "
                            "groups: do without one of them");
-    return facets_between_tags(complex, tags);
+    const int n = complex.dimension();
+    std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
+    const Cofaces cofaces(complex, n);
+    for (Index f = 0; f < complex.size(n - 1); ++f) {
+        marks[f] = !facet_tags.empty() && facet_tags[f] != 0;
+        if (!tags.empty())
+            for (const Coface& t : cofaces.of(f))
+                if (tags[t.cell] != tags[cofaces.of(f).front().cell])
+                    marks[f] = true;
+    }
+    return marks;
 }
 
 /// Flips and splits as the options say; lengths are those of the edges.
@@ -212,7 +187,9 @@ Discretization measured(Given given, MergeOptions options, const Stage& stage) {
     warn_of_orientation(complex, mesh.warnings);
     warn_of_branching(complex, mesh.warnings);
     warn_of_overlaps(complex, mesh.points, mesh.warnings);
-    const auto stays = staying_facets(complex, mesh.tags, options);
+    const auto tags = tags_of_cells(complex, mesh.tags);
+    const auto facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);
+    const auto stays = staying_facets(complex, tags, facet_tags, options);
     begin(stage, "volumes");
     auto [passage, of_input, of_pieces, points] = measure(given, options);
     begin(stage, "merge");
@@ -224,12 +201,17 @@ Discretization measured(Given given, MergeOptions options, const Stage& stage) {
     const auto volumes = merged_volumes(merged.merging, of_pieces);
     if (flips && !mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
-    auto tags = flips ? std::vector<Index>()
-                      : merged_tags(complex, merged.merging, mesh.tags, mesh.warnings);
+    std::vector<Index> cell_tags, merged_facet_tags;
+    if (!flips) {
+        const int n = complex.dimension();
+        cell_tags = merged_tags(merged.merging, n, tags, mesh.warnings);
+        merged_facet_tags = merged_tags(merged.merging, n - 1, facet_tags, mesh.warnings);
+    }
     return Discretization({std::move(mesh.points), std::move(points), std::move(passage),
                            std::move(merged.merging), of_input, of_pieces, volumes, options,
-                           merged.degenerate, std::move(mesh.warnings), std::move(tags),
-                           std::move(lengths), unit, std::move(isolated)});
+                           merged.degenerate, std::move(mesh.warnings), std::move(cell_tags),
+                           std::move(lengths), unit, std::move(isolated),
+                           std::move(merged_facet_tags)});
 }
 
 } // namespace
@@ -246,6 +228,9 @@ Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
     const CellComplex& complex = parts.merging.merged();
     if (!parts.tags.empty())
         check_as_many("tags", Index(parts.tags.size()), complex.size(complex.dimension()));
+    if (!parts.facet_tags.empty())
+        check_as_many("tags of facets", Index(parts.facet_tags.size()),
+                      complex.size(complex.dimension() - 1));
     parts_ = std::make_shared<const Parts>(std::move(parts));
 }
 

@@ -39,6 +39,7 @@ public:
         Vector lengths = {};
         double unit = 1;
         Points isolated = {};
+        std::vector<Index> facet_tags = {};
     };
 
     /// Throws InvalidInput unless the volumes and tags are those of as many cells.
@@ -122,6 +123,11 @@ public:
     /// Of each n-cell the tag of its simplices, 0 where they have different ones; or empty.
     const std::vector<Index>& tags() const& { return parts_->tags; }
     std::vector<Index> tags() && { return tags(); }
+
+    /// Of each (n-1)-cell the tag that its facets have in the input, 0 for none and where they have
+    /// different ones; or empty, if the input has no facets with tags or edges were flipped.
+    const std::vector<Index>& facet_tags() const& { return parts_->facet_tags; }
+    std::vector<Index> facet_tags() && { return facet_tags(); }
 
     /// What points, lengths and volumes are measured in, as a length of the input: 1, or a power of
     /// 4 where the input is so large or small that products of its lengths would be no numbers. So

@@ -8,6 +8,12 @@
 
 namespace polydec {
 
+/// Simplices of one dimension, each with the number of its physical group or region.
+struct TaggedSimplices {
+    Simplices simplices = {};     ///< vertex numbers, one row per simplex
+    std::vector<Index> tags = {}; ///< one for each
+};
+
 /// What a file or a generator gives: points of R^N and top simplices of one dimension n.
 struct Mesh {
     Points points;       ///< one row per vertex, N columns
@@ -15,9 +21,16 @@ struct Mesh {
     std::vector<std::string> warnings; ///< what was untidy and how it was handled
     std::vector<Index> tags = {}; ///< of each simplex the number of its physical group or region,
                                   ///< 0 for none; or empty
+    /// Facets that have a tag of their own, as the parts of a boundary and interfaces do: some
+    /// (n-1)-simplices, in any order.
+    TaggedSimplices facet_tags = {};
 
     int ambient_dimension() const { return static_cast<int>(points.cols()); }
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }
 };
+
+/// Throws InvalidInput, naming the facet, unless every facet with a tag has n vertices of the mesh,
+/// and one tag.
+void check_facet_tags(const Mesh& mesh);
 
 } // namespace polydec

@@ -29,37 +29,38 @@ void check_tags(const Mesh& mesh, const char* what) {
     const auto cells = static_cast<std::size_t>(mesh.simplices.rows());
     if (!mesh.tags.empty() && mesh.tags.size() != cells)
         throw InvalidInput(fmt::format("{}: {} tags for {} cells", what, mesh.tags.size(), cells));
+    check_facet_tags(mesh);
 }
 
 /// Cells with new vertex numbers, in the old order.
-Simplices with_new_numbers(const Mesh& mesh, const std::vector<Index>& vertices, const char* what) {
+Simplices with_new_numbers(Simplices cells, const std::vector<Index>& vertices, const char* what) {
     std::vector<Index> new_number(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
         new_number[vertices[i]] = static_cast<Index>(i);
-    Simplices cells = mesh.simplices;
     for (Eigen::Index s = 0; s < cells.rows(); ++s)
         for (Eigen::Index c = 0; c < cells.cols(); ++c) {
             const Index vertex = cells(s, c);
-            if (vertex < 0 || vertex >= mesh.points.rows())
+            if (vertex < 0 || vertex >= static_cast<Eigen::Index>(vertices.size()))
                 throw InvalidInput(fmt::format("{}: cell {} names vertex {}, but there are {} "
                                                "vertices, numbered from 0",
-                                               what, s, vertex, mesh.points.rows()));
+                                               what, s, vertex, vertices.size()));
             cells(s, c) = new_number[vertex];
         }
     return cells;
 }
 
-/// The mesh in the order of the lists; `cells_renumbered` are the cells in the old one.
-Renumbered arranged(const Mesh& mesh, const Simplices& cells_renumbered,
-                    std::vector<Index> vertices, std::vector<Index> cells) {
+/// The mesh in the order of the lists; `renumbered` are the cells in the old one.
+Renumbered arranged(const Mesh& mesh, const Simplices& renumbered, std::vector<Index> vertices,
+                    std::vector<Index> cells) {
     Renumbered result{mesh, std::move(vertices), std::move(cells)};
     for (std::size_t i = 0; i < result.vertices.size(); ++i)
         result.mesh.points.row(static_cast<Eigen::Index>(i)) = mesh.points.row(result.vertices[i]);
     for (std::size_t i = 0; i < result.cells.size(); ++i)
-        result.mesh.simplices.row(static_cast<Eigen::Index>(i)) =
-            cells_renumbered.row(result.cells[i]);
+        result.mesh.simplices.row(static_cast<Eigen::Index>(i)) = renumbered.row(result.cells[i]);
     for (std::size_t i = 0; i < mesh.tags.size(); ++i)
         result.mesh.tags[i] = mesh.tags[result.cells[i]];
+    auto& facets = result.mesh.facet_tags.simplices;
+    facets = with_new_numbers(std::move(facets), result.vertices, "facets with tags");
     return result;
 }
 
@@ -107,7 +108,7 @@ Renumbered shuffled(const Mesh& mesh, std::uint64_t seed) {
     Random random(seed);
     auto vertices = random.order(mesh.points.rows());
     auto cells = random.order(mesh.simplices.rows());
-    const Simplices renumbered = with_new_numbers(mesh, vertices, "shuffled");
+    const Simplices renumbered = with_new_numbers(mesh.simplices, vertices, "shuffled");
     return arranged(mesh, renumbered, std::move(vertices), std::move(cells));
 }
 
@@ -118,7 +119,7 @@ Renumbered along_morton_curve(const Mesh& mesh) {
             throw InvalidInput(fmt::format(
                 "along_morton_curve: vertex {} has a coordinate that is not finite", v));
     auto vertices = order_of(morton_keys(mesh.points));
-    const Simplices renumbered = with_new_numbers(mesh, vertices, "along_morton_curve");
+    const Simplices renumbered = with_new_numbers(mesh.simplices, vertices, "along_morton_curve");
     std::vector<std::uint64_t> first_vertices;
     first_vertices.reserve(static_cast<std::size_t>(renumbered.rows()));
     for (Eigen::Index s = 0; s < renumbered.rows(); ++s)

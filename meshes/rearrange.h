@@ -21,9 +21,9 @@ struct Renumbered {
 };
 
 /// The same mesh under random vertex and cell numbers; cells keep the order of their corners, so
-/// their orientation, and their tags. The same seed gives the same numbers on every machine.
-/// Throws InvalidInput, naming the cell, if a vertex number is out of range, or if there are tags,
-/// but not one for each cell.
+/// their orientation, and their tags, and so do facets with tags. The same seed gives the same
+/// numbers on every machine. Throws InvalidInput, naming the cell, if a vertex number is out of
+/// range, or if there are tags, but not one for each cell; like check_facet_tags.
 Renumbered shuffled(const Mesh& mesh, std::uint64_t seed);
 
 /// The same mesh with vertices numbered along Morton's curve through their bounding cube (Morton

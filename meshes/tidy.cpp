@@ -53,6 +53,7 @@ void check_input(const Mesh& mesh) {
         throw InvalidInput(fmt::format("there are {} tags for {} cells; give every cell one, or "
                                        "none at all",
                                        mesh.tags.size(), cells));
+    check_facet_tags(mesh);
     for (Index v = 0; v < mesh.points.rows(); ++v)
         if (!mesh.points.row(v).allFinite())
             throw InvalidInput(fmt::format("vertex {} is not at a finite place: {}\n"

@@ -15,13 +15,14 @@ enum class CellsWithoutVolume {
 /// vertices of an earlier one, cells without volume (n! times the volume at most 1e-12 times the
 /// longest edge to the n). What is left out is named in the mesh's warnings, as are vertices that
 /// belong to no cell; those stay, so that no vertex number changes. Cells keep their order and
-/// tags. Numbers in all messages are those of the given mesh, from 0. Any n >= 0 and N >= n.
+/// tags, facets theirs. Numbers in all messages are those of the given mesh, from 0. Any n >= 0 and
+/// N >= n.
 ///
 /// A cell without volume is left out only if at most one of its facets belongs to another cell that
 /// stays: otherwise a slit would open between cells that were neighbors.
 /// Throws InvalidInput, naming cell and vertices, for one that cannot be left out; for coordinates
 /// that are not finite, vertex numbers out of range, n > N, tags of another number than the cells;
-/// and if nothing is left.
+/// for facets with tags that are none (check_facet_tags); and if nothing is left.
 Mesh tidy(Mesh mesh, CellsWithoutVolume flat = CellsWithoutVolume::leave_out);
 
 /// Names in the mesh's warnings the vertices that belong to no cell. Of the points only their

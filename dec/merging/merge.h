@@ -27,7 +27,8 @@ enum class Delaunay {
 /// one cell.
 enum class Materials {
     join,      ///< what is cospherical merges; a cell of several materials has the tag 0
-    keep_apart ///< facets between different tags stay, so that every cell has the tag of its pieces
+    keep_apart ///< facets between different tags stay, so that every cell has the tag of its
+               ///< pieces, and so do facets that have a tag of their own
 };
 
 struct MergeOptions {

@@ -21,7 +21,8 @@ public:
     void add(int dimension, std::span<const Index> corners, Index tag, const SourceFile& file);
 
     /// The cells of the largest dimension that is there, on these points; none if all are points.
-    /// Polygons are split, and their tags follow. Where no cell has a tag, the mesh has none.
+    /// Polygons are split, and their tags follow. Where no cell has a tag, the mesh has none. Of
+    /// the cells of one dimension less it has those with a tag.
     Mesh mesh(Points points) &&;
 
 private:
@@ -30,6 +31,8 @@ private:
         std::vector<Index> offsets{0};
         std::vector<Index> tags;
     };
+
+    static TaggedSimplices tagged(const List& list, int corners);
 
     std::array<List, most_dimensions> lists_;
 };

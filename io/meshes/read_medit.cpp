@@ -7,8 +7,10 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace polydec {
 
@@ -75,25 +77,29 @@ Points read_vertices(const Sections& sections, int dimension) {
     return points;
 }
 
-/// Reads the cells of a section, and their references as tags; none where it is missing.
-void read_cells(const Sections& sections, const char* keyword, int corners, Mesh& mesh) {
-    const auto vertices = static_cast<Index>(mesh.points.rows());
-    mesh.simplices.resize(0, corners);
+/// Adds the cells of a section, their references as tags if all are whole numbers. Their number.
+std::size_t read_cells(const Sections& sections, int dimension, Index vertices,
+                       const SourceFile& file, CellLists& cells) {
+    constexpr std::array<const char*, 3> kinds{"Edges", "Triangles", "Tetrahedra"};
+    const char* const keyword = kinds[static_cast<std::size_t>(dimension) - 1];
     if (!sections.has(keyword))
-        return;
+        return 0;
+    const auto corners = static_cast<std::size_t>(dimension) + 1;
     Scanner scanner = sections.at(keyword);
-    const Index count = scanner.count(keyword, 2 * (static_cast<std::size_t>(corners) + 1));
-    mesh.simplices.resize(count, corners);
-    mesh.tags.resize(static_cast<std::size_t>(count));
+    const auto count = static_cast<std::size_t>(scanner.count(keyword, 2 * (corners + 1)));
+    std::vector<Index> numbers(count * corners), tags(count);
     bool are_tags = true;
-    for (Index cell = 0; cell < count; ++cell) {
-        for (int corner = 0; corner < corners; ++corner)
-            mesh.simplices(cell, corner) = scanner.vertex(vertices, 1);
+    for (std::size_t cell = 0; cell < count; ++cell) {
+        for (std::size_t corner = 0; corner < corners; ++corner)
+            numbers[cell * corners + corner] = scanner.vertex(vertices, 1);
         const auto tag = tag_from(scanner.number("a reference"));
-        mesh.tags[static_cast<std::size_t>(cell)] = tag.value_or(0);
+        tags[cell] = tag.value_or(0);
         are_tags = are_tags && tag.has_value();
     }
-    mesh.tags = are_tags ? tags_or_none(std::move(mesh.tags)) : std::vector<Index>();
+    for (std::size_t cell = 0; cell < count; ++cell)
+        cells.add(dimension, std::span(numbers).subspan(cell * corners, corners),
+                  are_tags ? tags[cell] : 0, file);
+    return count;
 }
 
 /// Leaving such cells out would silently make a hole in the mesh.
@@ -112,17 +118,16 @@ Mesh read_medit(const SourceFile& file) {
     for (const char* solid : {"Hexahedra", "Hexaedra", "Prisms", "Pyramids"})
         refuse_others(sections, solid);
 
-    Mesh mesh;
-    mesh.points = read_vertices(sections, read_dimension(sections));
-    constexpr std::array<const char*, 3> kinds{"Tetrahedra", "Triangles", "Edges"};
-    for (int kind = 0; kind < 3; ++kind) {
-        if (kind == 1)
+    Points points = read_vertices(sections, read_dimension(sections));
+    const auto vertices = static_cast<Index>(points.rows());
+    CellLists cells;
+    int dimension = 3;
+    while (read_cells(sections, dimension, vertices, file, cells) == 0 && dimension > 1)
+        if (--dimension == 2)
             refuse_others(sections, "Quadrilaterals");
-        read_cells(sections, kinds[static_cast<std::size_t>(kind)], 4 - kind, mesh);
-        if (mesh.simplices.rows() > 0)
-            return mesh;
-    }
-    return mesh;
+    if (dimension > 1)
+        read_cells(sections, dimension - 1, vertices, file, cells);
+    return std::move(cells).mesh(std::move(points));
 }
 
 } // namespace polydec

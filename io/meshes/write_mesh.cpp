@@ -217,6 +217,17 @@ void write_nsc(const Path& path, const Mesh& mesh) {
     lines.commit();
 }
 
+void write_medit_cells(Lines& lines, const Simplices& cells, const std::vector<Index>& tags) {
+    constexpr const char* keywords[] = {"Edges", "Triangles", "Tetrahedra"};
+    lines.text(fmt::format("{}\n{}\n", keywords[cells.cols() - 2], cells.rows()));
+    for (Eigen::Index cell = 0; cell < cells.rows(); ++cell) {
+        for (const Index vertex : cells.row(cell))
+            lines.number(std::int64_t{vertex} + 1);
+        lines.number(tags.empty() ? 0 : tags[static_cast<std::size_t>(cell)]);
+        lines.end();
+    }
+}
+
 void write_medit(const Path& path, const Mesh& mesh) {
     const auto axes = mesh.ambient_dimension();
     const auto dimension = mesh.dimension();
@@ -225,8 +236,6 @@ void write_medit(const Path& path, const Mesh& mesh) {
                                  "{}-simplices in R^{}; use .nsc",
                                  dimension, axes));
     }
-    constexpr const char* keywords[] = {"Edges", "Triangles", "Tetrahedra"};
-
     Lines lines(path);
     lines.text(fmt::format("MeshVersionFormatted 2\nDimension {}\nVertices\n{}\n", axes,
                            mesh.points.rows()));
@@ -235,13 +244,9 @@ void write_medit(const Path& path, const Mesh& mesh) {
         lines.word(" 0");
         lines.end();
     }
-    lines.text(fmt::format("{}\n{}\n", keywords[dimension - 1], mesh.simplices.rows()));
-    for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        for (const Index vertex : mesh.simplices.row(cell))
-            lines.number(std::int64_t{vertex} + 1);
-        lines.number(mesh.tags.empty() ? 0 : mesh.tags[static_cast<std::size_t>(cell)]);
-        lines.end();
-    }
+    write_medit_cells(lines, mesh.simplices, mesh.tags);
+    if (dimension > 1 && !mesh.facet_tags.tags.empty())
+        write_medit_cells(lines, mesh.facet_tags.simplices, mesh.facet_tags.tags);
     lines.text("End\n");
     lines.commit();
 }
@@ -265,6 +270,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
     if (!mesh.tags.empty() && static_cast<Eigen::Index>(mesh.tags.size()) != mesh.simplices.rows())
         refuse(path, fmt::format("{} tags for {} simplices: expected one for each, or none",
                                  mesh.tags.size(), mesh.simplices.rows()));
+    check_facet_tags(mesh);
     const auto extension = lower_extension(path);
     if (extension == ".nsc") {
         write_nsc(path, mesh);

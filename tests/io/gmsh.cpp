@@ -164,6 +164,8 @@ TEST(Gmsh, TextAndBytesOfBothVersionsAndOrdersAreTheSame) {
         }
         EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2, 3}, {1, 2, 3, 4}}));
         EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 12}));
+        EXPECT_EQ(rows(mesh.facet_tags.simplices), (Cells{{0, 1, 2}}));
+        EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{40}));
         EXPECT_TRUE(mesh.warnings.empty());
     }
 }
@@ -204,6 +206,7 @@ TEST(Gmsh, WithoutGroupsThereAreNoTags) {
                                              "$EndElements\n");
     EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 2, 3}}));
     EXPECT_TRUE(mesh.tags.empty());
+    EXPECT_TRUE(mesh.facet_tags.tags.empty());
 }
 
 TEST(Gmsh, QuadranglesAreSplitAndTheirTagsFollow) {
@@ -213,10 +216,34 @@ TEST(Gmsh, QuadranglesAreSplitAndTheirTagsFollow) {
                      "4 2 2 -9 1 3 2 1\n$EndElements\n$NodeData\n1\n\"x\"\n$EndNodeData\n");
     EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}));
     EXPECT_EQ(mesh.tags, (std::vector<Index>{8, 8, 9}));
-    EXPECT_EQ(read_from("a.msh", old_start + square +
-                                     "$Elements\n2\n1 15 2 1 1 1\n2 1 2 1 1 1 2\n$EndElements\n")
-                  .simplices.cols(),
-              2);
+    EXPECT_EQ(rows(mesh.facet_tags.simplices), (Cells{{0, 1}}));
+    EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{1}));
+}
+
+TEST(Gmsh, GroupsOfFacetsAreKeptInEveryDimensionAndThoseOfLowerOnesLeftOut) {
+    const std::string elements = "$Elements\n4\n1 15 2 5 1 2\n2 1 2 6 1 1 2\n3 1 2 -7 1 3 2\n";
+    const auto curve =
+        read_from("a.msh", old_start + square + elements + "4 15 2 0 1 3\n$EndElements\n");
+    EXPECT_EQ(rows(curve.simplices), (Cells{{0, 1}, {2, 1}}));
+    EXPECT_EQ(rows(curve.facet_tags.simplices), (Cells{{1}}));
+    EXPECT_EQ(curve.facet_tags.tags, (std::vector<Index>{5}));
+    const auto surface =
+        read_from("a.msh", old_start + square + elements + "4 2 2 0 1 1 2 3\n$EndElements\n");
+    EXPECT_EQ(rows(surface.facet_tags.simplices), (Cells{{0, 1}, {2, 1}}));
+    EXPECT_EQ(surface.facet_tags.tags, (std::vector<Index>{6, 7}));
+    EXPECT_TRUE(surface.tags.empty());
+    const auto solid =
+        read_from("a.msh", old_start + square + elements + "4 4 2 0 1 1 2 3 4\n$EndElements\n");
+    EXPECT_TRUE(solid.facet_tags.tags.empty());
+}
+
+TEST(Gmsh, AFacetWithANodeThatIsNotThereIsRefused) {
+    EXPECT_EQ(
+        reading_error("a.msh", old_start + square +
+                                   "$Elements\n2\n1 1 2 6 1 1 9\n2 2 2 0 1 1 2 3\n"
+                                   "$EndElements\n"),
+        "InvalidInput: a.msh:13: the node 9 is not in the section $Nodes; expected one of its "
+        "numbers; correct it or add the node");
 }
 
 TEST(Gmsh, PartsOfAPartitionedModelHaveTheirGroups) {

@@ -230,6 +230,7 @@ private:
 /// Finite, with every vertex number in range, and with a tag for every cell or none.
 void check(const Mesh& mesh) {
     ASSERT_TRUE(mesh.points.allFinite());
+    ASSERT_NO_THROW(check_facet_tags(mesh));
     ASSERT_TRUE(mesh.tags.empty() ||
                 static_cast<Eigen::Index>(mesh.tags.size()) == mesh.simplices.rows());
     if (mesh.simplices.size() > 0) {

@@ -107,6 +107,29 @@ TEST(Medit, TagsAreWrittenAndReadBack) {
               "or none");
 }
 
+TEST(Medit, ReferencesOfFacetsAreTheirTagsAndZeroIsNone) {
+    const std::string edges = "Edges\n2\n1 2 0\n3 2 -4\n";
+    const std::string triangles = "Triangles\n2\n1 2 3 0\n1 3 4 7\n";
+    const std::string tetrahedra = "Tetrahedra\n1\n1 2 3 4 0\n";
+    const auto surface = read_from("a.mesh", medit + edges + triangles);
+    EXPECT_EQ(rows(surface.facet_tags.simplices), (Cells{{2, 1}}));
+    EXPECT_EQ(surface.facet_tags.tags, (std::vector<Index>{-4}));
+    const auto solid = read_from("a.mesh", medit + edges + triangles + tetrahedra);
+    EXPECT_EQ(rows(solid.facet_tags.simplices), (Cells{{0, 2, 3}}));
+    EXPECT_EQ(solid.facet_tags.tags, (std::vector<Index>{7}));
+    EXPECT_TRUE(read_from("a.mesh", medit + edges).facet_tags.tags.empty());
+    EXPECT_TRUE(read_from("a.mesh", medit + "Edges\n2\n1 2 0.5\n3 2 4\n" + triangles)
+                    .facet_tags.tags.empty());
+}
+
+TEST(Medit, FacetsThatNameNoVertexAreRefusedAndWhatIsLessThanAFacetIsNotRead) {
+    const std::string tetrahedra = "Tetrahedra\n1\n1 2 3 4 0\n";
+    EXPECT_EQ(reading_error("a.mesh", medit + tetrahedra + "Triangles\n1\n1 2 9 3\n"),
+              "InvalidInput: a.mesh:15: vertex number 9 is out of range; expected 1 to 5; correct "
+              "the index or add the vertex");
+    EXPECT_EQ(reading_error("a.mesh", medit + tetrahedra + "Edges\n1\n1 9 3\n"), "");
+}
+
 TEST(Medit, SectionsMayComeInAnyOrderAndUnknownOnesAreLeftOut) {
     const auto mesh =
         read_from("a.mesh", "MeshVersionFormatted\n1\n# comment\nTriangles\n1\n1 2 3 0\n"

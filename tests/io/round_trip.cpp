@@ -43,6 +43,10 @@ PolygonMesh pentagon_and_square() {
     return mesh;
 }
 
+Mesh any_triangle() {
+    return {Points{{0, 0}, {1, 0}, {0, 1}}, Simplices{{0, 1, 2}}, {}};
+}
+
 std::string writing_error(const std::string& name, const Mesh& mesh) {
     return error_of([&] { write_mesh(name, mesh); });
 }
@@ -87,6 +91,41 @@ TEST(RoundTrip, EdgesAndTetrahedraAreTheSameInMedit) {
             RC_ASSERT(same(written_and_read("a.mesh", mesh), mesh));
         }
     }));
+}
+
+TEST(RoundTrip, FacetsWithTagsAreTheSameInMeditAndLostInNsc) {
+    EXPECT_TRUE(rc::check([] {
+        for (const int dimension : {2, 3}) {
+            auto mesh = any_mesh(3, dimension);
+            const auto facets = *rc::gen::inRange(1, 9);
+            const int vertices = static_cast<int>(mesh.points.rows());
+            mesh.facet_tags = {
+                Simplices::NullaryExpr(facets, dimension,
+                                       [vertices] { return *rc::gen::inRange(0, vertices); }),
+                {}};
+            for (int i = 0; i < facets; ++i) {
+                mesh.facet_tags.tags.push_back(*rc::gen::nonZero<Index>());
+            }
+            RC_ASSERT(same(written_and_read("a.mesh", mesh), mesh));
+            RC_ASSERT(!same(written_and_read("a.nsc", mesh), mesh));
+        }
+    }));
+}
+
+TEST(RoundTrip, FacetsWithTagsMustFitTheMesh) {
+    Mesh mesh = any_triangle();
+    mesh.facet_tags = {Simplices{{0, 1}}, {}};
+    EXPECT_EQ(writing_error("a.mesh", mesh),
+              "InvalidInput: there are 0 tags for 1 facets; give every facet one");
+    mesh.facet_tags.tags = {3};
+    mesh.facet_tags.simplices = Simplices{{0, 1, 2}};
+    EXPECT_EQ(writing_error("a.mesh", mesh),
+              "InvalidInput: facets with tags have 3 vertices; expected 2, as those of cells of "
+              "dimension 2 have");
+    mesh.facet_tags.simplices = Simplices{{1, 3}};
+    EXPECT_EQ(writing_error("a.mesh", mesh),
+              "InvalidInput: facet 0 of those with tags (vertices 1 3) names a vertex that is not "
+              "among the 3 given\nVertices are numbered from 0.");
 }
 
 TEST(RoundTrip, StlKeepsFloatsAndTheOrderOfCells) {

@@ -98,7 +98,9 @@ std::vector<std::vector<Index>> rows(const Simplices& simplices) {
 
 bool same(const Mesh& a, const Mesh& b) {
     return a.ambient_dimension() == b.ambient_dimension() && a.dimension() == b.dimension() &&
-           rows(a.points) == rows(b.points) && rows(a.simplices) == rows(b.simplices);
+           rows(a.points) == rows(b.points) && rows(a.simplices) == rows(b.simplices) &&
+           rows(a.facet_tags.simplices) == rows(b.facet_tags.simplices) &&
+           a.facet_tags.tags == b.facet_tags.tags;
 }
 
 double volume(const Mesh& mesh) {

@@ -47,7 +47,7 @@ std::string reading_error(const std::string& name, const std::string& text);
 std::vector<std::vector<double>> rows(const Points& points);
 std::vector<std::vector<Index>> rows(const Simplices& simplices);
 
-/// Points and cells that are equal to the last bit.
+/// Points, cells, and facets with tags that are equal to the last bit.
 bool same(const Mesh& a, const Mesh& b);
 
 /// The volume, area or length of all cells together.

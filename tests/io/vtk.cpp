@@ -112,6 +112,8 @@ TEST(Vtk, TextAndBytesOfOldAndNewVersionsAreTheSame) {
                           {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1.25}}));
             EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2, 3}, {1, 2, 3, 4}}));
             EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 12}));
+            EXPECT_EQ(rows(mesh.facet_tags.simplices), (Cells{{0, 1, 2}}));
+            EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{40}));
             EXPECT_TRUE(mesh.warnings.empty());
         }
     }
@@ -123,6 +125,8 @@ TEST(Vtk, PolygonsAreSplitAndTheirTagsFollowThatOfLines) {
             const auto mesh = parse_mesh({"a.vtk", poly_data(is_binary, version)});
             EXPECT_EQ(rows(mesh.simplices), (Cells{{2, 1, 0}, {0, 1, 4}, {0, 4, 2}}));
             EXPECT_EQ(mesh.tags, (std::vector<Index>{6, 7, 7}));
+            EXPECT_EQ(rows(mesh.facet_tags.simplices), (Cells{{0, 3}}));
+            EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{5}));
         }
     }
 }

@@ -118,6 +118,22 @@ TEST(Shuffled, tags_follow_their_cells) {
     EXPECT_EQ(refusal([&] { shuffled(mesh, 3); }), "shuffled: 39 tags for 40 cells");
 }
 
+TEST(Renumbered, facets_with_tags_follow_their_vertices) {
+    Mesh mesh = kuhn(3, 2);
+    mesh.facet_tags = {Simplices{{0, 1, 4}, {26, 13, 0}}, {5, 6}};
+    for (const auto& result : {shuffled(mesh, 6), along_morton_curve(mesh)}) {
+        const auto& [facets, tags] = result.mesh.facet_tags;
+        ASSERT_EQ(facets.rows(), 2);
+        for (Index i = 0; i < 6; ++i)
+            EXPECT_EQ(result.vertices[facets.data()[i]], mesh.facet_tags.simplices.data()[i]);
+        EXPECT_EQ(tags, mesh.facet_tags.tags);
+        EXPECT_NE(facets, mesh.facet_tags.simplices); // the old numbers would be others
+    }
+    mesh.facet_tags.tags.pop_back();
+    EXPECT_EQ(refusal([&] { shuffled(mesh, 6); }),
+              "there are 1 tags for 2 facets; give every facet one");
+}
+
 TEST(Shuffled, refuses_a_vertex_number_out_of_range) {
     Mesh mesh = grid(1, 1);
     mesh.simplices(1, 2) = 4;

@@ -60,6 +60,18 @@ TEST(Tidy, tags_follow_the_cells_that_stay) {
               "there are 5 tags for 6 cells; give every cell one, or none at all");
 }
 
+TEST(Tidy, facets_with_tags_stay_and_must_be_facets) {
+    Mesh mesh = square_and({{0, 0, 1}, {0, 1, 2}, {3, 4, 3}, {0, 2, 3}});
+    mesh.facet_tags = {Simplices{{1, 0}, {2, 0}, {4, 3}}, {5, 6, 7}};
+    const Mesh result = tidy(mesh);
+    EXPECT_EQ(result.facet_tags.simplices, mesh.facet_tags.simplices);
+    EXPECT_EQ(result.facet_tags.tags, mesh.facet_tags.tags);
+    mesh.facet_tags.simplices(2, 0) = 5;
+    EXPECT_EQ(refusal([&] { tidy(mesh); }),
+              "facet 2 of those with tags (vertices 5 3) names a vertex that is not among the 5 "
+              "given\nVertices are numbered from 0.");
+}
+
 TEST(Tidy, names_five_cells_and_counts_the_others) {
     const Mesh result = tidy(square_and({{1, 1, 1},
                                          {0, 0, 1},

@@ -86,6 +86,15 @@ TEST(UnitOfLength, measures_halves_of_lengths_that_are_too_large) {
     EXPECT_EQ(std::ilogb(unit_of_length(mesh)), 1022);
 }
 
+TEST(UnitOfLength, leaves_facets_with_tags_as_they_are) {
+    Mesh mesh = kuhn(2, 1);
+    mesh.facet_tags = {Simplices{{0, 1}}, {5}};
+    const Mesh result = in_units(mesh, 4);
+    EXPECT_EQ(result.facet_tags.simplices, mesh.facet_tags.simplices);
+    EXPECT_EQ(result.facet_tags.tags, mesh.facet_tags.tags);
+    EXPECT_NE(result.points, mesh.points);
+}
+
 TEST(InInputUnits, numbers_get_their_power_exactly_or_none) {
     const double unit = std::exp2(-400);
     EXPECT_EQ(in_input_units(3.0, unit, 2), 3 * std::exp2(-800));

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merging/merged_tags.h"
+
+#include "base/checks.h"
+#include "base/listed.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+/// The facet that has these vertex numbers, ascending; -1 if none does.
+Index find_facet(const SimplicialComplex& complex, const std::vector<Index>& numbers) {
+    const int k = complex.dimension() - 1;
+    Index low = 0, high = complex.size(k);
+    while (low < high) {
+        const Index middle = low + (high - low) / 2;
+        if (complex.vertex_numbers(k, middle) < numbers)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < complex.size(k) && complex.vertex_numbers(k, low) == numbers ? low : -1;
+}
+
+std::string list_facets(const TaggedSimplices& facets, const std::vector<Index>& rows) {
+    return listed(rows, [&](Index row) {
+        const auto vertices = facets.simplices.row(row);
+        return fmt::format("({})", fmt::join(vertices.begin(), vertices.end(), " "));
+    });
+}
+
+} // namespace
+
+std::vector<Index> tags_of_cells(const SimplicialComplex& complex, const std::vector<Index>& tags) {
+    if (tags.empty())
+        return {};
+    std::vector<Index> result;
+    for (Index t = 0; t < complex.size(complex.dimension()); ++t)
+        result.push_back(tags[complex.input_row(t)]);
+    return result;
+}
+
+std::vector<Index> tags_of_facets(const SimplicialComplex& complex, const TaggedSimplices& facets,
+                                  std::vector<std::string>& warnings) {
+    if (facets.tags.empty())
+        return {};
+    const Index size = complex.size(complex.dimension() - 1);
+    std::vector<Index> result(static_cast<std::size_t>(size), 0), strays, repeated, numbers;
+    for (Index row = 0; row < facets.simplices.rows(); ++row) {
+        const auto vertices = facets.simplices.row(row);
+        numbers.assign(vertices.begin(), vertices.end());
+        std::sort(numbers.begin(), numbers.end());
+        const Index facet = find_facet(complex, numbers);
+        const Index tag = facets.tags[row];
+        if (facet < 0)
+            strays.push_back(row);
+        else if (result[facet] == 0)
+            result[facet] = tag;
+        else if (result[facet] != tag)
+            repeated.push_back(row);
+    }
+    if (!strays.empty())
+        warnings.push_back(fmt::format("left out {} facet{} of groups that no cell has: {}",
+                                       strays.size(), strays.size() == 1 ? "" : "s",
+                                       list_facets(facets, strays)));
+    if (!repeated.empty())
+        warnings.push_back(fmt::format("left out {} second group{} of facets: {}", repeated.size(),
+                                       repeated.size() == 1 ? "" : "s",
+                                       list_facets(facets, repeated)));
+    return result;
+}
+
+std::vector<Index> merged_tags(const Merging& merging, int k, const std::vector<Index>& tags,
+                               std::vector<std::string>& warnings) {
+    if (tags.empty())
+        return {};
+    const IncidenceMatrix& diamond = merging.diamond(k);
+    check_as_many("tags", static_cast<Index>(tags.size()), static_cast<Index>(diamond.cols()));
+    std::vector<Index> result;
+    Index different = 0;
+    for (Index cell = 0; cell < diamond.rows(); ++cell) {
+        IncidenceMatrix::InnerIterator piece(diamond, cell);
+        const Index first = tags[piece.col()];
+        while (piece && tags[piece.col()] == first)
+            ++piece;
+        result.push_back(piece ? 0 : first);
+        different += piece ? 1 : 0;
+    }
+    if (different > 0) {
+        const bool are_facets = k < merging.merged().dimension();
+        warnings.push_back(
+            fmt::format("{} merged {}{} {} of different groups; {} tag is 0", different,
+                        are_facets ? "facet" : "cell", different == 1 ? " joins" : "s join",
+                        are_facets ? "facets" : "simplices", different == 1 ? "its" : "their"));
+    }
+    return result;
+}
+
+} // namespace polydec
