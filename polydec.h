@@ -59,6 +59,7 @@
 #include "dec/metric/rounding.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/metric/whitney.h"
+#include "dec/operators.h"
 #include "dec/surfaces/flip_history.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
 #include "dec/surfaces/overlay.h"

@@ -27,7 +27,7 @@ struct Dirichlet {
 
     explicit Dirichlet(const Discretization& cells)
         : inside(relative_complex(cells.complex(), essential_cells(cells.complex(), {}))) {
-        const auto volumes = relative_volumes(inside, cells.volumes);
+        const auto volumes = relative_volumes(inside, cells.volumes());
         A = symmetric_laplacian(inside.complex, volumes, 0);
         b = star(volumes, 0);
     }
@@ -51,8 +51,9 @@ Vector solve_by_engine(const std::string& name, const Dirichlet& problem, int di
 
 Vector solve_by_library(const std::string& name, const Discretization& cells) {
     PoissonSolver solver(cells, {.linear_solver = name});
-    return solver.solve(Vector::Ones(solver.sites().rows()),
-                        Vector::Zero(solver.boundary_sites().rows()));
+    return solver
+        .solve(Vector::Ones(solver.sites().rows()), Vector::Zero(solver.boundary_sites().rows()))
+        .values;
 }
 
 using BareSolve = Vector (*)(const SparseMatrix&, const Vector&);

@@ -83,8 +83,8 @@ Operators whole_way(const std::filesystem::path& from, const std::filesystem::pa
     const Vector u =
         solver.solve(solver.sites().col(0), Vector::Zero(solver.boundary_sites().rows()));
     stages.next("7_write");
-    auto grid = draw_cells(cells.merging(), cells.points(), 0);
-    add_cochain(grid, cells.merging(), 0, "u", u);
+    auto grid = draw_cells(cells, 0);
+    add_cochain(grid, cells.complex(), 0, "u", u);
     write_vtu(to, grid);
     stages.next("");
     return operators;

@@ -2,8 +2,12 @@
 #include "complex/corners.h"
 
 #include "base/checks.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace polydec {
@@ -74,6 +78,31 @@ std::vector<Index> corners(const Merging& merging, Index cell) {
         while (sides[side].twin >= 0)
             side = follower(sides, sides[side].twin);
     } while (side != start && walk.size() <= sides.size());
+    return walk;
+}
+
+std::vector<Index> corners(const CellComplex& complex, Index cell) {
+    const IncidenceMatrix& sides = complex.coboundary(1);
+    check_number("2-cell", cell, 0, sides.rows() - 1);
+    std::vector<std::pair<Index, Index>> ways; // tail, head, by tails
+    Index walk_from = -1;
+    for (Row side(sides, cell); side; ++side) {
+        std::array<Index, 2> ends{-1, -1};
+        for (Row end(complex.coboundary(0), static_cast<Index>(side.col())); end; ++end)
+            ends[end.value() * side.value() > 0 ? 1 : 0] = static_cast<Index>(end.col());
+        ways.emplace_back(ends[0], ends[1]);
+        walk_from = walk_from < 0 ? ends[0] : walk_from;
+    }
+    std::sort(ways.begin(), ways.end());
+    std::vector<Index> walk;
+    for (Index v = walk_from; walk.size() < ways.size();) {
+        walk.push_back(v);
+        const auto way = std::lower_bound(ways.begin(), ways.end(), std::pair{v, Index{-1}});
+        v = way != ways.end() && way->first == v ? way->second : -1;
+        if (v < 0 || (v == walk_from) != (walk.size() == ways.size()))
+            throw InvalidInput(fmt::format(
+                "the boundary of 2-cell {} is no simple circle: its corners have no order", cell));
+    }
     return walk;
 }
 

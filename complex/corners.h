@@ -10,4 +10,7 @@ namespace polydec {
 /// 2; time O(p log p) for p pieces. Throws InvalidInput if there is no such cell.
 std::vector<Index> corners(const Merging& merging, Index cell);
 
+/// The same of any 2-cell. Throws InvalidInput too if its boundary is not one simple circle.
+std::vector<Index> corners(const CellComplex& complex, Index cell);
+
 } // namespace polydec

@@ -3,19 +3,21 @@
 
 #include "dec/facets_without_dual.h"
 
+#include <utility>
+
 namespace polydec {
 
 namespace {
 
 /// The cells whose duals lie on the boundary: facets without dual that are not left out anyway, the
 /// n-cells beside them, and what has such cofaces alone.
-CellMarks on_the_boundary(const Discretization& discretization, const CellMarks& left_out) {
-    const auto& complex = discretization.complex();
+CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_dual,
+                          const CellMarks& left_out) {
     const int n = complex.dimension();
     CellMarks marks;
     for (int k = 0; k <= n; ++k)
         marks.emplace_back(complex.size(k), false);
-    marks[n - 1] = boundary_facets_without_dual(discretization);
+    marks[n - 1] = std::move(without_dual);
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (left_out[n - 1][f])
             marks[n - 1][f] = false;
@@ -38,27 +40,37 @@ CellMarks on_the_boundary(const Discretization& discretization, const CellMarks&
     return marks;
 }
 
-} // namespace
-
-ConditionedComplex conditioned_complex(const Discretization& discretization, Side side,
-                                       const BoundaryConditions& conditions) {
-    const auto& complex = discretization.complex();
-    if (side == Side::primal) {
-        auto relative = relative_complex(complex, essential_cells(complex, conditions));
-        auto volumes = relative_volumes(relative, discretization.volumes());
-        return {std::move(relative), std::move(volumes)};
-    }
-    const auto left_out = essential_cells(complex, exchanged(conditions));
-    auto relative = relative_complex(complex, left_out, on_the_boundary(discretization, left_out));
-    auto volumes = relative_volumes(relative, discretization.volumes());
-    return {std::move(relative), std::move(volumes)};
+/// without_dual() marks the boundary facets without dual.
+template <class Marks>
+ConditionedComplex conditioned(const CellComplex& complex, const CellVolumes& volumes, Side side,
+                               int degree, const BoundaryConditions& conditions,
+                               Marks without_dual) {
+    check_fit(complex, volumes);
+    const bool densities = side == Side::primal && degree == complex.dimension();
+    const bool leaves_duals_out = side == Side::dual || densities;
+    const auto left_out =
+        essential_cells(complex, side == Side::dual ? exchanged(conditions) : conditions);
+    auto relative = leaves_duals_out
+                        ? relative_complex(complex, left_out,
+                                           on_the_boundary(complex, without_dual(), left_out))
+                        : relative_complex(complex, left_out);
+    auto restricted = relative_volumes(relative, volumes);
+    return {std::move(relative), std::move(restricted)};
 }
 
-ConditionedComplex conditioned_complex(const Discretization& discretization, Side side, int degree,
+} // namespace
+
+ConditionedComplex conditioned_complex(const CellComplex& complex, const CellVolumes& volumes,
+                                       Side side, int degree,
                                        const BoundaryConditions& conditions) {
-    const bool densities = side == Side::primal && degree == discretization.dimension();
-    return densities ? conditioned_complex(discretization, Side::dual, exchanged(conditions))
-                     : conditioned_complex(discretization, side, conditions);
+    return conditioned(complex, volumes, side, degree, conditions,
+                       [&] { return boundary_facets_without_dual(complex, volumes); });
+}
+
+ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,
+                                       const BoundaryConditions& conditions) {
+    return conditioned(mesh.complex(), mesh.volumes(), side, degree, conditions,
+                       [&] { return boundary_facets_without_dual(mesh); });
 }
 
 } // namespace polydec

@@ -19,13 +19,12 @@ struct ConditionedComplex {
 /// the natural facets and their faces are. Of the essential ones those without dual (see
 /// boundary_facets_without_dual) are left out with the n-cell beside each and what has no other
 /// cofaces: the duals of these cells lie on the boundary, where dual forms are 0.
+/// Primal n-forms are the stars of dual 0-forms, which do without the duals of boundary facets. Of
+/// any cells, boundary facets are without dual where their star is zero.
 /// Linear time. Throws InvalidInput if there are conditions but not one for each facet.
-ConditionedComplex conditioned_complex(const Discretization& discretization, Side side,
-                                       const BoundaryConditions& conditions);
-
-/// The same for forms of one degree: primal n-forms are the stars of dual 0-forms, which do without
-/// the duals of boundary facets.
-ConditionedComplex conditioned_complex(const Discretization& discretization, Side side, int degree,
+ConditionedComplex conditioned_complex(const CellComplex& complex, const CellVolumes& volumes,
+                                       Side side, int degree, const BoundaryConditions& conditions);
+ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,
                                        const BoundaryConditions& conditions);
 
 } // namespace polydec

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/facets_without_dual.h"
 
+#include "dec/forms/star.h"
 #include "dec/merging/facet_defects.h"
 
 #include <algorithm>
@@ -35,6 +36,16 @@ std::vector<bool> boundary_facets_without_dual(const Discretization& discretizat
         marks[f] = is_degenerate(volumes.dual(n - 1)[f], volumes.terms(n - 1)[f], scale, height,
                                  discretization.options().tolerance);
     }
+    return marks;
+}
+
+std::vector<bool> boundary_facets_without_dual(const CellComplex& complex,
+                                               const CellVolumes& volumes) {
+    check_fit(complex, volumes);
+    const int n = complex.dimension();
+    std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
+    for (const Index f : zero_star_cells(volumes, n - 1))
+        marks[f] = complex.coface_counts(n - 1)[f] == 1;
     return marks;
 }
 

@@ -13,4 +13,9 @@ namespace polydec {
 /// value there. Size size(n-1) of complex(); cells with another number of cofaces are not marked.
 std::vector<bool> boundary_facets_without_dual(const Discretization& discretization);
 
+/// The same of any cells, of whose facets no sizes are known: those whose star entry is zero (see
+/// zero_star_cells).
+std::vector<bool> boundary_facets_without_dual(const CellComplex& complex,
+                                               const CellVolumes& volumes);
+
 } // namespace polydec

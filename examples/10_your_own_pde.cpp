@@ -10,7 +10,6 @@
 
 int main() {
     const auto sphere = polydec::discretize(polydec::uv_sphere(32, 16));
-    const auto& P = sphere.complex();
     const double nu = 0.05, dt = 0.02;
 
     // a wind around the axis, given at the vertices
@@ -21,8 +20,8 @@ int main() {
         polydec::lie_derivative(sphere, wind, 0, polydec::Sampling::upwind);
 
     // (star_0 + dt nu d^T star_1 d) u_new = star_0 (u - dt L_X u), factorized once
-    const polydec::Vector mass = polydec::star(sphere.volumes(), 0);
-    polydec::SparseMatrix A = dt * nu * polydec::symmetric_laplacian(P, sphere.volumes(), 0);
+    const polydec::Vector mass = polydec::star(sphere, 0);
+    polydec::SparseMatrix A = dt * nu * polydec::symmetric_laplacian(sphere, 0);
     A.diagonal() += mass;
     const auto solver = polydec::make_linear_solver("auto");
     solver->factorize(A, {.symmetry = polydec::Symmetry::symmetric,

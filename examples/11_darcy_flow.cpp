@@ -58,7 +58,7 @@ int main() {
         }
     std::ofstream("darcy_flow.svg") << polydec::to_svg(drawing);
 
-    auto grid = polydec::draw_cells(box.merging(), box.points(), 3);
-    polydec::add_cochain(grid, box.merging(), 3, "pressure", flow.pressure.values);
+    auto grid = polydec::draw_cells(box, 3);
+    polydec::add_cochain(grid, box.complex(), 3, "pressure", flow.pressure.values);
     polydec::write_vtu("darcy_flow.vtu", grid);
 }

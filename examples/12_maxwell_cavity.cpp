@@ -38,7 +38,7 @@ int main() {
     std::ofstream("maxwell_cavity.svg") << polydec::to_svg(polydec::draw_solid(
         solid, {.eye = Eigen::Vector3d(1.1, -1.5, 1), .title = "Energy of six standing waves"}));
 
-    auto grid = polydec::draw_cells(box.merging(), box.points(), 3);
-    polydec::add_cochain(grid, box.merging(), 3, "energy", energy);
+    auto grid = polydec::draw_cells(box, 3);
+    polydec::add_cochain(grid, box.complex(), 3, "energy", energy);
     polydec::write_vtu("maxwell_cavity.vtu", grid);
 }

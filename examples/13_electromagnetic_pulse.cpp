@@ -44,8 +44,8 @@ void run(const std::string& name, const polydec::Mesh& mesh) {
     std::ofstream(name + ".svg") << polydec::to_svg(
         polydec::draw_solid(solid, {.eye = Eigen::Vector3d(0.5, -1.2, 0.6),
                                     .title = "A pulse at time 0.4: E upwards"}));
-    auto grid = polydec::draw_cells(box.merging(), box.points(), 3);
-    polydec::add_cochain(grid, box.merging(), 3, "E_z", vertical);
+    auto grid = polydec::draw_cells(box, 3);
+    polydec::add_cochain(grid, box.complex(), 3, "E_z", vertical);
     polydec::write_vtu(name + ".vtu", grid);
 }
 

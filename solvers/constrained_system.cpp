@@ -80,7 +80,6 @@ ConstrainedSolver::ConstrainedSolver(ConstrainedSystem system, const std::string
                                                                           : Definiteness::positive;
     facts.domain_dimension = system_.domain_dimension;
     solver_->factorize(part(system_.A, unknowns_), facts);
-    compatibility_.free_components = free_components_;
 }
 
 /// Components of the graph of A among the unknowns that are not fixed; those that touch a fixed or
@@ -116,22 +115,24 @@ void ConstrainedSolver::find_components() {
     }
 }
 
-DenseMatrix ConstrainedSolver::solve_columns(const DenseMatrix& b,
-                                             const DenseMatrix& fixed_values) {
+Solution<DenseMatrix> ConstrainedSolver::solve_all(const DenseMatrix& b,
+                                                   const DenseMatrix& fixed_values) const {
     check_as_many("columns of fixed values", fixed_values.cols(), b.cols());
-    DenseMatrix u(system_.A.rows(), b.cols());
-    double worst = 0, residual = 0;
+    Solution<DenseMatrix> all{DenseMatrix(system_.A.rows(), b.cols()), {}, {}};
     for (Eigen::Index j = 0; j < b.cols(); ++j) {
-        u.col(j) = solve(Vector(b.col(j)), Vector(fixed_values.col(j)));
-        worst = std::max(worst, compatibility_.worst);
-        residual = std::max(residual, residual_);
+        auto [u, report, compatibility] = solve(Vector(b.col(j)), Vector(fixed_values.col(j)));
+        all.values.col(j) = u;
+        report.iterations = std::max(report.iterations, all.report.iterations);
+        report.residual = std::max(report.residual, all.report.residual);
+        report.backward_error = std::max(report.backward_error, all.report.backward_error);
+        compatibility.worst = std::max(compatibility.worst, all.compatibility.worst);
+        all.report = std::move(report);
+        all.compatibility = compatibility;
     }
-    compatibility_.worst = worst;
-    residual_ = residual;
-    return u;
+    return all;
 }
 
-Vector ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) {
+Solution<Vector> ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) const {
     const auto n = static_cast<Index>(system_.A.rows());
     if (b.size() != n || fixed_values.size() != n)
         throw InvalidInput(fmt::format("right-hand side of {} and fixed values of {} entries: "
@@ -147,10 +148,10 @@ Vector ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) {
             size[c] += std::abs(b[i]);
             weight[c] += system_.weights[i];
         }
-    compatibility_.worst = 0;
+    Compatibility compatibility{free_components_, 0};
     for (Index c = 0; c < free_components_; ++c)
         if (size[c] > 0)
-            compatibility_.worst = std::max(compatibility_.worst, std::abs(sum[c]) / size[c]);
+            compatibility.worst = std::max(compatibility.worst, std::abs(sum[c]) / size[c]);
 
     Vector u = Vector::Zero(n);
     for (Index i = 0; i < n; ++i)
@@ -164,7 +165,6 @@ Vector ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) {
     const Vector reduced = right_side(unknowns_);
     const Vector solution = solver_->solve(reduced);
     u(unknowns_) = solution;
-    residual_ = solver_->report().residual;
 
     for (Index i = 0; i < n; ++i)
         if (const Index c = component_[i]; c >= 0)
@@ -175,7 +175,7 @@ Vector ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) {
     if (!u.allFinite())
         throw SolverFailure("the solution has values that are not finite: data or weights leave "
                             "the range of numbers; scale them");
-    return u;
+    return {std::move(u), solver_->report(), compatibility};
 }
 
 } // namespace polydec

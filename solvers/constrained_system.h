@@ -26,31 +26,29 @@ struct Compatibility {
     double worst = 0; ///< largest |sum of b| / sum |b| over them; removed before solving
 };
 
+/// What a solve gives, and how it went; of several systems, a column each, the worst.
+template <class Values>
+struct Solution {
+    Values values;
+    SolveReport report;
+    Compatibility compatibility;
+};
+
 /// Solves constrained systems with one factorization. On free components the part of b that no u
 /// can give (its sum, shared out by the weights) is removed, and the weighted mean of u is 0.
+/// An object is used by one thread at a time.
 class ConstrainedSolver {
 public:
     /// Throws InvalidInput for sizes that do not fit, SolverFailure if A cannot be factorized.
     ConstrainedSolver(ConstrainedSystem system, const std::string& engine);
 
     /// u with u = fixed_values on the fixed unknowns. fixed_values has an entry for every unknown.
-    Vector solve(const Vector& b, const Vector& fixed_values);
+    Solution<Vector> solve(const Vector& b, const Vector& fixed_values) const;
 
     /// The same for several systems, a column each.
-    template <SeveralColumns B, SeveralColumns Values>
-    DenseMatrix solve(const Eigen::MatrixBase<B>& b,
-                      const Eigen::MatrixBase<Values>& fixed_values) {
-        return solve_columns(b, fixed_values);
-    }
-
-    /// Of the last solve; of several systems the worst.
-    const Compatibility& compatibility() const { return compatibility_; }
-    /// |b - A u| / |b| over the unknowns solved for; 0 if there are none.
-    double residual() const { return residual_; }
-    const SolveReport& report() const { return solver_->report(); }
+    Solution<DenseMatrix> solve_all(const DenseMatrix& b, const DenseMatrix& fixed_values) const;
 
 private:
-    DenseMatrix solve_columns(const DenseMatrix& b, const DenseMatrix& fixed_values);
     void find_components();
 
     ConstrainedSystem system_;
@@ -58,8 +56,6 @@ private:
     std::vector<Index> component_; // of each unknown, -1 if fixed or tied down
     Index free_components_ = 0;
     std::unique_ptr<LinearSolver> solver_;
-    Compatibility compatibility_;
-    double residual_ = 0;
 };
 
 } // namespace polydec

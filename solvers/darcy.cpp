@@ -2,7 +2,6 @@
 #include "solvers/darcy.h"
 
 #include "dec/forms/derivative.h"
-#include "solvers/dual_fluxes.h"
 
 #include <utility>
 
@@ -17,47 +16,55 @@ PoissonOptions with_dual_side(PoissonOptions options) {
 
 } // namespace
 
-DarcySolver::DarcySolver(const Discretization& discretization, PoissonOptions options)
-    : poisson_(discretization, with_dual_side(options)), complex_(discretization.complex()) {
-    const int n = complex_.dimension();
-    const auto essential = essential_cells(complex_, options.boundary);
-    volumes_ = discretization.volumes().primal(n);
-    areas_ = discretization.volumes().primal(n - 1);
-    weights_ = dual_fluxes(discretization, essential, options.conductivity).weights;
-    divergence_ = derivative(complex_, n - 1);
-    essential_ = essential[n - 1];
-}
+DarcySolver::DarcySolver(const Discretization& mesh, const PoissonOptions& options)
+    : DarcySolver(mesh.complex(), mesh.volumes(), PoissonSolver(mesh, with_dual_side(options)),
+                  options.boundary) {}
 
-DarcyFlow DarcySolver::solve(const Vector& source, const Vector& pressures, const Vector& outflow) {
+DarcySolver::DarcySolver(const CellComplex& complex, const CellVolumes& volumes,
+                         const PoissonOptions& options)
+    : DarcySolver(complex, volumes, PoissonSolver(complex, volumes, with_dual_side(options)),
+                  options.boundary) {}
+
+DarcySolver::DarcySolver(const CellComplex& complex, const CellVolumes& volumes,
+                         PoissonSolver poisson, const BoundaryConditions& conditions)
+    : poisson_(std::move(poisson)),
+      complex_(complex),
+      volumes_(volumes),
+      essential_(essential_cells(complex, conditions)[complex.dimension() - 1]) {}
+
+DarcyFlow DarcySolver::solve(const Vector& source, const Vector& pressures,
+                             const Vector& outflow) const {
     const int n = complex_.dimension();
-    const Vector p = poisson_.solve(source, pressures, -outflow);
+    const auto [p, report, compatibility] = poisson_.solve(source, pressures, -outflow);
+    const SparseMatrix divergence = derivative(complex_, n - 1);
+    const Vector &areas = volumes_.primal(n - 1), &weights = poisson_.facet_weights();
 
     // through a facet flows its weight times the difference of the pressures on its sides
-    Vector difference = divergence_.transpose() * p;
+    Vector difference = divergence.transpose() * p;
     const auto& counts = complex_.coface_counts(n - 1);
-    const SparseMatrix cofaces = divergence_.transpose();
-    Vector open = Vector::Zero(areas_.size()); // of the facets that close a balance
-    Vector flux(areas_.size());
+    const SparseMatrix cofaces = divergence.transpose();
+    Vector open = Vector::Zero(areas.size()); // of the facets that close a balance
+    Vector flux(areas.size());
     for (Index f = 0; f < flux.size(); ++f) {
         const bool boundary = counts[f] == 1;
         const double outward = boundary ? SparseMatrix::InnerIterator(cofaces, f).value() : 0;
         if (boundary && essential_[f]) {
             difference[f] -= outward * pressures[f];
-            open[f] = weights_[f] == 0 ? areas_[f] : 0;
+            open[f] = weights[f] == 0 ? areas[f] : 0;
         }
-        flux[f] = boundary && !essential_[f] ? outward * outflow[f] * areas_[f]
-                                             : weights_[f] * difference[f];
+        flux[f] = boundary && !essential_[f] ? outward * outflow[f] * areas[f]
+                                             : weights[f] * difference[f];
     }
 
-    const SparseMatrix sides = divergence_.cwiseAbs();
-    const Vector missing = volumes_.cwiseProduct(source) - divergence_ * flux;
+    const SparseMatrix sides = divergence.cwiseAbs();
+    const Vector missing = volumes_.primal(n).cwiseProduct(source) - divergence * flux;
     const Vector room = sides * open;
     for (Index f = 0; f < flux.size(); ++f)
         if (open[f] > 0) {
             const SparseMatrix::InnerIterator cell(cofaces, f);
             flux[f] = cell.value() * missing[cell.col()] * open[f] / room[cell.col()];
         }
-    return {{Side::dual, 0, p}, {Side::primal, n - 1, std::move(flux)}};
+    return {{Side::dual, 0, p}, {Side::primal, n - 1, std::move(flux)}, report, compatibility};
 }
 
 } // namespace polydec

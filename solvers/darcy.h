@@ -10,6 +10,8 @@ namespace polydec {
 struct DarcyFlow {
     Cochain pressure; ///< dual 0-form: at the circumcenters of the n-cells
     Cochain flux;     ///< primal (n-1)-form: through the facets, as they are oriented
+    SolveReport report;
+    Compatibility compatibility;
 };
 
 /// Darcy's problem: flux = -kappa grad p, div flux = source. The pressure is a dual 0-form, the
@@ -23,7 +25,9 @@ struct DarcyFlow {
 class DarcySolver {
 public:
     /// Of the options the side does not matter. Throws like PoissonSolver for dual 0-forms.
-    DarcySolver(const Discretization& discretization, PoissonOptions options = {});
+    DarcySolver(const Discretization& mesh, const PoissonOptions& options = {});
+    DarcySolver(const CellComplex& complex, const CellVolumes& volumes,
+                const PoissonOptions& options = {});
 
     /// Places of cells and of facets: circumcenters.
     const Points& sites() const { return poisson_.sites(); }
@@ -31,15 +35,15 @@ public:
 
     /// source at sites(), per volume; pressures at the essential facets and outflow per area at the
     /// natural ones, both at facet_sites(). Throws like PoissonSolver::solve.
-    DarcyFlow solve(const Vector& source, const Vector& pressures, const Vector& outflow);
-
-    const PoissonSolver& poisson() const { return poisson_; }
+    DarcyFlow solve(const Vector& source, const Vector& pressures, const Vector& outflow) const;
 
 private:
+    DarcySolver(const CellComplex& complex, const CellVolumes& volumes, PoissonSolver poisson,
+                const BoundaryConditions& conditions);
+
     PoissonSolver poisson_;
     CellComplex complex_;
-    Vector volumes_, areas_, weights_;
-    SparseMatrix divergence_; // d_(n-1)
+    CellVolumes volumes_;
     std::vector<bool> essential_;
 };
 

@@ -11,7 +11,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <string>
 
 namespace polydec {
 
@@ -19,19 +18,10 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 
-std::string with_vertices(const Discretization& discretization, Index facet) {
-    const auto vertices = cell_vertices(discretization, discretization.dimension() - 1, facet);
-    return fmt::format("facet {} (vertices {})", facet, fmt::join(vertices, ", "));
-}
-
 /// Dual 0-forms are functions only where every facet separates at most two cells that agree on its
 /// sides.
-void check_two_sided(const Discretization& discretization) {
-    const auto& complex = discretization.complex();
+void check_two_sided(const CellComplex& complex, const FacetDuals& duals) {
     const int n = complex.dimension();
-    if (!discretization.pieces().orientable())
-        throw InvalidInput("the mesh is non-orientable, so dual 0-forms change sign around it: "
-                           "solve for primal 0-forms");
     const auto& counts = complex.coface_counts(n - 1);
     const auto branching =
         std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
@@ -39,58 +29,33 @@ void check_two_sided(const Discretization& discretization) {
         throw InvalidInput(fmt::format(
             "{} cells meet at {}, so the flux through it is not a difference of two values: solve "
             "for primal 0-forms",
-            *branching,
-            with_vertices(discretization, static_cast<Index>(branching - counts.begin()))));
+            *branching, duals.named(static_cast<Index>(branching - counts.begin()))));
+    const Vector sums = complex.boundary(n).cast<double>() * Vector::Ones(complex.size(n)).eval();
+    for (Index f = 0; f < sums.size(); ++f)
+        if (counts[f] == 2 && sums[f] != 0)
+            throw InvalidInput(fmt::format(
+                "the mesh is non-orientable, so dual 0-forms change sign around it, at {}: solve "
+                "for primal 0-forms",
+                duals.named(f)));
 }
 
-/// What the facets oppose to a flux, times their volumes.
-struct Resistances {
-    Vector values;
-    Vector terms; ///< sizes of what cancels in these
-};
-
-/// The dual length of each merged facet divided by the conductivity it lies in, piece by piece, as
-/// resistances in series add up.
-Resistances resistances(const Discretization& discretization, const Vector& conductivity) {
-    const int n = discretization.dimension();
-    if (conductivity.size() == 0)
-        return {discretization.volumes().dual(n - 1), discretization.volumes().terms(n - 1)};
-    const auto& volumes = discretization.piece_volumes();
-    const SparseMatrix parts = dual_parts(discretization.pieces(), discretization.metric(), volumes,
-                                          n - 1, n, discretization.options().centers);
-    const SparseMatrix pieces = discretization.merging().diamond(n).cast<double>().cwiseAbs();
-    const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
-    const SparseMatrix facets = discretization.merging().diamond(n - 1).cast<double>().cwiseAbs();
-    const auto over_merged = [&](const Vector& of_input_facets) -> Vector {
-        return (facets * volumes.primal(n - 1).cwiseProduct(of_input_facets))
-            .cwiseQuotient(discretization.volumes().primal(n - 1));
-    };
-    // a part is as exact as the whole dual
-    Vector sums = Vector::Zero(volumes.terms(n - 1).size());
-    for (Index t = 0; t < of_pieces.size(); ++t)
-        for (int i = 0; i <= n; ++i)
-            sums[discretization.pieces().face(n, t, i)] += of_pieces[t];
-    return {over_merged(parts.transpose() * of_pieces),
-            over_merged(sums.cwiseProduct(volumes.terms(n - 1)))};
-}
-
-void check_fluxes_are_defined(const Discretization& discretization,
-                              const Resistances& resistances) {
-    const int n = discretization.dimension();
-    const auto& counts = discretization.complex().coface_counts(n - 1);
-    for (const Index facet : zero_star_cells(discretization.volumes(), n - 1))
+void check_fluxes_are_defined(const CellComplex& complex, const CellVolumes& volumes,
+                              const FacetDuals& duals) {
+    const int n = complex.dimension();
+    const auto& counts = complex.coface_counts(n - 1);
+    for (const Index facet : zero_star_cells(volumes, n - 1))
         if (counts[facet] == 2)
             throw InvalidInput(fmt::format(
                 "the dual of {} has no length, so the flux through it is not defined: let "
                 "cospherical cells be merged",
-                with_vertices(discretization, facet)));
-    for (Index facet = 0; facet < resistances.values.size(); ++facet)
-        if (counts[facet] == 2 && is_zero(resistances.values[facet], resistances.terms[facet]))
+                duals.named(facet)));
+    for (Index facet = 0; facet < duals.resistances.size(); ++facet)
+        if (counts[facet] == 2 && is_zero(duals.resistances[facet], duals.terms[facet]))
             throw InvalidInput(fmt::format(
                 "the two parts of the dual of {}, each over the conductivity of the cell beside "
                 "it, cancel, so the flux through it is not defined: change one of the two "
                 "conductivities, or take a mesh that has no obtuse angle there",
-                with_vertices(discretization, facet)));
+                duals.named(facet)));
 }
 
 /// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.
@@ -104,16 +69,51 @@ void average_rows(SparseMatrix& matrix) {
 
 } // namespace
 
-DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& essential,
-                       const Vector& conductivity) {
-    check_two_sided(discretization);
-    const auto& complex = discretization.complex();
-    const auto& volumes = discretization.volumes();
+FacetDuals facet_duals(const CellComplex& complex, const CellVolumes& volumes) {
+    const int n = complex.dimension();
+    return {volumes.dual(n - 1), volumes.terms(n - 1),
+            boundary_facets_without_dual(complex, volumes), [volumes, n](Index facet) {
+                return fmt::format("facet {}", volumes.number(n - 1, facet));
+            }};
+}
+
+FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
+    const int n = mesh.dimension();
+    FacetDuals duals = facet_duals(mesh.complex(), mesh.volumes());
+    duals.missing = boundary_facets_without_dual(mesh);
+    duals.named = [mesh, n](Index facet) {
+        return fmt::format("facet {} (vertices {})", facet,
+                           fmt::join(cell_vertices(mesh, n - 1, facet), ", "));
+    };
+    if (conductivity.size() == 0)
+        return duals;
+    // piece by piece, as resistances in series add up
+    const auto& volumes = mesh.piece_volumes();
+    const SparseMatrix parts =
+        dual_parts(mesh.pieces(), mesh.metric(), volumes, n - 1, n, mesh.options().centers);
+    const SparseMatrix pieces = mesh.merging().diamond(n).cast<double>().cwiseAbs();
+    const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
+    const SparseMatrix facets = mesh.merging().diamond(n - 1).cast<double>().cwiseAbs();
+    const auto over_merged = [&](const Vector& of_piece_facets) -> Vector {
+        return (facets * volumes.primal(n - 1).cwiseProduct(of_piece_facets))
+            .cwiseQuotient(mesh.volumes().primal(n - 1));
+    };
+    // a part is as exact as the whole dual
+    Vector sums = Vector::Zero(volumes.terms(n - 1).size());
+    for (Index t = 0; t < of_pieces.size(); ++t)
+        for (int i = 0; i <= n; ++i)
+            sums[mesh.pieces().face(n, t, i)] += of_pieces[t];
+    duals.resistances = over_merged(parts.transpose() * of_pieces);
+    duals.terms = over_merged(sums.cwiseProduct(volumes.terms(n - 1)));
+    return duals;
+}
+
+DualFluxes dual_fluxes(const CellComplex& complex, const CellVolumes& volumes,
+                       const FacetDuals& duals, const CellMarks& essential) {
+    check_two_sided(complex, duals);
+    check_fluxes_are_defined(complex, volumes, duals);
     const int n = complex.dimension();
     const Index cells = complex.size(n), facets = complex.size(n - 1);
-    const auto without_dual = boundary_facets_without_dual(discretization);
-    const auto resistance = resistances(discretization, conductivity);
-    check_fluxes_are_defined(discretization, resistance);
     const IncidenceMatrix cofaces = complex.boundary(n);
 
     DualFluxes result{Vector::Zero(facets), std::vector<bool>(cells, false),
@@ -127,12 +127,12 @@ DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& es
         if (!coface || (!interior && !essential[n - 1][f]))
             continue;
         const auto cell = static_cast<Index>(coface.col());
-        if (without_dual[f]) {
+        if (duals.missing[f]) {
             fix.emplace_back(cell, f, 1.0);
             result.fixed[cell] = true;
             continue;
         }
-        result.weights[f] = volumes.primal(n - 1)[f] / resistance.values[f];
+        result.weights[f] = volumes.primal(n - 1)[f] / duals.resistances[f];
         if (!interior) {
             load.emplace_back(cell, f, result.weights[f]);
             result.tied[cell] = true;

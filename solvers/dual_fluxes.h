@@ -4,7 +4,23 @@
 #include "complex/components.h"
 #include "dec/discretization.h"
 
+#include <functional>
+
 namespace polydec {
+
+/// The duals of facets as what flows across them meets them.
+struct FacetDuals {
+    Vector resistances;        ///< dual lengths, each part divided by the conductivity it lies in
+    Vector terms;              ///< sizes of what cancels in these
+    std::vector<bool> missing; ///< boundary facets whose dual counts as nothing
+    std::function<std::string(Index)> named; ///< a facet in words
+};
+
+/// Those of any cells, of conductivity 1.
+FacetDuals facet_duals(const CellComplex& complex, const CellVolumes& volumes);
+
+/// Those of a discretization: conductivity is kappa of each merged n-cell; empty: 1.
+FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity);
 
 /// How values of a dual 0-form and boundary values act on each other through the facets.
 struct DualFluxes {
@@ -15,11 +31,10 @@ struct DualFluxes {
     SparseMatrix fix;        ///< boundary values to the values of fixed cells, cells x facets
 };
 
-/// The fluxes of a dual 0-form: |f| over the dual length of f, which is divided by the conductivity
-/// (kappa of each merged n-cell; empty: 1) where it lies in a cell. Facets of the natural boundary
-/// have none. Throws InvalidInput, naming the facets, if the complex is non-orientable or branching
-/// an interior dual has no length, or what its parts in two cells resist cancels.
-DualFluxes dual_fluxes(const Discretization& discretization, const CellMarks& essential,
-                       const Vector& conductivity = {});
+/// The fluxes of a dual 0-form: |f| over the resistance of f. Facets of the natural boundary
+/// conduct nothing. Throws InvalidInput, naming a facet, if the cells are not coherently oriented
+/// or branch, or if an interior resistance is zero.
+DualFluxes dual_fluxes(const CellComplex& complex, const CellVolumes& volumes,
+                       const FacetDuals& duals, const CellMarks& essential);
 
 } // namespace polydec

@@ -24,10 +24,16 @@ HeatSolver::HeatSolver(const CellComplex& complex, const CellVolumes& volumes, S
                        int degree, const HeatOptions& options)
     : HeatSolver(complex, ConditionedComplex{absolute(complex), volumes}, side, degree, options) {}
 
-HeatSolver::HeatSolver(const Discretization& discretization, const BoundaryConditions& conditions,
-                       Side side, int degree, const HeatOptions& options)
-    : HeatSolver(discretization.complex(), conditioned_complex(discretization, side, conditions),
-                 side, degree, options) {}
+HeatSolver::HeatSolver(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
+                       int degree, const HeatOptions& options)
+    : HeatSolver(mesh.complex(), conditioned_complex(mesh, side, degree, conditions), side, degree,
+                 options) {}
+
+HeatSolver::HeatSolver(const CellComplex& complex, const CellVolumes& volumes,
+                       const BoundaryConditions& conditions, Side side, int degree,
+                       const HeatOptions& options)
+    : HeatSolver(complex, conditioned_complex(complex, volumes, side, degree, conditions), side,
+                 degree, options) {}
 
 HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space, Side side,
                        int degree, const HeatOptions& options)
@@ -57,7 +63,7 @@ HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space
                            .many_solves = true});
 }
 
-Cochain HeatSolver::step(const Cochain& form) {
+Cochain HeatSolver::step(const Cochain& form) const {
     check(complex_, form);
     if (form.side != side_ || form.degree != degree_)
         throw InvalidInput(fmt::format("a {} {}-form is given: this solver is for {} {}-forms",

@@ -33,14 +33,20 @@ public:
     HeatSolver(const CellComplex& complex, const CellVolumes& volumes, Side side, int degree,
                const HeatOptions& options);
 
+    HeatSolver(const Discretization& mesh, Side side, int degree, const HeatOptions& options)
+        : HeatSolver(mesh.complex(), mesh.volumes(), side, degree, options) {}
+
     /// Under homogeneous conditions on the boundary, those of conditioned_complex: values that they
     /// fix are 0 after every step, whatever they were before. Dual forms need no boundary facet to
     /// have a dual. Throws also if there are conditions but not one for each facet.
-    HeatSolver(const Discretization& discretization, const BoundaryConditions& conditions,
-               Side side, int degree, const HeatOptions& options);
+    HeatSolver(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
+               int degree, const HeatOptions& options);
+    HeatSolver(const CellComplex& complex, const CellVolumes& volumes,
+               const BoundaryConditions& conditions, Side side, int degree,
+               const HeatOptions& options);
 
     /// The form one step later. Throws InvalidInput for a form of another kind.
-    Cochain step(const Cochain& form);
+    Cochain step(const Cochain& form) const;
 
 private:
     HeatSolver(const CellComplex& whole, const ConditionedComplex& space, Side side, int degree,

@@ -65,7 +65,7 @@ class HodgeSolver::Projection {
 public:
     Projection(SparseMatrix D, const Vector& weights, const std::string& engine,
                int domain_dimension);
-    Vector solve(const Vector& w);
+    Vector solve(const Vector& w) const;
     const SparseMatrix& D() const { return D_; }
 
 private:
@@ -85,7 +85,7 @@ HodgeSolver::Projection::Projection(SparseMatrix D, const Vector& weights,
                         .domain_dimension = domain_dimension});
 }
 
-Vector HodgeSolver::Projection::solve(const Vector& w) {
+Vector HodgeSolver::Projection::solve(const Vector& w) const {
     Vector x = Vector::Zero(D_.cols());
     if (!solver_)
         return x;
@@ -126,7 +126,7 @@ HodgeSolver::HodgeSolver(const CellComplex& complex, const CellVolumes& volumes,
 HodgeSolver::HodgeSolver(HodgeSolver&&) noexcept = default;
 HodgeSolver::~HodgeSolver() = default;
 
-HodgeParts HodgeSolver::decompose(const Cochain& form) {
+HodgeParts HodgeSolver::decompose(const Cochain& form) const {
     check(complex_, form);
     if (form.side != side_ || form.degree != degree_)
         throw InvalidInput(fmt::format("a {} {}-form is given: this solver decomposes {} {}-forms",
@@ -159,7 +159,7 @@ HodgeParts HodgeSolver::decompose(const Cochain& form) {
             {Side::primal, k_ - 1, star_star * potential / unit_}};
 }
 
-DenseMatrix HodgeSolver::harmonic_forms() {
+DenseMatrix HodgeSolver::harmonic_forms() const {
     // a cycle, read as a form through the inverse star, is coclosed
     const SparseMatrix generators = homology_generators(complex_, k_);
     DenseMatrix forms(generators);
@@ -182,6 +182,16 @@ HodgeParts hodge_decomposition(const CellComplex& complex, const CellVolumes& vo
 DenseMatrix harmonic_forms(const CellComplex& complex, const CellVolumes& volumes, Side side,
                            int degree, const std::string& engine) {
     return HodgeSolver(complex, volumes, side, degree, engine).harmonic_forms();
+}
+
+HodgeParts hodge_decomposition(const Discretization& mesh, const Cochain& form,
+                               const std::string& engine) {
+    return hodge_decomposition(mesh.complex(), mesh.volumes(), form, engine);
+}
+
+DenseMatrix harmonic_forms(const Discretization& mesh, Side side, int degree,
+                           const std::string& engine) {
+    return harmonic_forms(mesh.complex(), mesh.volumes(), side, degree, engine);
 }
 
 } // namespace polydec

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/discretization.h"
 #include "dec/forms/cochain.h"
 
 #include <memory>
@@ -30,16 +31,19 @@ public:
     /// forms is not positive; what the engine throws where it fails.
     HodgeSolver(const CellComplex& complex, const CellVolumes& volumes, Side side, int degree,
                 const std::string& engine = "auto");
+    HodgeSolver(const Discretization& mesh, Side side, int degree,
+                const std::string& engine = "auto")
+        : HodgeSolver(mesh.complex(), mesh.volumes(), side, degree, engine) {}
     HodgeSolver(HodgeSolver&&) noexcept;
     ~HodgeSolver();
 
     /// Throws InvalidInput if the form is of another kind or has values that are not finite.
-    HodgeParts decompose(const Cochain& form);
+    HodgeParts decompose(const Cochain& form) const;
 
     /// Harmonic forms, b_k of them on the absolute complex: columns of norm 1, orthogonal to each
     /// other, closed and coclosed. They span what the homology generators, as dual forms, become
     /// without their exact part.
-    DenseMatrix harmonic_forms();
+    DenseMatrix harmonic_forms() const;
 
 private:
     class Projection; // onto the range of a matrix, orthogonal in the inner product
@@ -56,9 +60,13 @@ private:
 /// The decomposition by a solver made for it.
 HodgeParts hodge_decomposition(const CellComplex& complex, const CellVolumes& volumes,
                                const Cochain& form, const std::string& engine = "auto");
+HodgeParts hodge_decomposition(const Discretization& mesh, const Cochain& form,
+                               const std::string& engine = "auto");
 
 /// The harmonic forms by a solver made for them.
 DenseMatrix harmonic_forms(const CellComplex& complex, const CellVolumes& volumes, Side side,
                            int degree, const std::string& engine = "auto");
+DenseMatrix harmonic_forms(const Discretization& mesh, Side side, int degree,
+                           const std::string& engine = "auto");
 
 } // namespace polydec

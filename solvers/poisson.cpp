@@ -18,8 +18,6 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
 Definiteness by_sign(const Vector& weights) {
     return (weights.array() >= 0).all() ? Definiteness::semidefinite : Definiteness::indefinite;
 }
@@ -87,24 +85,26 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
                                            n, cell, conductivity[cell]));
 }
 
-/// star_1 with every part of a dual multiplied by the conductivity of the cell it lies in; 0 where
-/// that is no more than rounding, because such an edge connects nothing.
-Vector edge_weights(const Discretization& discretization, const Vector& conductivity) {
-    if (conductivity.size() == 0) {
-        Vector weights = star(discretization.volumes(), 1);
-        for (const Index edge : zero_star_cells(discretization.volumes(), 1))
-            weights[edge] = 0;
-        return weights;
-    }
-    const auto& merging = discretization.merging();
-    const auto& volumes = discretization.piece_volumes();
-    const int n = discretization.dimension();
-    const SparseMatrix parts = dual_parts(discretization.pieces(), discretization.metric(), volumes,
-                                          1, n, discretization.options().centers);
-    const SparseMatrix pieces = merging.diamond(n).cast<double>().cwiseAbs();
-    const SparseMatrix edges = merging.diamond(1).cast<double>().cwiseAbs();
+/// star_1; 0 where that is no more than rounding, because such an edge connects nothing.
+Vector edge_weights(const CellVolumes& volumes) {
+    Vector weights = star(volumes, 1);
+    for (const Index edge : zero_star_cells(volumes, 1))
+        weights[edge] = 0;
+    return weights;
+}
+
+/// The same with every part of a dual multiplied by the conductivity of the cell it lies in.
+Vector edge_weights(const Discretization& mesh, const Vector& conductivity) {
+    if (conductivity.size() == 0)
+        return edge_weights(mesh.volumes());
+    const auto& volumes = mesh.piece_volumes();
+    const int n = mesh.dimension();
+    const SparseMatrix parts =
+        dual_parts(mesh.pieces(), mesh.metric(), volumes, 1, n, mesh.options().centers);
+    const SparseMatrix pieces = mesh.merging().diamond(n).cast<double>().cwiseAbs();
+    const SparseMatrix edges = mesh.merging().diamond(1).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity;
-    const Vector& lengths = discretization.volumes().primal(1);
+    const Vector& lengths = mesh.volumes().primal(1);
     const auto over_squares = [&](const Vector& of_input_edges) -> Vector {
         return (edges * of_input_edges).cwiseQuotient(lengths).cwiseQuotient(lengths);
     };
@@ -121,107 +121,174 @@ Vector edge_weights(const Discretization& discretization, const Vector& conducti
     return (weights.array().abs() <= rounding * sizes.array()).select(0, weights);
 }
 
-/// What each vertex gets of the (n-1)-cells that count: each piece is shared among its vertices as
-/// their duals divide it.
-SparseMatrix shares_of_vertices(const Discretization& discretization, const Vector& counts) {
-    const int n = discretization.dimension();
-    if (counts.isZero(0))
-        return SparseMatrix(discretization.complex().size(0), counts.size());
-    const SparseMatrix parts =
-        dual_parts(discretization.pieces(), discretization.metric(), discretization.piece_volumes(),
-                   0, n - 1, discretization.options().centers);
-    const SparseMatrix pieces = discretization.merging().diamond(n - 1).cast<double>().cwiseAbs();
-    const SparseMatrix shares = counts.asDiagonal() * pieces * parts;
-    return shares.transpose();
+/// What each vertex gets of the (n-1)-cells: each piece is shared among its vertices as their duals
+/// divide it.
+SparseMatrix shares_of_vertices(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 0,
+                                          n - 1, mesh.options().centers);
+    const SparseMatrix pieces = mesh.merging().diamond(n - 1).cast<double>().cwiseAbs();
+    return SparseMatrix(pieces * parts).transpose();
+}
+
+/// The same where nothing is known of duals: equal shares.
+SparseMatrix shares_of_vertices(const CellComplex& complex, const CellVolumes& volumes) {
+    const int n = complex.dimension();
+    SparseMatrix vertices(complex.size(n - 1), complex.size(n - 1));
+    vertices.setIdentity();
+    for (int k = n - 2; k >= 0; --k) {
+        SparseMatrix faces = complex.coboundary(k).cast<double>().cwiseAbs();
+        for (const auto& [cell, face] : complex.canceled(k))
+            faces.coeffRef(cell, face) = 1;
+        vertices = SparseMatrix(vertices * faces);
+    }
+    vertices.coeffs().setOnes();
+    const Vector counts = vertices * Vector::Ones(vertices.cols());
+    const Vector shares = volumes.primal(n - 1).cwiseQuotient(counts);
+    return SparseMatrix(shares.asDiagonal() * vertices).transpose();
 }
 
 } // namespace
 
-PoissonSolver::PoissonSolver(const Discretization& discretization, const PoissonOptions& options)
-    : side_(options.side), degree_(options.side == Side::primal ? 0 : discretization.dimension()) {
-    const auto essential = essential_cells(discretization.complex(), options.boundary);
-    check_conductivity(discretization.complex(), options.conductivity);
-    flux_sites_ = cell_centers(discretization, discretization.dimension() - 1);
-    if (side_ == Side::primal)
-        set_up_primal(discretization, essential, options);
-    else
-        set_up_dual(discretization, essential, options);
-}
+/// The equations, and where their data are.
+struct PoissonSolver::Problem {
+    Side side;
+    ConstrainedSystem system;
+    Vector mass, facet_weights;
+    SparseMatrix boundary_load, boundary_fix, flux_load;
+    Points sites, flux_sites;
+    std::string engine;
 
-void PoissonSolver::set_up_primal(const Discretization& discretization, const CellMarks& essential,
-                                  const PoissonOptions& options) {
-    const auto& complex = discretization.complex();
-    const int n = complex.dimension();
-    const Index size = complex.size(0);
-    sites_ = cell_centers(discretization, 0);
-    boundary_sites_ = sites_;
-    mass_ = star(discretization.volumes(), 0);
+    /// weights are those of edges; shares() are what vertices have of facets.
+    template <class Shares>
+    static Problem primal(const CellComplex& complex, const CellVolumes& volumes,
+                          const PoissonOptions& options, const Vector& weights, Shares shares) {
+        const int n = complex.dimension();
+        const Index size = complex.size(0);
+        const auto essential = essential_cells(complex, options.boundary);
+        const Vector natural = natural_facets(complex, essential);
+        const Vector mass = star(volumes, 0);
+        SparseMatrix flux_load(size, natural.size());
+        if (!natural.isZero(0))
+            flux_load = shares() * natural.asDiagonal();
+        SparseMatrix fix(size, size);
+        fix.setIdentity();
+        return {Side::primal,
+                {connections(complex.boundary(1), complex.coboundary(0), weights), essential[0],
+                 std::vector<bool>(size, false), mass.cwiseAbs(), by_sign(weights), n},
+                mass,
+                {},
+                SparseMatrix(size, size),
+                std::move(fix),
+                std::move(flux_load),
+                {},
+                {},
+                options.linear_solver};
+    }
 
-    const Vector weights = edge_weights(discretization, options.conductivity);
-    ConstrainedSystem system{connections(complex.boundary(1), complex.coboundary(0), weights),
-                             essential[0],
-                             std::vector<bool>(size, false),
-                             mass_.cwiseAbs(),
-                             by_sign(weights),
-                             n};
-    flux_load_ = shares_of_vertices(discretization, natural_facets(complex, essential));
-    boundary_load_.resize(size, size);
-    boundary_fix_.resize(size, size);
-    boundary_fix_.setIdentity();
-    fixed_load_ = load_of_fixed(system);
-    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
-}
+    static Problem dual(const CellComplex& complex, const CellVolumes& volumes,
+                        const PoissonOptions& options, const FacetDuals& duals) {
+        const int n = complex.dimension();
+        const auto essential = essential_cells(complex, options.boundary);
+        auto fluxes = dual_fluxes(complex, volumes, duals, essential);
+        const Vector areas = natural_facets(complex, essential).cwiseProduct(volumes.primal(n - 1));
+        return {Side::dual,
+                {connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),
+                 std::move(fluxes.fixed), std::move(fluxes.tied), volumes.primal(n),
+                 by_sign(fluxes.weights), n},
+                volumes.primal(n),
+                fluxes.weights,
+                std::move(fluxes.load),
+                std::move(fluxes.fix),
+                complex.boundary(n).transpose().cast<double>().cwiseAbs() * areas.asDiagonal(),
+                {},
+                {},
+                options.linear_solver};
+    }
 
-void PoissonSolver::set_up_dual(const Discretization& discretization, const CellMarks& essential,
-                                const PoissonOptions& options) {
-    const auto& complex = discretization.complex();
-    const int n = complex.dimension();
-    sites_ = cell_centers(discretization, n);
-    boundary_sites_ = flux_sites_;
-    mass_ = discretization.volumes().primal(n);
+    static Problem of(const Discretization& mesh, const PoissonOptions& options) {
+        check_conductivity(mesh.complex(), options.conductivity);
+        Problem problem = options.side == Side::primal
+                              ? primal(mesh.complex(), mesh.volumes(), options,
+                                       edge_weights(mesh, options.conductivity),
+                                       [&] { return shares_of_vertices(mesh); })
+                              : dual(mesh.complex(), mesh.volumes(), options,
+                                     facet_duals(mesh, options.conductivity));
+        const int n = mesh.dimension();
+        problem.sites = cell_centers(mesh, options.side == Side::primal ? 0 : n);
+        problem.flux_sites = cell_centers(mesh, n - 1);
+        return problem;
+    }
 
-    auto fluxes = dual_fluxes(discretization, essential, options.conductivity);
-    boundary_load_ = std::move(fluxes.load);
-    boundary_fix_ = std::move(fluxes.fix);
-    const Vector areas =
-        natural_facets(complex, essential).cwiseProduct(discretization.volumes().primal(n - 1));
-    flux_load_ = complex.boundary(n).transpose().cast<double>().cwiseAbs() * areas.asDiagonal();
-    ConstrainedSystem system{
-        connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),
-        std::move(fluxes.fixed),
-        std::move(fluxes.tied),
-        mass_,
-        by_sign(fluxes.weights),
-        n};
-    fixed_load_ = load_of_fixed(system);
-    solver_ = std::make_unique<ConstrainedSolver>(std::move(system), options.linear_solver);
-}
+    static Problem of(const CellComplex& complex, const CellVolumes& volumes,
+                      const PoissonOptions& options) {
+        check_fit(complex, volumes);
+        if (options.conductivity.size() != 0)
+            throw InvalidInput("conductivities are given for cells of one's own: how their duals "
+                               "are divided among them is not known; give a mesh");
+        Problem problem = options.side == Side::primal
+                              ? primal(complex, volumes, options, edge_weights(volumes),
+                                       [&] { return shares_of_vertices(complex, volumes); })
+                              : dual(complex, volumes, options, facet_duals(complex, volumes));
+        problem.sites.resize(problem.mass.size(), 0);
+        problem.flux_sites.resize(complex.size(complex.dimension() - 1), 0);
+        return problem;
+    }
+};
 
-Vector PoissonSolver::solve(const Vector& f, const Vector& boundary_values) {
+PoissonSolver::PoissonSolver(const Discretization& mesh, const PoissonOptions& options)
+    : PoissonSolver(Problem::of(mesh, options)) {}
+
+PoissonSolver::PoissonSolver(const CellComplex& complex, const CellVolumes& volumes,
+                             const PoissonOptions& options)
+    : PoissonSolver(Problem::of(complex, volumes, options)) {}
+
+PoissonSolver::PoissonSolver(Problem problem)
+    : side_(problem.side),
+      degree_(problem.side == Side::primal ? 0 : problem.system.domain_dimension),
+      sites_(std::move(problem.sites)),
+      flux_sites_(std::move(problem.flux_sites)),
+      mass_(std::move(problem.mass)),
+      facet_weights_(std::move(problem.facet_weights)),
+      boundary_load_(std::move(problem.boundary_load)),
+      boundary_fix_(std::move(problem.boundary_fix)),
+      fixed_load_(load_of_fixed(problem.system)),
+      flux_load_(std::move(problem.flux_load)),
+      solver_(std::make_unique<ConstrainedSolver>(std::move(problem.system), problem.engine)) {}
+
+Solution<Vector> PoissonSolver::solve(const Vector& f, const Vector& boundary_values) const {
     return solve(f, boundary_values, Vector::Zero(flux_sites_.rows()));
 }
 
-Vector PoissonSolver::solve(const Vector& f, const Vector& boundary_values,
-                            const Vector& normal_derivatives) {
-    return solve_columns(f, boundary_values, normal_derivatives);
+Solution<Vector> PoissonSolver::solve(const Vector& f, const Vector& boundary_values,
+                                      const Vector& normal_derivatives) const {
+    auto [u, report, compatibility] = solve_all(f, boundary_values, normal_derivatives);
+    return {std::move(u), std::move(report), compatibility};
 }
 
-DenseMatrix PoissonSolver::solve_columns(const DenseMatrix& f, const DenseMatrix& boundary_values,
-                                         const DenseMatrix& normal_derivatives) {
+Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
+                                               const DenseMatrix& boundary_values) const {
+    return solve_all(f, boundary_values,
+                     DenseMatrix::Zero(flux_sites_.rows(), boundary_values.cols()));
+}
+
+Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
+                                               const DenseMatrix& boundary_values,
+                                               const DenseMatrix& normal_derivatives) const {
     if (f.cols() != boundary_values.cols() || f.cols() != normal_derivatives.cols())
         throw InvalidInput(fmt::format("{} right-hand sides, boundary data for {} and normal "
                                        "derivatives for {} problems are given: expected as many",
                                        f.cols(), boundary_values.cols(),
                                        normal_derivatives.cols()));
     check_values(f, sites_, "right-hand side");
-    check_values(boundary_values, boundary_sites_, "boundary data");
+    check_values(boundary_values, boundary_sites(), "boundary data");
     check_values(normal_derivatives, flux_sites_, "normal derivatives");
     const DenseMatrix load = boundary_load_ * boundary_values + flux_load_ * normal_derivatives;
     const DenseMatrix right_side = mass_.asDiagonal() * f + load;
     const DenseMatrix fixed = boundary_fix_ * boundary_values;
     check_loads(right_side, degree_);
     check_loads(right_side - fixed_load_ * fixed, degree_);
-    return solver_->solve(right_side, fixed);
+    return solver_->solve_all(right_side, fixed);
 }
 
 } // namespace polydec

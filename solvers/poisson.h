@@ -29,63 +29,58 @@ struct PoissonOptions {
 /// Primal, an edge connects its ends by the parts of its dual in the n-simplices around it, each
 /// times its conductivity, over the edge's length; on triangles these are linear finite elements,
 /// whatever was merged.
+/// An object is used by one thread at a time.
 class PoissonSolver {
 public:
     /// Throws InvalidInput, naming the facets, if dual 0-forms are asked for on a complex that is
     /// non-orientable or branching, or where an interior dual has no length, or if the conditions
     /// do not fit the facets.
-    PoissonSolver(const Discretization& discretization, const PoissonOptions& options = {});
+    PoissonSolver(const Discretization& mesh, const PoissonOptions& options = {});
+
+    /// On any cells with any volumes, whose places are not known: tables of sites have no columns.
+    /// A boundary facet has a dual unless its star is zero, and what flows through it is shared
+    /// equally among its vertices. Throws likewise, and for conductivities, since how the duals are
+    /// divided among the cells is not known either.
+    PoissonSolver(const CellComplex& complex, const CellVolumes& volumes,
+                  const PoissonOptions& options = {});
 
     /// Where f has its values, one row of coordinates each: vertices or circumcenters of n-cells.
     const Points& sites() const& { return sites_; }
     /// Where boundary values are asked for: vertices (those off the boundary do not matter), or
     /// circumcenters of facets (those with two cofaces do not matter).
-    const Points& boundary_sites() const& { return boundary_sites_; }
+    const Points& boundary_sites() const& { return side_ == Side::primal ? sites_ : flux_sites_; }
     /// Where normal derivatives are asked for: circumcenters of facets (only those with a natural
     /// condition matter).
     const Points& flux_sites() const& { return flux_sites_; }
     Points sites() && { return std::move(sites_); }
-    Points boundary_sites() && { return std::move(boundary_sites_); }
+    Points boundary_sites() && { return boundary_sites(); }
     Points flux_sites() && { return std::move(flux_sites_); }
 
     /// f at sites(), u on the essential part of the boundary at boundary_sites(), its derivative
     /// along the outward normal, times kappa, on the natural part at flux_sites(), by default 0;
     /// all finite. u at sites(). Throws InvalidInput, naming the cell, where the right-hand side of
     /// the system that these make is no number.
-    Vector solve(const Vector& f, const Vector& boundary_values);
-    Vector solve(const Vector& f, const Vector& boundary_values, const Vector& normal_derivatives);
+    Solution<Vector> solve(const Vector& f, const Vector& boundary_values) const;
+    Solution<Vector> solve(const Vector& f, const Vector& boundary_values,
+                           const Vector& normal_derivatives) const;
 
     /// The same for several problems, a column each.
-    template <SeveralColumns F, SeveralColumns Values>
-    DenseMatrix solve(const Eigen::MatrixBase<F>& f,
-                      const Eigen::MatrixBase<Values>& boundary_values) {
-        return solve_columns(f, boundary_values,
-                             DenseMatrix::Zero(flux_sites_.rows(), boundary_values.cols()));
-    }
-    template <SeveralColumns F, SeveralColumns Values, SeveralColumns Derivatives>
-    DenseMatrix solve(const Eigen::MatrixBase<F>& f,
-                      const Eigen::MatrixBase<Values>& boundary_values,
-                      const Eigen::MatrixBase<Derivatives>& normal_derivatives) {
-        return solve_columns(f, boundary_values, normal_derivatives);
-    }
+    Solution<DenseMatrix> solve_all(const DenseMatrix& f, const DenseMatrix& boundary_values) const;
+    Solution<DenseMatrix> solve_all(const DenseMatrix& f, const DenseMatrix& boundary_values,
+                                    const DenseMatrix& normal_derivatives) const;
 
-    /// Of the last solve; of several problems the worst.
-    double residual() const { return solver_->residual(); }
-    const SolveReport& report() const { return solver_->report(); }
-    const Compatibility& compatibility() const { return solver_->compatibility(); }
+    /// Of dual 0-forms: what flows through each facet per difference of the values beside it.
+    const Vector& facet_weights() const { return facet_weights_; }
 
 private:
-    DenseMatrix solve_columns(const DenseMatrix& f, const DenseMatrix& boundary_values,
-                              const DenseMatrix& normal_derivatives);
-    void set_up_primal(const Discretization& discretization, const CellMarks& essential,
-                       const PoissonOptions& options);
-    void set_up_dual(const Discretization& discretization, const CellMarks& essential,
-                     const PoissonOptions& options);
+    struct Problem;
+    explicit PoissonSolver(Problem problem);
 
     Side side_;
     int degree_; // of the cells that values belong to
-    Points sites_, boundary_sites_, flux_sites_;
-    Vector mass_;                // volume that each value of f stands for
+    Points sites_, flux_sites_;
+    Vector mass_; // volume that each value of f stands for
+    Vector facet_weights_;
     SparseMatrix boundary_load_; // boundary values to right-hand side
     SparseMatrix boundary_fix_;  // boundary values to fixed unknowns
     SparseMatrix fixed_load_;    // fixed unknowns to right-hand side, for those that are not

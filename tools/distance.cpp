@@ -82,15 +82,14 @@ void run(const Arguments& arguments) {
         check_drawable(mesh);
     log.timing.begin("solve");
     const auto sources = cells_of(mesh, arguments.from);
-    Index raised = 0;
-    const Vector distance = computed_on(arguments.mesh.mesh, [&] {
+    const auto found = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         progress("solve");
-        GeodesicDistance solver(mesh, arguments.geodesic);
-        Vector result = in_input_units(solver.to(sources), mesh.unit(), 1, "distances");
-        raised = solver.raised();
-        return result;
+        auto [values, raised] = GeodesicDistance(mesh, arguments.geodesic).to(sources);
+        return Distance{in_input_units(std::move(values), mesh.unit(), 1, "distances"), raised};
     });
+    const Vector& distance = found.values;
+    const Index raised = found.raised;
     warn_of_negative_duals(mesh, 1, "distances may be far off", log);
     if (raised > 0)
         log.warn(fmt::format("{} of the distances fell below 0 and were raised to 0: triangles "

@@ -37,7 +37,7 @@ struct Errors {
     double max;
 };
 
-struct Solution : Answer {
+struct Solved : Answer {
     Side side = Side::primal;
     const char* boundary = "";
     std::string conditions; ///< in words
@@ -79,8 +79,9 @@ struct Solution : Answer {
     }
 };
 
-Solution describe(const Arguments& arguments, const PoissonSolver& solver, const Vector& u) {
-    Solution answer;
+Solved describe(const Arguments& arguments, const Solution<Vector>& solution) {
+    const auto& [u, report, compatibility] = solution;
+    Solved answer;
     answer.side = arguments.poisson.side;
     answer.boundary = arguments.conditions.natural                   ? "natural"
                       : arguments.conditions.essential_where.empty() ? "dirichlet"
@@ -88,9 +89,9 @@ Solution describe(const Arguments& arguments, const PoissonSolver& solver, const
     answer.unknowns = u.size();
     answer.min = u.minCoeff();
     answer.max = u.maxCoeff();
-    answer.residual = solver.residual();
-    answer.report = solver.report();
-    answer.free_components = solver.compatibility().free_components;
+    answer.residual = report.residual;
+    answer.report = report;
+    answer.free_components = compatibility.free_components;
     return answer;
 }
 
@@ -113,8 +114,7 @@ void draw(const Discretization& mesh, const Arguments& arguments, const Vector& 
     write_vtu(arguments.out, grid);
 }
 
-void warn_of_compatibility(const PoissonSolver& solver, Log& log) {
-    const auto& compatibility = solver.compatibility();
+void warn_of_compatibility(const Compatibility& compatibility, Log& log) {
     constexpr double rounding = 1e-10;
     if (compatibility.worst > rounding)
         log.warn(fmt::format("the right-hand side does not sum to zero on {} component{} without "
@@ -189,22 +189,22 @@ void run(Arguments arguments) {
     const Vector g = data.boundary.at(mesh.unit() * solver.boundary_sites());
     const Vector h =
         in_input_units(data.flux.at(mesh.unit() * solver.flux_sites()), mesh.unit(), 1, "--flux");
-    const Vector u = computed_on(arguments.mesh.mesh, [&] { return solver.solve(f, g, h); });
-    warn_of_compatibility(solver, log);
+    const auto solution = computed_on(arguments.mesh.mesh, [&] { return solver.solve(f, g, h); });
+    warn_of_compatibility(solution.compatibility, log);
     constexpr const char* spoiled = "the solution may be far off there";
     if (arguments.poisson.side == Side::primal)
         warn_of_negative_duals(mesh, 0, spoiled, log);
     else
         warn_of_negative_duals(mesh, mesh.dimension() - 1,
                                fmt::format("{}; compare with --side primal", spoiled), log);
-    Solution answer = describe(arguments, solver, u);
+    Solved answer = describe(arguments, solution);
     answer.conditions = known(mesh, arguments);
     if (data.exact)
-        answer.errors =
-            errors(mesh, arguments.poisson.side, u - data.exact->at(mesh.unit() * solver.sites()));
+        answer.errors = errors(mesh, arguments.poisson.side,
+                               solution.values - data.exact->at(mesh.unit() * solver.sites()));
     if (!arguments.out.empty()) {
         log.timing.begin("write");
-        draw(mesh, arguments, u);
+        draw(mesh, arguments, solution.values);
     }
     tell(answer, log, arguments.mesh.tell);
 }

@@ -21,8 +21,10 @@ struct Errors {
 
 Errors solve_on(const Discretization& mesh, Side side) {
     PoissonSolver solver(mesh, {.side = side});
-    const Vector u = solver.solve(values(franke_laplacian, solver.sites()),
-                                  values(franke, solver.boundary_sites()));
+    const Vector u = solver
+                         .solve(values(franke_laplacian, solver.sites()),
+                                values(franke, solver.boundary_sites()))
+                         .values;
     const Vector exact = values(franke, solver.sites());
     return {median(inner_edge_lengths(mesh)), weighted_norm(masses(mesh, side), u - exact)};
 }
@@ -107,7 +109,7 @@ private:
     double error(PoissonSolver& solver, const Points& sites, const Points& boundary) const {
         try {
             const Vector u =
-                solver.solve(values(franke_laplacian, sites), values(franke, boundary));
+                solver.solve(values(franke_laplacian, sites), values(franke, boundary)).values;
             return weighted_norm(masses(moved_, Side::dual), u - values(franke, sites));
         } catch (const SolverFailure&) {
             return none;
@@ -117,9 +119,9 @@ private:
     std::string iterations(const std::string& engine) const {
         try {
             PoissonSolver solver(moved_, {.side = Side::dual, .linear_solver = engine});
-            solver.solve(values(franke_laplacian, solver.sites()),
-                         values(franke, solver.boundary_sites()));
-            return std::to_string(solver.report().iterations);
+            const auto [u, report, compatibility] = solver.solve(
+                values(franke_laplacian, solver.sites()), values(franke, solver.boundary_sites()));
+            return std::to_string(report.iterations);
         } catch (const SolverFailure&) {
             return "failed";
         }

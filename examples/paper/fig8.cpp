@@ -27,7 +27,7 @@ SphereError rival_error(const PolygonLaplacian& laplacian, const Points& points)
                               .definiteness = Definiteness::semidefinite,
                               .domain_dimension = 2},
                              "auto");
-    const Vector u = solver.solve(20 * (laplacian.mass * Y), Vector::Zero(Y.size()));
+    const Vector u = solver.solve(20 * (laplacian.mass * Y), Vector::Zero(Y.size())).values;
     return sphere_error(laplacian.mass, u, Y);
 }
 

@@ -39,8 +39,10 @@ Discretization with_least_dual_length(const Mesh& mesh, double epsilon, const Si
 
 double franke_error(const Discretization& mesh) {
     PoissonSolver solver(mesh, {.side = Side::dual});
-    const Vector u = solver.solve(values(franke_laplacian, solver.sites()),
-                                  values(franke, solver.boundary_sites()));
+    const Vector u = solver
+                         .solve(values(franke_laplacian, solver.sites()),
+                                values(franke, solver.boundary_sites()))
+                         .values;
     return weighted_norm(masses(mesh, Side::dual), u - values(franke, solver.sites()));
 }
 

@@ -122,7 +122,7 @@ SphereError sphere_error(const SparseMatrix& mass, const Vector& u, const Vector
 SphereError sphere_error(const Discretization& sphere, Side side) {
     PoissonSolver solver(sphere, {.side = side});
     const Vector Y = values(harmonic, solver.sites());
-    const Vector u = solver.solve(20 * Y, Vector::Zero(solver.boundary_sites().rows()));
+    const Vector u = solver.solve(20 * Y, Vector::Zero(solver.boundary_sites().rows())).values;
     return sphere_error(SparseMatrix(masses(sphere, side).asDiagonal()), u, Y);
 }
 

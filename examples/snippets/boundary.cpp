@@ -19,9 +19,11 @@ void mixed_poisson() {
     polydec::PoissonSolver solver(mesh, {.side = polydec::Side::dual, .boundary = left_or_right});
     const auto exact = [](const auto& x) { return x[0] + 2 * x[1]; };
     const polydec::Vector u =
-        solver.solve(polydec::Vector::Zero(solver.sites().rows()),           // f
-                     solver.boundary_sites() * polydec::Vector{{1, 2}},      // u left and right
-                     2 * (solver.flux_sites().col(1).array() - 0.5).sign()); // du/dnu
+        solver
+            .solve(polydec::Vector::Zero(solver.sites().rows()),      // f
+                   solver.boundary_sites() * polydec::Vector{{1, 2}}, // u left and right
+                   2 * (solver.flux_sites().col(1).array() - 0.5).sign())
+            .values; // du/dnu
     double error = 0;
     for (polydec::Index i = 0; i < u.size(); ++i)
         error = std::max(error, std::abs(u[i] - exact(solver.sites().row(i))));

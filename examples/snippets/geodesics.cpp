@@ -28,7 +28,7 @@ void distances() {
     for (const int frequency : {16, 32, 64}) {
         const auto [mesh, surface, lengths] = sphere(frequency);
         polydec::GeodesicDistance solver(surface, lengths);
-        const polydec::Vector distance = solver.to(std::vector<polydec::Index>{0});
+        const polydec::Vector distance = solver.to(std::vector<polydec::Index>{0}).values;
 
         const polydec::Vector cosine =
             (mesh.points * mesh.points.row(0).transpose()).cwiseMax(-1).cwiseMin(1);

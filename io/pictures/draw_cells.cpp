@@ -34,12 +34,15 @@ double enclosed_volume(const Points& points, const std::vector<std::vector<Index
     return sixfold / 6.0;
 }
 
+/// The corners of a 2-cell, in the order of its boundary.
+using Rings = std::function<std::vector<Index>(Index)>;
+
 /// The faces of a 3-cell, oriented outward.
-std::vector<std::vector<Index>> outward_faces(const Points& points, const Merging& merging,
-                                              Index cell) {
+std::vector<std::vector<Index>> outward_faces(const CellComplex& complex, const Points& points,
+                                              const Rings& ring, Index cell) {
     std::vector<std::vector<Index>> faces;
-    for (IncidenceMatrix::InnerIterator face(merging.merged().coboundary(2), cell); face; ++face) {
-        faces.push_back(corners(merging, static_cast<Index>(face.col())));
+    for (IncidenceMatrix::InnerIterator face(complex.coboundary(2), cell); face; ++face) {
+        faces.push_back(ring(static_cast<Index>(face.col())));
         if (face.value() < 0)
             std::reverse(faces.back().begin(), faces.back().end());
     }
@@ -49,24 +52,35 @@ std::vector<std::vector<Index>> outward_faces(const Points& points, const Mergin
     return faces;
 }
 
+/// The ends of an edge.
+std::vector<Index> ends(const CellComplex& complex, Index edge) {
+    std::vector<Index> list;
+    for (IncidenceMatrix::InnerIterator end(complex.coboundary(0), edge); end; ++end)
+        list.push_back(static_cast<Index>(end.col()));
+    if (list.size() != 2)
+        throw InvalidInput(fmt::format("edge {} is a loop: it cannot be drawn", edge));
+    return list;
+}
+
 /// What stands for some vertices in the picture.
 using Naming = std::function<std::vector<Index>(std::vector<Index>)>;
 
 /// The cells that carry k-forms; the points of the grid are those of the vertices, in their order.
-VtuGrid draw(const Merging& merging, const Points& points, int k, const Naming& named) {
-    cell_degree(merging.merged(), Side::primal, k);
-    const int drawn = k == 0 ? merging.merged().dimension() : k;
+VtuGrid draw(const CellComplex& complex, const Points& points, int k, const Rings& ring,
+             const Naming& named) {
+    cell_degree(complex, Side::primal, k);
+    const int drawn = k == 0 ? complex.dimension() : k;
     check_drawable(drawn, static_cast<int>(points.cols()));
-    require_points(merging.pieces(), points, "a drawing");
+    check_as_many("points", points.rows(), complex.size(0));
     VtuGrid grid;
     grid.points = points;
-    for (Index cell = 0; cell < merging.merged().size(drawn); ++cell)
+    for (Index cell = 0; cell < complex.size(drawn); ++cell)
         if (drawn == 1)
-            add_cell(grid, VtuCell::line, named(merging.vertices(1, cell)));
+            add_cell(grid, VtuCell::line, named(ends(complex, cell)));
         else if (drawn == 2)
-            add_cell(grid, VtuCell::polygon, named(corners(merging, cell)));
+            add_cell(grid, VtuCell::polygon, named(ring(cell)));
         else {
-            auto faces = outward_faces(points, merging, cell);
+            auto faces = outward_faces(complex, points, ring, cell);
             std::transform(faces.begin(), faces.end(), faces.begin(), named);
             add_polyhedron(grid, faces);
         }
@@ -95,14 +109,15 @@ void check_drawable(int dimension, int ambient_dimension) {
                                        dimension, ambient_dimension));
 }
 
-VtuGrid draw_cells(const Merging& merging, const Points& points, int k) {
-    return draw(merging, points, k, std::identity());
+VtuGrid draw_cells(const CellComplex& complex, const Points& points, int k) {
+    return draw(
+        complex, points, k, [&](Index cell) { return corners(complex, cell); }, std::identity());
 }
 
-void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
+void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string name,
                  const Eigen::Ref<const DenseMatrix>& values) {
-    cell_degree(merging.merged(), Side::primal, k);
-    check_as_many(fmt::format("rows of `{}`", name), values.rows(), merging.merged().size(k));
+    cell_degree(complex, Side::primal, k);
+    check_as_many(fmt::format("rows of `{}`", name), values.rows(), complex.size(k));
     (k > 0 ? grid.cell_data : grid.point_data).push_back(vtu_array(std::move(name), values));
 }
 
@@ -139,7 +154,10 @@ Naming numbers_of_input(const Discretization& mesh) {
 } // namespace
 
 VtuGrid draw_cells(const Discretization& mesh, int k) {
-    auto grid = draw(drawn(mesh), mesh.input_points(), k, numbers_of_input(mesh));
+    const Merging cells = drawn(mesh);
+    auto grid = draw(
+        cells.merged(), mesh.input_points(), k, [&](Index cell) { return corners(cells, cell); },
+        numbers_of_input(mesh));
     grid.points = points_of_input(mesh);
     return grid;
 }

@@ -14,17 +14,17 @@ namespace polydec {
 /// at most 3, and points known.
 void check_drawable(int dimension, int ambient_dimension);
 
-/// The cells of P that carry primal k-forms, as a picture: lines, polygons (VTK type 7) or
+/// The cells that carry primal k-forms, as a picture: lines, polygons (VTK type 7) or
 /// polyhedra (42), whose faces look outward; for k = 0, whose values belong to points, the cells of
 /// largest dimension. Points are those of the vertices, in their order. Throws like check_drawable
 /// and require_points.
-VtuGrid draw_cells(const Merging& merging, const Points& points, int k);
+VtuGrid draw_cells(const CellComplex& complex, const Points& points, int k);
 
 /// Adds the values of a primal k-form on P, or of the dual (n-k)-form on the same cells, to what
 /// draw_cells made for that k: point data for k = 0, else cell data. Or a vector at each of these
 /// cells, a row of two or three numbers. Throws InvalidInput unless there is a row for every
 /// k-cell, and like vtu_array.
-void add_cochain(VtuGrid& grid, const Merging& merging, int k, std::string name,
+void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string name,
                  const Eigen::Ref<const DenseMatrix>& values);
 
 /// The same for the cells of a bundle, and a form on them, whose values are taken as they are.

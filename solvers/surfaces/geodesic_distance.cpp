@@ -152,7 +152,7 @@ struct GeodesicDistance::Parts {
             poisson.emplace(poisson_system(surface, metric, pins), engine);
             is_for_single_sources = single;
         }
-        Vector u = poisson->solve(b, Vector::Zero(b.size()));
+        Vector u = poisson->solve(b, Vector::Zero(b.size())).values;
         if (!single)
             return u;
         Vector at_source(metric.mean_lengths.size());
@@ -176,7 +176,7 @@ GeodesicDistance::GeodesicDistance(const Discretization& discretization,
 GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;
 GeodesicDistance::~GeodesicDistance() = default;
 
-Vector GeodesicDistance::to(std::span<const Index> sources) {
+Distance GeodesicDistance::to(std::span<const Index> sources) const {
     const SurfaceMetric& metric = parts_->metric;
     check_sources(parts_->surface, metric, sources);
     Vector distance = explaining_failure(parts_->surface, metric, [&] {
@@ -187,18 +187,18 @@ Vector GeodesicDistance::to(std::span<const Index> sources) {
     distance -= shifts(parts_->surface, metric, sources, distance)(metric.component);
     for (const Index v : sources)
         distance[v] = 0;
-    raised_ = static_cast<Index>((distance.array() < 0).count());
-    return metric.unit * distance.cwiseMax(0);
+    const auto raised = static_cast<Index>((distance.array() < 0).count());
+    return {metric.unit * distance.cwiseMax(0), raised};
 }
 
 Vector geodesic_distance(const GluedSurface& surface, const Vector& lengths,
                          std::span<const Index> sources, const GeodesicOptions& options) {
-    return GeodesicDistance(surface, lengths, options).to(sources);
+    return GeodesicDistance(surface, lengths, options).to(sources).values;
 }
 
 Vector geodesic_distance(const Discretization& discretization, std::span<const Index> sources,
                          const GeodesicOptions& options) {
-    return GeodesicDistance(discretization, options).to(sources);
+    return GeodesicDistance(discretization, options).to(sources).values;
 }
 
 } // namespace polydec

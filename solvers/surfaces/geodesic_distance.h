@@ -14,6 +14,12 @@ struct GeodesicOptions {
     std::string linear_solver = "auto";
 };
 
+/// Distances of vertices, and how many of them were raised to 0.
+struct Distance {
+    Vector values;
+    Index raised;
+};
+
 /// Distance along a surface by the heat method. Heat flows from the sources for a short time; the
 /// gradient of its logarithm, made a unit vector in every triangle, points towards them; the
 /// distance is the function that is 0 at the sources and whose gradient fits the opposite best. The
@@ -42,15 +48,11 @@ public:
     /// lengths. 0 at the sources. Triangles far from Delaunay can bring values below 0, which are
     /// raised to 0 and counted. Throws InvalidInput for a source that is no vertex, and, naming a
     /// vertex, if a component has no source; SolverFailure if the engine does not deliver.
-    Vector to(std::span<const Index> sources);
-
-    /// How many values of the last call were raised to 0.
-    Index raised() const { return raised_; }
+    Distance to(std::span<const Index> sources) const;
 
 private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
-    Index raised_ = 0;
 };
 
 /// The distance by a solver made for it.

@@ -165,7 +165,7 @@ const TangentFrames& ParallelTransport::frames() const {
 }
 
 TangentVectors ParallelTransport::extend(std::span<const Index> sources,
-                                         const TangentVectors& vectors) {
+                                         const TangentVectors& vectors) const {
     const Parts& parts = *parts_;
     check_sources(parts.surface, parts.metric, sources);
     check_vectors(parts.surface, sources, vectors);

@@ -42,7 +42,7 @@ public:
     /// Throws InvalidInput for a source that is no vertex or is given twice, a component without
     /// source, naming a vertex, a wrong number of vectors, or vectors that are not finite;
     /// SolverFailure if the engine does not deliver.
-    TangentVectors extend(std::span<const Index> sources, const TangentVectors& vectors);
+    TangentVectors extend(std::span<const Index> sources, const TangentVectors& vectors) const;
 
 private:
     struct Parts;

@@ -164,7 +164,7 @@ std::vector<Door> doors_of_forms(const Sample& s) {
         doors.push_back({"draw_cells", 0, n, [&](int k) { draw_cells(s.mesh, k); }});
         doors.push_back({"add_cochain", 0, n, [&](int k) {
                              VtuGrid grid = draw_cells(s.mesh, 0);
-                             add_cochain(grid, s.mesh.merging(), k, "a",
+                             add_cochain(grid, s.mesh.complex(), k, "a",
                                          Vector(Vector::Ones(s.P().size(k))));
                          }});
     }

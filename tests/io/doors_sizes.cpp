@@ -71,7 +71,7 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
                 if (n <= 3)
                     calls.emplace_back("add_cochain", [&] {
                         VtuGrid grid = draw_cells(s.mesh, 0);
-                        add_cochain(grid, s.mesh.merging(), k, "a", x);
+                        add_cochain(grid, s.mesh.complex(), k, "a", x);
                     });
                 for (const auto& [what, call] : calls)
                     EXPECT_EQ(outcome(call), "refused")
@@ -165,13 +165,14 @@ TEST(doors, several_problems_are_solved_as_one_by_one) {
     const auto places = solver.sites().rows();
     const DenseMatrix f = DenseMatrix::Random(places, 3), g = DenseMatrix::Random(places, 3);
     const DenseMatrix h = DenseMatrix::Random(solver.flux_sites().rows(), 3);
-    const DenseMatrix u = solver.solve(f, g), with_fluxes = solver.solve(f, g, h);
+    const DenseMatrix u = solver.solve_all(f, g).values,
+                      with_fluxes = solver.solve_all(f, g, h).values;
     ASSERT_EQ(u.cols(), 3);
     for (int j = 0; j < 3; ++j) {
-        EXPECT_EQ(u.col(j), solver.solve(f.col(j), g.col(j)));
-        EXPECT_EQ(with_fluxes.col(j), solver.solve(f.col(j), g.col(j), h.col(j)));
+        EXPECT_EQ(u.col(j), solver.solve(f.col(j), g.col(j)).values);
+        EXPECT_EQ(with_fluxes.col(j), solver.solve(f.col(j), g.col(j), h.col(j)).values);
     }
-    EXPECT_EQ(refusal([&] { solver.solve(f, DenseMatrix(g.leftCols(2))); }),
+    EXPECT_EQ(refusal([&] { solver.solve_all(f, DenseMatrix(g.leftCols(2))); }),
               "3 right-hand sides, boundary data for 2 and normal derivatives for 2 problems are "
               "given: expected as many");
 

@@ -71,7 +71,7 @@ double error_of_solution(const Discretization& mesh, const Vector& conductivity,
     PoissonSolver solver(mesh, {.conductivity = conductivity});
     const Vector v = random_vector(mesh.complex().size(0), 17);
     const Vector f = (A * v).cwiseQuotient(star(mesh.volumes(), 0));
-    const Vector u = solver.solve(f, v);
+    const Vector u = solver.solve(f, v).values;
     const SparseMatrix d = derivative(mesh.complex(), 0);
     return relative_difference(Vector(d * u), Vector(d * v));
 }
@@ -164,7 +164,7 @@ TEST(ConcyclicEdges, between_different_conductivities_conduct) {
     const Vector kappa = conductive_half(mesh);
     PoissonSolver solver(mesh, {.conductivity = kappa});
     const Vector squares = solver.boundary_sites().col(0).cwiseAbs2();
-    const Vector u = solver.solve(Vector::Zero(8), squares);
+    const Vector u = solver.solve(Vector::Zero(8), squares).values;
     // linear finite elements, by an independent program
     const Vector known{
         {21.946478616632547, 35.40093594432815, 31.920829238841744, 25.678205826116056}};

@@ -181,7 +181,7 @@ TEST(DarcyLayers, resistances_in_series_are_exact) {
         for (const Side side : {Side::primal, Side::dual}) {
             PoissonSolver solver(mesh, {.side = side, .boundary = ends, .conductivity = kappa});
             const Vector drop = -0.625 * solver.boundary_sites().col(0);
-            const Vector u = solver.solve(Vector::Zero(solver.sites().rows()), drop);
+            const Vector u = solver.solve(Vector::Zero(solver.sites().rows()), drop).values;
             if (side == Side::dual) {
                 EXPECT_LE(relative_difference(u, exact), 1e-12) << "n = " << n;
                 continue;

@@ -82,7 +82,8 @@ double error_in_the_plane(Side side, const std::function<double(double, double)>
         return values;
     };
     const Vector found =
-        solver.solve(Vector::Constant(solver.sites().rows(), f), at(solver.boundary_sites()));
+        solver.solve(Vector::Constant(solver.sites().rows(), f), at(solver.boundary_sites()))
+            .values;
     return (found - at(solver.sites())).cwiseAbs().maxCoeff();
 }
 
@@ -97,7 +98,7 @@ TEST(PoissonOnFlippedSquare, takes_a_conductivity_for_each_polygon) {
     const auto solve = [&](Side side, const Vector& conductivity) {
         PoissonSolver solver(mesh, {.side = side, .conductivity = conductivity});
         const Vector boundary = solver.boundary_sites().col(0);
-        return solver.solve(Vector::Zero(solver.sites().rows()), boundary);
+        return solver.solve(Vector::Zero(solver.sites().rows()), boundary).values;
     };
     const Vector ones = Vector::Ones(mesh.complex().size(2));
     const Vector any = ones + 0.9 * random_vector(mesh.complex().size(2), 4);

@@ -21,7 +21,7 @@ double error_of_linear_solution(const Mesh& input, Side side, const MergeOptions
         return Vector((sites * slopes).array() + 0.3);
     };
     const Vector u =
-        solver.solve(Vector::Zero(solver.sites().rows()), linear(solver.boundary_sites()));
+        solver.solve(Vector::Zero(solver.sites().rows()), linear(solver.boundary_sites())).values;
     return (u - linear(solver.sites())).cwiseAbs().maxCoeff();
 }
 
@@ -67,7 +67,7 @@ double error_of_wave(const Mesh& input, Side side) {
         return Vector((M_PI * sites.array() + 0.25).cos().rowwise().prod());
     };
     const Vector exact = wave(solver.sites());
-    const Vector u = solver.solve(n * M_PI * M_PI * exact, wave(solver.boundary_sites()));
+    const Vector u = solver.solve(n * M_PI * M_PI * exact, wave(solver.boundary_sites())).values;
     const Vector& weights =
         side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(n);
     return std::sqrt(weights.dot((u - exact).cwiseAbs2()));

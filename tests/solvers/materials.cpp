@@ -43,7 +43,7 @@ double error(const Mesh& input, MergeCriterion criterion, Side side, double seco
         return Vector(sites.col(0).unaryExpr(&potential));
     };
     const Vector u =
-        solver.solve(Vector::Zero(solver.sites().rows()), exact(solver.boundary_sites()));
+        solver.solve(Vector::Zero(solver.sites().rows()), exact(solver.boundary_sites())).values;
     return (u - exact(solver.sites())).cwiseAbs().maxCoeff();
 }
 

@@ -32,8 +32,10 @@ double l2_error(const Mesh& input, Side side, BoundaryCondition condition, int t
     const Waves& wave = condition == BoundaryCondition::essential ? given : free;
     PoissonSolver solver(mesh, {.side = side, .boundary = {condition}});
     const Vector exact = wave.at(solver.sites());
-    const Vector u = solver.solve(terms * wave.frequency * wave.frequency * exact,
-                                  wave.at(solver.boundary_sites()));
+    const Vector u = solver
+                         .solve(terms * wave.frequency * wave.frequency * exact,
+                                wave.at(solver.boundary_sites()))
+                         .values;
     const Vector& weights =
         side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(mesh.dimension());
     return std::sqrt(weights.dot((u - exact).cwiseAbs2()));

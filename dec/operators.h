@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/forms/cochain.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
+
+namespace polydec {
+
+/// The operators on the cells of a discretization: those of its complex and volumes, see there.
+inline SparseMatrix derivative(const Discretization& mesh, int k) {
+    return derivative(mesh.complex(), k);
+}
+inline SparseMatrix dual_derivative(const Discretization& mesh, int j) {
+    return dual_derivative(mesh.complex(), j);
+}
+inline Vector star(const Discretization& mesh, int k) {
+    return star(mesh.volumes(), k);
+}
+inline Vector dual_star(const Discretization& mesh, int k) {
+    return dual_star(mesh.volumes(), k);
+}
+inline SparseMatrix codifferential(const Discretization& mesh, int k) {
+    return codifferential(mesh.complex(), mesh.volumes(), k);
+}
+inline SparseMatrix dual_codifferential(const Discretization& mesh, int j) {
+    return dual_codifferential(mesh.complex(), mesh.volumes(), j);
+}
+inline SparseMatrix laplacian(const Discretization& mesh, int k) {
+    return laplacian(mesh.complex(), mesh.volumes(), k);
+}
+inline SparseMatrix dual_laplacian(const Discretization& mesh, int j) {
+    return dual_laplacian(mesh.complex(), mesh.volumes(), j);
+}
+inline SparseMatrix symmetric_laplacian(const Discretization& mesh, int k) {
+    return symmetric_laplacian(mesh.complex(), mesh.volumes(), k);
+}
+
+/// The same on forms as values.
+inline Cochain d(const Discretization& mesh, const Cochain& form) {
+    return d(mesh.complex(), form);
+}
+inline Cochain star(const Discretization& mesh, const Cochain& form) {
+    return star(mesh.complex(), mesh.volumes(), form);
+}
+inline Cochain codifferential(const Discretization& mesh, const Cochain& form) {
+    return codifferential(mesh.complex(), mesh.volumes(), form);
+}
+inline Cochain laplacian(const Discretization& mesh, const Cochain& form) {
+    return laplacian(mesh.complex(), mesh.volumes(), form);
+}
+inline double inner_product(const Discretization& mesh, const Cochain& a, const Cochain& b) {
+    return inner_product(mesh.complex(), mesh.volumes(), a, b);
+}
+inline double norm(const Discretization& mesh, const Cochain& form) {
+    return norm(mesh.complex(), mesh.volumes(), form);
+}
+
+} // namespace polydec
