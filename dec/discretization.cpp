@@ -282,16 +282,4 @@ std::vector<Index> cell_vertices(const Discretization& discretization, int k, In
     return discretization.pieces().vertex_numbers(discretization.merging().vertices(k, cell));
 }
 
-void check_cells_in_space(const Discretization& discretization, std::string_view what) {
-    require_points(discretization.points().cols(), what);
-    check_not_flipped(discretization, what);
-}
-
-void check_not_flipped(const Discretization& discretization, std::string_view what) {
-    if (!discretization.passage().is_identity())
-        throw InvalidInput(fmt::format("{} cannot be had after intrinsic flips: the cells are no "
-                                       "longer made of the input's triangles; do without the flips",
-                                       what));
-}
-
 } // namespace polydec

@@ -161,12 +161,4 @@ Discretization discretize(const LengthMesh& mesh, const MergeOptions& options = 
 /// files name them; vertices that splits have made are numbered behind the input's.
 std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell);
 
-/// Throws InvalidInput, naming what was asked for, if edges were flipped, so that the cells are not
-/// made of simplices of the input.
-void check_not_flipped(const Discretization& discretization, std::string_view what);
-
-/// Throws InvalidInput, naming what was asked for, if the cells do not lie in space as simplices of
-/// the input: because only lengths are known, or edges were flipped.
-void check_cells_in_space(const Discretization& discretization, std::string_view what);
-
 } // namespace polydec

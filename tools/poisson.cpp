@@ -161,8 +161,7 @@ std::string known(const Discretization& mesh, const Arguments& arguments) {
 Vector conductivity(const Discretization& mesh, const SiteValues& values) {
     const int n = mesh.dimension();
     const bool has_points = mesh.points().cols() > 0;
-    const Points sites = has_points ? cell_centroids(mesh.merging(), mesh.unit() * mesh.points(),
-                                                     mesh.piece_volumes(), n)
+    const Points sites = has_points ? Points(mesh.unit() * cell_centroids(mesh, n))
                                     : Points(mesh.complex().size(n), 0);
     return values.at(sites, mesh.tags());
 }

@@ -3,7 +3,7 @@
 
 #include "dec/forms/cochain.h"
 #include "dec/metric/cell_volumes.h"
-#include "dec/metric/circumsphere.h"
+#include "dec/surfaces/places.h"
 
 namespace polydec {
 
@@ -19,12 +19,24 @@ Points mean_over_cells(const Merging& merging, const Points& rows, const CellVol
     return volume.cwiseInverse().asDiagonal() * (pieces * weighted);
 }
 
+/// The same of a place in each k-piece.
+Points mean_over_cells(const Discretization& mesh, int k, const Points& coordinates) {
+    const Points places = Places(mesh.passage(), mesh.points()).at(k, coordinates, mesh.points());
+    return mean_over_cells(mesh.merging(), places, mesh.piece_volumes(), k);
+}
+
+/// The coordinates of the centroids of k-simplices.
+Points middles(const Pieces& complex, int k) {
+    return Points::Constant(complex.size(k), k + 1, 1.0 / (k + 1));
+}
+
 } // namespace
 
 Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
                     int k) {
-    require_points(merging.pieces(), points, "a cell's center");
-    const Points centers = center_points(merging.pieces(), points, points, {}, k);
+    require_straight(merging.pieces(), points, "a cell's center");
+    const auto& K = merging.pieces();
+    const Points centers = combinations(K, k, center_coordinates(K, points, {}, k), points);
     return mean_over_cells(merging, centers, volumes, k);
 }
 
@@ -32,22 +44,22 @@ Points cell_centers(const Discretization& discretization, int k) {
     cell_degree(discretization.complex(), Side::primal, k);
     if (discretization.points().cols() == 0)
         return Points(discretization.complex().size(k), 0);
-    const auto& merging = discretization.merging();
-    const Points centers =
-        center_points(merging.pieces(), discretization.metric(), discretization.points(),
-                      discretization.options().centers, k);
-    return mean_over_cells(merging, centers, discretization.piece_volumes(), k);
+    return mean_over_cells(discretization, k,
+                           center_coordinates(discretization.pieces(), discretization.metric(),
+                                              discretization.options().centers, k));
 }
 
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
                       int k) {
-    require_points(merging.pieces(), points, "a cell's centroid");
-    const auto& simplices = merging.pieces().simplices(k);
-    Points centroids = Points::Zero(simplices.rows(), points.cols());
-    for (Index s = 0; s < simplices.rows(); ++s)
-        for (const Index v : simplices.row(s))
-            centroids.row(s) += points.row(v) / (k + 1);
+    require_straight(merging.pieces(), points, "a cell's centroid");
+    const Points centroids =
+        combinations(merging.pieces(), k, middles(merging.pieces(), k), points);
     return mean_over_cells(merging, centroids, volumes, k);
+}
+
+Points cell_centroids(const Discretization& discretization, int k) {
+    require_points(discretization.points().cols(), "a cell's centroid");
+    return mean_over_cells(discretization, k, middles(discretization.pieces(), k));
 }
 
 } // namespace polydec

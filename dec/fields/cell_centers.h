@@ -18,10 +18,11 @@ Points cell_centers(const Merging& merging, const Points& points, const CellVolu
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
                       int k);
 
-/// The same on the cells of a bundle; where only lengths are known, as many rows without
-/// coordinates. After intrinsic flips centers are those of the triangles with the same corners,
-/// seen through their barycentric coordinates: off a curved surface by the square of their size,
-/// and on a flat one.
+/// The same on the cells of a bundle; centers where only lengths are known have as many rows
+/// without coordinates. After intrinsic flips they are places on the triangles of the input, where
+/// centers and centroids of the flipped ones are found on the surface; centers beyond its boundary
+/// go on as the corners of the last triangle lie.
 Points cell_centers(const Discretization& discretization, int k);
+Points cell_centroids(const Discretization& discretization, int k);
 
 } // namespace polydec

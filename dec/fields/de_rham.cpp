@@ -6,6 +6,7 @@
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/quadrature.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/surfaces/places.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,16 +64,17 @@ private:
 /// Integrals over the duals of the k-simplices, gathered going down from each n-simplex.
 class DualIntegrals {
 public:
-    DualIntegrals(const Pieces& complex, const Points& points, int k, const Integral& integral,
-                  const Centers& centers)
+    /// centers_of(i) are the centers of the i-simplices in space.
+    template <class CentersOf>
+    DualIntegrals(const Pieces& complex, Eigen::Index N, int k, const Integral& integral,
+                  CentersOf centers_of)
         : complex_(complex),
           integral_(integral),
           k_(k),
-          corners_(complex.dimension() - k + 1, points.cols()),
+          corners_(complex.dimension() - k + 1, N),
           result_(Vector::Zero(complex.size(k))) {
         for (int i = 0; i <= complex.dimension(); ++i)
-            centers_.push_back(i < k ? Points()
-                                     : center_points(complex, points, points, centers, i));
+            centers_.push_back(i < k ? Points() : centers_of(i));
     }
 
     Vector all() {
@@ -156,15 +158,25 @@ Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const Sm
     const int k = cell_degree(complex, Side::dual, j);
     require_straight(complex, points, "the de Rham map");
     const Integral integral(form, static_cast<Index>(points.cols()), j, quadrature_degree);
-    return DualIntegrals(complex, points, k, integral, centers).all();
+    const auto centers_of = [&](int i) {
+        return combinations(complex, i, center_coordinates(complex, points, centers, i), points);
+    };
+    return DualIntegrals(complex, points.cols(), k, integral, centers_of).all();
 }
 
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree) {
-    check_cells_in_space(mesh, "the de Rham map");
+    const auto N = mesh.points().cols();
+    require_points(N, "the de Rham map");
     const int k = cell_degree(mesh.pieces(), Side::dual, j);
-    const Vector values = dual_de_rham(mesh.pieces(), mesh.points(), j, form, quadrature_degree,
-                                       mesh.options().centers);
+    const Integral integral(form, static_cast<Index>(N), j, quadrature_degree);
+    const Places places(mesh.passage(), mesh.points());
+    const auto centers_of = [&](int i) {
+        return places.at(
+            i, center_coordinates(mesh.pieces(), mesh.metric(), mesh.options().centers, i),
+            mesh.points());
+    };
+    const Vector values = DualIntegrals(mesh.pieces(), N, k, integral, centers_of).all();
     const Vector weighted = mesh.piece_volumes().primal(k).cwiseProduct(values);
     const Vector sums = mesh.merging().diamond(k).cast<double>() * weighted;
     return {Side::dual, j, sums.cwiseQuotient(mesh.volumes().primal(k))};

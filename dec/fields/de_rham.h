@@ -47,7 +47,9 @@ Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form,
 Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
                     int quadrature_degree = 5, const Centers& centers = {});
 
-/// The same over the duals of merged cells: the mean by volume over the pieces.
+/// The same over the duals of merged cells: the mean by volume over the pieces. After flips the
+/// centers are those of cell_centers, on the surface, and elementary simplices are straight between
+/// them: Stokes' theorem holds as before.
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree = 5);
 

@@ -3,9 +3,10 @@
 
 #include "base/errors.h"
 #include "dec/forms/star.h"
-#include "dec/metric/circumsphere.h"
+#include "dec/metric/centers.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/surfaces/places.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,19 +48,10 @@ Points means(const Pieces& complex, const DenseMatrix& field, int k) {
     return result;
 }
 
-/// The linear field at the center of each k-simplex, continued beyond its faces.
-Points at_centers(const Discretization& mesh, const DenseMatrix& field, int k) {
-    const auto& simplices = mesh.pieces().simplices(k);
-    Points result = Points::Zero(simplices.rows(), field.cols());
-    SimplexLayout layout(mesh.pieces(), mesh.metric());
-    Circumsphere sphere;
-    for (Index s = 0; s < simplices.rows(); ++s) {
-        sphere.look_at(layout, k, s);
-        for (int i = 0; i <= k; ++i)
-            result.row(s) +=
-                mesh.options().centers.coordinate(k, s, i, sphere) * field.row(simplices(s, i));
-    }
-    return result;
+/// Vectors at vertices, continued linearly to the centers of the k-pieces.
+Points at_centers(const Discretization& mesh, const Places& places, const Points& field, int k) {
+    const auto& centers = mesh.options().centers;
+    return places.at(k, center_coordinates(mesh.pieces(), mesh.metric(), centers, k), field);
 }
 
 /// The vectors of the merged n-cells, copied to their pieces.
@@ -91,7 +83,7 @@ void check_dual_volumes(const Discretization& mesh) {
 /// The product with each edge of the vectors of the n-simplices around, by parts of the dual.
 Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     check_dual_volumes(mesh);
-    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.points(), mesh.piece_volumes(), 1,
+    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1,
                                           mesh.dimension(), mesh.options().centers);
     const DenseMatrix sums = parts.transpose() * DenseMatrix(on_pieces(mesh, field));
     Vector result = sums.cwiseProduct(edge_vectors(mesh.pieces(), mesh.points())).rowwise().sum();
@@ -108,13 +100,11 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
 /// Along the dual edge of each facet f, piece by piece in the n-simplices t around; vector(t, f) is
 /// the mean of the field over the piece.
 template <class VectorOf>
-Vector along_dual_edges(const Discretization& mesh, VectorOf vector) {
+Vector along_dual_edges(const Discretization& mesh, const Places& places, VectorOf vector) {
     const auto& K = mesh.pieces();
     const int n = mesh.dimension();
-    const auto centers_of = [&](int k) {
-        return center_points(K, mesh.points(), mesh.points(), mesh.options().centers, k);
-    };
-    const Points centers = centers_of(n), facet_centers = centers_of(n - 1);
+    const Points centers = at_centers(mesh, places, mesh.points(), n);
+    const Points facet_centers = at_centers(mesh, places, mesh.points(), n - 1);
     const double sign = n % 2 == 0 ? 1 : -1;
     Vector result = Vector::Zero(K.size(n - 1));
     for (Index t = 0; t < K.size(n); ++t)
@@ -128,24 +118,23 @@ Vector along_dual_edges(const Discretization& mesh, VectorOf vector) {
 
 Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     const int n = mesh.dimension();
+    const Places places(mesh.passage(), mesh.points());
     if (kind == Flat::ppd) {
-        const Points cells = at_centers(mesh, field, n);
-        const Points facets = at_centers(mesh, field, n - 1);
+        const Points cells = at_centers(mesh, places, field, n);
+        const Points facets = at_centers(mesh, places, field, n - 1);
         return along_dual_edges(
-            mesh, [&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
+            mesh, places, [&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
     }
     const Points vectors =
         kind == Flat::pdd ? means(mesh.pieces(), field, n - 1) : on_pieces(mesh, field);
     return along_dual_edges(
-        mesh, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
+        mesh, places, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
 }
 
 } // namespace
 
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     require_points(mesh.points().cols(), "a flat");
-    if (kind != Flat::ppp && kind != Flat::pdp)
-        check_not_flipped(mesh, "a flat along or by the duals of cells");
     check_field(mesh, is_at_vertices(kind), field);
     if (is_primal(kind)) {
         const Vector values =

@@ -22,16 +22,19 @@ enum class Flat {
 
 /// The 1-form of a vector field on merged cells: a primal one on the edges or a dual one on the
 /// (n-1)-cells. Units those of the field times length. `field` has N columns and a row per vertex
-/// or per merged n-cell. Each of them
-/// gives the exact integrals of constant fields on flat meshes; ppp those of linear fields too.
+/// or per merged n-cell. Each of them gives the exact integrals of constant fields; ppp and ppd
+/// those of linear fields too.
 ///
 /// All is computed on the simplices, over which a merged cell's vector is copied, and mapped to
 /// merged cells by sums (primal) or means by volume (dual). The dual edge of a boundary facet ends
 /// at the facet's circumcenter. Source: Hirani 2003, ch. 5.
-/// After flips ppp and pdp go by the edges of the input and the passage; the others throw
-/// InvalidInput. Throws InvalidInput for a field of another shape, naming the row if it is not
-/// finite; for dpp also, naming the vertices, for edges whose dual volume is zero (zero_star_cells
-/// of degree 1).
+/// After flips ppp and pdp go by the edges of the input and the passage. For dpp an edge goes from
+/// its one end to the other, which is all that the integral of a constant depends on; dual edges
+/// are straight between the centers of cell_centers, where ppd has the field that is linear on the
+/// input's simplices. All is exact as before; of smooth fields on smooth surfaces ppp and ppd are
+/// of second order, the others of first at least. Throws InvalidInput for a field of another shape,
+/// naming the row if it is not finite; for dpp also, naming the vertices, for edges whose dual
+/// volume is zero (zero_star_cells of degree 1).
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field);
 
 } // namespace polydec

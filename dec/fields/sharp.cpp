@@ -59,8 +59,11 @@ DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vecto
     return result;
 }
 
+constexpr double rounding = 1e-12;
+
 /// An orthonormal basis of the mean tangent space of n-simplices, as columns: the n eigenvectors of
-/// largest eigenvalue of the mean of the projections onto their planes.
+/// largest eigenvalue of the mean of the projections onto their planes. Fewer where all corners lie
+/// on a line, as those of a triangle that flips have laid around a spike.
 DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
     const auto& K = mesh.pieces();
     const int n = mesh.dimension();
@@ -77,13 +80,15 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
                 gradients.row(i);
         sum += mesh.piece_volumes().primal(n)[t] * projection;
     }
-    return Eigen::SelfAdjointEigenSolver<DenseMatrix>(sum).eigenvectors().rightCols(n);
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(sum);
+    const Vector largest = solver.eigenvalues().tail(n);
+    return solver.eigenvectors().rightCols((largest.array() > rounding * largest.sum()).count());
 }
 
 /// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.
 SparseMatrix edge_weights(const Discretization& mesh) {
     const int n = mesh.dimension();
-    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.points(), mesh.piece_volumes(), 1, n,
+    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1, n,
                                           mesh.options().centers);
     const SparseMatrix cells = mesh.merging().diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging().diamond(1).cast<double>().cwiseAbs();
@@ -117,7 +122,6 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
 
 DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
     check_form(mesh, form, 1);
-    check_not_flipped(mesh, "a sharp to cells");
     const SparseMatrix weights = edge_weights(mesh);
     const DenseMatrix edges =
         mesh.merging().diamond(1).cast<double>() * edge_vectors(mesh.pieces(), mesh.points());
@@ -134,7 +138,6 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
 
         const DenseMatrix T = mean_tangents(mesh, cell);
         Eigen::FullPivLU<DenseMatrix> solver(T.transpose() * M * T);
-        constexpr double rounding = 1e-12;
         if (!solver.setThreshold(rounding).isInvertible())
             throw InvalidInput(fmt::format(
                 "the vector at merged cell {} (vertices {}) is not determined by its edges, whose "
@@ -148,10 +151,8 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
 DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
     const int n = mesh.dimension();
     check_form(mesh, form, n - 1);
-    check_not_flipped(mesh, "a sharp to cells");
-    const Points centroids = cell_centroids(mesh.merging(), mesh.points(), mesh.piece_volumes(), n);
-    const Points facets =
-        cell_centroids(mesh.merging(), mesh.points(), mesh.piece_volumes(), n - 1);
+    const Points centroids = cell_centroids(mesh, n);
+    const Points facets = cell_centroids(mesh, n - 1);
     Points result = Points::Zero(centroids.rows(), centroids.cols());
     for (Index cell = 0; cell < centroids.rows(); ++cell) {
         for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(n - 1), cell); f; ++f)

@@ -19,19 +19,22 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form);
 /// edges, in least squares weighted by |*e part in P| / |e|. It lies in the cell's mean tangent
 /// space. One row per n-cell, N columns; units those of the values over length. Attach them to
 /// cell_centroids, where they are of second order on regular cells.
+/// After flips edges go straight from one end to the other, so X . e is the integral of X along e;
+/// where all ends in a cell lie on a line, X does too. Of first order on smooth surfaces.
 ///
 /// Exact for differentials of linear functions on flat cells of any shape. For n = 2 and a = df it
 /// is the mean by area of the gradients on the triangles. In higher dimensions obtuse cells have
 /// negative weights; X is then where the derivative of the sum of squares vanishes.
-/// Throws InvalidInput for other forms, after flips, and, naming the cell, if its weights leave X
+/// Throws InvalidInput for other forms, and, naming the cell, if its weights leave X
 /// undetermined.
 DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form);
 
 /// Vectors at the merged n-cells of the field X whose fluxes i_X vol a primal (n-1)-form w holds:
 /// 1/|P| sum over the facets f of [P : f] w(f) (centroid of f - centroid of P), vol having the
 /// orientation of the cell. One row per n-cell, N columns; units those of the values over
-/// length^(n-1). Exact for constant fields on every flat cell.
-/// Source: Perot 2000. Throws InvalidInput for other forms and after flips.
+/// length^(n-1). Exact for constant fields on every flat cell. After flips centroids are places on
+/// the surface, and the vectors of first order on smooth ones.
+/// Source: Perot 2000. Throws InvalidInput for other forms.
 DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form);
 
 } // namespace polydec

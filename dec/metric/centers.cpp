@@ -42,20 +42,26 @@ void Centers::check_fit(const Pieces& complex) const {
                       complex.size(k));
 }
 
-Points center_points(const Pieces& complex, const SimplexMetric& metric, const Points& points,
-                     const Centers& centers, int k) {
-    require_points(complex, points, "a center");
+Points center_coordinates(const Pieces& complex, const SimplexMetric& metric,
+                          const Centers& centers, int k) {
     centers.check_fit(complex);
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
-    Points result = Points::Zero(complex.size(k), points.cols());
+    Points result(complex.size(k), k + 1);
     for (Index s = 0; s < complex.size(k); ++s) {
         sphere.look_at(layout, k, s);
         for (int i = 0; i <= k; ++i)
-            result.row(s) +=
-                centers.coordinate(k, s, i, sphere) * points.row(complex.simplices(k)(s, i));
+            result(s, i) = centers.coordinate(k, s, i, sphere);
     }
     return result;
 }
 
+Points combinations(const Pieces& complex, int k, const Points& coordinates,
+                    const Points& of_vertices) {
+    Points result = Points::Zero(complex.size(k), of_vertices.cols());
+    for (Index s = 0; s < complex.size(k); ++s)
+        for (int i = 0; i <= k; ++i)
+            result.row(s) += coordinates(s, i) * of_vertices.row(complex.simplices(k)(s, i));
+    return result;
+}
 } // namespace polydec

@@ -56,9 +56,12 @@ private:
     std::shared_ptr<const std::vector<Points>> given_; // by degree
 };
 
-/// The centers of all k-simplices between points: one row of N coordinates each; combinations of
-/// the corners' points where the metric has lengths alone.
-Points center_points(const Pieces& complex, const SimplexMetric& metric, const Points& points,
-                     const Centers& centers, int k);
+/// The barycentric coordinates of the centers of all k-simplices: size(k) x (k+1).
+Points center_coordinates(const Pieces& complex, const SimplexMetric& metric,
+                          const Centers& centers, int k);
+
+/// Rows of vertices, such as their points, at a place in each k-simplex with these coordinates.
+Points combinations(const Pieces& complex, int k, const Points& coordinates,
+                    const Points& of_vertices);
 
 } // namespace polydec

@@ -13,13 +13,21 @@ namespace polydec {
 
 namespace {
 
-using Polygon = std::vector<Index>; // numbers of points
+/// A point on the side of a triangle that this half-edge runs along.
+struct SidePoint {
+    Index point;
+    Index halfedge;
+    double place; ///< from 0 at its tail to 1
+};
+
+using Polygon = std::vector<SidePoint>;
 
 /// Cuts the flipped triangles along the edges of the input.
 class Cutter {
 public:
     Cutter(const Passage& passage, const IntrinsicDelaunay& flips, const Points& points)
         : K_(passage.input()),
+          pieces_(passage.pieces()),
           points_(points),
           lengths_(flips.lengths),
           surface_(flips.surface),
@@ -41,31 +49,40 @@ public:
 
 private:
     void place_points();
+    void place_along_edges();
     void cut_triangle(Index t);
     void cut_corner(Index corner, Index cuts);
     void cut_middle(Index t, const NormalCoordinates::Corners& corners);
     void add(const Polygon& polygon, Index t);
     std::optional<Index> input_triangle(const Polygon& polygon) const;
+    std::array<int, 3> corners_in_order(Index t) const;
+
+    SidePoint point_at(Index corner) const { return {surface_.tail(corner), corner, 0}; }
 
     /// The crossing of this number on a half-edge, counted from its tail.
-    Index point_on(Index halfedge, Index position) const {
+    SidePoint point_on(Index halfedge, Index position) const {
         const Index e = surface_.edge(halfedge);
+        const bool along = surface_.sign(halfedge) > 0;
         const Index last = coordinates_.crossings(e) - 1;
-        return first_crossing_[e] + (surface_.sign(halfedge) > 0 ? position : last - position);
+        const Index point = first_crossing_[e] + (along ? position : last - position);
+        const double place = places_[point - first_crossing_[0]];
+        return {point, halfedge, along ? place : 1 - place};
     }
     /// The same on the half-edge that ends at a corner, counted from there.
-    Index point_before(Index corner, Index position) const {
+    SidePoint point_before(Index corner, Index position) const {
         const Index h = GluedSurface::previous(corner);
         return point_on(h, coordinates_.crossings(surface_.edge(h)) - 1 - position);
     }
 
     const SimplicialComplex& K_;
+    const Pieces& pieces_;
     const Points& points_;
     const Vector& lengths_;
     const GluedSurface& surface_;
     const NormalCoordinates& coordinates_;
     std::vector<std::array<Index, 2>> new_vertices_;
     std::vector<Index> first_crossing_;               // points on each edge
+    std::vector<double> places_;                      // of crossings along these edges
     std::vector<std::array<Index, 2>> ends_by_point_; // ends of the input's edge on which it lies
     std::vector<double> areas_;
     Overlay result_;
@@ -73,8 +90,7 @@ private:
 
 void Cutter::place_points() {
     result_.offsets.push_back(0);
-    result_.points.resize(first_crossing_.back(), points_.cols());
-    result_.points.topRows(points_.rows()) = points_;
+    result_.crossings.resize(first_crossing_.back() - first_crossing_[0]);
     ends_by_point_.assign(static_cast<std::size_t>(first_crossing_.back()), {-1, -1});
     for (Index v = 0; v < surface_.vertices(); ++v) {
         ends_by_point_[v] = {v, v};
@@ -82,17 +98,38 @@ void Cutter::place_points() {
             ends_by_point_[v] = new_vertices_[v - K_.size(0)];
     }
 
+    places_.resize(result_.crossings.size());
     const Strands strands = trace(surface_, coordinates_);
     const auto places = strand_places(surface_, lengths_, strands);
     for (std::size_t s = 0; s < strands.ends.size(); ++s) {
         const Index a = surface_.tail(strands.ends[s][0]), b = surface_.tail(strands.ends[s][1]);
         for (std::size_t c = strands.offsets[s]; c < strands.offsets[s + 1]; ++c) {
             const Index point =
-                point_on(strands.crossings[c].halfedge, strands.crossings[c].position);
-            result_.points.row(point) =
-                (1 - places[c]) * points_.row(a) + places[c] * points_.row(b);
+                point_on(strands.crossings[c].halfedge, strands.crossings[c].position).point;
+            result_.crossings[point - first_crossing_[0]] = {a, b, places[c]};
             ends_by_point_[point] = {a, b};
         }
+    }
+    result_.points = result_.at_points(points_);
+    place_along_edges();
+}
+
+/// Between crossings an edge is straight in space.
+void Cutter::place_along_edges() {
+    for (Index e = 0; e < surface_.edges(); ++e) {
+        Index last = surface_.first_vertex(e);
+        double length = 0;
+        const auto go_on_to = [&](Index point) {
+            length += (result_.points.row(point) - result_.points.row(last)).norm();
+            last = point;
+        };
+        for (Index point = first_crossing_[e]; point < first_crossing_[e + 1]; ++point) {
+            go_on_to(point);
+            places_[point - first_crossing_[0]] = length;
+        }
+        go_on_to(surface_.last_vertex(e));
+        for (Index point = first_crossing_[e]; point < first_crossing_[e + 1]; ++point)
+            places_[point - first_crossing_[0]] /= length > 0 ? length : 1;
     }
 }
 
@@ -106,7 +143,7 @@ void Cutter::cut_triangle(Index t) {
 /// What strands around a corner cut off: a triangle, and quadrilaterals behind it.
 void Cutter::cut_corner(Index corner, Index cuts) {
     for (Index r = 0; r < cuts; ++r) {
-        Polygon piece{surface_.tail(corner)};
+        Polygon piece{point_at(corner)};
         if (r > 0)
             piece = {point_before(corner, r - 1), point_on(corner, r - 1)};
         piece.push_back(point_on(corner, r));
@@ -119,7 +156,7 @@ void Cutter::cut_corner(Index corner, Index cuts) {
 void Cutter::cut_middle(Index t, const NormalCoordinates::Corners& corners) {
     const auto rest_of_corner = [&](Index i) {
         const Index corner = 3 * t + i, cuts = corners.cut[i];
-        return cuts == 0 ? Polygon{surface_.tail(corner)}
+        return cuts == 0 ? Polygon{point_at(corner)}
                          : Polygon{point_before(corner, cuts - 1), point_on(corner, cuts - 1)};
     };
     const auto append = [](Polygon& polygon, const Polygon& more) {
@@ -133,7 +170,7 @@ void Cutter::cut_middle(Index t, const NormalCoordinates::Corners& corners) {
     Polygon piece = from;
     append(piece, rest_of_corner(j));
     for (Index strand = 0; strand < corners.leaving[i]; ++strand) {
-        const Index point = point_on(3 * t + j, corners.cut[j] + strand);
+        const SidePoint point = point_on(3 * t + j, corners.cut[j] + strand);
         piece.push_back(point);
         add(piece, t);
         piece = from;
@@ -143,12 +180,32 @@ void Cutter::cut_middle(Index t, const NormalCoordinates::Corners& corners) {
     add(piece, t);
 }
 
+/// Which corner of the ordered piece each corner of a triangle is: the one opposite to the same
+/// edge, and with the same orientation.
+std::array<int, 3> Cutter::corners_in_order(Index t) const {
+    const int step = pieces_.orientation(t) > 0 ? 1 : 2;
+    std::array<int, 3> order{};
+    const auto fits = [&](int first) {
+        for (int i = 0; i < 3; ++i)
+            order[i] = (first + step * i) % 3;
+        for (int i = 0; i < 3; ++i)
+            if (pieces_.face(2, t, order[i]) != surface_.edge(3 * t + (i + 1) % 3))
+                return false;
+        return true;
+    };
+    int first = 0;
+    while (first < 2 && !fits(first))
+        ++first;
+    fits(first);
+    return order;
+}
+
 /// The triangle of the input on whose vertices and edges the corners of a piece lie.
 std::optional<Index> Cutter::input_triangle(const Polygon& polygon) const {
     std::vector<Index> vertices;
-    for (const Index point : polygon)
-        for (const Index v : ends_by_point_[point])
-            vertices.push_back(v);
+    for (const SidePoint& corner : polygon)
+        for (const Index v : ends_by_point_[corner.point])
+            vertices.push_back(K_.simplices(0)(v, 0));
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     if (vertices.size() != 3)
@@ -179,10 +236,10 @@ void Cutter::add(const Polygon& polygon, Index t) {
     };
     const auto e = (corner(1) - corner(0)).eval(), f = (corner(2) - corner(0)).eval();
     double area = 0, turn = 0, longest = 0;
-    const auto origin = result_.points.row(polygon[0]);
+    const auto origin = result_.points.row(polygon[0].point);
     for (std::size_t i = 2; i < polygon.size(); ++i) {
-        const auto u = (result_.points.row(polygon[i - 1]) - origin).eval();
-        const auto v = (result_.points.row(polygon[i]) - origin).eval();
+        const auto u = (result_.points.row(polygon[i - 1].point) - origin).eval();
+        const auto v = (result_.points.row(polygon[i].point) - origin).eval();
         const double squared = u.squaredNorm() * v.squaredNorm() - std::pow(u.dot(v), 2);
         area += std::sqrt(std::max(0.0, squared)) / 2;
         longest = std::max({longest, u.squaredNorm(), v.squaredNorm()});
@@ -192,7 +249,13 @@ void Cutter::add(const Polygon& polygon, Index t) {
     if (!(area > rounding * longest))
         return;
     result_.signs.push_back(turn * K_.orientation(*triangle) < 0 ? -1 : 1);
-    result_.corners.insert(result_.corners.end(), polygon.begin(), polygon.end());
+    const auto order = corners_in_order(t);
+    for (const auto& [point, halfedge, place] : polygon) {
+        result_.corners.push_back(point);
+        auto& coordinates = result_.coordinates.emplace_back();
+        coordinates[order[halfedge % 3]] = 1 - place;
+        coordinates[order[GluedSurface::next(halfedge) % 3]] = place;
+    }
     result_.offsets.push_back(static_cast<Index>(result_.corners.size()));
     result_.input.push_back(*triangle);
     result_.triangle.push_back(t);
@@ -200,6 +263,18 @@ void Cutter::add(const Polygon& polygon, Index t) {
 }
 
 } // namespace
+
+Points Overlay::at_points(const Points& at_vertices) const {
+    const auto vertices = at_vertices.rows(), more = static_cast<Eigen::Index>(crossings.size());
+    Points result(vertices + more, at_vertices.cols());
+    result.topRows(vertices) = at_vertices;
+    for (Eigen::Index c = 0; c < more; ++c) {
+        const auto& [from, to, place] = crossings[c];
+        result.row(vertices + c) =
+            (1 - place) * at_vertices.row(from) + place * at_vertices.row(to);
+    }
+    return result;
+}
 
 Overlay overlay(const Passage& passage, const Points& points) {
     const auto& flips = passage.flips("an overlay of the input's triangles and those after flips");
