@@ -22,19 +22,19 @@ inline Vector star(const Discretization& mesh, int k) {
 inline Vector dual_star(const Discretization& mesh, int k) {
     return dual_star(mesh.volumes(), k);
 }
-inline SparseMatrix codifferential(const Discretization& mesh, int k) {
+inline Operator codifferential(const Discretization& mesh, int k) {
     return codifferential(mesh.complex(), mesh.volumes(), k);
 }
-inline SparseMatrix dual_codifferential(const Discretization& mesh, int j) {
+inline Operator dual_codifferential(const Discretization& mesh, int j) {
     return dual_codifferential(mesh.complex(), mesh.volumes(), j);
 }
-inline SparseMatrix laplacian(const Discretization& mesh, int k) {
+inline Operator laplacian(const Discretization& mesh, int k) {
     return laplacian(mesh.complex(), mesh.volumes(), k);
 }
-inline SparseMatrix dual_laplacian(const Discretization& mesh, int j) {
+inline Operator dual_laplacian(const Discretization& mesh, int j) {
     return dual_laplacian(mesh.complex(), mesh.volumes(), j);
 }
-inline SparseMatrix symmetric_laplacian(const Discretization& mesh, int k) {
+inline Operator symmetric_laplacian(const Discretization& mesh, int k) {
     return symmetric_laplacian(mesh.complex(), mesh.volumes(), k);
 }
 

@@ -3,8 +3,7 @@
 #include "base/atomic_folder.h"
 #include "base/errors.h"
 #include "base/printable.h"
-#include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
+#include "dec/operators.h"
 #include "io/matrices/matrix_market.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
@@ -107,8 +106,8 @@ private:
         const int j = mesh_.dimension() - k;
         const auto primal = file("laplacian_primal", k), dual = file("laplacian_dual", j);
         try {
-            write_scaled(primal, laplacian(P_, mesh_.volumes(), k));
-            write_scaled(dual, dual_laplacian(P_, mesh_.volumes(), j));
+            write_scaled(primal, laplacian(mesh_, k));
+            write_scaled(dual, dual_laplacian(mesh_, j));
         } catch (const InvalidInput& error) {
             log_.warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
                                   dual.filename().string(), error.what()));

@@ -2,7 +2,7 @@
 #include "dec/forms/cochain.h"
 
 #include "base/errors.h"
-#include "dec/forms/apply.h"
+#include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
 #include "dec/metric/cell_volumes.h"
 
@@ -81,8 +81,8 @@ Chain boundary(const CellComplex& complex, const Chain& chain) {
     const int k = cell_degree(complex, chain.side, chain.degree);
     return {chain.side, chain.degree - 1,
             chain.side == Side::primal
-                ? apply_transposed_derivative(complex, k - 1, chain.values)
-                : Vector(dual_sign(k) * apply_derivative(complex, k, chain.values))};
+                ? Operator::derivative(complex, k - 1).transposed() * chain.values
+                : Vector(dual_sign(k) * (Operator::derivative(complex, k) * chain.values))};
 }
 
 double pairing(const Cochain& form, const Chain& chain) {
@@ -93,11 +93,11 @@ double pairing(const Cochain& form, const Chain& chain) {
 Cochain d(const CellComplex& complex, const Cochain& form) {
     check(complex, form);
     const int k = cell_degree(complex, form.side, form.degree);
-    return {
-        form.side, form.degree + 1,
-        form.side == Side::primal
-            ? apply_derivative(complex, k, form.values)
-            : Vector(dual_sign(k - 1) * apply_transposed_derivative(complex, k - 1, form.values))};
+    return {form.side, form.degree + 1,
+            form.side == Side::primal
+                ? Operator::derivative(complex, k) * form.values
+                : Vector(dual_sign(k - 1) *
+                         (Operator::derivative(complex, k - 1).transposed() * form.values))};
 }
 
 Cochain star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
@@ -115,16 +115,16 @@ Cochain codifferential(const CellComplex& complex, const CellVolumes& volumes,
     check(complex, form);
     return {form.side, form.degree - 1,
             form.side == Side::primal
-                ? apply_codifferential(complex, volumes, form.degree, form.values)
-                : apply_dual_codifferential(complex, volumes, form.degree, form.values)};
+                ? codifferential(complex, volumes, form.degree) * form.values
+                : dual_codifferential(complex, volumes, form.degree) * form.values};
 }
 
 Cochain laplacian(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
     check(complex, form);
     return {form.side, form.degree,
             form.side == Side::primal
-                ? apply_laplacian(complex, volumes, form.degree, form.values)
-                : apply_dual_laplacian(complex, volumes, form.degree, form.values)};
+                ? laplacian(complex, volumes, form.degree) * form.values
+                : dual_laplacian(complex, volumes, form.degree) * form.values};
 }
 
 double inner_product(const CellComplex& complex, const CellVolumes& volumes, const Cochain& a,

@@ -2,8 +2,6 @@
 #include "dec/forms/laplacian.h"
 
 #include "dec/forms/cochain.h"
-#include "dec/forms/derivative.h"
-#include "dec/forms/gram.h"
 #include "dec/forms/star.h"
 #include "dec/metric/cell_volumes.h"
 
@@ -11,82 +9,79 @@ namespace polydec {
 
 namespace {
 
-/// d^T star d for the d that leaves degree k; the zero matrix for k = n.
-SparseMatrix upper_half(const CellComplex& complex, const CellVolumes& volumes, int k) {
+Operator mass(const CellVolumes& volumes, int k) {
+    return Operator::weights(star(volumes, k));
+}
+
+Operator inverse_mass(const CellVolumes& volumes, int k) {
+    return Operator::weights(inverse_star(volumes, k));
+}
+
+/// left d^T star d right for the d that leaves degree k; 0 for k = n, where left and right, each
+/// star^-1 or nothing, are not asked for either.
+template <class Weighted>
+Operator upper_half(const CellComplex& complex, const CellVolumes& volumes, int k,
+                    Weighted weighted) {
     if (k == complex.dimension())
-        return SparseMatrix(complex.size(k), complex.size(k));
-    return gram(complex.boundary(k + 1), complex.coboundary(k), star(volumes, k + 1));
+        return Operator::zero(complex.size(k), complex.size(k));
+    const Operator d = Operator::derivative(complex, k);
+    return weighted(d.transposed() * mass(volumes, k + 1) * d);
 }
 
-/// d star^-1 d^T for the d that arrives at degree k; the zero matrix for k = 0.
-SparseMatrix lower_half(const CellComplex& complex, const CellVolumes& volumes, int k) {
+/// d star^-1 d^T for the d that arrives at degree k, with weights; 0 for k = 0.
+template <class Weighted>
+Operator lower_half(const CellComplex& complex, const CellVolumes& volumes, int k,
+                    Weighted weighted) {
     if (k == 0)
-        return SparseMatrix(complex.size(k), complex.size(k));
-    return gram(complex.coboundary(k - 1), complex.boundary(k), inverse_star(volumes, k - 1));
+        return Operator::zero(complex.size(k), complex.size(k));
+    const Operator d = Operator::derivative(complex, k - 1);
+    return weighted(d * inverse_mass(volumes, k - 1) * d.transposed());
 }
 
-/// star_k^-1, not asked for where nothing is multiplied with it.
-Vector inverse_for_upper_half(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    return k == complex.dimension() ? Vector(Vector::Ones(complex.size(k)))
-                                    : inverse_star(volumes, k);
-}
-
-/// Throws InvalidInput unless there are k-cells, whose volumes these are.
-void check_arguments(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    cell_degree(complex, Side::primal, k);
+/// The degree of the cells that carry the forms, whose volumes these are.
+int checked_degree(const CellComplex& complex, const CellVolumes& volumes, Side side, int degree) {
     check_fit(complex, volumes);
-}
-
-/// The same for the duals of the (n-j)-cells, whose degree is returned.
-int checked_degree(const CellComplex& complex, const CellVolumes& volumes, int j) {
-    check_fit(complex, volumes);
-    return cell_degree(complex, Side::dual, j);
+    return cell_degree(complex, side, degree);
 }
 
 } // namespace
 
-SparseMatrix codifferential(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    check_arguments(complex, volumes, k);
+Operator codifferential(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    checked_degree(complex, volumes, Side::primal, k);
     if (k == 0)
-        return SparseMatrix(0, complex.size(0));
-    const SparseMatrix d = derivative(complex, k - 1);
-    return inverse_star(volumes, k - 1).asDiagonal() * SparseMatrix(d.transpose()) *
-           star(volumes, k).asDiagonal();
+        return Operator::zero(0, complex.size(0));
+    return inverse_mass(volumes, k - 1) * Operator::derivative(complex, k - 1).transposed() *
+           mass(volumes, k);
 }
 
-SparseMatrix dual_codifferential(const CellComplex& complex, const CellVolumes& volumes, int j) {
-    const int k = checked_degree(complex, volumes, j);
+Operator dual_codifferential(const CellComplex& complex, const CellVolumes& volumes, int j) {
+    const int k = checked_degree(complex, volumes, Side::dual, j);
     if (k == complex.dimension())
-        return SparseMatrix(0, complex.size(k));
+        return Operator::zero(0, complex.size(k));
     const double sign = k % 2 == 0 ? -1 : 1;
-    return sign * star(volumes, k + 1).asDiagonal() * derivative(complex, k) *
-           inverse_star(volumes, k).asDiagonal();
+    return Operator::weights(sign * star(volumes, k + 1)) * Operator::derivative(complex, k) *
+           inverse_mass(volumes, k);
 }
 
-SparseMatrix laplacian(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    check_arguments(complex, volumes, k);
-    const SparseMatrix upper =
-        inverse_for_upper_half(complex, volumes, k).asDiagonal() * upper_half(complex, volumes, k);
-    const SparseMatrix lower = lower_half(complex, volumes, k) * star(volumes, k).asDiagonal();
-    return upper + lower;
+Operator laplacian(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    checked_degree(complex, volumes, Side::primal, k);
+    return upper_half(complex, volumes, k,
+                      [&](const Operator& A) { return inverse_mass(volumes, k) * A; }) +
+           lower_half(complex, volumes, k, [&](const Operator& A) { return A * mass(volumes, k); });
 }
 
-SparseMatrix dual_laplacian(const CellComplex& complex, const CellVolumes& volumes, int j) {
-    const int k = checked_degree(complex, volumes, j);
-    const SparseMatrix upper =
-        upper_half(complex, volumes, k) * inverse_for_upper_half(complex, volumes, k).asDiagonal();
-    const SparseMatrix lower = star(volumes, k).asDiagonal() * lower_half(complex, volumes, k);
-    return upper + lower;
+Operator dual_laplacian(const CellComplex& complex, const CellVolumes& volumes, int j) {
+    const int k = checked_degree(complex, volumes, Side::dual, j);
+    return upper_half(complex, volumes, k,
+                      [&](const Operator& A) { return A * inverse_mass(volumes, k); }) +
+           lower_half(complex, volumes, k, [&](const Operator& A) { return mass(volumes, k) * A; });
 }
 
-SparseMatrix symmetric_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    check_arguments(complex, volumes, k);
-    if (k == 0)
-        return upper_half(complex, volumes, k);
-    const Vector mass = star(volumes, k);
-    const SparseMatrix weighted = mass.asDiagonal() * lower_half(complex, volumes, k);
-    const SparseMatrix lower = weighted * mass.asDiagonal();
-    return upper_half(complex, volumes, k) + lower;
+Operator symmetric_laplacian(const CellComplex& complex, const CellVolumes& volumes, int k) {
+    checked_degree(complex, volumes, Side::primal, k);
+    const Operator star = mass(volumes, k);
+    return upper_half(complex, volumes, k, [](const Operator& A) { return A; }) +
+           lower_half(complex, volumes, k, [&](const Operator& A) { return star * A * star; });
 }
 
 } // namespace polydec

@@ -47,8 +47,7 @@ Report fig10(const Request& request) {
             request.progress(fmt::format("{} x {} subdivisions", subdivisions, subdivisions));
         const auto sphere = discretize(uv_sphere(subdivisions, subdivisions));
         const Vector areas = star(sphere.volumes(), 0);
-        const DenseMatrix normal =
-            laplacian(sphere.complex(), sphere.volumes(), 0) * DenseMatrix(sphere.points());
+        const DenseMatrix normal = laplacian(sphere, 0).matrix() * DenseMatrix(sphere.points());
         const Vector errors = 1 - normal.rowwise().norm().array() / 2;
         std::vector<Entry> row{long{subdivisions}};
         for (std::size_t i = 0; i < norms.size(); ++i) {

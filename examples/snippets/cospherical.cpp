@@ -63,8 +63,7 @@ void shapes() {
 void stencils() {
     const auto cubes = polydec::discretize(polydec::kuhn(3, 4));
     const double h = 0.25;
-    const polydec::SparseMatrix laplacian =
-        h * h * polydec::laplacian(cubes.complex(), cubes.volumes(), 0);
+    const polydec::SparseMatrix laplacian = h * h * polydec::laplacian(cubes, 0).matrix();
     std::cout << "the vertex in the middle:";
     for (polydec::SparseMatrix::InnerIterator entry(laplacian, 62); entry; ++entry)
         std::cout << ' ' << entry.value();
@@ -74,7 +73,7 @@ void stencils() {
     const auto volumes = polydec::relative_volumes(inside, cubes.volumes());
     const polydec::SparseMatrix curl = polydec::derivative(inside.complex, 1);
     const polydec::SparseMatrix curl_curl =
-        h * h * polydec::codifferential(inside.complex, volumes, 2) * curl;
+        h * h * polydec::codifferential(inside.complex, volumes, 2).matrix() * curl;
     polydec::Index edge = 0; // one in the middle
     while (curl_curl.outerIndexPtr()[edge + 1] - curl_curl.outerIndexPtr()[edge] < 13)
         ++edge;

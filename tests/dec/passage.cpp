@@ -7,7 +7,6 @@
 #include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/wedge.h"
-#include "dec/forms/apply.h"
 #include "dec/forms/star.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/dual_parts.h"

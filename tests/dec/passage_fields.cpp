@@ -4,7 +4,6 @@
 #include "dec/fields/de_rham.h"
 #include "dec/fields/flat.h"
 #include "dec/fields/sharp.h"
-#include "dec/forms/apply.h"
 #include "dec/forms/star.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/overlaps.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Results are the same to the last bit for any number of threads.
 #include "complex/simplicial_complex.h"
-#include "dec/forms/apply.h"
 #include "dec/forms/laplacian.h"
 #include "dec/merging/merge.h"
 #include "dec/merging/merged_volumes.h"
@@ -23,7 +22,7 @@ struct Results {
         : K(mesh.simplices),
           volumes(circumcentric_volumes(K, mesh.points)),
           laplacian(symmetric_laplacian(K, volumes, 1)),
-          applied(apply_laplacian(K, volumes, 1, Vector::LinSpaced(K.size(1), -1, 1))),
+          applied(polydec::laplacian(K, volumes, 1) * Vector(Vector::LinSpaced(K.size(1), -1, 1))),
           merging(merge_cospherical(K, mesh.points, volumes).merging),
           merged(merged_volumes(merging, volumes)) {}
 

@@ -48,16 +48,16 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
                 std::vector<std::pair<const char*, std::function<void()>>> calls = {
                     {"check", [&] { check(s.P(), w); }},
                     {"check, dual", [&] { check(s.P(), v); }},
-                    {"apply_derivative", [&] { apply_derivative(s.P(), k, x); }},
+                    {"apply_derivative", [&] { Operator::derivative(s.P(), k) * x; }},
                     {"apply_transposed_derivative",
-                     [&] { apply_transposed_derivative(s.P(), k - 1, x); }},
-                    {"apply_codifferential", [&] { apply_codifferential(s.P(), s.V(), k, x); }},
+                     [&] { Operator::derivative(s.P(), k - 1).transposed() * x; }},
+                    {"apply_codifferential", [&] { codifferential(s.P(), s.V(), k) * x; }},
                     {"apply_dual_codifferential",
-                     [&] { apply_dual_codifferential(s.P(), s.V(), n - k, x); }},
-                    {"apply_laplacian", [&] { apply_laplacian(s.P(), s.V(), k, x); }},
+                     [&] { dual_codifferential(s.P(), s.V(), n - k) * x; }},
+                    {"apply_laplacian", [&] { laplacian(s.P(), s.V(), k) * x; }},
                     {"apply_symmetric_laplacian",
-                     [&] { apply_symmetric_laplacian(s.P(), s.V(), k, x); }},
-                    {"apply_dual_laplacian", [&] { apply_dual_laplacian(s.P(), s.V(), n - k, x); }},
+                     [&] { symmetric_laplacian(s.P(), s.V(), k) * x; }},
+                    {"apply_dual_laplacian", [&] { dual_laplacian(s.P(), s.V(), n - k) * x; }},
                     {"restrict", [&] { relative.restrict(k, x); }},
                     {"pairing",
                      [&] {
@@ -113,8 +113,8 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
                 {"laplacian", [&] { laplacian(s.P(), other.V(), k); }},
                 {"dual_laplacian", [&] { dual_laplacian(s.P(), other.V(), k); }},
                 {"symmetric_laplacian", [&] { symmetric_laplacian(s.P(), other.V(), k); }},
-                {"diagonal", [&] { symmetric_laplacian_diagonal(s.P(), other.V(), k); }},
-                {"apply_laplacian", [&] { apply_laplacian(s.P(), other.V(), k, w.values); }},
+                {"diagonal", [&] { symmetric_laplacian(s.P(), other.V(), k).diagonal(); }},
+                {"apply_laplacian", [&] { laplacian(s.P(), other.V(), k) * w.values; }},
                 {"star", [&] { star(s.P(), other.V(), w); }},
                 {"inner_product", [&] { inner_product(s.P(), other.V(), w, w); }},
                 {"dual_to_merged", [&] { dual_to_merged(s.mesh.merging(), other.W(), k); }},
@@ -150,7 +150,7 @@ TEST(doors, a_matrix_is_no_vector) {
     EXPECT_EQ(outcome([&] { check(s.P(), Chain{Side::primal, 0, three}); }), "refused");
     Cochain w = form(s, Side::primal, 0);
     EXPECT_EQ(outcome([&] { w.values = three; }), "refused");
-    EXPECT_EQ(outcome([&] { apply_laplacian(s.P(), s.V(), 0, three); }), "refused");
+    EXPECT_EQ(outcome([&] { laplacian(s.P(), s.V(), 0) * three; }), "refused");
     EXPECT_EQ(outcome([&] { PoissonSolver(s.mesh, {.conductivity = three}); }), "refused");
     EXPECT_EQ(
         outcome([&] { de_rham(s.mesh, 0, [&](const Vector&) { return DenseMatrix(1, 2); }); }),

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "dec/discretization.h"
-#include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
+#include "dec/operators.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -11,7 +10,7 @@ namespace polydec::test {
 
 /// All eigenvalues of the Laplacian on k-cells, ascending, from dense matrices.
 inline Vector dense_spectrum(const Discretization& mesh, int k) {
-    const DenseMatrix A = symmetric_laplacian(mesh.complex(), mesh.volumes(), k);
+    const DenseMatrix A = symmetric_laplacian(mesh, k).matrix();
     const DenseMatrix M = star(mesh.volumes(), k).asDiagonal();
     return Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix>(A, M, Eigen::EigenvaluesOnly)
         .eigenvalues();

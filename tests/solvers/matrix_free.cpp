@@ -4,9 +4,7 @@
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "dec/discretization.h"
-#include "dec/forms/apply.h"
-#include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
+#include "dec/operators.h"
 #include "meshes/generate.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
@@ -16,25 +14,25 @@
 namespace polydec::test {
 namespace {
 
-/// star_k + (star times Laplacian) on k-forms, as a function: positive where the stars are.
+/// star_k + (star times Laplacian) on k-forms: positive where the stars are.
+Operator positive(const Discretization& cells, int k) {
+    return symmetric_laplacian(cells, k) + Operator::weights(star(cells, k));
+}
+
 SymmetricOperator shifted_laplacian(const Discretization& cells, int k) {
-    return {cells.complex().size(k), [&cells, k](const Vector& x, Vector& y) {
-                y = apply_symmetric_laplacian(cells.complex(), cells.volumes(), k, x) +
-                    star(cells.volumes(), k).cwiseProduct(x);
-            }};
+    return {cells.complex().size(k),
+            [A = positive(cells, k)](const Vector& x, Vector& y) { y = A * x; }};
 }
 
 Vector diagonal(const Discretization& cells, int k) {
-    return symmetric_laplacian_diagonal(cells.complex(), cells.volumes(), k) +
-           star(cells.volumes(), k);
+    return positive(cells, k).diagonal();
 }
 
 TEST(matrix_free, solutions_are_those_with_a_matrix_for_every_degree) {
     for (const Mesh& mesh : {torus(24, 12), well_centered(8), kuhn(3, 4), kuhn(4, 2)}) {
         const auto cells = discretize(mesh);
         for (int k = 0; k <= cells.dimension(); ++k) {
-            SparseMatrix A = symmetric_laplacian(cells.complex(), cells.volumes(), k);
-            A += SparseMatrix(star(cells.volumes(), k).asDiagonal());
+            const SparseMatrix A = positive(cells, k);
             const auto direct = make_linear_solver("eigen.ldlt");
             direct->factorize(
                 A, {.symmetry = Symmetry::symmetric, .definiteness = Definiteness::positive});
@@ -77,10 +75,8 @@ TEST(matrix_free, what_cannot_be_solved_is_refused) {
     const auto cells = discretize(torus(12, 6));
     const SymmetricOperator A = shifted_laplacian(cells, 0);
     const Vector b = Vector::Ones(A.size);
-    const SymmetricOperator without_constants{A.size, [&](const Vector& x, Vector& y) {
-                                                  y = apply_symmetric_laplacian(
-                                                      cells.complex(), cells.volumes(), 0, x);
-                                              }};
+    const SymmetricOperator without_constants{
+        A.size, [&](const Vector& x, Vector& y) { y = symmetric_laplacian(cells, 0) * x; }};
     EXPECT_THROW(solve_matrix_free(without_constants, b), SolverFailure);
     EXPECT_EQ(refusal([&] { solve_matrix_free(A, Vector::Ones(3)); }),
               "eigen.cg: 3 values and a diagonal of 0 for 72 unknowns");

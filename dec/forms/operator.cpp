@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "dec/forms/operator.h"
+
+#include "base/errors.h"
+#include "base/parallel.h"
+#include "dec/forms/gram.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// D x, a row after the other.
+Vector along_rows(const IncidenceMatrix& D, const Vector& x) {
+    const Index *begin = D.outerIndexPtr(), *face = D.innerIndexPtr();
+    const std::int8_t* sign = D.valuePtr();
+    constexpr Index part_size = 1 << 15;
+    Vector result(D.rows());
+    for_each_part(static_cast<Index>(D.rows()), part_size, [&](Index first, Index last) {
+        for (Index t = first; t < last; ++t) {
+            double sum = 0;
+            for (Index e = begin[t]; e < begin[t + 1]; ++e)
+                sum += sign[e] * x[face[e]];
+            result[t] = sum;
+        }
+    });
+    return result;
+}
+
+/// D^T y.
+Vector across_rows(const IncidenceMatrix& D, const Vector& y) {
+    const Index *begin = D.outerIndexPtr(), *face = D.innerIndexPtr();
+    const std::int8_t* sign = D.valuePtr();
+    Vector result = Vector::Zero(D.cols());
+    for (Index t = 0; t < y.size(); ++t)
+        for (Index e = begin[t]; e < begin[t + 1]; ++e)
+            result[face[e]] += sign[e] * y[t];
+    return result;
+}
+
+void check_shapes(const Operator& A, const Operator& B, const char* joined, bool fit) {
+    if (!fit)
+        throw InvalidInput(fmt::format("an operator of {} x {} is {} one of {} x {}: they do not "
+                                       "fit",
+                                       A.rows(), A.cols(), joined, B.rows(), B.cols()));
+}
+
+} // namespace
+
+Operator Operator::derivative(const CellComplex& complex, int k) {
+    const IncidenceMatrix& D = complex.coboundary(k);
+    return {static_cast<Index>(D.rows()),
+            static_cast<Index>(D.cols()),
+            {{Derivative{complex, k, false}}}};
+}
+
+Operator Operator::weights(Vector weights) {
+    const auto size = static_cast<Index>(weights.size());
+    return {size, size, {{std::make_shared<const Vector>(std::move(weights))}}};
+}
+
+Operator Operator::zero(Index rows, Index cols) {
+    return {rows, cols, {}};
+}
+
+Vector Operator::operator*(const Vector& values) const {
+    if (values.size() != cols_)
+        throw InvalidInput(
+            fmt::format("{} values are given to an operator that takes {}", values.size(), cols_));
+    Vector sum = Vector::Zero(terms_.empty() ? rows_ : 0);
+    for (const Product& product : terms_) {
+        Vector x = values;
+        for (auto factor = product.rbegin(); factor != product.rend(); ++factor)
+            if (const auto* weights = std::get_if<Weights>(&*factor))
+                x = x.cwiseProduct(**weights);
+            else {
+                const auto& [complex, k, transposed] = std::get<Derivative>(*factor);
+                x = transposed ? across_rows(complex.coboundary(k), x)
+                               : along_rows(complex.coboundary(k), x);
+            }
+        sum = sum.size() == 0 ? std::move(x) : Vector(sum + x);
+    }
+    return sum;
+}
+
+/// Whether factors i, i+1, i+2 are a derivative, weights and its transpose.
+bool Operator::is_gram(const Product& product, std::size_t i) {
+    if (i + 2 >= product.size())
+        return false;
+    const auto* left = std::get_if<Derivative>(&product[i]);
+    const auto* right = std::get_if<Derivative>(&product[i + 2]);
+    return left != nullptr && right != nullptr && std::holds_alternative<Weights>(product[i + 1]) &&
+           left->k == right->k && left->transposed != right->transposed &&
+           &left->complex.coboundary(left->k) == &right->complex.coboundary(right->k);
+}
+
+SparseMatrix Operator::matrix(const Product& product) {
+    SparseMatrix result;
+    Vector pending; // weights before the first matrix
+    bool begun = false;
+    const auto multiply = [&](SparseMatrix next) {
+        if (begun)
+            next = SparseMatrix(result * next);
+        else if (pending.size() > 0)
+            next = pending.asDiagonal() * next;
+        result.swap(next);
+        begun = true;
+    };
+    for (std::size_t i = 0; i < product.size(); ++i)
+        if (is_gram(product, i)) {
+            const auto& [complex, k, transposed] = std::get<Derivative>(product[i]);
+            const Vector& weights = *std::get<Weights>(product[i + 1]);
+            multiply(transposed ? gram(complex.boundary(k + 1), complex.coboundary(k), weights)
+                                : gram(complex.coboundary(k), complex.boundary(k + 1), weights));
+            i += 2;
+        } else if (const auto* weights = std::get_if<Weights>(&product[i])) {
+            if (begun)
+                result = result * (*weights)->asDiagonal();
+            else
+                pending = pending.size() > 0 ? Vector(pending.cwiseProduct(**weights)) : **weights;
+        } else {
+            const auto& [complex, k, transposed] = std::get<Derivative>(product[i]);
+            multiply((transposed ? complex.boundary(k + 1) : complex.coboundary(k)).cast<double>());
+        }
+    if (!begun) {
+        SparseMatrix identity(pending.size(), pending.size());
+        identity.setIdentity();
+        multiply(identity);
+    }
+    return result;
+}
+
+SparseMatrix Operator::matrix() const {
+    SparseMatrix sum(rows_, cols_);
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+        SparseMatrix term = matrix(terms_[i]);
+        if (i > 0)
+            term = SparseMatrix(sum + term);
+        sum.swap(term);
+    }
+    return sum;
+}
+
+/// Of a product of weights and one derivative, weights and its transpose from factor i on.
+Vector Operator::gram_diagonal(const Product& product, std::size_t i) {
+    const auto& [complex, k, transposed] = std::get<Derivative>(product[i]);
+    const Vector& weights = *std::get<Weights>(product[i + 1]);
+    const IncidenceMatrix& D = complex.coboundary(k);
+    Vector sum = Vector::Zero(transposed ? D.cols() : D.rows());
+    for (Index t = 0; t < D.rows(); ++t)
+        for (IncidenceMatrix::InnerIterator s(D, t); s; ++s)
+            sum[transposed ? s.col() : s.row()] +=
+                s.value() * s.value() * weights[transposed ? s.row() : s.col()];
+    for (std::size_t j = 0; j < product.size(); ++j)
+        if (j < i || j > i + 2)
+            sum = sum.cwiseProduct(*std::get<Weights>(product[j]));
+    return sum;
+}
+
+Vector Operator::diagonal() const {
+    Vector sum = Vector::Zero(std::min(rows_, cols_));
+    for (const Product& product : terms_) {
+        std::size_t i = 0;
+        while (i < product.size() && std::holds_alternative<Weights>(product[i]))
+            ++i;
+        const auto derivatives =
+            std::count_if(product.begin(), product.end(), [](const Factor& factor) {
+                return std::holds_alternative<Derivative>(factor);
+            });
+        sum += derivatives == 2 && is_gram(product, i) ? gram_diagonal(product, i)
+                                                       : Vector(matrix(product).diagonal());
+    }
+    return sum;
+}
+
+Operator Operator::transposed() const {
+    Operator result(cols_, rows_, terms_);
+    for (Product& product : result.terms_) {
+        std::reverse(product.begin(), product.end());
+        for (Factor& factor : product)
+            if (auto* derivative = std::get_if<Derivative>(&factor))
+                derivative->transposed = !derivative->transposed;
+    }
+    return result;
+}
+
+Operator operator*(const Operator& A, const Operator& B) {
+    check_shapes(A, B, "multiplied by", A.cols_ == B.rows_);
+    Operator result(A.rows_, B.cols_, {});
+    for (const auto& left : A.terms_)
+        for (const auto& right : B.terms_) {
+            result.terms_.push_back(left);
+            result.terms_.back().insert(result.terms_.back().end(), right.begin(), right.end());
+        }
+    return result;
+}
+
+Operator operator+(const Operator& A, const Operator& B) {
+    check_shapes(A, B, "added to", A.rows_ == B.rows_ && A.cols_ == B.cols_);
+    Operator result = A;
+    result.terms_.insert(result.terms_.end(), B.terms_.begin(), B.terms_.end());
+    return result;
+}
+
+} // namespace polydec

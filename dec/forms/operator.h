@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/cell_complex.h"
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace polydec {
+
+/// A linear map between the values of forms: sums of products of derivatives and weights. What it
+/// does to values, in the time that reading the incidences takes, and its matrix are two ways to
+/// look at it. Made once, used often; copies share all that is large.
+class Operator {
+public:
+    /// d_k of a complex, size(k+1) x size(k), k = -1..n. Throws InvalidInput for another degree.
+    static Operator derivative(const CellComplex& complex, int k);
+
+    /// Multiplies each value by a weight, as a diagonal star does.
+    static Operator weights(Vector weights);
+
+    /// 0 for all values.
+    static Operator zero(Index rows, Index cols);
+
+    Index rows() const { return rows_; }
+    Index cols() const { return cols_; }
+
+    /// What it makes of values. Throws InvalidInput unless there are cols() of them.
+    Vector operator*(const Vector& values) const;
+
+    SparseMatrix matrix() const;
+    operator SparseMatrix() const { return matrix(); }
+
+    /// The diagonal of the matrix; for A^T W A, with weights on both sides, without the matrix.
+    Vector diagonal() const;
+
+    Operator transposed() const;
+
+    /// Throw InvalidInput, naming the shapes, for those that do not fit.
+    friend Operator operator*(const Operator& A, const Operator& B);
+    friend Operator operator+(const Operator& A, const Operator& B);
+
+private:
+    struct Derivative {
+        CellComplex complex;
+        int k;
+        bool transposed;
+    };
+    using Weights = std::shared_ptr<const Vector>;
+    using Factor = std::variant<Derivative, Weights>;
+    using Product = std::vector<Factor>;
+
+    Operator(Index rows, Index cols, std::vector<Product> terms)
+        : rows_(rows), cols_(cols), terms_(std::move(terms)) {}
+
+    static bool is_gram(const Product& product, std::size_t i);
+    static Vector gram_diagonal(const Product& product, std::size_t i);
+    static SparseMatrix matrix(const Product& product);
+
+    Index rows_, cols_;
+    std::vector<Product> terms_;
+};
+
+} // namespace polydec

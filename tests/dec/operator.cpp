@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "dec/forms/operator.h"
+
+#include "dec/forms/derivative.h"
+#include "dec/forms/laplacian.h"
+#include "dec/forms/star.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace polydec::test {
+namespace {
+
+/// That what an operator does to values is the product with its matrix, and so is its diagonal, and
+/// that this can be told from another one.
+void expect_two_ways_to_look_at(const Operator& A) {
+    const SparseMatrix M = A.matrix();
+    ASSERT_EQ(M.rows(), A.rows());
+    ASSERT_EQ(M.cols(), A.cols());
+    const Vector x = random_vector(A.cols(), 7), y = random_vector(A.rows(), 8);
+    const Vector applied = A * x, product = M * x, sizes = M.cwiseAbs() * x.cwiseAbs();
+    const double rounding = sizes.size() == 0 ? 0 : 1e-13 * sizes.maxCoeff();
+    ASSERT_EQ(applied.size(), product.size());
+    EXPECT_TRUE(((applied - product).cwiseAbs().array() <= rounding).all());
+    if (!product.isZero(0)) {
+        EXPECT_FALSE(((A * Vector(2 * x) - product).cwiseAbs().array() <= rounding).all());
+    }
+    EXPECT_NEAR(y.dot(applied), x.dot(A.transposed() * y), 1e-12 * sizes.dot(y.cwiseAbs()));
+
+    const Vector diagonal = A.diagonal(), expected = M.diagonal();
+    ASSERT_EQ(diagonal.size(), expected.size());
+    const Vector terms = (A.matrix().cwiseAbs() * Vector::Ones(A.cols())).head(expected.size());
+    EXPECT_TRUE(((diagonal - expected).cwiseAbs().array() <= 1e-13 * terms.array()).all());
+    EXPECT_EQ(refusal([&] { A* Vector::Zero(A.cols() + 1); }),
+              std::to_string(A.cols() + 1) + " values are given to an operator that takes " +
+                  std::to_string(A.cols()));
+}
+
+class OperatorValues : public OverMeshes {
+protected:
+    /// Looks at those that there are; how many that were.
+    static int look_at(const std::vector<std::function<Operator()>>& made) {
+        int there_are = 0;
+        for (const auto& make : made)
+            if (refusal([&] { make(); }) == "accepted") {
+                expect_two_ways_to_look_at(make());
+                ++there_are;
+            }
+        return there_are;
+    }
+};
+
+TEST_P(OperatorValues, act_on_values_as_their_matrices_do) {
+    const CellComplex& P = mesh().P();
+    const CellVolumes& V = mesh().volumes;
+    for (int k = 0; k <= mesh().n(); ++k) {
+        SCOPED_TRACE(k);
+        EXPECT_GT(look_at({[&] { return Operator::derivative(P, k); },
+                           [&] { return Operator::derivative(P, k - 1).transposed(); },
+                           [&] { return Operator::weights(star(V, k)); },
+                           [&] { return codifferential(P, V, k); },
+                           [&] { return dual_codifferential(P, V, k); },
+                           [&] { return laplacian(P, V, k); },
+                           [&] { return symmetric_laplacian(P, V, k); },
+                           [&] { return dual_laplacian(P, V, k); }}),
+                  2);
+    }
+}
+
+TEST_P(OperatorValues, of_the_derivative_have_its_matrix) {
+    for (const CellComplex* complex : {static_cast<const CellComplex*>(&mesh().K()), &mesh().P()})
+        for (int k = -1; k <= mesh().n(); ++k) {
+            const SparseMatrix d = derivative(*complex, k), transposed = d.transpose();
+            const Operator D = Operator::derivative(*complex, k);
+            EXPECT_EQ(SparseMatrix(D.matrix() - d).norm(), 0);
+            EXPECT_EQ(SparseMatrix(D.transposed().matrix() - transposed).norm(), 0);
+            if (k >= 0) {
+                EXPECT_EQ((D * Operator::derivative(*complex, k - 1)).matrix().norm(), 0);
+            }
+        }
+}
+
+POLYDEC_OVER_MESHES(OperatorValues);
+
+TEST(OperatorValuesRefuse, what_does_not_fit) {
+    const auto& P = merged("grid4").P();
+    const Operator d0 = Operator::derivative(P, 0), d1 = Operator::derivative(P, 1);
+    EXPECT_EQ(refusal([&] { d0* d1; }),
+              "an operator of 40 x 25 is multiplied by one of 16 x 40: they do not fit");
+    EXPECT_EQ(refusal([&] { d0 + d1; }),
+              "an operator of 40 x 25 is added to one of 16 x 40: they do not fit");
+    EXPECT_NE(refusal([&] { Operator::derivative(P, 3); }), "accepted");
+}
+
+} // namespace
+} // namespace polydec::test
