@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "dec/operators.h"
+
 #include "base/atomic_file.h"
 #include "base/atomic_folder.h"
 #include "base/errors.h"
 #include "base/printable.h"
-#include "dec/operators.h"
 #include "io/matrices/matrix_market.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
