@@ -129,10 +129,19 @@ std::vector<Index> Merging::vertices(int k, Index cell) const {
     return list;
 }
 
+Merging::Merging(Pieces pieces) : pieces_(std::move(pieces)), merged_(pieces_) {
+    for (int k = 0; k <= pieces_.dimension(); ++k) {
+        carriers_.emplace_back();
+        for (Index s = 0; s < pieces_.size(k); ++s)
+            carriers_.back().push_back({k, s});
+        IncidenceMatrix identity(pieces_.size(k), pieces_.size(k));
+        identity.setIdentity();
+        diamonds_.emplace_back().swap(identity);
+    }
+}
+
 Merging unmerged(Pieces complex) {
-    const std::vector<bool> none(complex.size(complex.dimension() - 1), false);
-    const auto blocks = join_blocks(complex, none, [](int, Index, Index, Index) { return false; });
-    return {std::move(complex), blocks};
+    return Merging(std::move(complex));
 }
 
 } // namespace polydec

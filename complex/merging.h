@@ -48,13 +48,16 @@ public:
     std::vector<Index> vertices(int k, Index cell) const;
 
 private:
+    friend Merging unmerged(Pieces complex);
+    explicit Merging(Pieces pieces); // each a cell of its own
+
     Pieces pieces_;
     std::vector<std::vector<Carrier>> carriers_;
     std::vector<IncidenceMatrix> diamonds_;
     CellComplex merged_;
 };
 
-/// The merging that merges nothing: P is K.
+/// The merging that merges nothing: P is K, and shares its memory.
 Merging unmerged(Pieces complex);
 
 } // namespace polydec

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace polydec {
@@ -35,8 +36,16 @@ void for_each_incidence(const CellComplex& complex, Visit visit) {
     }
 }
 
+bool marks_none(const CellMarks& marks) {
+    return std::all_of(marks.begin(), marks.end(), [](const std::vector<bool>& of_degree) {
+        return std::find(of_degree.begin(), of_degree.end(), true) == of_degree.end();
+    });
+}
+
 void check_closed(const CellComplex& complex, const CellMarks& dropped) {
     check_marks(complex, dropped);
+    if (marks_none(dropped))
+        return;
     for_each_incidence(complex, [&](int k, Index s, Index t) {
         if (dropped[k + 1][t] && !dropped[k][s])
             throw InvalidInput(fmt::format("the {}-cell {} is to be dropped but not its "
@@ -47,6 +56,8 @@ void check_closed(const CellComplex& complex, const CellMarks& dropped) {
 
 void check_open(const CellComplex& complex, const CellMarks& dropped) {
     check_marks(complex, dropped);
+    if (marks_none(dropped))
+        return;
     for_each_incidence(complex, [&](int k, Index s, Index t) {
         if (dropped[k][s] && !dropped[k + 1][t])
             throw InvalidInput(fmt::format("the {}-cell {} is to be dropped as part of an open "
@@ -103,6 +114,7 @@ RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& cl
     check_closed(complex, closed);
     check_open(complex, open);
     const int n = complex.dimension();
+    const bool whole = marks_none(closed) && marks_none(open);
     std::vector<std::vector<Index>> cells(n + 1), numbers(n + 1), counts(n);
     std::vector<Index> sizes;
     for (int k = 0; k <= n; ++k) {
@@ -116,6 +128,8 @@ RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& cl
                     counts[k].push_back(complex.coface_counts(k)[s]);
             }
     }
+    if (whole) // which shares its memory
+        return {complex, std::move(cells), std::move(sizes)};
     std::vector<IncidenceMatrix> coboundaries;
     std::vector<std::vector<Incidence>> canceled(n);
     for (int k = 0; k < n; ++k) {

@@ -19,14 +19,17 @@ std::vector<bool> boundary_facets_without_dual(const Discretization& discretizat
     const int n = discretization.dimension();
     const auto& complex = discretization.complex();
     const auto& volumes = discretization.volumes();
+    const auto& counts = complex.coface_counts(n - 1);
+    std::vector<bool> marks(counts.size(), false);
+    if (std::find(counts.begin(), counts.end(), 1) == counts.end())
+        return marks;
     const auto& facets = discretization.merging().diamond(n - 1);
     // what the duals of the pieces are compared with
     const auto pieces = facet_defects(
         discretization.pieces(), discretization.metric(), discretization.piece_volumes(),
         {MergeCriterion::dual_length, discretization.options().tolerance});
-    std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
     for (Index f = 0; f < complex.size(n - 1); ++f) {
-        if (complex.coface_counts(n - 1)[f] != 1)
+        if (counts[f] != 1)
             continue;
         double scale = 0, height = std::numeric_limits<double>::infinity();
         for (Row piece(facets, f); piece; ++piece) {

@@ -13,10 +13,16 @@ namespace {
 Points mean_over_cells(const Merging& merging, const Points& rows, const CellVolumes& volumes,
                        int k) {
     check_fit(merging.pieces(), volumes);
-    const SparseMatrix pieces = merging.diamond(k).cast<double>().cwiseAbs();
-    const Vector volume = pieces * volumes.primal(k);
-    const Points weighted = volumes.primal(k).asDiagonal() * rows;
-    return volume.cwiseInverse().asDiagonal() * (pieces * weighted);
+    Points result = Points::Zero(merging.diamond(k).rows(), rows.cols());
+    for (Index cell = 0; cell < result.rows(); ++cell) {
+        double volume = 0;
+        for (IncidenceMatrix::InnerIterator piece(merging.diamond(k), cell); piece; ++piece) {
+            result.row(cell) += volumes.primal(k)[piece.col()] * rows.row(piece.col());
+            volume += volumes.primal(k)[piece.col()];
+        }
+        result.row(cell) *= 1 / volume;
+    }
+    return result;
 }
 
 /// The same of a place in each k-piece.

@@ -100,6 +100,13 @@ CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& 
 }
 
 CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes) {
+    bool whole = true;
+    for (int k = 0; k <= relative.complex.dimension(); ++k)
+        whole = whole && relative.complex.size(k) == relative.whole_sizes[k];
+    if (whole) {
+        check_fit(relative.complex, volumes);
+        return volumes;
+    }
     std::vector<Vector> primal, dual, terms, rounding;
     auto numbers = relative.cells;
     for (int k = 0; k <= relative.complex.dimension(); ++k) {

@@ -221,7 +221,10 @@ CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric
 
     // every round keeps at least one more simplex, so this ends
     for (int rounds = 0;; ++rounds) {
-        const auto blocks = join_blocks(complex, choice.removed(kept[n - 1]), straight);
+        const auto removed = choice.removed(kept[n - 1]);
+        if (std::find(removed.begin(), removed.end(), true) == removed.end())
+            return {unmerged(std::move(complex)), degenerate, rounds};
+        const auto blocks = join_blocks(complex, removed, straight);
         const auto inadmissible = inadmissible_blocks(complex, blocks);
         if (inadmissible.empty())
             return {Merging(std::move(complex), blocks), degenerate, rounds};

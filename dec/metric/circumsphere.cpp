@@ -203,6 +203,8 @@ bool Circumsphere::look_at(std::span<const Index> vertices) {
         return false;
     }
     switch (10 * static_cast<int>(points_->cols()) + static_cast<int>(vertices.size()) - 1) {
+    case 11:
+        return look<double, 1, 1>(vertices);
     case 21:
         return look<double, 1, 2>(vertices);
     case 22:

@@ -44,8 +44,7 @@ Vector star_of(const Points& all, const Simplices& simplex) {
 }
 
 /// The matrix for 0-forms of the simplices, each alone in the world, added up.
-DenseMatrix sum_over_simplices(const Mesh& input, const Discretization& mesh,
-                               const Vector& conductivity) {
+DenseMatrix sum_over_simplices(const Discretization& mesh, const Vector& conductivity) {
     const auto& K = mesh.input();
     const int n = K.dimension();
     const SparseMatrix d = derivative(K, 0);
@@ -83,7 +82,7 @@ TEST_P(Conductivity, weighs_every_simplex_as_if_it_were_alone) {
     for (const auto& merge : merges) {
         const auto mesh = discretize(input, merge);
         const Vector kappa = random_conductivity(mesh, 5);
-        const DenseMatrix A = sum_over_simplices(input, mesh, on_simplices(mesh, kappa));
+        const DenseMatrix A = sum_over_simplices(mesh, on_simplices(mesh, kappa));
         EXPECT_LE(error_of_solution(mesh, kappa, A), 1e-9) << int(merge.criterion);
     }
 }
