@@ -182,19 +182,14 @@ std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretizat
     return table.take();
 }
 
-std::string in_words(const OperatorVerdict& verdict) {
-    switch (verdict.verdict) {
-    case WellDefined::yes:
-        return "yes";
-    case WellDefined::restricted:
-        return fmt::format("restricted: {} {}-cells share their duals with others, so only forms "
-                           "of one density on these have a meaning",
-                           verdict.cells, verdict.cell_degree);
-    case WellDefined::no:
-        break;
-    }
-    return fmt::format("no: it divides by the duals of {} {}-cells, which have no extent",
-                       verdict.cells, verdict.cell_degree);
+std::string reason(const OperatorVerdict& verdict) {
+    if (verdict.verdict == WellDefined::yes)
+        return "";
+    const auto cells = fmt::format("{} of the {}-cells {}", verdict.cells, verdict.cell_degree,
+                                   verdict.cells == 1 ? "has" : "have");
+    return verdict.verdict == WellDefined::no
+               ? fmt::format("{} a dual without extent, by which it divides", cells)
+               : fmt::format("{} the dual of another one", cells);
 }
 
 std::vector<SpectrumVerdict> spectrum_verdicts(const CellVolumes& volumes) {

@@ -27,9 +27,9 @@ struct OperatorVerdict {
     Index cells = 0;      ///< how many they are
 };
 
-/// The verdict in words: "yes", or "no: it divides by the duals of 24 2-cells, which have no
-/// extent".
-std::string in_words(const OperatorVerdict& verdict);
+/// Why it is no better: "24 of the 2-cells have a dual without extent, by which it divides"; empty
+/// if it is yes.
+std::string reason(const OperatorVerdict& verdict);
 
 /// Whether the Laplacian has a spectrum on the forms that live on cells of one degree.
 struct SpectrumVerdict {

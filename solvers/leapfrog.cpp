@@ -4,6 +4,7 @@
 #include "backends/registry.h"
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/advice.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
 #include "solvers/spectra/positive_mass.h"
@@ -27,10 +28,10 @@ void check_stars(const CellComplex& complex, const CellVolumes& volumes, int k) 
     const auto negative = negative_star_cells(volumes, k + 1);
     if (!negative.empty())
         throw InvalidInput(fmt::format("the duals of {} {}-cells are negative, the first is cell "
-                                       "{}: waves would grow without bound; take a mesh that is "
-                                       "nearer to Delaunay there",
+                                       "{}: waves would grow without bound; take {}",
                                        negative.size(), k + 1,
-                                       volumes.number(k + 1, negative.front())));
+                                       volumes.number(k + 1, negative.front()),
+                                       nearer_to_delaunay(volumes)));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "tools/common.h"
 
 #include "base/errors.h"
+#include "dec/advice.h"
 #include "dec/forms/star.h"
 #include "examples/paper/console.h"
 #include "io/meshes/length_file.h"
@@ -11,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <unistd.h>
 
 namespace polydec::tools {
@@ -116,15 +116,10 @@ Discretization load(const MeshArguments& arguments, Log& log) {
     return result;
 }
 
-bool is_flippable(const Discretization& mesh) {
-    const auto& counts = mesh.input().coface_counts(mesh.dimension() - 1);
-    return mesh.dimension() == 2 && *std::max_element(counts.begin(), counts.end()) <= 2;
-}
-
 std::string flip_advice(const Discretization& mesh) {
-    if (!is_flippable(mesh) || mesh.options().delaunay == Delaunay::flips_and_splits)
-        return "";
-    return !mesh.passage().is_identity() ? "; add --delaunay=split-boundary" : "; add --delaunay";
+    const Remedy next = remedy(mesh);
+    return next == Remedy::flips || next == Remedy::splits ? fmt::format("; add {}", option(next))
+                                                           : "";
 }
 
 void warn_of_negative_duals(const Discretization& mesh, int k, std::string_view consequence,

@@ -32,10 +32,8 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments);
 /// The option --side primal|dual.
 CLI::Option* add_side(CLI::App& command, Side& side);
 
-/// Whether edges can be flipped: a surface with two triangles at an edge, at most.
-bool is_flippable(const Discretization& mesh);
-
-/// "; add --delaunay" or what else would help against negative duals; empty if nothing would.
+/// "; add MergeOptions::delaunay", told as the option, or what else flips would do against negative
+/// duals; empty if nothing would.
 std::string flip_advice(const Discretization& mesh);
 
 /// Warns of k-cells whose duals have a negative extent, if there are any, and of what follows.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "base/printable.h"
+#include "dec/diagnosis.h"
 #include "tools/commands.h"
 #include "tools/common.h"
-#include "tools/mesh_facts.h"
+#include "tools/messages.h"
 
 #include <fmt/ranges.h>
 
+#include <array>
 #include <memory>
 
 namespace polydec::tools {
@@ -61,7 +63,28 @@ void write(JsonWriter& json, const char* name, const std::vector<StarNumbers>& s
     });
 }
 
-void write(JsonWriter& json, const char* stage, const OperatorFacts::Sides& verdicts) {
+/// The verdicts on one operator, on primal and on dual forms; for some there is only one of them.
+struct OperatorRow {
+    using Sides = std::array<const OperatorVerdict*, 2>;
+    std::string name;
+    int degree;
+    BeforeAndAfter<Sides> sides = {};
+};
+
+std::vector<OperatorRow> operator_rows(const Diagnosis& facts) {
+    std::vector<OperatorRow> rows;
+    for (std::size_t i = 0; i < facts.operators.merged.size(); ++i) {
+        const auto& merged = facts.operators.merged[i];
+        if (rows.empty() || rows.back().name != merged.name || rows.back().degree != merged.degree)
+            rows.push_back({merged.name, merged.degree});
+        const int side = merged.side == Side::primal ? 0 : 1;
+        rows.back().sides.input[side] = &facts.operators.input[i];
+        rows.back().sides.merged[side] = &merged;
+    }
+    return rows;
+}
+
+void write(JsonWriter& json, const char* stage, const OperatorRow::Sides& verdicts) {
     json.object(stage, [&] {
         for (std::size_t side = 0; side < sides.size(); ++side)
             if (verdicts[side])
@@ -69,7 +92,7 @@ void write(JsonWriter& json, const char* stage, const OperatorFacts::Sides& verd
     });
 }
 
-void write(JsonWriter& json, const OperatorFacts& row) {
+void write(JsonWriter& json, const OperatorRow& row) {
     json.member("operator", row.name);
     json.member("degree", row.degree);
     write(json, "input", row.sides.input);
@@ -81,22 +104,31 @@ const char* word(const SpectrumVerdict& verdict) {
     return !verdict.exists ? "no" : verdict.reason.empty() ? "yes" : "indefinite";
 }
 
-void write(JsonWriter& json, const LaplacianFacts& facts) {
+void write(JsonWriter& json, const LaplacianVerdict& facts) {
     json.member("degree", facts.degree);
     json.member("matrix", name(facts.matrix));
-    json.member("spectrum", word(facts.spectra[0]));
+    json.member("spectrum", word(facts.spectrum(Side::primal)));
     json.member("reason", facts.reason(Side::primal));
-    json.member("dual_spectrum", word(facts.spectra[1]));
+    json.member("dual_spectrum", word(facts.spectrum(Side::dual)));
     json.member("dual_reason", facts.reason(Side::dual));
 }
 
 /// Of the triangles that were merged: with flips and splits, those that they have made.
-double percent_of_pairs(const MeshFacts& facts) {
+double percent_of_pairs(const Diagnosis& facts) {
     const Index triangles = facts.flips ? facts.flips->cells[2] : facts.cells.input[2];
-    return 100.0 * facts.concyclic->simplices / triangles;
+    return 100.0 * facts.merged_pairs.simplices / triangles;
 }
 
-void write(JsonWriter& json, const MeshFacts& facts) {
+/// Centroids make results less exact everywhere, so they are not advised in passing.
+std::vector<std::string> flip_advice(const Diagnosis& facts) {
+    std::vector<std::string> list;
+    for (const auto& advice : facts.advice)
+        if (advice.remedy != Remedy::centroids)
+            list.push_back(told(in_words(advice, facts.dimension)));
+    return list;
+}
+
+void write(JsonWriter& json, const Diagnosis& facts) {
     json.member("dimension", facts.dimension);
     json.member("ambient_dimension", facts.ambient_dimension);
     write(json, "cells", facts.cells);
@@ -106,15 +138,15 @@ void write(JsonWriter& json, const MeshFacts& facts) {
     json.member("boundary_components", facts.boundary_components);
     json.member("orientable", facts.orientable);
     json.member("volume", facts.volume);
-    json.object("facets", [&] { write(json, facts.facets); });
+    json.object("facets", [&] { write(json, facts.degenerate); });
     if (facts.flips)
         json.object("intrinsic", [&] { write(json, *facts.flips); });
     else
-        json.object("pairs", [&] { write(json, facts.pairs); });
-    write(json, "stars", facts.stars);
-    write(json, "input_stars", facts.input_stars);
+        json.object("pairs", [&] { write(json, *facts.pairs); });
+    write(json, "stars", facts.stars.merged);
+    write(json, "input_stars", facts.stars.input);
     json.array("operators", [&] {
-        for (const auto& row : facts.operators)
+        for (const auto& row : operator_rows(facts))
             json.object([&] { write(json, row); });
     });
     json.array("laplacians", [&] {
@@ -125,20 +157,20 @@ void write(JsonWriter& json, const MeshFacts& facts) {
         for (const auto& [vertices, cells] : facts.vertices_per_cell)
             json.member(std::to_string(vertices), cells);
     });
-    if (facts.concyclic)
+    if (facts.dimension == 2)
         json.object("concyclic", [&] {
-            json.member("edges", facts.concyclic->facets);
-            json.member("faces", facts.concyclic->simplices);
+            json.member("edges", facts.merged_pairs.facets);
+            json.member("faces", facts.merged_pairs.simplices);
             json.member("percent", percent_of_pairs(facts));
         });
-    json.member("advice", facts.advice);
+    json.member("advice", flip_advice(facts));
 }
 
 std::string shown(const std::optional<double>& number, int digits) {
     return number ? fmt::format("{:.{}g}", *number, digits) : "out of range";
 }
 
-void write_cells(Text& text, const MeshFacts& facts) {
+void write_cells(Text& text, const Diagnosis& facts) {
     const int n = facts.dimension;
     text("dimension {} {}, volume {}\n", n,
          facts.ambient_dimension ? fmt::format("in {} coordinates", *facts.ambient_dimension)
@@ -153,7 +185,7 @@ void write_cells(Text& text, const MeshFacts& facts) {
     text("  merged {}-cells by vertices: {}\n", n, fmt::join(sizes, ", "));
 }
 
-void write_topology(Text& text, const MeshFacts& facts) {
+void write_topology(Text& text, const Diagnosis& facts) {
     text("topology\n");
     text("  Euler characteristic {}, Betti numbers {} ({} after merging)\n", facts.euler.input,
          fmt::join(facts.betti.input, ", "),
@@ -169,36 +201,36 @@ void write_flips(Text& text, const IntrinsicStatistics& done) {
          done.negative_interior, done.negative_boundary);
 }
 
-void write_duals(Text& text, const MeshFacts& facts) {
+void write_duals(Text& text, const Diagnosis& facts) {
     text("degenerate dual edges\n  {} between two cells, {} on the boundary, {} at branching "
          "facets\n",
-         facts.facets.interior, facts.facets.boundary, facts.facets.branching);
-    if (facts.concyclic)
+         facts.degenerate.interior, facts.degenerate.boundary, facts.degenerate.branching);
+    if (facts.dimension == 2)
         text("  {} edges removed; {} of the triangles ({:.1f} %) were in a concyclic pair\n",
-             facts.concyclic->facets, facts.concyclic->simplices, percent_of_pairs(facts));
+             facts.merged_pairs.facets, facts.merged_pairs.simplices, percent_of_pairs(facts));
     if (facts.flips)
         return write_flips(text, facts.flips->statistics);
-    const auto& pairs = facts.pairs;
+    const auto& pairs = *facts.pairs;
     text("pairs of neighbors\n  {} well-centered, {} Delaunay, {} non-Delaunay, {} {}\n",
          pairs.well_centered, pairs.delaunay, pairs.non_delaunay, pairs.cospherical,
          facts.dimension == 2 ? "concyclic" : "cospherical");
 }
 
-void write_stars(Text& text, const MeshFacts& facts) {
+void write_stars(Text& text, const Diagnosis& facts) {
     text("Hodge stars after merging\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n", "degree",
          "min", "max", "min abs", "negative", "zero", "condition", "(before)");
     const auto condition = [](const StarNumbers& star) {
         return star.condition ? fmt::format("{:.3g}", *star.condition) : std::string("infinite");
     };
-    for (std::size_t k = 0; k < facts.stars.size(); ++k) {
-        const auto& star = facts.stars[k];
+    for (std::size_t k = 0; k < facts.stars.merged.size(); ++k) {
+        const auto& star = facts.stars.merged[k];
         text("  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n", k, shown(star.min, 6),
              shown(star.max, 6), shown(star.min_abs, 6), star.negative, star.zero, condition(star),
-             condition(facts.input_stars[k]));
+             condition(facts.stars.input[k]));
     }
 }
 
-bool everywhere_yes(const OperatorFacts& row) {
+bool everywhere_yes(const OperatorRow& row) {
     for (const auto* stage : {&row.sides.input, &row.sides.merged})
         for (const auto& verdict : *stage)
             if (verdict && verdict->verdict != WellDefined::yes)
@@ -207,12 +239,12 @@ bool everywhere_yes(const OperatorFacts& row) {
 }
 
 /// The verdicts as a table in which what always holds is left out.
-void write_operators(Text& text, const MeshFacts& facts) {
+void write_operators(Text& text, const Diagnosis& facts) {
     std::vector<std::string> lines;
-    const auto cell = [](const std::optional<OperatorVerdict>& verdict) {
+    const auto cell = [](const OperatorVerdict* verdict) {
         return verdict ? name(verdict->verdict) : "-";
     };
-    for (const auto& row : facts.operators) {
+    for (const auto& row : operator_rows(facts)) {
         if (row.name == "laplacian" || everywhere_yes(row))
             continue; // Laplacians have a verdict of their own
         const bool graded = row.name.find(' ') == std::string::npos;
@@ -230,9 +262,9 @@ void write_operators(Text& text, const MeshFacts& facts) {
 }
 
 /// The one verdict on the Laplacian of a degree and side, with its reason.
-std::string verdict(const LaplacianFacts& facts, Side side) {
+std::string verdict(const LaplacianVerdict& facts, Side side) {
     const bool exists = facts.matrix != WellDefined::no;
-    const auto& spectrum = facts.spectra[side == Side::primal ? 0 : 1];
+    const auto& spectrum = facts.spectrum(side);
     const auto& reason = facts.reason(side);
     const auto better = [&](const char* now) {
         return facts.before == facts.matrix
@@ -250,7 +282,7 @@ std::string verdict(const LaplacianFacts& facts, Side side) {
     return reason.empty() ? better("yes") : fmt::format("restricted, {}", reason);
 }
 
-void write_laplacians(Text& text, const MeshFacts& facts) {
+void write_laplacians(Text& text, const Diagnosis& facts) {
     text("Laplacians and spectra\n");
     for (const auto& each : facts.laplacians) {
         const auto primal = verdict(each, Side::primal), dual = verdict(each, Side::dual);
@@ -265,7 +297,7 @@ void write_laplacians(Text& text, const MeshFacts& facts) {
 
 struct Info : Answer {
     std::string mesh;
-    MeshFacts facts;
+    Diagnosis facts;
 
     void write(JsonWriter& json) const override { tools::write(json, facts); }
 
@@ -277,7 +309,7 @@ struct Info : Answer {
         write_stars(text, facts);
         write_laplacians(text, facts);
         write_operators(text, facts);
-        for (const auto& advice : facts.advice)
+        for (const auto& advice : flip_advice(facts))
             text("{}\n", advice);
     }
 };
@@ -287,7 +319,7 @@ void run(const MeshArguments& arguments) {
     const Discretization mesh = load(arguments, log);
     Info answer;
     answer.mesh = arguments.mesh.string();
-    answer.facts = examine(mesh, log.timing);
+    answer.facts = diagnose(mesh, [&](std::string_view stage) { log.timing.begin(stage); });
     if (answer.facts.lacks_numbers())
         log.warn("volumes that are no numbers of double precision in the units of the file are "
                  "left out");

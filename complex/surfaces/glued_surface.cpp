@@ -56,8 +56,15 @@ Index count_edges(const std::vector<std::array<GluedSurface::Side, 3>>& triangle
 
 } // namespace
 
+bool GluedSurface::accepts(const Pieces& surface) {
+    if (surface.dimension() != dimension)
+        return false;
+    const auto& counts = surface.coface_counts(1);
+    return std::all_of(counts.begin(), counts.end(), [](auto count) { return count <= 2; });
+}
+
 GluedSurface::GluedSurface(const Pieces& surface) : vertices_(surface.size(0)) {
-    if (surface.dimension() != 2)
+    if (surface.dimension() != dimension)
         throw InvalidInput(fmt::format("a complex of dimension {} is given: only surfaces can be "
                                        "glued from triangles",
                                        surface.dimension()));

@@ -24,6 +24,11 @@ public:
         std::int8_t sign;
     };
 
+    static constexpr int dimension = 2;
+
+    /// Whether triangles of these pieces can be glued: two at most meet at each edge.
+    static bool accepts(const Pieces& surface);
+
     /// The triangles of pieces, such as those of a simplicial surface. Vertices, edges and
     /// triangles keep their numbers and orientations. Linear time. Throws InvalidInput, naming the
     /// edge, if three triangles meet there, or if the dimension is not 2.

@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// The code on docs/diagnosis.md: kinds of pairs, verdicts on operators, condition numbers.
+// The code on docs/diagnosis.md: the whole, kinds of pairs, verdicts on operators, condition
+// numbers.
 #include <iostream>
 #include <polydec.h>
 
 namespace {
+
+void diagnosis() {
+    const auto mesh = polydec::perturbed(polydec::grid(8, 8), 0.02, 1);
+    const auto given = polydec::discretize(mesh);
+    const auto told = polydec::diagnose(given);
+    std::cout << told.cells.merged[2] << " cells, " << told.stars.merged[1].negative
+              << " negative dual edges\n";
+    for (const auto& advice : told.advice)
+        std::cout << in_words(advice, told.dimension) << '\n';
+    const auto options = with(told.advice.back().remedy, given.options());
+    const auto better = polydec::diagnose(polydec::discretize(mesh, options));
+    std::cout << better.stars.merged[1].negative << " negative dual edges, " << better.advice.size()
+              << " pieces of advice\n";
+}
 
 void kinds_of_pairs() {
     for (const double noise : {0.0, 0.01}) {
@@ -59,6 +74,7 @@ void zero_vertex_dual() {
 } // namespace
 
 int main() {
+    diagnosis();
     kinds_of_pairs();
     verdicts();
     condition_numbers();

@@ -2,6 +2,7 @@
 #include "solvers/spectra/positive_mass.h"
 
 #include "base/errors.h"
+#include "dec/advice.h"
 #include "dec/forms/star.h"
 
 #include <fmt/format.h>
@@ -12,18 +13,14 @@ void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int 
     const auto zero = zero_star_cells(volumes, k), negative = negative_star_cells(volumes, k);
     if (zero.empty() && negative.empty())
         return;
-    // what flips and splits of edges can do, they do for surfaces
-    const char* const surface_advice =
-        volumes.dimension() == 2
-            ? ": on a manifold intrinsic flips make it so (Delaunay::flips_and_splits)"
-            : "";
     const auto& bad = negative.empty() ? zero : negative;
     throw InvalidInput(fmt::format(
         "the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have {} volume "
         "(cells {})\nspectra and decompositions need a positive mass: take dual 0-forms, whose "
-        "mass are the volumes of the cells, or a mesh that is nearer to Delaunay there{}",
+        "mass are the volumes of the cells, or {}",
         name(side), degree, bad.size(), volumes.primal(k).size(), k,
-        negative.empty() ? "zero" : "negative", numbers_of(volumes, k, bad), surface_advice));
+        negative.empty() ? "zero" : "negative", numbers_of(volumes, k, bad),
+        nearer_to_delaunay(volumes)));
 }
 
 } // namespace polydec

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "dec/merging/facet_kinds.h"
-#include "dec/well_defined.h"
+#include "dec/diagnosis.h"
+
+#include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace polydec::test {
 namespace {
@@ -154,18 +159,17 @@ TEST(Table1, in_space_is_cured_down_to_the_edges) {
     EXPECT_EQ(failures(bundle, Stage::merged), Verdicts{});
 }
 
-TEST(Verdicts, are_told_in_words_with_their_reason) {
+TEST(Verdicts, tell_their_reason) {
     for (const auto& verdict : operator_verdicts(discretize(grid(4, 4)), Stage::input)) {
         if (verdict.name == "star" && verdict.side == Side::dual && verdict.degree == 1) {
-            EXPECT_EQ(in_words(verdict),
-                      "no: it divides by the duals of 16 1-cells, which have no extent");
+            EXPECT_EQ(reason(verdict),
+                      "16 of the 1-cells have a dual without extent, by which it divides");
         }
         if (verdict.name == "star" && verdict.side == Side::primal && verdict.degree == 2) {
-            EXPECT_EQ(in_words(verdict), "restricted: 32 2-cells share their duals with others, so "
-                                         "only forms of one density on these have a meaning");
+            EXPECT_EQ(reason(verdict), "32 of the 2-cells have the dual of another one");
         }
         if (verdict.name == "d") {
-            EXPECT_EQ(in_words(verdict), "yes");
+            EXPECT_EQ(reason(verdict), "");
         }
     }
 }
@@ -191,6 +195,173 @@ TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
     EXPECT_EQ(verdicts[1].reason, "the mass is not positive: 1 1-cell has a negative dual");
     EXPECT_TRUE(verdicts[2].exists);
     EXPECT_EQ(verdicts[2].reason, "1 negative dual makes about one spurious negative eigenvalue");
+}
+
+/// The sets of k+1 vertices that are faces of a simplex: counted without a complex.
+std::set<std::vector<Index>> faces(const Mesh& mesh, int k) {
+    std::set<std::vector<Index>> found;
+    const auto corners = static_cast<int>(mesh.simplices.cols());
+    for (Index t = 0; t < mesh.simplices.rows(); ++t)
+        for (int chosen = 0; chosen < 1 << corners; ++chosen) {
+            std::vector<Index> face;
+            for (int i = 0; i < corners; ++i)
+                if (chosen >> i & 1)
+                    face.push_back(mesh.simplices(t, i));
+            std::sort(face.begin(), face.end());
+            if (static_cast<int>(face.size()) == k + 1)
+                found.insert(face);
+        }
+    return found;
+}
+
+/// The volume of all simplices, by determinants of the edges from their first corners.
+double volume(const Mesh& mesh) {
+    const auto n = mesh.simplices.cols() - 1;
+    double sum = 0;
+    for (Index t = 0; t < mesh.simplices.rows(); ++t) {
+        Eigen::MatrixXd edges(n, mesh.points.cols());
+        for (Eigen::Index i = 0; i < n; ++i)
+            edges.row(i) =
+                mesh.points.row(mesh.simplices(t, i + 1)) - mesh.points.row(mesh.simplices(t, 0));
+        sum += std::sqrt((edges * edges.transpose()).determinant()) / std::tgamma(n + 1);
+    }
+    return sum;
+}
+
+Index alternating(const std::vector<Index>& numbers) {
+    Index sum = 0;
+    for (std::size_t k = numbers.size(); k-- > 0;)
+        sum = numbers[k] - sum;
+    return sum;
+}
+
+/// The first fact of a diagnosis that is not what is counted otherwise; empty if all are right.
+std::string wrong_fact(const Diagnosis& told, const Mesh& mesh, const Discretization& bundle) {
+    const int n = told.dimension;
+    for (int k = 0; k <= n; ++k) {
+        if (told.cells.input[k] != static_cast<Index>(faces(mesh, k).size()) ||
+            told.cells.merged[k] != bundle.volumes().primal(k).size())
+            return "cells";
+        const Vector stars = star(bundle.volumes(), k);
+        if (told.stars.merged[k].min != stars.minCoeff() ||
+            told.stars.merged[k].negative + told.stars.merged[k].zero <
+                static_cast<std::size_t>((stars.array() < 0).count()))
+            return "stars";
+    }
+    if (told.euler.input != alternating(told.cells.input) ||
+        told.euler.merged != alternating(told.betti.merged) ||
+        told.betti.input != told.betti.merged)
+        return "topology";
+    if (told.components != told.betti.input[0])
+        return "components";
+    if (!(std::abs(*told.volume - volume(mesh)) < 1e-12 * volume(mesh)))
+        return "volume";
+    Index cells = 0;
+    for (const auto& [vertices, count] : told.vertices_per_cell)
+        cells += vertices > static_cast<std::size_t>(n) ? count : 0;
+    if (cells != told.cells.merged[n])
+        return "vertices of cells";
+    const auto kinds = counts(*told.pairs);
+    const auto& cofaces = bundle.input().coface_counts(n - 1);
+    if (std::accumulate(kinds.begin(), kinds.end(), Index{0}) !=
+        std::count(cofaces.begin(), cofaces.end(), 2))
+        return "pairs";
+    for (const auto& laplacian : told.laplacians)
+        for (const auto& verdict : told.operators.merged)
+            if (verdict.name == "laplacian" && verdict.side == Side::primal &&
+                verdict.degree == laplacian.degree && verdict.verdict != laplacian.matrix)
+                return "laplacians";
+    return static_cast<int>(told.laplacians.size()) == n + 1 ? "" : "laplacians";
+}
+
+class DiagnosisOf : public OverMeshes {
+protected:
+    const Mesh& given() const { return mesh_named(GetParam()); }
+};
+
+TEST_P(DiagnosisOf, tells_what_is_counted_otherwise) {
+    const auto bundle = discretize(given());
+    EXPECT_EQ(wrong_fact(diagnose(bundle), given(), bundle), "");
+}
+
+TEST_P(DiagnosisOf, is_found_wrong_by_any_fact_that_is) {
+    const auto bundle = discretize(given());
+    const auto broken = [&](const std::function<void(Diagnosis&)>& spoil) {
+        auto told = diagnose(bundle);
+        spoil(told);
+        return wrong_fact(told, given(), bundle);
+    };
+    EXPECT_EQ(broken([](auto& told) { ++told.cells.input.back(); }), "cells");
+    EXPECT_EQ(broken([](auto& told) { *told.stars.merged[0].min *= 2; }), "stars");
+    EXPECT_EQ(broken([](auto& told) { ++told.betti.merged[0]; }), "topology");
+    EXPECT_EQ(broken([](auto& told) { ++told.components; }), "components");
+    EXPECT_EQ(broken([](auto& told) { *told.volume *= 1 + 1e-9; }), "volume");
+    EXPECT_EQ(broken([](auto& told) { ++told.vertices_per_cell[99]; }), "vertices of cells");
+    EXPECT_EQ(broken([](auto& told) { ++told.pairs->delaunay; }), "pairs");
+    EXPECT_EQ(broken([](auto& told) { told.laplacians.pop_back(); }), "laplacians");
+}
+
+/// Of all degrees.
+std::size_t negative_duals(const Discretization& mesh) {
+    std::size_t count = 0;
+    for (int k = 0; k <= mesh.dimension(); ++k)
+        count += negative_star_cells(mesh.volumes(), k).size();
+    return count;
+}
+
+TEST_P(DiagnosisOf, advises_where_duals_are_negative_what_makes_them_positive) {
+    auto bundle = discretize(given());
+    auto list = diagnose(bundle).advice;
+    EXPECT_EQ(list.empty(), negative_duals(bundle) == 0);
+    // flips may turn a triangle's obtuse angle to the boundary, and then splits are advised
+    for (int step = 0; step < 2 && !list.empty(); ++step) {
+        // who does nothing is told the same again
+        const auto idle = discretize(given(), with(Remedy::none, bundle.options()));
+        EXPECT_EQ(diagnose(idle).advice.size(), list.size());
+        bundle = discretize(given(), with(list.back().remedy, bundle.options()));
+        list = diagnose(bundle).advice;
+        for (const auto& advice : list)
+            EXPECT_TRUE(advice.on_boundary && advice.remedy == Remedy::splits);
+    }
+    EXPECT_EQ(negative_duals(bundle), 0U);
+    EXPECT_TRUE(list.empty());
+}
+
+POLYDEC_OVER_MESHES(DiagnosisOf);
+
+std::vector<std::string> words(const Mesh& mesh, const MergeOptions& options = {}) {
+    const auto told = diagnose(discretize(mesh, options));
+    std::vector<std::string> list;
+    for (const auto& advice : told.advice)
+        list.push_back(in_words(advice, told.dimension));
+    return list;
+}
+
+TEST(Advice, names_the_option_for_edges_inside_for_the_boundary_and_for_what_cannot_flip) {
+    using Words = std::vector<std::string>;
+    const auto obtuse = kite(0.8, 0.9); // both sides of the edge, and none of the boundary
+    EXPECT_EQ(words(obtuse), Words{"1 negative dual edge: add MergeOptions::delaunay"});
+    EXPECT_EQ(words(obtuse, {.delaunay = Delaunay::flips}), Words{});
+    const auto triangle = made_of({{0, 0}, {2, 0}, {1, 0.5}}, {{0, 1, 2}});
+    EXPECT_EQ(words(triangle),
+              Words{"1 negative dual edge on the boundary: add Delaunay::flips_and_splits"});
+    EXPECT_EQ(words(triangle, {.delaunay = Delaunay::flips}), words(triangle));
+    EXPECT_EQ(words(triangle, {.delaunay = Delaunay::flips_and_splits}), Words{});
+    const auto three = made_of({{0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}, {1, 0, 0.5}, {1, 0, -0.5}},
+                               {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+    EXPECT_EQ(words(three), Words{"1 negative dual edge: add Centers::centroids()"});
+    EXPECT_EQ(words(three, {.centers = Centers::centroids()}), Words{});
+}
+
+TEST(Advice, gives_options_that_discretize_takes) {
+    auto mesh = kite(0.8, 0.9);
+    mesh.tags = {1, 2};
+    const MergeOptions angle{.criterion = MergeCriterion::angle, .tolerance = 1e-3};
+    for (const auto& options : {angle, MergeOptions{.materials = Materials::keep_apart},
+                                MergeOptions{.centers = Centers::centroids()}})
+        for (const auto remedy : {Remedy::flips, Remedy::splits, Remedy::centroids}) {
+            EXPECT_EQ(negative_duals(discretize(mesh, with(remedy, options))), 0U);
+        }
 }
 
 } // namespace

@@ -2,11 +2,11 @@
 #include "tests/fuzz/laws.h"
 
 #include "complex/homology.h"
+#include "dec/diagnosis.h"
 #include "dec/forms/star.h"
 #include "solvers/poisson.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/topology.h"
-#include "tools/mesh_facts.h"
 
 #include <cmath>
 #include <optional>
@@ -49,20 +49,19 @@ void require_duals_that_fill(const CellVolumes& volumes) {
 }
 
 /// What `polydec info` tells.
-void require_facts(const Discretization& mesh) {
-    tools::Timing timing;
-    const auto facts = tools::examine(mesh, timing);
+void require_diagnosis(const Discretization& mesh) {
+    const auto facts = diagnose(mesh);
     const auto is_told = [](const std::optional<double>& number) {
         return std::isfinite(number.value_or(0)); // none is what the units of the file cannot say
     };
     require(is_told(facts.volume) && facts.volume.value_or(1) > 0, "volumes are told");
     require(facts.components >= 1 && facts.boundary_components >= 0, "there are components");
-    for (const auto& numbers : {facts.stars, facts.input_stars})
+    for (const auto& numbers : {facts.stars.input, facts.stars.merged})
         for (const auto& star : numbers)
             require(is_told(star.min) && is_told(star.max) && is_told(star.condition),
                     "stars are told as numbers");
     for (const auto& advice : facts.advice)
-        require_message(advice);
+        require_message(in_words(advice, facts.dimension));
 }
 
 } // namespace
@@ -75,7 +74,7 @@ void require_laws(const Discretization& mesh) {
     require(betti_numbers(mesh.input()) == betti_numbers(mesh.complex()),
             "merging keeps the topology");
     require_volumes(mesh.complex(), mesh.volumes());
-    require_facts(mesh);
+    require_diagnosis(mesh);
     if (!mesh.passage().is_identity())
         return;
     require_volumes(mesh.input(), mesh.input_volumes());

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "dec/diagnosis.h"
+
+#include "complex/components.h"
+#include "complex/homology.h"
+#include "dec/forms/star.h"
+#include "meshes/unit_of_length.h"
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+std::vector<Index> cell_counts(const CellComplex& complex) {
+    std::vector<Index> counts;
+    for (int k = 0; k <= complex.dimension(); ++k)
+        counts.push_back(complex.size(k));
+    return counts;
+}
+
+StarNumbers star_numbers(const CellVolumes& volumes, double unit, int k) {
+    const Vector values = star(volumes, k);
+    const int power = volumes.dimension() - 2 * k;
+    StarNumbers numbers{in_input_units(values.minCoeff(), unit, power),
+                        in_input_units(values.maxCoeff(), unit, power),
+                        in_input_units(values.cwiseAbs().minCoeff(), unit, power),
+                        negative_star_cells(volumes, k).size(),
+                        zero_star_cells(volumes, k).size(),
+                        {}};
+    if (numbers.zero == 0)
+        numbers.condition = values.cwiseAbs().maxCoeff() / values.cwiseAbs().minCoeff();
+    return numbers;
+}
+
+std::vector<StarNumbers> star_numbers(const CellVolumes& volumes, double unit) {
+    std::vector<StarNumbers> list;
+    for (int k = 0; k <= volumes.dimension(); ++k)
+        list.push_back(star_numbers(volumes, unit, k));
+    return list;
+}
+
+/// One for each degree: primal k-forms and dual (n-k)-forms have the same matrix.
+std::vector<LaplacianVerdict>
+laplacian_verdicts(const Discretization& mesh,
+                   const BeforeAndAfter<std::vector<OperatorVerdict>>& operators) {
+    const auto primal = spectrum_verdicts(mesh, Side::primal);
+    const auto dual = spectrum_verdicts(mesh, Side::dual);
+    std::vector<LaplacianVerdict> list;
+    for (std::size_t i = 0; i < operators.merged.size(); ++i) {
+        const auto& merged = operators.merged[i];
+        const int k = merged.degree;
+        if (merged.name == "laplacian" && merged.side == Side::primal)
+            list.push_back({k,
+                            operators.input[i].verdict,
+                            merged.verdict,
+                            reason(merged),
+                            {primal[k], dual[k]}});
+    }
+    return list;
+}
+
+std::map<std::size_t, Index> vertices_per_cell(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    std::map<std::size_t, Index> histogram;
+    for (Index cell = 0; cell < mesh.complex().size(n); ++cell)
+        ++histogram[cell_vertices(mesh, n, cell).size()];
+    return histogram;
+}
+
+FlipNumbers flip_numbers(const Discretization& mesh) {
+    FlipNumbers numbers{mesh.passage().flips().statistics, cell_counts(mesh.pieces())};
+    numbers.statistics.added_length *= mesh.unit();
+    return numbers;
+}
+
+void examine_topology(const Discretization& mesh, Diagnosis& found) {
+    const auto& K = mesh.input();
+    const auto& P = mesh.complex();
+    found.cells = {cell_counts(K), cell_counts(P)};
+    found.euler = {euler_characteristic(K), euler_characteristic(P)};
+    found.betti = {betti_numbers(K), betti_numbers(P)};
+    found.components = components(K).count;
+    found.boundary_components = boundary_components(K).count;
+    found.orientable = K.orientable();
+    found.vertices_per_cell = vertices_per_cell(mesh);
+}
+
+void examine_metric(const Discretization& mesh, Diagnosis& found) {
+    found.volume = in_input_units(mesh.volumes().primal(mesh.dimension()).sum(), mesh.unit(),
+                                  mesh.dimension());
+    found.degenerate = mesh.degenerate();
+    found.merged_pairs = merged_pairs(mesh.merging());
+    if (!mesh.passage().is_identity())
+        found.flips = flip_numbers(mesh);
+    else
+        found.pairs =
+            facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes(), mesh.options());
+    found.stars = {star_numbers(mesh.input_volumes(), mesh.unit()),
+                   star_numbers(mesh.volumes(), mesh.unit())};
+    found.operators = {operator_verdicts(mesh, Stage::input),
+                       operator_verdicts(mesh, Stage::merged)};
+    found.laplacians = laplacian_verdicts(mesh, found.operators);
+    found.advice = advice(mesh);
+}
+
+} // namespace
+
+bool Diagnosis::lacks_numbers() const {
+    const auto lacks = [](const StarNumbers& star) {
+        return !star.min || !star.max || !star.min_abs;
+    };
+    return !volume || std::any_of(stars.merged.begin(), stars.merged.end(), lacks) ||
+           std::any_of(stars.input.begin(), stars.input.end(), lacks);
+}
+
+Diagnosis diagnose(const Discretization& discretization,
+                   const std::function<void(std::string_view)>& stage) {
+    Diagnosis found;
+    found.dimension = discretization.dimension();
+    if (discretization.points().cols() > 0)
+        found.ambient_dimension = static_cast<int>(discretization.points().cols());
+    if (stage)
+        stage("topology");
+    examine_topology(discretization, found);
+    if (stage)
+        stage("operators");
+    examine_metric(discretization, found);
+    return found;
+}
+
+} // namespace polydec
