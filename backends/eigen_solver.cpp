@@ -58,14 +58,16 @@ public:
     void check_input(const Columns& X) const {
         if (!X.allFinite())
             throw SolverFailure(name_ + ": the iteration broke down (an invariant subspace)\n"
-                                        "Try another start vector.");
+                                        "Try another start vector.",
+                                SolveReport::failed(name_));
     }
 
     template <typename Columns>
     void check_output(const Columns& Y, Eigen::Index columns) const {
         if (Y.rows() != A_->size || Y.cols() != columns || !Y.allFinite())
             throw SolverFailure(name_ + ": the operator gave NaN, infinity or a vector of another "
-                                        "size");
+                                        "size",
+                                SolveReport::failed(name_));
     }
 
     void apply(const Vector& x, Vector& y) const {

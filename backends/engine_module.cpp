@@ -37,7 +37,8 @@ Module open_module(const std::filesystem::path& path) {
     if (!module) {
         const char* reason = dlerror();
         throw IoError(fmt::format("{}: cannot be loaded as an engine module: {}", path.string(),
-                                  reason ? reason : "unknown reason"));
+                                  reason ? reason : "unknown reason"),
+                      {.path = path});
     }
     return module;
 }
@@ -47,7 +48,8 @@ Function* find_function(const Module& module, const char* name, const std::files
     void* const symbol = dlsym(module.get(), name);
     if (!symbol)
         throw IoError(
-            fmt::format("{}: is no engine module: it exports no function {}", path.string(), name));
+            fmt::format("{}: is no engine module: it exports no function {}", path.string(), name),
+            {.path = path});
     return reinterpret_cast<Function*>(symbol);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/solve_report.h"
 #include "base/types.h"
 
 #include <memory>
@@ -71,15 +72,6 @@ struct LinearSolverOptions {
 
 /// Iterations that an iterative engine is allowed for that many unknowns.
 Index iteration_limit(const LinearSolverOptions& options, Eigen::Index unknowns);
-
-/// How the last solve went.
-struct SolveReport {
-    std::string engine = {};     ///< the one that delivered
-    Index iterations = 0;        ///< largest over the right-hand sides; 0 for direct engines
-    double residual = 0.0;       ///< largest |b - A x| / |b| over the right-hand sides, 2-norm
-    double backward_error = 0.0; ///< largest |b - A x| / (|A| |x| + |b|), maximum norm
-    std::vector<std::string> tried = {}; ///< engines in order, those that failed with the reason
-};
 
 /// Solves A X = B: factorize once, solve often. One interface for every engine.
 /// An object is used by one thread at a time; two objects are independent.

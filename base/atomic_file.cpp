@@ -23,7 +23,8 @@ namespace {
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 
 [[noreturn]] void refuse(const std::filesystem::path& target, const std::string& reason) {
-    throw IoError(fmt::format("cannot write {}: {}", printable(target.string()), reason));
+    throw IoError(fmt::format("cannot write {}: {}", printable(target.string()), reason),
+                  {.path = target});
 }
 
 /// With links followed; what is missing at its end stays.

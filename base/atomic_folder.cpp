@@ -28,7 +28,8 @@ Path resolved(const Path& target) {
         std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
     if (error)
         throw IoError(fmt::format("cannot make the folder {}: {}", printable(target.string()),
-                                  error.message()));
+                                  error.message()),
+                      {.path = target});
     return result.has_filename() ? result : result.parent_path();
 }
 
@@ -71,7 +72,8 @@ void check_replaceable(const Path& target, const AtomicFolder::IsOurs& is_ours) 
     if (std::filesystem::equivalent(target, std::filesystem::current_path(none), none))
         throw InvalidInput(fmt::format("cannot write {}: it is the folder you are in, and would be "
                                        "replaced as a whole; name another one",
-                                       name));
+                                       name),
+                           {.path = target});
     for (const auto& file : folder_names(target, error)) {
         struct stat status {};
         const bool is_file =
@@ -80,11 +82,12 @@ void check_replaceable(const Path& target, const AtomicFolder::IsOurs& is_ours) 
             throw InvalidInput(fmt::format("cannot write {}: it holds '{}', which is no part of an "
                                            "earlier result, and would be lost; name another "
                                            "folder, or remove that one",
-                                           name, printable(file)));
+                                           name, printable(file)),
+                               {.path = target});
     }
     if (error && error != std::errc::no_such_file_or_directory &&
         error != std::errc::not_a_directory)
-        throw IoError(fmt::format("cannot write {}: {}", name, error.message()));
+        throw IoError(fmt::format("cannot write {}: {}", name, error.message()), {.path = target});
 }
 
 AtomicFolder::AtomicFolder(const Path& target, const IsOurs& is_ours)
@@ -93,7 +96,8 @@ AtomicFolder::AtomicFolder(const Path& target, const IsOurs& is_ours)
     if (!temporary_.has_place() || !displaced_.has_place())
         throw IoError(fmt::format("cannot write {}: {} files are being written already; write "
                                   "fewer at a time",
-                                  printable(target_.string()), Unfinished::most));
+                                  printable(target_.string()), Unfinished::most),
+                      {.path = target_});
     // what was there may be there once more, and stays where it is until the end
     const bool is_made =
         make_under_new_name(existing_parent(final_), extension, [&](const char* path) {
@@ -172,7 +176,8 @@ void AtomicFolder::commit() {
 }
 
 void AtomicFolder::fail() const {
-    throw IoError(fmt::format("cannot write {}: {}", printable(target_.string()), system_reason()));
+    throw IoError(fmt::format("cannot write {}: {}", printable(target_.string()), system_reason()),
+                  {.path = target_});
 }
 
 } // namespace polydec

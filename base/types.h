@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/index.h"
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <concepts>
-#include <cstdint>
 #include <initializer_list>
 #include <utility>
 
 namespace polydec {
-
-/// Number of a cell, vertex or file record; 32 bits, so at most 2^31 - 1 cells of a degree.
-using Index = std::int32_t;
 
 namespace detail {
 

@@ -33,10 +33,11 @@ void check_product(const IncidenceMatrix& upper, const IncidenceMatrix& lower, s
         for (IncidenceMatrix::InnerIterator f(upper, t); f; ++f)
             for (IncidenceMatrix::InnerIterator s(lower, f.col()); s; ++s)
                 if (sum[s.col()] != 0)
-                    throw InvalidInput(fmt::format(
-                        "d_{} d_{} is {} instead of 0 from {}-cell {} to {}-cell {}: the faces of "
-                        "the latter do not close up; check their signs",
-                        k + 1, k, sum[s.col()], k, s.col(), k + 2, t));
+                    throw InvalidInput(
+                        fmt::format("d_{} d_{} is {} instead of 0 from {}-cell {} to {}-cell {}: "
+                                    "the faces of the latter do not close up; check their signs",
+                                    k + 1, k, sum[s.col()], k, s.col(), k + 2, t),
+                        {.degree = static_cast<int>(k) + 2, .cells = {static_cast<Index>(t)}});
     }
 }
 
@@ -52,7 +53,8 @@ void check_canceled(const std::vector<IncidenceMatrix>& d,
                 d[k].coeff(cell, face) != 0)
                 throw InvalidInput(fmt::format("{}-cell {} and {}-cell {} cannot cancel in d_{}: "
                                                "expected cells without an entry there",
-                                               k + 1, cell, k, face, k));
+                                               k + 1, cell, k, face, k),
+                                   {.degree = static_cast<int>(k) + 1, .cells = {cell}});
 }
 
 /// An incidence that cancels stands for both sides of its face.

@@ -28,19 +28,24 @@ void check_tables(const Faces& faces, const std::vector<std::int8_t>& orientatio
         for (Eigen::Index s = 0; s < faces[k].rows(); ++s)
             for (std::size_t i = 0; i <= k; ++i)
                 if (const Index f = faces[k](s, static_cast<Eigen::Index>(i)); f < 0 || f >= lower)
-                    throw InvalidInput(fmt::format("face {} of {}-simplex {} is {}: expected a "
-                                                   "number from 0 to {}",
-                                                   i, k, s, f, lower - 1));
+                    throw InvalidInput(
+                        fmt::format(
+                            "face {} of {}-simplex {} is {}: expected a number from 0 to {}", i, k,
+                            s, f, lower - 1),
+                        {.degree = static_cast<int>(k), .cells = {static_cast<Index>(s)}});
     }
     check_as_many("orientations", static_cast<Index>(orientations.size()), faces.back().rows());
     for (std::size_t t = 0; t < orientations.size(); ++t)
         if (orientations[t] != 1 && orientations[t] != -1)
-            throw InvalidInput(fmt::format("the orientation of simplex {} is {}: expected 1 or -1",
-                                           t, int{orientations[t]}));
+            throw InvalidInput(
+                fmt::format("the orientation of simplex {} is {}: expected 1 or -1", t,
+                            int{orientations[t]}),
+                {.degree = static_cast<int>(faces.size()) - 1, .cells = {static_cast<Index>(t)}});
     for (std::size_t v = 0; v < vertices.size(); ++v)
         if (vertices[v] < 0)
             throw InvalidInput(fmt::format("vertex {} is to be called {}: expected a number from 0",
-                                           v, vertices[v]));
+                                           v, vertices[v]),
+                               {.vertices = {static_cast<Index>(v)}});
 }
 
 /// Face j of face i is face i of face j + 1, for i <= j: the same corners are lacking.
@@ -50,10 +55,12 @@ void check_order(const Faces& faces) {
             for (std::size_t j = 0; j < k; ++j)
                 for (std::size_t i = 0; i <= j; ++i)
                     if (faces[k - 1](faces[k](s, i), j) != faces[k - 1](faces[k](s, j + 1), i))
-                        throw InvalidInput(fmt::format(
-                            "the faces of {}-simplex {} that lack its corners {} and {} do not "
-                            "meet: expected faces whose corners are in the simplex's order",
-                            k, s, i, j + 1));
+                        throw InvalidInput(
+                            fmt::format(
+                                "the faces of {}-simplex {} that lack its corners {} and {} do not "
+                                "meet: expected faces whose corners are in the simplex's order",
+                                k, s, i, j + 1),
+                            {.degree = static_cast<int>(k), .cells = {static_cast<Index>(s)}});
 }
 
 /// The corners of each simplex: all but the last are those of the face without it, the last is that

@@ -50,7 +50,8 @@ void check_closed(const CellComplex& complex, const CellMarks& dropped) {
         if (dropped[k + 1][t] && !dropped[k][s])
             throw InvalidInput(fmt::format("the {}-cell {} is to be dropped but not its "
                                            "face, the {}-cell {}: drop both or none",
-                                           k + 1, t, k, s));
+                                           k + 1, t, k, s),
+                               {.degree = k + 1, .cells = {t}});
     });
 }
 
@@ -63,7 +64,8 @@ void check_open(const CellComplex& complex, const CellMarks& dropped) {
             throw InvalidInput(fmt::format("the {}-cell {} is to be dropped as part of an open "
                                            "set but not its coface, the {}-cell {}: drop both or "
                                            "none",
-                                           k, s, k + 1, t));
+                                           k, s, k + 1, t),
+                               {.degree = k, .cells = {s}});
     });
 }
 

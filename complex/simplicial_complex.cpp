@@ -54,15 +54,22 @@ struct SortedTops {
 };
 
 void check_tops(const SortedTops& tops, Index begin, Index end) {
+    const auto n = static_cast<int>(tops.simplices.cols()) - 1;
     for (Index s = begin; s < end; ++s) {
         const auto list = row(tops.simplices, s);
         if (std::adjacent_find(list.begin(), list.end()) != list.end())
             throw InvalidInput(fmt::format("cell {} has a repeated corner: its vertices are {}",
-                                           tops.input_rows[s], fmt::join(list, ", ")));
+                                           tops.input_rows[s], fmt::join(list, ", ")),
+                               {.degree = n,
+                                .cells = {tops.input_rows[s]},
+                                .vertices = {list.begin(), list.end()}});
         if (s > 0 && same(row(tops.simplices, s - 1), list))
             throw InvalidInput(
                 fmt::format("cells {} and {} have the same vertices {}: remove one of them",
-                            tops.input_rows[s - 1], tops.input_rows[s], fmt::join(list, ", ")));
+                            tops.input_rows[s - 1], tops.input_rows[s], fmt::join(list, ", ")),
+                {.degree = n,
+                 .cells = {tops.input_rows[s - 1], tops.input_rows[s]},
+                 .vertices = {list.begin(), list.end()}});
     }
 }
 
@@ -71,10 +78,12 @@ SortedTops sort_tops(Simplices tops) {
         throw InvalidInput(
             "a simplicial complex needs at least one simplex of dimension 1 or more");
     if (tops.minCoeff() < 0)
-        throw InvalidInput(fmt::format("vertex number {}: expected 0 or more", tops.minCoeff()));
+        throw InvalidInput(fmt::format("vertex number {}: expected 0 or more", tops.minCoeff()),
+                           {.vertices = {tops.minCoeff()}});
     if (tops.maxCoeff() == std::numeric_limits<Index>::max())
         throw InvalidInput(
-            fmt::format("vertex number {}: expected less than that", tops.maxCoeff()));
+            fmt::format("vertex number {}: expected less than that", tops.maxCoeff()),
+            {.vertices = {tops.maxCoeff()}});
 
     std::vector<std::int8_t> signs(tops.rows());
     for_each_part(static_cast<Index>(tops.rows()), part_size, [&](Index begin, Index end) {

@@ -187,7 +187,8 @@ void Scanner::end_line(std::string_view record) {
 }
 
 void Scanner::fail(const std::string& text) const {
-    throw InvalidInput(fmt::format("{}:{}: {}", name_, line_, text));
+    throw InvalidInput(fmt::format("{}:{}: {}", name_, line_, text),
+                       {.path = name_, .line = static_cast<std::int64_t>(line_)});
 }
 
 /// A continuation mark counts only directly in front of a line break.

@@ -17,7 +17,7 @@ namespace polydec {
 namespace {
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
-    throw IoError(fmt::format("cannot read {}: {}", name, reason));
+    throw IoError(fmt::format("cannot read {}: {}", name, reason), {.path = name});
 }
 
 } // namespace

@@ -65,7 +65,8 @@ bool XmlReader::next(XmlTag& tag) {
 }
 
 void XmlReader::fail(const std::string& text) const {
-    throw InvalidInput(fmt::format("{}:{}: {}", file_.name, line_, text));
+    throw InvalidInput(fmt::format("{}:{}: {}", file_.name, line_, text),
+                       {.path = file_.name, .line = static_cast<std::int64_t>(line_)});
 }
 
 void XmlReader::go_to_tag() {

@@ -24,7 +24,8 @@ double distance(const Points& points, Index a, Index b) {
         throw InvalidInput(
             fmt::format("the distance of vertices {} and {} is {}: expected a finite "
                         "number; move them or scale the mesh to a size nearer to 1",
-                        a, b, length));
+                        a, b, length),
+            {.vertices = {a, b}});
     return length;
 }
 

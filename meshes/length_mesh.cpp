@@ -38,8 +38,10 @@ void check_range(const Simplices& rows, Index vertices, const char* what) {
     for (Index row = 0; row < rows.rows(); ++row)
         for (const Index v : rows.row(row))
             if (v < 0 || v >= vertices)
-                throw InvalidInput(fmt::format("{} {} has the vertex {}: expected 0 to {}", what,
-                                               row, v, vertices - 1));
+                throw InvalidInput(
+                    fmt::format("{} {} has the vertex {}: expected 0 to {}", what, row, v,
+                                vertices - 1),
+                    {.degree = static_cast<int>(rows.cols()) - 1, .cells = {row}, .vertices = {v}});
 }
 
 } // namespace
@@ -104,12 +106,17 @@ void check(const LengthMesh& mesh) {
     switch (fault->kind) {
     case EdgeFault::Kind::repeated:
         throw InvalidInput(fmt::format("edges {} and {} are the same, {}: give its length once",
-                                       fault->previous, fault->row, name));
+                                       fault->previous, fault->row, name),
+                           {.degree = 1,
+                            .cells = {fault->previous, fault->row},
+                            .vertices = {fault->a, fault->b}});
     case EdgeFault::Kind::surplus:
         throw InvalidInput(
-            fmt::format("edge {} {} belongs to no simplex: remove it", fault->row, name));
+            fmt::format("edge {} {} belongs to no simplex: remove it", fault->row, name),
+            {.degree = 1, .cells = {fault->row}, .vertices = {fault->a, fault->b}});
     case EdgeFault::Kind::missing:
-        throw InvalidInput(fmt::format("the edge {} has no length: add it", name));
+        throw InvalidInput(fmt::format("the edge {} has no length: add it", name),
+                           {.degree = 1, .vertices = {fault->a, fault->b}});
     }
 }
 

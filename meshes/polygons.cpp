@@ -238,10 +238,11 @@ std::vector<Index> triangles_of(const PolygonMesh& polygons, Tallies& tallies,
         } else if (splitter.split(corners)) {
             tallies.split.add(face);
         } else {
-            throw InvalidInput(fmt::format(
-                "face {} has {} corners and no fan of triangles from its first; expected at most "
-                "{} corners then; split it before",
-                face, corners.size(), most_corners_without_fan));
+            throw InvalidInput(
+                fmt::format("face {} has {} corners and no fan of triangles from its first; "
+                            "expected at most {} corners then; split it before",
+                            face, corners.size(), most_corners_without_fan),
+                {.degree = 2, .cells = {static_cast<Index>(face)}});
         }
         if (!polygons.tags.empty())
             tags.resize(triangles.size() / 3, polygons.tags[face]);
@@ -304,7 +305,10 @@ void check_polygons(const PolygonMesh& polygons) {
                 std::upper_bound(offsets.begin(), offsets.end(), static_cast<Index>(i));
             throw InvalidInput(fmt::format("face {} has the vertex {}; expected 0 to {}",
                                            behind - offsets.begin() - 1, corner,
-                                           polygons.points.rows() - 1));
+                                           polygons.points.rows() - 1),
+                               {.degree = 2,
+                                .cells = {static_cast<Index>(behind - offsets.begin() - 1)},
+                                .vertices = {corner}});
         }
     }
 }

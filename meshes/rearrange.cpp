@@ -43,7 +43,8 @@ Simplices with_new_numbers(Simplices cells, const std::vector<Index>& vertices, 
             if (vertex < 0 || vertex >= static_cast<Eigen::Index>(vertices.size()))
                 throw InvalidInput(fmt::format("{}: cell {} names vertex {}, but there are {} "
                                                "vertices, numbered from 0",
-                                               what, s, vertex, vertices.size()));
+                                               what, s, vertex, vertices.size()),
+                                   {.cells = {static_cast<Index>(s)}, .vertices = {vertex}});
             cells(s, c) = new_number[vertex];
         }
     return cells;
@@ -116,8 +117,9 @@ Renumbered along_morton_curve(const Mesh& mesh) {
     check_tags(mesh, "along_morton_curve");
     for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
         if (!mesh.points.row(v).allFinite())
-            throw InvalidInput(fmt::format(
-                "along_morton_curve: vertex {} has a coordinate that is not finite", v));
+            throw InvalidInput(
+                fmt::format("along_morton_curve: vertex {} has a coordinate that is not finite", v),
+                {.vertices = {static_cast<Index>(v)}});
     auto vertices = order_of(morton_keys(mesh.points));
     const Simplices renumbered = with_new_numbers(mesh.simplices, vertices, "along_morton_curve");
     std::vector<std::uint64_t> first_vertices;

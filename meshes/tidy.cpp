@@ -58,14 +58,16 @@ void check_input(const Mesh& mesh) {
         if (!mesh.points.row(v).allFinite())
             throw InvalidInput(fmt::format("vertex {} is not at a finite place: {}\n"
                                            "Give it finite coordinates.",
-                                           v, place(mesh, v)));
+                                           v, place(mesh, v)),
+                               {.vertices = {v}});
     for (Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
         const auto vertices = mesh.simplices.row(cell);
         if (vertices.minCoeff() < 0 || vertices.maxCoeff() >= mesh.points.rows())
             throw InvalidInput(
                 fmt::format("cell {} (vertices {}) names a vertex that is not among the {} given\n"
                             "Vertices are numbered from 0.",
-                            cell, vertices_of(mesh, cell), mesh.points.rows()));
+                            cell, vertices_of(mesh, cell), mesh.points.rows()),
+                {.degree = n, .cells = {cell}, .vertices = {vertices.begin(), vertices.end()}});
     }
 }
 
@@ -201,14 +203,22 @@ void leave_out_flat_cells(Sieve& sieve, CellsWithoutVolume others_may) {
                                  return fmt::format("{} ({})", sieve.numbers[cell],
                                                     vertices_of(sieve.mesh, cell));
                              }));
-    throw InvalidInput(fmt::format(
-        "cell {} (vertices {}) has no {}, and without it its neighbors would come apart.\n{}{}{}",
-        sieve.numbers[first], vertices_of(sieve.mesh, first), measure(sieve.mesh),
-        remedy(sieve.mesh, first),
-        sieve.mesh.dimension() == 2
-            ? " Intrinsic flips can do with such cells (MergeOptions::delaunay)."
-            : "",
-        others));
+    std::vector<Index> named;
+    for (const Index cell : flat.stuck)
+        named.push_back(sieve.numbers[cell]);
+    const auto corners = sieve.mesh.simplices.row(first);
+    throw InvalidInput(
+        fmt::format("cell {} (vertices {}) has no {}, and without it its neighbors would come "
+                    "apart.\n{}{}{}",
+                    sieve.numbers[first], vertices_of(sieve.mesh, first), measure(sieve.mesh),
+                    remedy(sieve.mesh, first),
+                    sieve.mesh.dimension() == 2
+                        ? " Intrinsic flips can do with such cells (MergeOptions::delaunay)."
+                        : "",
+                    others),
+        {.degree = sieve.mesh.dimension(),
+         .cells = named,
+         .vertices = {corners.begin(), corners.end()}});
 }
 
 } // namespace

@@ -26,17 +26,20 @@ void check_two_sided(const CellComplex& complex, const FacetDuals& duals) {
     const auto branching =
         std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
     if (branching != counts.end())
-        throw InvalidInput(fmt::format(
-            "{} cells meet at {}, so the flux through it is not a difference of two values: solve "
-            "for primal 0-forms",
-            *branching, duals.named(static_cast<Index>(branching - counts.begin()))));
+        throw InvalidInput(fmt::format("{} cells meet at {}, so the flux through it is not a "
+                                       "difference of two values: solve "
+                                       "for primal 0-forms",
+                                       *branching,
+                                       duals.named(static_cast<Index>(branching - counts.begin()))),
+                           duals.place(static_cast<Index>(branching - counts.begin())));
     const Vector sums = complex.boundary(n).cast<double>() * Vector::Ones(complex.size(n)).eval();
     for (Index f = 0; f < sums.size(); ++f)
         if (counts[f] == 2 && sums[f] != 0)
-            throw InvalidInput(fmt::format(
-                "the mesh is non-orientable, so dual 0-forms change sign around it, at {}: solve "
-                "for primal 0-forms",
-                duals.named(f)));
+            throw InvalidInput(fmt::format("the mesh is non-orientable, so dual 0-forms change "
+                                           "sign around it, at {}: solve "
+                                           "for primal 0-forms",
+                                           duals.named(f)),
+                               duals.place(f));
 }
 
 void check_fluxes_are_defined(const CellComplex& complex, const CellVolumes& volumes,
@@ -45,17 +48,22 @@ void check_fluxes_are_defined(const CellComplex& complex, const CellVolumes& vol
     const auto& counts = complex.coface_counts(n - 1);
     for (const Index facet : zero_star_cells(volumes, n - 1))
         if (counts[facet] == 2)
-            throw InvalidInput(fmt::format(
-                "the dual of {} has no length, so the flux through it is not defined: let "
-                "cospherical cells be merged",
-                duals.named(facet)));
+            throw InvalidInput(
+                fmt::format(
+                    "the dual of {} has no length, so the flux through it is not defined: let "
+                    "cospherical cells be merged",
+                    duals.named(facet)),
+                duals.place(facet));
     for (Index facet = 0; facet < duals.resistances.size(); ++facet)
         if (counts[facet] == 2 && is_zero(duals.resistances[facet], duals.terms[facet]))
-            throw InvalidInput(fmt::format(
-                "the two parts of the dual of {}, each over the conductivity of the cell beside "
-                "it, cancel, so the flux through it is not defined: change one of the two "
-                "conductivities, or take a mesh that has no obtuse angle there",
-                duals.named(facet)));
+            throw InvalidInput(
+                fmt::format(
+                    "the two parts of the dual of {}, each over the conductivity of the cell "
+                    "beside "
+                    "it, cancel, so the flux through it is not defined: change one of the two "
+                    "conductivities, or take a mesh that has no obtuse angle there",
+                    duals.named(facet)),
+                duals.place(facet));
 }
 
 /// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.
@@ -71,10 +79,12 @@ void average_rows(SparseMatrix& matrix) {
 
 FacetDuals facet_duals(const CellComplex& complex, const CellVolumes& volumes) {
     const int n = complex.dimension();
-    return {volumes.dual(n - 1), volumes.terms(n - 1),
-            boundary_facets_without_dual(complex, volumes), [volumes, n](Index facet) {
-                return fmt::format("facet {}", volumes.number(n - 1, facet));
-            }};
+    return {
+        volumes.dual(n - 1), volumes.terms(n - 1), boundary_facets_without_dual(complex, volumes),
+        [volumes, n](Index facet) { return fmt::format("facet {}", volumes.number(n - 1, facet)); },
+        [volumes, n](Index facet) {
+            return Error::Place{.degree = n - 1, .cells = {volumes.number(n - 1, facet)}};
+        }};
 }
 
 FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
@@ -84,6 +94,10 @@ FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
     duals.named = [mesh, n](Index facet) {
         return fmt::format("facet {} (vertices {})", facet,
                            fmt::join(cell_vertices(mesh, n - 1, facet), ", "));
+    };
+    duals.place = [mesh, n](Index facet) {
+        return Error::Place{
+            .degree = n - 1, .cells = {facet}, .vertices = cell_vertices(mesh, n - 1, facet)};
     };
     if (conductivity.size() == 0)
         return duals;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/errors.h"
 #include "complex/components.h"
 #include "dec/discretization.h"
 
@@ -13,7 +14,8 @@ struct FacetDuals {
     Vector resistances;        ///< dual lengths, each part divided by the conductivity it lies in
     Vector terms;              ///< sizes of what cancels in these
     std::vector<bool> missing; ///< boundary facets whose dual counts as nothing
-    std::function<std::string(Index)> named; ///< a facet in words
+    std::function<std::string(Index)> named;  ///< a facet in words
+    std::function<Error::Place(Index)> place; ///< the same for programs
 };
 
 /// Those of any cells, of conductivity 1.

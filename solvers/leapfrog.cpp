@@ -31,7 +31,8 @@ void check_stars(const CellComplex& complex, const CellVolumes& volumes, int k) 
                                        "{}: waves would grow without bound; take {}",
                                        negative.size(), k + 1,
                                        volumes.number(k + 1, negative.front()),
-                                       nearer_to_delaunay(volumes)));
+                                       nearer_to_delaunay(volumes)),
+                           {.degree = k + 1, .cells = volumes.numbers(k + 1, negative)});
 }
 
 } // namespace

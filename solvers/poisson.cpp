@@ -50,7 +50,8 @@ void check_loads(const DenseMatrix& loads, int degree) {
                                 "volumes leave the range of numbers there; divide the right-hand "
                                 "side, boundary data and normal derivatives by a power of two, and "
                                 "multiply the solution by it",
-                                degree, i, loads(i, j)));
+                                degree, i, loads(i, j)),
+                    {.degree = degree, .cells = {i}});
 }
 
 /// What fixed unknowns take away from the right-hand sides of the others.
@@ -82,7 +83,8 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
         if (!(conductivity[cell] > 0 && std::isfinite(conductivity[cell])))
             throw InvalidInput(fmt::format("the conductivity of {}-cell {} is {}: expected a "
                                            "positive number",
-                                           n, cell, conductivity[cell]));
+                                           n, cell, conductivity[cell]),
+                               {.degree = n, .cells = {cell}});
 }
 
 /// star_1; 0 where that is no more than rounding, because such an edge connects nothing.

@@ -56,7 +56,8 @@ Fingerprint fingerprint(const std::filesystem::path& path) {
         result.bytes += static_cast<std::uintmax_t>(file.gcount());
     }
     if (!file.eof())
-        throw IoError(fmt::format("cannot read {}: {}", printable(path.string()), system_reason()));
+        throw IoError(fmt::format("cannot read {}: {}", printable(path.string()), system_reason()),
+                      {.path = path});
     result.sha256 = hash.digits();
     return result;
 }

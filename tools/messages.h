@@ -8,21 +8,28 @@
 
 namespace polydec::tools {
 
-/// Calls work(); the messages of errors that it throws are put as `reword` says.
+/// Calls work(); the messages of errors that it throws are put as `reword` says, and where their
+/// places name no file, it is this one.
 template <class Work, class Reword>
-auto reworded(Reword reword, Work work) {
+auto reworded(Reword reword, Work work, const std::filesystem::path& file = {}) {
+    const auto place = [&](const Error& error) {
+        auto result = error.place();
+        if (result.path.empty())
+            result.path = file;
+        return result;
+    };
     try {
         return work();
     } catch (const InvalidInput& error) {
-        throw InvalidInput(reword(error.what()));
+        throw InvalidInput(reword(error.what()), place(error));
     } catch (const OutOfMemory& error) {
-        throw OutOfMemory(reword(error.what()));
+        throw OutOfMemory(reword(error.what()), error.report(), place(error));
     } catch (const SolverFailure& error) {
-        throw SolverFailure(reword(error.what()));
+        throw SolverFailure(reword(error.what()), error.report(), place(error));
     } catch (const BackendUnavailable& error) {
-        throw BackendUnavailable(reword(error.what()));
+        throw BackendUnavailable(reword(error.what()), place(error));
     } catch (const IoError& error) {
-        throw IoError(reword(error.what()));
+        throw IoError(reword(error.what()), place(error));
     }
 }
 
@@ -36,7 +43,7 @@ std::string naming(const std::filesystem::path& file, std::string message);
 /// Calls work(), which computes on the mesh of a file; its errors name the file.
 template <class Work>
 auto computed_on(const std::filesystem::path& file, Work work) {
-    return reworded([&](const char* message) { return naming(file, message); }, work);
+    return reworded([&](const char* message) { return naming(file, message); }, work, file);
 }
 
 } // namespace polydec::tools

@@ -82,7 +82,8 @@ void check_output_file(const Path& out, const std::vector<const char*>& extensio
             other.st_dev == status.st_dev && other.st_ino == status.st_ino)
             throw InvalidInput(fmt::format("cannot write {}: it is the input {}, which would be "
                                            "lost; name another file",
-                                           printable(out.string()), printable(input.string())));
+                                           printable(out.string()), printable(input.string())),
+                               {.path = out});
     }
     check_replaceable(out);
 }
@@ -102,7 +103,8 @@ void check_output_folder(const Path& out) {
         target = target.parent_path();
     if (!S_ISDIR(status.st_mode))
         throw IoError(fmt::format("cannot make the folder {}: the file {} is in the way",
-                                  printable(out.string()), printable(target.string())));
+                                  printable(out.string()), printable(target.string())),
+                      {.path = out});
     check_folder(out, target);
 }
 
@@ -120,7 +122,7 @@ void check_drawable(const Discretization& mesh) {
     try {
         polydec::check_drawable(mesh.dimension(), static_cast<int>(mesh.points().cols()));
     } catch (const InvalidInput& error) {
-        throw InvalidInput(fmt::format("{}; leave out -o", error.what()));
+        throw InvalidInput(fmt::format("{}; leave out -o", error.what()), error.place());
     }
 }
 

@@ -103,7 +103,8 @@ void Iteration::expand() {
 Iteration::Ritz Iteration::ritz() const {
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(projected_.topLeftCorner(done_, done_));
     if (solver.info() != Eigen::Success)
-        throw SolverFailure("block-lanczos: the projected eigenproblem did not converge");
+        throw SolverFailure("block-lanczos: the projected eigenproblem did not converge",
+                            SolveReport::failed("block-lanczos"));
     Ritz found{solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse(), {}};
 
     // |A v - theta v| of a Ritz vector v = V s is |C s|; no residual falls below rounding.

@@ -28,7 +28,8 @@ EigenPairs dense_pairs(const SymmetricOperator& A, Index count, const std::strin
     const DenseMatrix symmetric = 0.5 * (entries + entries.transpose());
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(symmetric);
     if (solver.info() != Eigen::Success)
-        throw SolverFailure(engine + ": the dense eigensolver did not converge");
+        throw SolverFailure(engine + ": the dense eigensolver did not converge",
+                            SolveReport::failed(engine));
     return {solver.eigenvalues().reverse().head(count),
             solver.eigenvectors().rowwise().reverse().leftCols(count), count, A.size};
 }

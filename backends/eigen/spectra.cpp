@@ -99,14 +99,17 @@ EigenPairs SpectraSolver::compute(const SymmetricOperator& A, Index count,
         EigenPairs pairs = solve_by_lanczos(A, count, options, start);
         if (!pairs.values.allFinite() || !pairs.vectors.allFinite())
             throw SolverFailure("spectra: the iteration broke down (an invariant subspace)\n"
-                                "Try another start vector.");
+                                "Try another start vector.",
+                                SolveReport::failed("spectra"));
         return pairs;
     } catch (const Error&) {
         throw;
     } catch (const std::logic_error& error) {
-        throw SolverFailure(std::string("spectra: ") + error.what());
+        throw SolverFailure(std::string("spectra: ") + error.what(),
+                            SolveReport::failed("spectra"));
     } catch (const std::runtime_error& error) {
-        throw SolverFailure(std::string("spectra: ") + error.what());
+        throw SolverFailure(std::string("spectra: ") + error.what(),
+                            SolveReport::failed("spectra"));
     }
 }
 

@@ -125,10 +125,13 @@ void AutoSolver::advance() {
 void AutoSolver::fail() const {
     const auto story = fmt::format("auto: no engine solves this {0} x {0} system: {1}\n",
                                    matrix_->rows(), joined(failures_));
+    SolveReport report = SolveReport::failed("auto");
+    report.tried = failures_;
     if (lacks_memory_)
-        throw OutOfMemory(story + "Allow more memory.");
+        throw OutOfMemory(story + "Allow more memory.", report);
     throw SolverFailure(story + "The matrix is singular, or its facts are wrong; if it has a "
-                                "kernel, give it in the facts.");
+                                "kernel, give it in the facts.",
+                        report);
 }
 
 std::optional<Index> AutoSolver::negative_pivots() const {

@@ -78,8 +78,8 @@ std::string describe_failure(double residual, double backward_error) {
 
 } // namespace
 
-void CheckedSolver::fail(const std::string& reason) const {
-    throw SolverFailure(fmt::format("{}: {}", name_, reason));
+void CheckedSolver::fail(const std::string& reason, SolveReport report) const {
+    throw SolverFailure(fmt::format("{}: {}", name_, reason), std::move(report));
 }
 
 template <typename Work>
@@ -87,10 +87,12 @@ auto CheckedSolver::within_memory(const char* purpose, Eigen::Index size, Work w
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        throw OutOfMemory(fmt::format(
-            "{0}: memory does not suffice to {1} a {2} x {2} matrix\n{3}", name_, purpose, size,
-            traits_.method == Method::direct ? "Take an iterative engine, or allow more memory."
-                                             : "Allow more memory."));
+        throw OutOfMemory(fmt::format("{0}: memory does not suffice to {1} a {2} x {2} matrix\n{3}",
+                                      name_, purpose, size,
+                                      traits_.method == Method::direct
+                                          ? "Take an iterative engine, or allow more memory."
+                                          : "Allow more memory."),
+                          SolveReport::failed(name_));
     }
 }
 
@@ -236,7 +238,9 @@ CheckedSolver::Solution CheckedSolver::solve_checked(const DenseMatrix& B) {
         quality = measure(solution.columns, B, R);
     }
     if (!R.allFinite() || (inertia_ == Inertia::unneeded && !is_good(quality)))
-        fail(describe_failure(quality.residual, quality.backward_error));
+        fail(describe_failure(quality.residual, quality.backward_error),
+             SolveReport::failed(name_, solution.iterations, quality.residual,
+                                 quality.backward_error));
     report_ = {name_, solution.iterations, quality.residual, quality.backward_error, {name_}};
     return solution;
 }

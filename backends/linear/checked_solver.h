@@ -43,7 +43,10 @@ protected:
     const LinearSolverOptions& options() const { return options_; }
 
     /// Throws SolverFailure with the engine's name before the reason.
-    [[noreturn]] void fail(const std::string& reason) const;
+    [[noreturn]] void fail(const std::string& reason) const {
+        fail(reason, SolveReport::failed(name_));
+    }
+    [[noreturn]] void fail(const std::string& reason, SolveReport report) const;
 
 private:
     struct Quality {

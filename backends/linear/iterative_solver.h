@@ -49,7 +49,8 @@ protected:
         const auto iterations = static_cast<Index>(iteration_.iterations());
         if (iteration_.info() != Eigen::Success || !x.allFinite())
             fail(fmt::format("no convergence after {} iterations, residual {:.2g}: {}", iterations,
-                             iteration_.error(), advice_));
+                             iteration_.error(), advice_),
+                 SolveReport::failed(name(), iterations, iteration_.error()));
         return iterations;
     }
 

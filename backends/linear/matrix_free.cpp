@@ -58,7 +58,8 @@ public:
         A_.apply(x, y);
         if (y.size() != A_.size || !y.allFinite())
             throw SolverFailure("eigen.cg: the operator gives another number of values, or one "
-                                "that is not finite");
+                                "that is not finite",
+                                SolveReport::failed("eigen.cg"));
         return y;
     }
 
@@ -145,10 +146,12 @@ Vector solve_matrix_free(const SymmetricOperator& A, const Vector& b, const Vect
         how.iterations = static_cast<Index>(cg.iterations());
         how.residual = (b / scale - applied.product(x)).norm() / (b / scale).norm();
         if (cg.info() != Eigen::Success || !(how.residual <= 10 * options.tolerance))
-            throw SolverFailure(fmt::format(
-                "eigen.cg: no convergence after {} iterations, residual {:.2g}: the operator is "
-                "badly conditioned, indefinite, or the right-hand side is none of its images",
-                how.iterations, how.residual));
+            throw SolverFailure(
+                fmt::format("eigen.cg: no convergence after {} iterations, residual {:.2g}: the "
+                            "operator is badly conditioned, indefinite, or the right-hand side is "
+                            "none of its images",
+                            how.iterations, how.residual),
+                SolveReport::failed("eigen.cg", how.iterations, how.residual));
         x *= scale;
     }
     if (report)

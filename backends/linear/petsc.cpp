@@ -273,7 +273,8 @@ void CgMultigrid::fail_because(KSPConvergedReason reason, Index iterations) cons
         cause = "multigrid makes nothing of this matrix";
     fail(fmt::format("no convergence after {} iterations ({}), residual {:.2g}: {}\nTake cholmod "
                      "or another direct engine.",
-                     iterations, text ? text : "no reason known", residual, cause));
+                     iterations, text ? text : "no reason known", residual, cause),
+         SolveReport::failed(name(), iterations, residual));
 }
 
 Index CgMultigrid::iterate(const Vector& b, Eigen::Ref<Vector> x) {

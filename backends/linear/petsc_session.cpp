@@ -116,8 +116,8 @@ void Session::require(PetscErrorCode error, const char* what) const {
     }
     const auto message = fmt::format("{}: {} failed in PETSc: {}", engine_, what, reason);
     if (error == PETSC_ERR_MEM)
-        throw OutOfMemory(message);
-    throw SolverFailure(message);
+        throw OutOfMemory(message, SolveReport::failed(engine_));
+    throw SolverFailure(message, SolveReport::failed(engine_));
 }
 
 } // namespace polydec::petsc

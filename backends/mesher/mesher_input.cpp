@@ -58,17 +58,24 @@ void check_offsets(const MesherInput& input) {
     }
 }
 
+Error::Place place_of(const MesherInput& input, Index f) {
+    const Facet corners = facet(input, f);
+    return {.degree = 2, .cells = {f}, .vertices = {corners.begin(), corners.end()}};
+}
+
 void check_corners(const MesherInput& input, Index f) {
     const Facet corners = facet(input, f);
     if (corners.size() < 3) {
         throw InvalidInput(
-            fmt::format("mesher: facet {} has {} corners; a facet needs three", f, corners.size()));
+            fmt::format("mesher: facet {} has {} corners; a facet needs three", f, corners.size()),
+            place_of(input, f));
     }
     for (const Index corner : corners) {
         if (corner < 0 || corner >= input.points.rows()) {
             throw InvalidInput(fmt::format("mesher: facet {} has the corner {}, but the points are "
                                            "0 to {}",
-                                           f, corner, input.points.rows() - 1));
+                                           f, corner, input.points.rows() - 1),
+                               place_of(input, f));
         }
     }
     std::vector<Index> sorted(corners.begin(), corners.end());
@@ -76,7 +83,8 @@ void check_corners(const MesherInput& input, Index f) {
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end()) {
         throw InvalidInput(
-            fmt::format("mesher: facet {} has the corner {} twice", facet_name(input, f), *twice));
+            fmt::format("mesher: facet {} has the corner {} twice", facet_name(input, f), *twice),
+            place_of(input, f));
     }
 }
 
@@ -111,14 +119,16 @@ void check_shape(const MesherInput& input, Index f) {
     const FacetPlane plane = plane_of(input, f);
     if (plane.normal.isZero()) {
         throw InvalidInput(fmt::format("mesher: facet {} has no area: its corners lie on one line",
-                                       facet_name(input, f)));
+                                       facet_name(input, f)),
+                           place_of(input, f));
     }
     for (const Index corner : facet(input, f)) {
         const double height = plane.height(input.points.row(corner));
         if (height > bending_tolerance * plane.size) {
             throw InvalidInput(fmt::format("mesher: facet {} is not plane: its corner {} is off by "
                                            "{:.2g} of its size\nSplit it into triangles.",
-                                           facet_name(input, f), corner, height / plane.size));
+                                           facet_name(input, f), corner, height / plane.size),
+                               place_of(input, f));
         }
     }
 }
@@ -220,7 +230,8 @@ void check_sides(const MesherInput& input) {
     if (surfaces.twisted >= 0) {
         throw InvalidInput(fmt::format("mesher: the surface at facet {} has one side only and "
                                        "encloses nothing",
-                                       facet_name(input, surfaces.twisted)));
+                                       facet_name(input, surfaces.twisted)),
+                           place_of(input, surfaces.twisted));
     }
     check_holes(input, surfaces);
 }

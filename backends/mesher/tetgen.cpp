@@ -58,7 +58,8 @@ void write_input(const Run& run) {
     file << tetgen_input(run.input, run.used, run.exponent);
     file.close();
     if (!file)
-        throw IoError(fmt::format("cannot write {}: is the disk full?", path.string()));
+        throw IoError(fmt::format("cannot write {}: is the disk full?", path.string()),
+                      {.path = path});
 }
 
 /// Counting from zero (z) and quietly (Q); of a point set without faces (F) and their numbers (B).

@@ -22,7 +22,8 @@ std::vector<std::array<Index, 2>> pair_halfedges(const std::vector<GluedSurface:
         if (second >= 0)
             throw InvalidInput(fmt::format("three triangles meet at edge {} (triangles {}, {} and "
                                            "{}): only surfaces with two at most can be glued",
-                                           sides[h].edge, first / 3, second / 3, h / 3));
+                                           sides[h].edge, first / 3, second / 3, h / 3),
+                               {.degree = 1, .cells = {sides[h].edge}});
         (first < 0 ? first : second) = static_cast<Index>(h);
     }
     return pairs;
@@ -36,7 +37,10 @@ void check_edges(const Pieces& surface) {
                                            "only surfaces with two at most can be glued",
                                            counts[e],
                                            surface.vertex_number(surface.simplices(1)(e, 0)),
-                                           surface.vertex_number(surface.simplices(1)(e, 1))));
+                                           surface.vertex_number(surface.simplices(1)(e, 1))),
+                               {.degree = 1,
+                                .cells = {static_cast<Index>(e)},
+                                .vertices = surface.vertex_numbers(1, static_cast<Index>(e))});
 }
 
 /// The largest edge number and one, if all sides make sense.
@@ -48,7 +52,8 @@ Index count_edges(const std::vector<std::array<GluedSurface::Side, 3>>& triangle
                 (side.sign != 1 && side.sign != -1))
                 throw InvalidInput(fmt::format("triangle {} has a side on edge {} with sign {}: "
                                                "expected edges from 0 without a gap and 1 or -1",
-                                               t, side.edge, side.sign));
+                                               t, side.edge, side.sign),
+                                   {.degree = 2, .cells = {static_cast<Index>(t)}});
             edges = std::max(edges, side.edge + 1);
         }
     return edges;
@@ -101,7 +106,8 @@ GluedSurface::GluedSurface(const std::vector<std::array<Side, 3>>& triangles) {
         if (h < 0)
             throw InvalidInput(fmt::format("no triangle has edge {}: number the edges from 0 "
                                            "without a gap",
-                                           e));
+                                           e),
+                               {.degree = 1, .cells = {e}});
         if (g < 0)
             continue;
         const bool alike = sign(h) == sign(g);
@@ -185,7 +191,8 @@ Simplices simplices(const GluedSurface& surface) {
         if (a == b)
             throw InvalidInput(fmt::format("edge {} is a loop at vertex {}: the surface is no "
                                            "simplicial complex",
-                                           e, a));
+                                           e, a),
+                               {.degree = 1, .cells = {e}, .vertices = {a}});
         ends.push_back({{std::min(a, b), std::max(a, b)}, e});
     }
     std::sort(ends.begin(), ends.end());
@@ -195,7 +202,10 @@ Simplices simplices(const GluedSurface& surface) {
         throw InvalidInput(fmt::format("edges {} and {} both join vertices {} and {}: the surface "
                                        "is no simplicial complex",
                                        twice->second, (twice + 1)->second, twice->first.first,
-                                       twice->first.second));
+                                       twice->first.second),
+                           {.degree = 1,
+                            .cells = {twice->second, (twice + 1)->second},
+                            .vertices = {twice->first.first, twice->first.second}});
     Simplices corners(surface.triangles(), 3);
     for (Index h = 0; h < 3 * surface.triangles(); ++h)
         corners(h / 3, h % 3) = surface.tail(h);

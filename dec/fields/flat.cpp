@@ -36,7 +36,10 @@ void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix
     for (Index row = 0; row < field.rows(); ++row)
         if (!field.row(row).allFinite())
             throw InvalidInput(fmt::format("the vector at {} {} is not finite", place,
-                                           at_vertices ? mesh.pieces().vertex_number(row) : row));
+                                           at_vertices ? mesh.pieces().vertex_number(row) : row),
+                               at_vertices
+                                   ? Error::Place{.vertices = {mesh.pieces().vertex_number(row)}}
+                                   : Error::Place{.degree = mesh.dimension(), .cells = {row}});
 }
 
 /// The means of the rows of the vertices of each k-simplex.
@@ -73,11 +76,12 @@ Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
 
 void check_dual_volumes(const Discretization& mesh) {
     if (const auto zero = zero_star_cells(mesh.volumes(), 1); !zero.empty())
-        throw InvalidInput(fmt::format(
-            "the dpp flat divides by zero: the dual of the edge with vertices {} has no volume "
-            "({} such edges, see zero_star_cells of degree 1); let cells be merged, or take the "
-            "field at the vertices",
-            fmt::join(cell_vertices(mesh, 1, zero.front()), ", "), zero.size()));
+        throw InvalidInput(
+            fmt::format("the dpp flat divides by zero: the dual of the edge with vertices {} has "
+                        "no volume ({} such edges, see zero_star_cells of degree 1); let cells be "
+                        "merged, or take the field at the vertices",
+                        fmt::join(cell_vertices(mesh, 1, zero.front()), ", "), zero.size()),
+            {.degree = 1, .cells = zero, .vertices = cell_vertices(mesh, 1, zero.front())});
 }
 
 /// The product with each edge of the vectors of the n-simplices around, by parts of the dual.

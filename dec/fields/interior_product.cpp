@@ -35,7 +35,8 @@ void check_field(const Pieces& complex, const Points& points, const Points& fiel
         if (!field.row(v).allFinite())
             throw InvalidInput(
                 fmt::format("the vector field at vertex {} is not finite: give it a value",
-                            complex.vertex_number(v)));
+                            complex.vertex_number(v)),
+                {.vertices = {complex.vertex_number(v)}});
 }
 
 /// The (k-1)-faces of n-simplices, and how the field leaves them within these.
@@ -123,7 +124,8 @@ Vector top_volumes(const Pieces& complex, const Points& points) {
     Vector volumes(complex.size(n));
     for (Index t = 0; t < complex.size(n); ++t) {
         if (!sphere.look_at(vertices(complex.simplices(n), t)))
-            throw InvalidInput(fmt::format("the {}-simplex {} has no volume: remove it", n, t));
+            throw InvalidInput(fmt::format("the {}-simplex {} has no volume: remove it", n, t),
+                               {.degree = n, .cells = {t}});
         volumes[t] = sphere.volume();
     }
     return volumes;

@@ -38,8 +38,8 @@ void check_dual_cells(const Discretization& mesh) {
     throw InvalidInput(fmt::format("the sharp to vertices divides by zero: the dual cells of {} "
                                    "vertices have no volume (vertices {}{}); take vectors at the "
                                    "cells, sharp_pd, or move the vertices",
-                                   count, fmt::join(zero, ", "),
-                                   count > zero.size() ? ", .." : ""));
+                                   count, fmt::join(zero, ", "), count > zero.size() ? ", .." : ""),
+                       {.vertices = zero});
 }
 
 /// Row i: sum over the other vertices j of an n-simplex of a(i->j) grad lambda_j.
@@ -139,10 +139,13 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
         const DenseMatrix T = mean_tangents(mesh, cell);
         Eigen::FullPivLU<DenseMatrix> solver(T.transpose() * M * T);
         if (!solver.setThreshold(rounding).isInvertible())
-            throw InvalidInput(fmt::format(
-                "the vector at merged cell {} (vertices {}) is not determined by its edges, whose "
-                "weights cancel: move its vertices",
-                cell, fmt::join(cell_vertices(mesh, mesh.dimension(), cell), ", ")));
+            throw InvalidInput(
+                fmt::format("the vector at merged cell {} (vertices {}) is not determined by its "
+                            "edges, whose weights cancel: move its vertices",
+                            cell, fmt::join(cell_vertices(mesh, mesh.dimension(), cell), ", ")),
+                {.degree = mesh.dimension(),
+                 .cells = {cell},
+                 .vertices = cell_vertices(mesh, mesh.dimension(), cell)});
         result.row(cell) = T * solver.solve(T.transpose() * right_side);
     }
     return result;

@@ -29,13 +29,15 @@ void check_place(const Pieces& complex, Index top, const Vector& barycentric) {
     const int n = complex.dimension();
     if (top < 0 || top >= complex.size(n))
         throw InvalidInput(
-            fmt::format("{}-simplex {} is asked for: there are {}", n, top, complex.size(n)));
+            fmt::format("{}-simplex {} is asked for: there are {}", n, top, complex.size(n)),
+            {.degree = n, .cells = {top}});
     constexpr double rounding = 1e-9;
     if (barycentric.size() != n + 1 ||
         !(std::abs(barycentric.sum() - 1) <= rounding * (1 + barycentric.cwiseAbs().sum())))
         throw InvalidInput(fmt::format("({}) are no barycentric coordinates in {}-simplex {}: {} "
                                        "numbers of sum 1 are expected",
-                                       fmt::join(barycentric, ", "), n, top, n + 1));
+                                       fmt::join(barycentric, ", "), n, top, n + 1),
+                           {.degree = n, .cells = {top}});
 }
 
 /// The Whitney form of a cochain in one simplex after another.

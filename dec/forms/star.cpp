@@ -47,7 +47,8 @@ Vector inverse_star(const CellVolumes& volumes, int k) {
         throw InvalidInput(
             fmt::format("the inverse star of degree {} divides by zero: the duals of "
                         "{} {}-cells have no volume (cells {})",
-                        k, cells.size(), k, numbers_of(volumes, k, cells)));
+                        k, cells.size(), k, numbers_of(volumes, k, cells)),
+            {.degree = k, .cells = volumes.numbers(k, cells)});
     return star(volumes, k).cwiseInverse();
 }
 

@@ -48,11 +48,13 @@ void CellVolumes::check(int k) const {
         if (!(primal[s] > 0) || !std::isfinite(primal[s]))
             throw InvalidInput(fmt::format("the {}-cell {} has volume {}: expected a finite number "
                                            "above 0; remove the cell",
-                                           k, s, primal[s]));
+                                           k, s, primal[s]),
+                               {.degree = k, .cells = {s}});
         if (!std::isfinite(dual[s]) || !std::isfinite(terms[s]) || !std::isfinite(rounding[s]))
             throw InvalidInput(fmt::format("the {}-cell {} has dual volume {}, a sum of terms of "
                                            "size {}, to within {}: expected finite numbers",
-                                           k, s, dual[s], terms[s], rounding[s]));
+                                           k, s, dual[s], terms[s], rounding[s]),
+                               {.degree = k, .cells = {s}});
     }
 }
 

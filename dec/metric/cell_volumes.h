@@ -64,6 +64,11 @@ public:
     Index number(int k, Index cell) const {
         return parts_->numbers.empty() ? cell : parts_->numbers[checked(k)][cell];
     }
+    std::vector<Index> numbers(int k, std::vector<Index> cells) const {
+        for (Index& cell : cells)
+            cell = number(k, cell);
+        return cells;
+    }
 
 private:
     std::size_t checked(int k) const {

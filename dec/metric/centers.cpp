@@ -25,9 +25,11 @@ Centers::Centers(std::vector<Points> coordinates) : kind_(Kind::given) {
         for (Eigen::Index s = 0; s < coordinates[k].rows(); ++s)
             if (!(std::abs(coordinates[k].row(s).sum() - 1) <=
                   rounding * (1 + coordinates[k].row(s).cwiseAbs().sum())))
-                throw InvalidInput(fmt::format("the coordinates of the center of {}-simplex {} add "
-                                               "up to {}: expected 1",
-                                               k, s, coordinates[k].row(s).sum()));
+                throw InvalidInput(
+                    fmt::format(
+                        "the coordinates of the center of {}-simplex {} add up to {}: expected 1",
+                        k, s, coordinates[k].row(s).sum()),
+                    {.degree = static_cast<int>(k), .cells = {static_cast<Index>(s)}});
     }
     given_ = std::make_shared<const std::vector<Points>>(std::move(coordinates));
 }

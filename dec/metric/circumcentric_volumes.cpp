@@ -27,7 +27,8 @@ void check_points(const Pieces& complex, const Points& points) {
     for (Index v = 0; v < points.rows(); ++v)
         if (!points.row(v).allFinite())
             throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite",
-                                           complex.vertex_number(v)));
+                                           complex.vertex_number(v)),
+                               {.vertices = {complex.vertex_number(v)}});
 }
 
 void check_metric(const Pieces& complex, const SimplexMetric& metric) {
@@ -68,19 +69,22 @@ double largest_extent(const Corners& corners) {
             if (!sphere.look_at(layout.at(m, s)) || !is_moderate(sphere.volume()))
                 refuse(complex, metric, m, s);
     const auto list = complex.vertex_numbers(k, t);
+    const Error::Place place{.degree = k, .cells = {t}, .vertices = list};
     const bool has_volume = sphere.look_at(layout.at(k, t));
     const double length = k > 0 ? largest_extent(layout.at(k, t)) : 1;
     if (has_volume || (length > 0 && !is_moderate(length)))
-        throw InvalidInput(fmt::format(
-            "the {}-simplex with vertices {} has edges of about {:.3g} and volume {:.3g}: products "
-            "of such numbers are none; scale the mesh to a size nearer to 1, or leave out what is "
-            "so much smaller",
-            k, fmt::join(list, ", "), length, sphere.volume()));
+        throw InvalidInput(
+            fmt::format("the {}-simplex with vertices {} has edges of about {:.3g} and volume "
+                        "{:.3g}: products of such numbers are none; scale the mesh to a size "
+                        "nearer to 1, or leave out what is so much smaller",
+                        k, fmt::join(list, ", "), length, sphere.volume()),
+            place);
     if (metric.lengths() != nullptr)
-        throw InvalidInput(flaw_of_lengths(complex, metric, k, t));
+        throw InvalidInput(flaw_of_lengths(complex, metric, k, t), place);
     throw InvalidInput(
         fmt::format("the {}-simplex with vertices {} has no volume: remove it or move a vertex", k,
-                    fmt::join(list, ", ")));
+                    fmt::join(list, ", ")),
+        place);
 }
 
 /// To what errors of the dual volumes are in proportion. What is still to be divided by a simplex's

@@ -72,7 +72,9 @@ void check_table(const Points& points, const Simplices& simplices) {
 [[noreturn]] void refuse(std::span<const Index> vertices) {
     throw InvalidInput(fmt::format("the {}-simplex with vertices {} has no volume, and so no "
                                    "circumsphere: remove it or move a vertex",
-                                   vertices.size() - 1, fmt::join(vertices, ", ")));
+                                   vertices.size() - 1, fmt::join(vertices, ", ")),
+                       {.degree = static_cast<int>(vertices.size()) - 1,
+                        .vertices = {vertices.begin(), vertices.end()}});
 }
 
 void look_at_row(Circumsphere& sphere, const Points& points, const Simplices& simplices, Index s) {

@@ -48,10 +48,12 @@ SimplexMetric::SimplexMetric(const Pieces& complex, const Vector& lengths) : len
         if (!(length > 0) || !std::isfinite(length))
             throw InvalidInput(fmt::format("edge {} with vertices {} and {} has length {}: "
                                            "expected a finite number above 0",
-                                           e, ends[0], ends[1], length));
+                                           e, ends[0], ends[1], length),
+                               {.degree = 1, .cells = {e}, .vertices = ends});
         throw InvalidInput(fmt::format("edge {} with vertices {} and {} has length {:.3g}: "
                                        "scale the mesh to a size nearer to 1",
-                                       e, ends[0], ends[1], length));
+                                       e, ends[0], ends[1], length),
+                           {.degree = 1, .cells = {e}, .vertices = ends});
     }
 }
 
@@ -172,7 +174,8 @@ Points vertex_points(const Pieces& complex, const Points& by_number) {
     const Index largest = complex.vertex_number(complex.size(0) - 1);
     if (largest >= by_number.rows())
         throw InvalidInput(fmt::format("a cell uses vertex {} but there are only {} points",
-                                       largest, by_number.rows()));
+                                       largest, by_number.rows()),
+                           {.vertices = {largest}});
     Points result(complex.size(0), by_number.cols());
     for (Index v = 0; v < result.rows(); ++v)
         result.row(v) = by_number.row(complex.vertex_number(v));

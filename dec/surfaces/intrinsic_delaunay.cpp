@@ -280,11 +280,13 @@ void Flipping::refuse_sharp_corners() const {
         for (const FanEnd end : {FanEnd::tail, FanEnd::head}) {
             const double angle = boundary_corner(h, end);
             if (std::tan(std::min(angle, std::numbers::pi / 2) / 2) / 2 <= split_goal())
-                throw InvalidInput(fmt::format(
-                    "the boundary has a corner of angle {:.2g} at vertex {}: however its edges are "
-                    "divided, one keeps a dual below {:.2g} of its length; do without the splits",
-                    angle, end == FanEnd::tail ? surface_.tail(h) : surface_.head(h),
-                    split_goal()));
+                throw InvalidInput(
+                    fmt::format("the boundary has a corner of angle {:.2g} at vertex {}: however "
+                                "its edges are divided, one keeps a dual below {:.2g} of its "
+                                "length; do without the splits",
+                                angle, end == FanEnd::tail ? surface_.tail(h) : surface_.head(h),
+                                split_goal()),
+                    {.vertices = {end == FanEnd::tail ? surface_.tail(h) : surface_.head(h)}});
         }
     }
 }

@@ -20,15 +20,23 @@ void check_lengths(const GluedSurface& surface, const Vector& lengths) {
             throw InvalidInput(fmt::format("edge {} from vertex {} to {} has length {}: expected a "
                                            "positive number",
                                            e, surface.first_vertex(e), surface.last_vertex(e),
-                                           lengths[e]));
+                                           lengths[e]),
+                               {.degree = 1,
+                                .cells = {e},
+                                .vertices = {surface.first_vertex(e), surface.last_vertex(e)}});
     for (Index t = 0; t < surface.triangles(); ++t) {
         const auto [a, b, c] = side_lengths(surface, lengths, t);
         const double longest = std::max({a, b, c});
         if (!(triangle_area(a / longest, b / longest, c / longest) > 0))
-            throw InvalidInput(fmt::format(
-                "triangle {} with vertices {}, {}, {} has sides of lengths {}, {} and {}: no "
-                "triangle with an area has them",
-                t, surface.tail(3 * t), surface.tail(3 * t + 1), surface.tail(3 * t + 2), a, b, c));
+            throw InvalidInput(
+                fmt::format("triangle {} with vertices {}, {}, {} has sides of lengths {}, {} and "
+                            "{}: no triangle with an area has them",
+                            t, surface.tail(3 * t), surface.tail(3 * t + 1),
+                            surface.tail(3 * t + 2), a, b, c),
+                {.degree = 2,
+                 .cells = {t},
+                 .vertices = {surface.tail(3 * t), surface.tail(3 * t + 1),
+                              surface.tail(3 * t + 2)}});
     }
 }
 

@@ -18,7 +18,8 @@ void check_finite(double value, const std::filesystem::path& path, Eigen::Index 
     if (!std::isfinite(value)) {
         throw InvalidInput(fmt::format("entry ({}, {}), counted from 0, of what should be written "
                                        "to {} is NaN or infinite; find out what made it so",
-                                       row, column, path.string()));
+                                       row, column, path.string()),
+                           {.path = path});
     }
 }
 

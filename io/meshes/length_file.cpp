@@ -56,7 +56,8 @@ void check_edges(Scanner& scanner, const LengthMesh& mesh, const std::vector<std
     if (fault->kind == EdgeFault::Kind::missing)
         throw InvalidInput(fmt::format("{}: {} of the simplices has no length; expected every edge "
                                        "once; add a line for it",
-                                       scanner.name(), name));
+                                       scanner.name(), name),
+                           {.degree = 1, .vertices = {fault->a, fault->b}, .path = scanner.name()});
     scanner.set_line(line(fault->row));
     if (fault->kind == EdgeFault::Kind::repeated)
         scanner.fail(fmt::format("{} has a length on line {} already; expected every edge once; "
@@ -110,10 +111,12 @@ LengthMesh parse_lengths(const SourceFile& file) {
         if (simplices == 0)
             throw InvalidInput(fmt::format("{}: the file holds no simplices; expected at least "
                                            "one; write it again",
-                                           file.name));
+                                           file.name),
+                               {.path = file.name});
         check_edges(scanner, mesh, lines);
     } catch (const std::bad_alloc&) {
-        throw IoError(fmt::format("cannot read {}: memory does not suffice", file.name));
+        throw IoError(fmt::format("cannot read {}: memory does not suffice", file.name),
+                      {.path = file.name});
     }
     return mesh;
 }
@@ -122,7 +125,8 @@ LengthMesh read_lengths(const std::filesystem::path& path) {
     if (!is_length_file(path))
         throw InvalidInput(fmt::format("{}: lengths of edges are read from .nsl; expected this "
                                        "extension; rename the file, or read it with read_mesh",
-                                       path.string()));
+                                       path.string()),
+                           {.path = path});
     return parse_lengths(read_source_file(path));
 }
 
@@ -130,14 +134,19 @@ void write_lengths(const std::filesystem::path& path, const LengthMesh& mesh) {
     if (!is_length_file(path))
         throw InvalidInput(fmt::format("cannot write {}: lengths of edges go to a file with the "
                                        "extension .nsl",
-                                       path.string()));
+                                       path.string()),
+                           {.path = path});
     check(mesh);
     for (Index e = 0; e < mesh.edges.rows(); ++e)
         if (!is_length(mesh.lengths[e]))
             throw InvalidInput(fmt::format("cannot write {}: edge {} with vertices {} and {} has "
                                            "length {}; expected a finite number above 0",
                                            path.string(), e, mesh.edges(e, 0), mesh.edges(e, 1),
-                                           mesh.lengths[e]));
+                                           mesh.lengths[e]),
+                               {.degree = 1,
+                                .cells = {e},
+                                .vertices = {mesh.edges(e, 0), mesh.edges(e, 1)},
+                                .path = path});
     AtomicFile file(path);
     file.write(fmt::format("{} {} {} {}\n", mesh.dimension(), mesh.vertices, mesh.simplices.rows(),
                            mesh.edges.rows()));

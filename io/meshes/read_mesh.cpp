@@ -40,10 +40,12 @@ const Format& format_of(const std::filesystem::path& path) {
     if (is_length_file(path))
         throw InvalidInput(fmt::format("{}: .nsl holds lengths of edges and no points; expected a "
                                        "mesh with points; read it with read_lengths",
-                                       path.string()));
+                                       path.string()),
+                           {.path = path});
     throw InvalidInput(fmt::format("{}: the extension '{}' stands for no mesh format; expected one "
                                    "of {}; rename or convert the file",
-                                   path.string(), extension, known));
+                                   path.string(), extension, known),
+                       {.path = path});
 }
 
 } // namespace
@@ -61,16 +63,19 @@ Mesh parse_mesh(const SourceFile& file) {
         if (mesh.points.rows() == 0) {
             throw InvalidInput(fmt::format("{}: the file holds no vertices; expected a mesh; "
                                            "export it again",
-                                           file.name));
+                                           file.name),
+                               {.path = file.name});
         }
         if (mesh.simplices.rows() == 0) {
             throw InvalidInput(fmt::format("{}: the file holds {} vertices but no cells; expected "
                                            "at least one cell; export it with its cells",
-                                           file.name, mesh.points.rows()));
+                                           file.name, mesh.points.rows()),
+                               {.path = file.name});
         }
         return mesh;
     } catch (const std::bad_alloc&) {
-        throw IoError(fmt::format("cannot read {}: memory does not suffice", file.name));
+        throw IoError(fmt::format("cannot read {}: memory does not suffice", file.name),
+                      {.path = file.name});
     }
 }
 
@@ -87,7 +92,8 @@ void close_face(PolygonMesh& polygons, const SourceFile& file) {
 Index checked_count(std::size_t count, const char* plural, const SourceFile& file) {
     if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max())) {
         throw InvalidInput(fmt::format("{}: more than 2^31 - 1 {}; expected fewer; divide the mesh",
-                                       file.name, plural));
+                                       file.name, plural),
+                           {.path = file.name});
     }
     return static_cast<Index>(count);
 }

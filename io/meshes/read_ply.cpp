@@ -54,7 +54,8 @@ public:
     bool at_end() const { return remaining() == 0; }
 
     [[noreturn]] void fail(const std::string& text) const {
-        throw InvalidInput(fmt::format("{}: before byte {}: {}", file_.name, position_, text));
+        throw InvalidInput(fmt::format("{}: before byte {}: {}", file_.name, position_, text),
+                           {.path = file_.name});
     }
 
 private:

@@ -74,10 +74,12 @@ Corner binary_corner(const SourceFile& file, std::size_t triangle, std::size_t c
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double value = number_at<float>(place + 4 * axis, std::endian::little);
         if (!std::isfinite(value)) {
-            throw InvalidInput(fmt::format(
-                "{}: corner {} of triangle {} (counted from 0) has a coordinate that is NaN or "
-                "infinite; expected finite numbers; repair or remove the triangle",
-                file.name, corner, triangle));
+            throw InvalidInput(
+                fmt::format(
+                    "{}: corner {} of triangle {} (counted from 0) has a coordinate that is NaN or "
+                    "infinite; expected finite numbers; repair or remove the triangle",
+                    file.name, corner, triangle),
+                {.degree = 2, .cells = {static_cast<Index>(triangle)}, .path = file.name});
         }
         read.place[axis] = value + 0.0;
     }
@@ -183,15 +185,18 @@ Mesh read_stl(const SourceFile& file) {
     if (begins_like_text(file))
         return TextReader(file).read();
     if (has_header) {
-        throw InvalidInput(fmt::format(
-            "{}: the file has {} bytes; expected {} for the {} triangles that its header promises, "
-            "or a text that begins with solid; export it again, it seems cut off",
-            file.name, file.text.size(), promised_bytes(file),
-            (promised_bytes(file) - header_bytes) / triangle_bytes));
+        throw InvalidInput(
+            fmt::format(
+                "{}: the file has {} bytes; expected {} for the {} triangles that its header "
+                "promises, or a text that begins with solid; export it again, it seems cut off",
+                file.name, file.text.size(), promised_bytes(file),
+                (promised_bytes(file) - header_bytes) / triangle_bytes),
+            {.path = file.name});
     }
     throw InvalidInput(fmt::format("{}: the file has {} bytes; expected a binary STL of at least "
                                    "{}, or a text that begins with solid; export it again",
-                                   file.name, file.text.size(), header_bytes));
+                                   file.name, file.text.size(), header_bytes),
+                       {.path = file.name});
 }
 
 } // namespace polydec

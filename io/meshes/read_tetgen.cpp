@@ -162,7 +162,8 @@ std::filesystem::path cells_beside(const std::filesystem::path& path) {
     }
     throw InvalidInput(fmt::format("{}: neither {} nor .face is beside it; expected the file of "
                                    "the cells; put it there",
-                                   path.string(), with_extension(path, ".ele").string()));
+                                   path.string(), with_extension(path, ".ele").string()),
+                       {.path = path});
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace polydec {
 
@@ -23,16 +24,19 @@ namespace {
 
 using Path = std::filesystem::path;
 
-[[noreturn]] void refuse(const Path& path, const std::string& text) {
-    throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text));
+[[noreturn]] void refuse(const Path& path, const std::string& text, Error::Place place = {}) {
+    place.path = path;
+    throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text), std::move(place));
 }
 
 void check_points(const Path& path, const Points& points) {
     for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex) {
         if (!points.row(vertex).allFinite()) {
-            refuse(path, fmt::format("vertex {} has a coordinate that is NaN or infinite; find out "
-                                     "what made it so",
-                                     vertex));
+            refuse(path,
+                   fmt::format("vertex {} has a coordinate that is NaN or infinite; find out "
+                               "what made it so",
+                               vertex),
+                   {.vertices = {static_cast<Index>(vertex)}});
         }
     }
 }
@@ -41,8 +45,12 @@ void check_simplices(const Path& path, const Mesh& mesh) {
     for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
         for (const Index vertex : mesh.simplices.row(cell)) {
             if (vertex < 0 || vertex >= mesh.points.rows()) {
-                refuse(path, fmt::format("cell {} has the vertex {}; expected 0 to {}", cell,
-                                         vertex, mesh.points.rows() - 1));
+                refuse(path,
+                       fmt::format("cell {} has the vertex {}; expected 0 to {}", cell, vertex,
+                                   mesh.points.rows() - 1),
+                       {.degree = mesh.dimension(),
+                        .cells = {static_cast<Index>(cell)},
+                        .vertices = {vertex}});
             }
         }
     }
@@ -172,7 +180,8 @@ float to_float(const Path& path, double value, Index vertex) {
         refuse(path,
                fmt::format("a coordinate of vertex {} is too large for the floats of STL; use "
                            ".off, .obj or .ply",
-                           vertex));
+                           vertex),
+               {.vertices = {vertex}});
     }
     return static_cast<float>(value);
 }

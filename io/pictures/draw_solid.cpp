@@ -111,7 +111,8 @@ void check_faces(const SolidFaces& faces) {
                                        faces.depth_sites.cols()));
     for (Index f = 0; f < polygons; ++f) {
         const auto complain = [f](const char* what) {
-            throw InvalidInput(fmt::format("polygon {} has {}", f, what));
+            throw InvalidInput(fmt::format("polygon {} has {}", f, what),
+                               {.degree = 2, .cells = {f}});
         };
         if (corners_of(faces.polygons, f).size() < 3)
             complain("fewer than three corners: leave it out");

@@ -22,7 +22,7 @@ namespace polydec {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& text) {
-    throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text));
+    throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text), {.path = path});
 }
 
 /// How many corners a cell may have.

@@ -14,13 +14,14 @@ void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int 
     if (zero.empty() && negative.empty())
         return;
     const auto& bad = negative.empty() ? zero : negative;
-    throw InvalidInput(fmt::format(
-        "the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have {} volume "
-        "(cells {})\nspectra and decompositions need a positive mass: take dual 0-forms, whose "
-        "mass are the volumes of the cells, or {}",
-        name(side), degree, bad.size(), volumes.primal(k).size(), k,
-        negative.empty() ? "zero" : "negative", numbers_of(volumes, k, bad),
-        nearer_to_delaunay(volumes)));
+    throw InvalidInput(
+        fmt::format("the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have "
+                    "{} volume (cells {})\nspectra and decompositions need a positive mass: take "
+                    "dual 0-forms, whose mass are the volumes of the cells, or {}",
+                    name(side), degree, bad.size(), volumes.primal(k).size(), k,
+                    negative.empty() ? "zero" : "negative", numbers_of(volumes, k, bad),
+                    nearer_to_delaunay(volumes)),
+        {.degree = k, .cells = volumes.numbers(k, bad)});
 }
 
 } // namespace polydec

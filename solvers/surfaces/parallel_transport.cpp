@@ -99,12 +99,14 @@ void check_vectors(const GluedSurface& surface, std::span<const Index> sources,
         if (given[sources[s]])
             throw InvalidInput(fmt::format("vertex {} is given twice as a source: expected one "
                                            "vector for it",
-                                           sources[s]));
+                                           sources[s]),
+                               {.vertices = {sources[s]}});
         given[sources[s]] = true;
         if (!std::isfinite(std::abs(vector)))
             throw InvalidInput(fmt::format("the vector at vertex {} is ({}, {}): expected finite "
                                            "numbers",
-                                           sources[s], vector.real(), vector.imag()));
+                                           sources[s], vector.real(), vector.imag()),
+                               {.vertices = {sources[s]}});
     }
 }
 

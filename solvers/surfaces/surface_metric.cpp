@@ -70,14 +70,16 @@ void check_sources(const GluedSurface& surface, const SurfaceMetric& metric,
         if (v < 0 || v >= surface.vertices())
             throw InvalidInput(fmt::format("vertex {} is given as a source: expected one of 0 to "
                                            "{}",
-                                           v, surface.vertices() - 1));
+                                           v, surface.vertices() - 1),
+                               {.vertices = {v}});
         reached[metric.component[v]] = true;
     }
     for (Index v = 0; v < surface.vertices(); ++v)
         if (!reached[metric.component[v]])
             throw InvalidInput(fmt::format("no source is connected to vertex {}: give every "
                                            "component of the surface a source",
-                                           v));
+                                           v),
+                               {.vertices = {v}});
 }
 
 void check_time_scale(double time_scale) {

@@ -47,7 +47,8 @@ auto explaining_failure(const GluedSurface& surface, const SurfaceMetric& metric
     } catch (const OutOfMemory&) {
         throw; // no angle is its cause
     } catch (const SolverFailure& failure) {
-        throw SolverFailure(explained(surface, metric, failure.what()));
+        throw SolverFailure(explained(surface, metric, failure.what()), failure.report(),
+                            failure.place());
     }
 }
 

@@ -26,15 +26,20 @@ void check_orientation(const GluedSurface& surface) {
             throw InvalidInput(fmt::format("the surface is one-sided: a way across edge {} (from "
                                            "vertex {} to {}) leads back with left and right "
                                            "exchanged. Angles need a surface with two sides",
-                                           e, surface.first_vertex(e), surface.last_vertex(e)));
+                                           e, surface.first_vertex(e), surface.last_vertex(e)),
+                               {.degree = 1,
+                                .cells = {e},
+                                .vertices = {surface.first_vertex(e), surface.last_vertex(e)}});
         if (!coherent && incoherent < 0)
             incoherent = e;
     }
     if (incoherent >= 0)
-        throw InvalidInput(fmt::format(
-            "triangles {} and {} at edge {} are not oriented alike: reverse one of them",
-            surface.halfedges(incoherent)[0] / 3, surface.halfedges(incoherent)[1] / 3,
-            incoherent));
+        throw InvalidInput(
+            fmt::format(
+                "triangles {} and {} at edge {} are not oriented alike: reverse one of them",
+                surface.halfedges(incoherent)[0] / 3, surface.halfedges(incoherent)[1] / 3,
+                incoherent),
+            {.degree = 1, .cells = {incoherent}});
 }
 
 /// For every vertex, a half-edge from it that has no other one before, or else the first.
@@ -109,7 +114,8 @@ TangentFrames tangent_frames(const GluedSurface& surface, const Vector& lengths)
             throw InvalidInput(fmt::format("the triangles around vertex {} are several fans (the "
                                            "first has {} of {} corners): split the vertex, one "
                                            "for each fan",
-                                           v, around.halfedges.size(), corners[v]));
+                                           v, around.halfedges.size(), corners[v]),
+                               {.vertices = {v}});
         measure(surface, metric, v, around, frames);
     }
     return frames;
