@@ -100,8 +100,11 @@ std::vector<Index> corners(const CellComplex& complex, Index cell) {
         const auto way = std::lower_bound(ways.begin(), ways.end(), std::pair{v, Index{-1}});
         v = way != ways.end() && way->first == v ? way->second : -1;
         if (v < 0 || (v == walk_from) != (walk.size() == ways.size()))
-            throw InvalidInput(fmt::format(
-                "the boundary of 2-cell {} is no simple circle: its corners have no order", cell));
+            throw InvalidInput(
+                fmt::format(
+                    "the boundary of 2-cell {} is no simple circle: its corners have no order",
+                    cell),
+                {.degree = 2, .cells = {cell}});
     }
     return walk;
 }

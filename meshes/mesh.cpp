@@ -20,10 +20,14 @@ void check_facet_tags(const Mesh& mesh) {
     for (Eigen::Index facet = 0; facet < facets.rows(); ++facet) {
         const auto vertices = facets.row(facet);
         if (vertices.minCoeff() < 0 || vertices.maxCoeff() >= mesh.points.rows())
-            throw InvalidInput(fmt::format(
-                "facet {} of those with tags (vertices {}) names a vertex that is not among the {} "
-                "given\nVertices are numbered from 0.",
-                facet, fmt::join(vertices.begin(), vertices.end(), " "), mesh.points.rows()));
+            throw InvalidInput(fmt::format("facet {} of those with tags (vertices {}) names a "
+                                           "vertex that is not among the {} given\n"
+                                           "Vertices are numbered from 0.",
+                                           facet, fmt::join(vertices.begin(), vertices.end(), " "),
+                                           mesh.points.rows()),
+                               {.degree = mesh.dimension() - 1,
+                                .cells = {static_cast<Index>(facet)},
+                                .vertices = {vertices.begin(), vertices.end()}});
     }
 }
 

@@ -58,7 +58,8 @@ std::vector<Index> ends(const CellComplex& complex, Index edge) {
     for (IncidenceMatrix::InnerIterator end(complex.coboundary(0), edge); end; ++end)
         list.push_back(static_cast<Index>(end.col()));
     if (list.size() != 2)
-        throw InvalidInput(fmt::format("edge {} is a loop: it cannot be drawn", edge));
+        throw InvalidInput(fmt::format("edge {} is a loop: it cannot be drawn", edge),
+                           {.degree = 1, .cells = {edge}});
     return list;
 }
 

@@ -50,7 +50,6 @@ std::vector<Door> doors_of_complexes(const Sample& s) {
 
 std::vector<Door> doors_of_operators(const Sample& s) {
     const int n = s.n();
-    const auto ones = [&s](int k) { return Vector(Vector::Ones(s.P().size(k))); };
     return {
         {"derivative", -1, n, [=, &s](int k) { derivative(s.P(), k); }},
         {"dual_derivative", -1, n, [=, &s](int j) { dual_derivative(s.P(), j); }},
