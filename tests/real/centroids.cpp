@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+//
+// Duals between centroids on every mesh that lies below the folder of test data.
+#include "dec/discretization.h"
+#include "dec/forms/star.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+namespace polydec::test {
+namespace {
+
+constexpr double rounding = 1e-12;
+
+double binomial(int n, int k) {
+    return k == 0 ? 1 : binomial(n, k - 1) * (n - k + 1) / k;
+}
+
+/// How far the sum of |s||*s| over k-cells is from `times` |K|, relative.
+double partition_defect(const CellVolumes& volumes, int k, double times) {
+    const double whole = volumes.primal(volumes.dimension()).sum();
+    return std::abs(volumes.primal(k).dot(volumes.dual(k)) / whole - times) / times;
+}
+
+void expect_positive_duals(const CellVolumes& volumes) {
+    const int n = volumes.dimension();
+    for (int k = 0; k <= n; ++k) {
+        EXPECT_LE(partition_defect(volumes, k, binomial(n, k)), rounding) << "k = " << k;
+        if (0 < k && k < n) {
+            EXPECT_GT(partition_defect(volumes, k, 1), 0.1) << "of so many parts";
+        }
+        EXPECT_GT(volumes.dual(k).minCoeff(), 0) << "k = " << k;
+        EXPECT_TRUE(zero_star_cells(volumes, k).empty()) << "k = " << k;
+        const Vector diagonal = star(volumes, k);
+        EXPECT_TRUE(diagonal.allFinite() && diagonal.minCoeff() > 0) << "k = " << k;
+    }
+}
+
+/// The files there are, those among them that hold meshes, and on how many of these circumcenters
+/// would make a dual negative.
+struct Counts {
+    int files = 0, meshes = 0, negative = 0;
+};
+
+bool circumcenters_fail(const Discretization& mesh) {
+    const auto volumes = circumcentric_volumes(mesh.input(), mesh.input_metric());
+    for (int k = 0; k < mesh.dimension(); ++k)
+        if (!negative_star_cells(volumes, k).empty())
+            return true;
+    return false;
+}
+
+void check_file(const std::filesystem::path& path, Counts& counts) {
+    Mesh mesh;
+    std::optional<Discretization> made;
+    const auto reading = tests::error_of([&] { mesh = read_mesh(path); });
+    if (!reading.empty()) {
+        EXPECT_TRUE(path.string().find("/bad/") != std::string::npos) << reading;
+        EXPECT_TRUE(reading.starts_with("InvalidInput: ") || reading.starts_with("IoError: "))
+            << reading;
+        return;
+    }
+    const auto making =
+        tests::error_of([&] { made = discretize(mesh, {.centers = Centers::centroids()}); });
+    if (!made) {
+        EXPECT_TRUE(making.starts_with("InvalidInput: ")) << making;
+        EXPECT_NE(making.find("without"), std::string::npos) << making;
+        return;
+    }
+    ++counts.meshes;
+    counts.negative += circumcenters_fail(*made);
+    expect_positive_duals(made->volumes());
+}
+
+TEST(RealCentroids, give_positive_duals_that_fill_every_mesh) {
+    Counts counts;
+    for (const auto& path : tests::test_data("."))
+        if (path.extension() != ".md") {
+            SCOPED_TRACE(path.string());
+            ++counts.files;
+            check_file(path, counts);
+        }
+    if (counts.files == 0)
+        GTEST_SKIP() << "POLYDEC_TEST_DATA has no meshes";
+    RecordProperty("files", counts.files);
+    RecordProperty("meshes", counts.meshes);
+    EXPECT_GT(counts.meshes, counts.files / 2);
+    EXPECT_GT(counts.negative, counts.meshes / 2) << "between circumcenters";
+}
+
+} // namespace
+} // namespace polydec::test
