@@ -217,7 +217,7 @@ Discretization measured(Given given, MergeOptions options, const Stage& stage) {
 } // namespace
 
 struct Discretization::Lift {
-    std::once_flag made;
+    std::mutex making; // not call_once, through which glibc cannot unwind when memory is short
     std::vector<SparseMatrix> matrices;
 };
 
@@ -243,8 +243,9 @@ Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
 }
 
 const std::vector<SparseMatrix>& Discretization::lift() const& {
-    std::call_once(lift_->made,
-                   [&] { lift_->matrices = commuting_lift(merging(), metric(), piece_volumes()); });
+    const std::lock_guard lock(lift_->making);
+    if (lift_->matrices.empty())
+        lift_->matrices = commuting_lift(merging(), metric(), piece_volumes());
     return lift_->matrices;
 }
 
