@@ -81,7 +81,7 @@ Operators whole_way(const std::filesystem::path& from, const std::filesystem::pa
     stages.next("6_poisson");
     PoissonSolver solver(cells);
     const Vector u =
-        solver.solve(solver.sites().col(0), Vector::Zero(solver.boundary_sites().rows()));
+        solver.solve(solver.sites().col(0), Vector::Zero(solver.boundary_sites().rows())).values;
     stages.next("7_write");
     auto grid = draw_cells(cells, 0);
     add_cochain(grid, cells.complex(), 0, "u", u);

@@ -33,7 +33,7 @@ void triple_product_row(benchmark::State& state, const LazyMesh& mesh) {
     const Vector weights = star(volumes, 1);
     compare(
         state, {mesh.amount().cells, bytes(complex.coboundary(0)) + 2 * bytes(weights)},
-        [&] { return symmetric_laplacian(complex, volumes, 0); },
+        [&] { return symmetric_laplacian(complex, volumes, 0).matrix(); },
         [&] {
             const SparseMatrix T = D.transpose();
             return SparseMatrix(T * (weights.asDiagonal() * D));
