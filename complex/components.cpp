@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "complex/components.h"
 
+#include "base/checks.h"
 #include "complex/disjoint_sets.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
 
 namespace polydec {
 
@@ -38,7 +43,14 @@ Components graph_components(const CellComplex& complex, Vertex has_vertex, Edge 
 
 } // namespace
 
+void check_marks(const CellComplex& complex, const CellMarks& marks) {
+    check_as_many("lists of marked cells", std::ssize(marks), complex.dimension() + 1);
+    for (int k = 0; k <= complex.dimension(); ++k)
+        check_as_many(fmt::format("marks of {}-cells", k), std::ssize(marks[k]), complex.size(k));
+}
+
 void mark_faces(const CellComplex& complex, CellMarks& marks) {
+    check_marks(complex, marks);
     for (int k = complex.dimension(); k > 0; --k) {
         for (Index t = 0; t < complex.size(k); ++t)
             for (IncidenceMatrix::InnerIterator s(complex.coboundary(k - 1), t); marks[k][t] && s;

@@ -8,7 +8,11 @@ namespace polydec {
 /// Which cells of each degree 0..n belong to something: marks[k][s].
 using CellMarks = std::vector<std::vector<bool>>;
 
-/// Marks with each cell all its faces, also those that cancel in its row of d. Linear time.
+/// Throws InvalidInput, naming the degree, unless there is a mark for each cell.
+void check_marks(const CellComplex& complex, const CellMarks& marks);
+
+/// Marks with each cell all its faces, also those that cancel in its row of d. Linear time. Throws
+/// like check_marks.
 void mark_faces(const CellComplex& complex, CellMarks& marks);
 
 /// The cells of the boundary: facets with one coface, and their faces of every degree.

@@ -15,15 +15,6 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 
-void check_marks(const CellComplex& complex, const CellMarks& dropped) {
-    for (int k = 0; k <= complex.dimension(); ++k)
-        if (static_cast<int>(dropped.size()) <= k ||
-            static_cast<Index>(dropped[k].size()) != complex.size(k))
-            throw InvalidInput(fmt::format("a relative complex needs to be told of each of the {} "
-                                           "{}-cells whether it is dropped",
-                                           complex.size(k), k));
-}
-
 /// Calls visit(k, s, t) for every k-cell s that is a face of t.
 template <class Visit>
 void for_each_incidence(const CellComplex& complex, Visit visit) {

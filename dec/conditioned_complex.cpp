@@ -2,6 +2,7 @@
 #include "dec/conditioned_complex.h"
 
 #include "dec/facets_without_dual.h"
+#include "dec/forms/cochain.h"
 
 #include <utility>
 
@@ -46,6 +47,7 @@ ConditionedComplex conditioned(const CellComplex& complex, const CellVolumes& vo
                                int degree, const BoundaryConditions& conditions,
                                Marks without_dual) {
     check_fit(complex, volumes);
+    cell_degree(complex, side, degree); // which there must be
     const bool densities = side == Side::primal && degree == complex.dimension();
     const bool leaves_duals_out = side == Side::dual || densities;
     const auto left_out =

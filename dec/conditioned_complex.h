@@ -21,7 +21,8 @@ struct ConditionedComplex {
 /// cofaces: the duals of these cells lie on the boundary, where dual forms are 0.
 /// Primal n-forms are the stars of dual 0-forms, which do without the duals of boundary facets. Of
 /// any cells, boundary facets are without dual where their star is zero.
-/// Linear time. Throws InvalidInput if there are conditions but not one for each facet.
+/// Linear time. Throws InvalidInput if there are no forms of that degree, and if there are
+/// conditions but not one for each facet.
 ConditionedComplex conditioned_complex(const CellComplex& complex, const CellVolumes& volumes,
                                        Side side, int degree, const BoundaryConditions& conditions);
 ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,

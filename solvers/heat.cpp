@@ -57,10 +57,12 @@ HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space
     A = mass_.asDiagonal() * A;
     A += implicit_part * stiffness_;
     solver_ = make_linear_solver(options.linear_solver);
-    solver_->factorize(A, {.symmetry = Symmetry::symmetric,
-                           .definiteness = Definiteness::positive,
-                           .domain_dimension = complex.dimension(),
-                           .many_solves = true});
+    const bool definite = laplacian_definiteness(volumes, k) == Definiteness::semidefinite;
+    solver_->factorize(
+        A, {.symmetry = Symmetry::symmetric,
+            .definiteness = definite ? Definiteness::positive : Definiteness::indefinite,
+            .domain_dimension = complex.dimension(),
+            .many_solves = true});
 }
 
 Cochain HeatSolver::step(const Cochain& form) const {

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace polydec {
 
@@ -39,14 +40,17 @@ std::string list_facets(const TaggedSimplices& facets, const std::vector<Index>&
 std::vector<Index> tags_of_cells(const SimplicialComplex& complex, const std::vector<Index>& tags) {
     if (tags.empty())
         return {};
+    const Index size = complex.size(complex.dimension());
+    check_as_many("tags of cells", std::ssize(tags), size);
     std::vector<Index> result;
-    for (Index t = 0; t < complex.size(complex.dimension()); ++t)
+    for (Index t = 0; t < size; ++t)
         result.push_back(tags[complex.input_row(t)]);
     return result;
 }
 
 std::vector<Index> tags_of_facets(const SimplicialComplex& complex, const TaggedSimplices& facets,
                                   std::vector<std::string>& warnings) {
+    check_as_many("tags of facets", std::ssize(facets.tags), facets.simplices.rows());
     if (facets.tags.empty())
         return {};
     const Index size = complex.size(complex.dimension() - 1);

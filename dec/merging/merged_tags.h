@@ -11,11 +11,13 @@
 namespace polydec {
 
 /// Of each n-simplex of the complex the tag of its row in the input; or empty, if `tags` is.
+/// Throws InvalidInput for another number of tags.
 std::vector<Index> tags_of_cells(const SimplicialComplex& complex, const std::vector<Index>& tags);
 
 /// Of each (n-1)-simplex of the complex its tag, 0 for none; or empty, if `facets` are. Facets
 /// that no cell has are left out, and of a facet that is there several times the first one counts;
-/// warnings tell of both. Time O(facets log(size(n-1))).
+/// warnings tell of both. Time O(facets log(size(n-1))). Throws InvalidInput for another number of
+/// tags.
 std::vector<Index> tags_of_facets(const SimplicialComplex& complex, const TaggedSimplices& facets,
                                   std::vector<std::string>& warnings);
 

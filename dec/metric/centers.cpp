@@ -46,6 +46,7 @@ void Centers::check_fit(const Pieces& complex) const {
 
 Points center_coordinates(const Pieces& complex, const SimplexMetric& metric,
                           const Centers& centers, int k) {
+    check_number("the centers of simplices of degree", k, 0, complex.dimension());
     centers.check_fit(complex);
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;

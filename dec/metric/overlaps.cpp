@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/overlaps.h"
 
+#include "base/checks.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "complex/disjoint_sets.h"
@@ -194,6 +195,7 @@ std::vector<Index> find_wound(const Pieces& complex, const std::vector<Sight>& s
 } // namespace
 
 Overlaps find_overlaps(const Pieces& complex, const Points& all) {
+    check_as_many("points", all.rows(), complex.size(0));
     const auto axes = varying_coordinates(all);
     if (static_cast<int>(axes.size()) != complex.dimension())
         return {};

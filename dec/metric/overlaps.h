@@ -25,6 +25,7 @@ struct Overlaps {
 /// folds is found; at the boundary those that these directions meet. What is no more than rounding
 /// (a cell that is flat to the last digits) speaks neither for nor against. Linear time; products
 /// of n lengths must be ordinary numbers. Empty unless n coordinates vary.
+/// Throws InvalidInput unless there is a point for each vertex.
 Overlaps find_overlaps(const Pieces& complex, const Points& points);
 
 } // namespace polydec

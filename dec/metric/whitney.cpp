@@ -57,6 +57,7 @@ std::vector<std::vector<int>> subsets(int count, int size) {
 DenseMatrix whitney_mass(const Points& points, std::span<const Index> vertices, int j) {
     const auto m = static_cast<int>(vertices.size()) - 1;
     check_number("the mass matrix of Whitney forms of degree", j, 0, m);
+    check_number("a simplex between points, of dimension", m, 0, points.cols());
     for (const Index v : vertices)
         check_number("the point", v, 0, points.rows() - 1);
     const DenseMatrix gradients = barycentric_gradients(points, vertices);

@@ -49,7 +49,17 @@ Vector Passage::turned(int k, Vector values) const {
     return k == 1 ? Vector(flipped_->directions.cwiseProduct(values)) : values;
 }
 
+namespace {
+
+void check_values(const Pieces& cells, int k, Eigen::Index given) {
+    check_number("a cochain of degree", k, 0, cells.dimension());
+    check_as_many(fmt::format("values on {}-cells", k), given, cells.size(k));
+}
+
+} // namespace
+
 DenseMatrix Passage::forth(int k, const DenseMatrix& values) const {
+    check_values(input_, k, values.rows());
     if (!flipped_)
         return values;
     DenseMatrix result(pieces_.size(k), values.cols());
@@ -59,9 +69,9 @@ DenseMatrix Passage::forth(int k, const DenseMatrix& values) const {
 }
 
 DenseMatrix Passage::back(int k, const DenseMatrix& values) const {
+    check_values(pieces_, k, values.rows());
     if (!flipped_)
         return values;
-    check_as_many(fmt::format("values on {}-cells", k), values.rows(), pieces_.size(k));
     DenseMatrix result(input_.size(k), values.cols());
     for (Eigen::Index c = 0; c < values.cols(); ++c)
         result.col(c) = flipped_->flips.history.carry_back(k, turned(k, values.col(c)));
@@ -69,6 +79,7 @@ DenseMatrix Passage::back(int k, const DenseMatrix& values) const {
 }
 
 SparseMatrix Passage::matrix(int k) const {
+    check_number("the passage of cochains of degree", k, 0, pieces_.dimension());
     if (flipped_)
         return turned(k, Vector::Ones(pieces_.size(k))).asDiagonal() *
                flipped_->flips.history.matrix(k);
@@ -78,6 +89,7 @@ SparseMatrix Passage::matrix(int k) const {
 }
 
 SparseMatrix Passage::matrix_back(int k) const {
+    check_number("the passage of cochains of degree", k, 0, pieces_.dimension());
     if (flipped_)
         return flipped_->flips.history.matrix_back(k) *
                turned(k, Vector::Ones(pieces_.size(k))).asDiagonal();

@@ -24,4 +24,12 @@ void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int 
         {.degree = k, .cells = volumes.numbers(k, bad)});
 }
 
+Definiteness laplacian_definiteness(const CellVolumes& volumes, int k) {
+    const auto positive = [&](int j) {
+        return j < 0 || j > volumes.dimension() || (volumes.dual(j).array() >= 0).all();
+    };
+    return positive(k - 1) && positive(k + 1) ? Definiteness::semidefinite
+                                              : Definiteness::indefinite;
+}
+
 } // namespace polydec

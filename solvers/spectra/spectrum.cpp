@@ -17,12 +17,7 @@ namespace polydec {
 
 namespace {
 
-void check_degree(const CellComplex& complex, const SpectrumOptions& options, int k) {
-    if (k < 0 || k > complex.dimension())
-        throw InvalidInput(fmt::format("{} forms of degree {} asked for: in dimension {} the "
-                                       "degrees are 0 to {}",
-                                       name(options.side), options.degree, complex.dimension(),
-                                       complex.dimension()));
+void check_count(const CellComplex& complex, const SpectrumOptions& options, int k) {
     if (complex.size(k) == 0)
         throw InvalidInput(
             fmt::format("{} {}-forms have no eigenvalues here: with these conditions "
@@ -35,22 +30,12 @@ void check_degree(const CellComplex& complex, const SpectrumOptions& options, in
                                        complex.size(k), k, complex.size(k)));
 }
 
-/// The Laplacian is semidefinite for sure if the stars around it are positive.
-Definiteness definiteness(const CellVolumes& volumes, int k) {
-    const auto positive = [&](int j) {
-        return j < 0 || j > volumes.dimension() || (volumes.dual(j).array() >= 0).all();
-    };
-    return positive(k - 1) && positive(k + 1) ? Definiteness::semidefinite
-                                              : Definiteness::indefinite;
-}
-
 } // namespace
 
 Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
                   const SpectrumOptions& options) {
-    const int k =
-        options.side == Side::primal ? options.degree : complex.dimension() - options.degree;
-    check_degree(complex, options, k);
+    const int k = cell_degree(complex, options.side, options.degree);
+    check_count(complex, options, k);
     check_fit(complex, volumes);
     check_positive_mass(volumes, options.side, options.degree, k);
 
@@ -61,7 +46,7 @@ Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
                                  .eigen_solver = options.eigen_solver,
                                  .certification = options.certification,
                                  .domain_dimension = complex.dimension(),
-                                 .definiteness = definiteness(volumes, k),
+                                 .definiteness = laplacian_definiteness(volumes, k),
                                  .zeros = betti_numbers(complex)[k],
                                  .progress = options.progress});
     auto pairs = solver.smallest(options.count);

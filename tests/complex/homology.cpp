@@ -165,10 +165,13 @@ TEST(RelativeComplexes, refuse_a_set_that_is_not_closed) {
     marks[0][0] = false;
     EXPECT_EQ(refusal([&] { relative_complex(P, marks); }),
               "the 1-cell 0 is to be dropped but not its face, the 0-cell 0: drop both or none");
+    marks[2].pop_back();
+    const std::string too_few = "15 marks of 2-cells are given: expected 16";
+    EXPECT_EQ(refusal([&] { relative_complex(P, marks); }), too_few);
+    EXPECT_EQ(refusal([&] { mark_faces(P, marks); }), too_few);
     marks.pop_back();
-    EXPECT_EQ(refusal([&] { relative_complex(P, marks); }),
-              "a relative complex needs to be told of each of the 16 2-cells whether it is "
-              "dropped");
+    EXPECT_EQ(refusal([&] { mark_faces(P, marks); }),
+              "2 lists of marked cells are given: expected 3");
 }
 
 /// Everything that touches a vertex.

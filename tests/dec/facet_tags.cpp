@@ -197,6 +197,16 @@ TEST(FacetTags, pieces_of_different_groups_have_none_together) {
     EXPECT_TRUE(one.warnings().empty());
 }
 
+TEST(FacetTags, and_tags_of_cells_are_one_for_each) {
+    const SimplicialComplex K(grid(1, 1).simplices);
+    std::vector<std::string> warnings;
+    EXPECT_EQ(refusal([&] { tags_of_cells(K, {1}); }), "1 tags of cells are given: expected 2");
+    EXPECT_EQ(refusal([&] {
+                  tags_of_facets(K, {K.simplices(1), {1, 2}}, warnings);
+              }),
+              "2 tags of facets are given: expected 5");
+}
+
 TEST(FacetTags, flips_leave_none) {
     const Mesh mesh = with_facet_tags(mesh_named("grid4"), 2, 2);
     EXPECT_TRUE(discretize(mesh, {.delaunay = Delaunay::flips}).facet_tags().empty());

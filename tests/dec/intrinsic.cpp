@@ -319,9 +319,13 @@ TEST(IntrinsicDelaunay, forms_of_another_size_or_degree_are_refused) {
               "3 values on 1-cells are given: expected 270");
     const std::string first = ": the first surface has 92 vertices, 270 edges and 180 triangles";
     EXPECT_EQ(refusal([&] { mesh.passage().forth(0, Vector::Zero(3)); }),
-              "3 values are given for a 0-form" + first);
+              "3 values on 0-cells are given: expected 92");
     EXPECT_EQ(refusal([&] { mesh.passage().matrix(3); }),
-              "0 values are given for a 3-form" + first);
+              "the passage of cochains of degree 3 is asked for: expected 0 to 2");
+    const auto& history = mesh.passage().flips().history;
+    EXPECT_EQ(refusal([&] { history.carry(0, Vector::Zero(3)); }),
+              "3 values are given for a 0-form" + first);
+    EXPECT_EQ(refusal([&] { history.matrix(3); }), "0 values are given for a 3-form" + first);
     EXPECT_EQ(refusal([] { discretize(mesh_named("icosphere3")).passage().flips(); }),
               "what edges were flipped is asked for, but no edges were flipped: take "
               "MergeOptions::delaunay");

@@ -6,6 +6,7 @@
 #include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -163,6 +164,13 @@ TEST(Overlapping, is_not_concluded_from_a_cell_that_is_flat_but_for_rounding) {
                                    {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {1, 0, 4}}))
                       .folded,
                   Cells{});
+}
+
+TEST(Overlapping, is_looked_for_between_points_of_all_vertices) {
+    const Mesh mesh = grid(2, 2);
+    const SimplicialComplex K(mesh.simplices);
+    EXPECT_EQ(refusal([&] { find_overlaps(K, mesh.points.topRows(8)); }),
+              "8 points are given: expected 9");
 }
 
 TEST(Discretize, tells_of_folds_and_windings) {

@@ -201,6 +201,18 @@ TEST(OnAFlippedSquare, products_of_constant_dual_forms_are_exact) {
     EXPECT_GT(relative_difference(product, 7 * mesh.input_volumes().dual(0)), 1e-2);
 }
 
+TEST(WithoutFlips, the_passage_takes_cochains_of_the_simplices_alone) {
+    const auto mesh = discretize(grid(2, 2));
+    const auto& passage = mesh.passage();
+    const Vector values = Vector::Ones(mesh.input().size(1));
+    EXPECT_EQ(passage.forth(1, values), values);
+    const std::string other = "16 values on 0-cells are given: expected 9";
+    EXPECT_EQ(refusal([&] { passage.forth(0, values); }), other);
+    EXPECT_EQ(refusal([&] { passage.back(0, values); }), other);
+    EXPECT_NE(refusal([&] { passage.matrix(3); }), "accepted");
+    EXPECT_NE(refusal([&] { passage.matrix_back(-1); }), "accepted");
+}
+
 std::string with_delaunay(const testing::TestParamInfo<std::tuple<std::string, Delaunay>>& info) {
     const auto& [name, delaunay] = info.param;
     return name + (delaunay == Delaunay::flips ? "_flips" : "_splits");

@@ -143,7 +143,8 @@ TEST_P(FieldsAfterFlips, have_dual_integrals_that_keep_the_theorem_of_Stokes) {
 
 /// Whether the surface is flat with its points in a plane: not where shaking has folded it.
 bool is_flat_surface(const Discretization& mesh) {
-    return mesh.points().cols() == 2 && find_overlaps(mesh.input(), mesh.points()).folded.empty();
+    return mesh.points().cols() == 2 &&
+           find_overlaps(mesh.input(), mesh.input_points()).folded.empty();
 }
 
 TEST_P(FieldsAfterFlips, that_are_constant_come_back_from_sharps_where_the_surface_is_flat) {

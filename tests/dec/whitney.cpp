@@ -4,6 +4,7 @@
 #include "tests/support/forms.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -106,6 +107,14 @@ TEST(WhitneyMass, of_functions_and_top_forms_is_the_textbook_one) {
         EXPECT_TRUE(simplex.mass(0).isApprox(expected, 1e-10));
         EXPECT_NEAR(simplex.mass(m)(0, 0) * V, 1, 1e-9);
     }
+}
+
+TEST(WhitneyMass, is_refused_where_there_are_fewer_coordinates_than_dimensions) {
+    const std::vector<Index> corners{0, 1, 2};
+    for (const int coordinates : {0, 1})
+        EXPECT_EQ(refusal([&] { whitney_mass(Points::Random(3, coordinates), corners, 1); }),
+                  "a simplex between points, of dimension 2 is asked for: expected 0 to " +
+                      std::to_string(coordinates));
 }
 
 TEST(Subsets, are_all_and_in_lexicographic_order) {

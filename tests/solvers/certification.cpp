@@ -226,9 +226,11 @@ TEST(SpectrumRefuses, counts_that_cannot_be_had) {
 
 TEST(SpectrumRefuses, degrees_that_there_are_not) {
     EXPECT_EQ(refusal("grid4", {.degree = 3}),
-              "primal forms of degree 3 asked for: in dimension 2 the degrees are 0 to 2");
+              "primal forms and chains of degree 3 are asked for: in dimension 2 the degrees are 0 "
+              "to 2");
     EXPECT_EQ(refusal("kuhn3", {.side = Side::dual, .degree = -1}),
-              "dual forms of degree -1 asked for: in dimension 3 the degrees are 0 to 3");
+              "dual forms and chains of degree -1 are asked for: in dimension 3 the degrees are 0 "
+              "to 3");
 }
 
 TEST(SpectrumRefuses, masses_that_are_not_positive) {

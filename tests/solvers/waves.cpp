@@ -3,7 +3,9 @@
 #include "dec/discretization.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/star.h"
+#include "dec/operators.h"
 #include "meshes/generate.h"
+#include "meshes/rearrange.h"
 #include "solvers/heat.h"
 #include "solvers/hodge.h"
 #include "solvers/leapfrog.h"
@@ -253,6 +255,19 @@ TEST(HeatOrders, are_1_and_2_in_time) {
     for (const auto& [scheme, order] :
          {std::pair{HeatScheme::backward_euler, 1.0}, {HeatScheme::crank_nicolson, 2.0}})
         EXPECT_NEAR(std::log2(error(scheme, 20) / error(scheme, 40)), order, 0.1);
+}
+
+TEST(Heat, flows_where_duals_of_facets_are_negative) {
+    const auto mesh = discretize(perturbed(grid(4, 4), 0.08, 3), {MergeCriterion::none});
+    ASSERT_FALSE(negative_star_cells(mesh.volumes(), 1).empty());
+    const Cochain u{Side::dual, 0, random_vector(mesh.complex().size(2), 1)};
+    for (const char* engine : {"eigen.ldlt", "auto"}) {
+        const HeatSolver solver(mesh, Side::dual, 0, {.time_step = 0.01, .linear_solver = engine});
+        const Cochain next = solver.step(u);
+        const Vector change = next.values + 0.01 * (dual_laplacian(mesh, 0) * next.values);
+        EXPECT_LE(relative_difference(change, u.values), 1e-9) << engine;
+        EXPECT_GT(relative_difference(next.values, u.values), 1e-2) << "nothing flows";
+    }
 }
 
 TEST(WaveErrors, name_what_is_wrong) {
