@@ -90,8 +90,9 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
         {"cell_centroids", 0, n,
          [=, &s, &mesh](int k) { cell_centroids(mesh.merging(), mesh.points(), s.W(), k); }},
         {"cell_centers of a bundle", 0, n, [=, &s, &mesh](int k) { cell_centers(mesh, k); }},
-        {"cell_centers after flips", 0, 2, [](int k) { cell_centers(flipped(), k); }},
-        {"cell_vertices after flips", 0, 2, [](int k) { cell_vertices(flipped(), k, 0); }},
+        {"cell_centers after flips", 0, 2, [](int k) { cell_centers(sample("flipped").mesh, k); }},
+        {"cell_vertices after flips", 0, 2,
+         [](int k) { cell_vertices(sample("flipped").mesh, k, 0); }},
         {"dual_parts, k", 0, n,
          [=, &s, &mesh](int k) { dual_parts(s.K(), mesh.metric(), s.W(), k, n); }},
         {"dual_parts, m", 0, n,
@@ -158,7 +159,7 @@ std::vector<Door> doors_of_forms(const Sample& s) {
 }
 
 std::vector<Door> doors_of_flips() {
-    const auto& passage = flipped().passage();
+    const auto& passage = sample("flipped").mesh.passage();
     const auto& history = passage.flips().history;
     const auto size = [&](int k) { return passage.pieces().size(k); };
     return {
@@ -194,11 +195,11 @@ TEST(doors, a_degree_that_there_is_not_is_refused_by_every_function) {
         expect_doors_to_hold(doors_of_the_metric(sample), sample.name);
         expect_doors_to_hold(doors_of_forms(sample), sample.name);
     }
-    expect_doors_to_hold(doors_of_flips(), "a flipped sphere");
+    expect_doors_to_hold(doors_of_flips(), "a flipped square");
 }
 
 TEST(doors, degrees_that_there_are_are_taken_where_stars_are_positive) {
-    const Sample& sphere = samples()[4];
+    const Sample& sphere = sample("a sphere");
     for (const auto& doors :
          {doors_of_complexes(sphere), doors_of_operators(sphere), doors_of_the_metric(sphere),
           doors_of_forms(sphere), doors_of_flips()})

@@ -15,52 +15,95 @@ struct Sample {
     std::string name;
     Discretization mesh;
 
-    explicit Sample(std::string title, const Mesh& input)
-        : name(std::move(title)), mesh(discretize(input)) {}
+    Sample(std::string title, const Mesh& input, const MergeOptions& options = {})
+        : name(std::move(title)), mesh(discretize(input, options)) {}
+    Sample(std::string title, Discretization made)
+        : name(std::move(title)), mesh(std::move(made)) {}
 
     int n() const { return mesh.dimension(); }
+    Index size(int k) const { return mesh.complex().size(k); }
     const SimplicialComplex& K() const { return mesh.input(); }
     const CellComplex& P() const { return mesh.complex(); }
     const CellVolumes& V() const { return mesh.volumes(); }
     const CellVolumes& W() const { return mesh.input_volumes(); }
+    const Pieces& pieces() const { return mesh.pieces(); }
+    const CellVolumes& piece_volumes() const { return mesh.piece_volumes(); }
+    bool has_points() const { return mesh.points().cols() > 0; }
 };
 
-inline const std::vector<Sample>& samples() {
-    static const std::vector<Sample> all = [] {
-        std::vector<Sample> made;
-        made.emplace_back("an interval", kuhn(1, 3));
-        made.emplace_back("a merged square", kuhn(2, 2));
-        made.emplace_back("a merged cube", kuhn(3, 2));
-        made.emplace_back("triangles", well_centered(3));
-        made.emplace_back("a sphere", icosphere(2));
-        made.emplace_back("four dimensions", kuhn(4, 1));
-        return made;
-    }();
-    return all;
-}
+/// Merged meshes of dimension 1 to 4; then one of each kind: simplices as they are, with vertices
+/// that no cell uses, of which lengths alone are known, with tags, with centroids, flipped, flipped
+/// and split.
+const std::vector<Sample>& samples();
 
-inline const Discretization& flipped() {
-    static const Discretization mesh = discretize(icosphere(2), {.delaunay = Delaunay::flips});
-    return mesh;
-}
+/// The one of a name.
+const Sample& sample(const std::string& name);
 
 /// A form of one value for each cell that would carry it.
-inline Cochain form(const Sample& s, Side side, int degree) {
-    return {side, degree, Vector::Ones(s.P().size(side == Side::primal ? degree : s.n() - degree))};
-}
+Cochain form(const Sample& s, Side side, int degree);
 
 /// What comes of a call: `refused` with InvalidInput, `accepted`, or another error.
-inline std::string outcome(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const InvalidInput&) {
-        return "refused";
-    } catch (const Error& error) {
-        return std::string("another error: ") + error.what();
-    } catch (const std::exception& error) {
-        return std::string("a foreign error: ") + error.what();
+std::string outcome(const std::function<void()>& call);
+
+/// What goes into one call. One of the inputs, counted in the order in which they are asked for,
+/// may be of another size than is asked for.
+class Inputs {
+public:
+    enum class Flaw { none, fewer, more, wider };
+
+    Inputs() = default;
+    Inputs(int which, Flaw flaw) : which_(which), flaw_(flaw) {}
+
+    /// Whether there was such an input.
+    bool flawed() const { return flawed_; }
+
+    /// Values that follow no pattern; a flawed one lacks a row, or has one or a column too many.
+    Vector vector(Eigen::Index size) { return matrix(size, 1); }
+    DenseMatrix matrix(Eigen::Index rows, Eigen::Index columns);
+    /// Points may have any number of coordinates: where they are flawed, there are too few or many.
+    Points points(Eigen::Index rows, Eigen::Index coordinates) {
+        return Inputs().matrix(matrix(rows, 1).size(), coordinates);
     }
-    return "accepted";
-}
+    SparseMatrix operator_matrix(Eigen::Index rows, Eigen::Index columns) {
+        return matrix(rows, columns).sparseView();
+    }
+    Cochain form(const Sample& s, Side side, int degree);
+    Cochain form_on(const CellComplex& complex, Side side, int degree);
+    Chain chain(const Sample& s, Side side, int degree);
+    int degree(int k);
+    template <class Item>
+    std::vector<Item> list(Eigen::Index size, Item item) {
+        return std::vector<Item>(static_cast<std::size_t>(matrix(size, 1).size()), item);
+    }
+
+private:
+    Flaw next();
+
+    int which_ = -1, asked_ = 0;
+    Flaw flaw_ = Flaw::none;
+    bool flawed_ = false;
+};
+
+/// What is wrong with an answer: "" where it is of the shape that it is to have and finite.
+std::string fit(const DenseMatrix& found, Eigen::Index rows, Eigen::Index columns = 1);
+std::string fit(const SparseMatrix& found, Eigen::Index rows, Eigen::Index columns);
+std::string fit(const Cochain& found, const CellComplex& complex, Side side, int degree);
+std::string fit(double found);
+std::string fit(bool right);
+
+/// A call of a public function: what is wrong with what it gives.
+struct Question {
+    std::string name;
+    std::function<std::string(Inputs& in)> ask;
+};
+
+/// Asks with right inputs, to which the answer must be right or InvalidInput, or right where
+/// `is_answered`; then with one input after the other flawed, which must be refused. What was not
+/// so, in words.
+std::vector<std::string> complaints(const Question& question, bool is_answered = false);
+
+/// Expects none of any question.
+void expect_answers(const std::vector<Question>& questions, const std::string& where,
+                    bool all_answered = false);
 
 } // namespace polydec::test

@@ -92,7 +92,7 @@ TEST(doors, values_of_another_number_than_the_cells_are_refused) {
 }
 
 TEST(doors, waves_and_systems_of_other_sizes_are_refused) {
-    const Sample& s = samples()[4];
+    const Sample& s = sample("a sphere");
     const Leapfrog waves(s.P(), s.V(), 0, 1e-3);
     Vector E = Vector::Zero(s.P().size(0)), B = Vector::Zero(s.P().size(1)), little(3);
     EXPECT_EQ(outcome([&] { waves.step(E, B); }), "accepted");
@@ -143,7 +143,7 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
 
 // A matrix where a vector is wanted: of several columns, of one type or another.
 TEST(doors, a_matrix_is_no_vector) {
-    const Sample& s = samples()[4];
+    const Sample& s = sample("a sphere");
     const Index size = s.P().size(0);
     const DenseMatrix three = DenseMatrix::Ones(size, 3);
     EXPECT_EQ(outcome([&] { check(s.P(), Cochain{Side::primal, 0, three}); }), "refused");
@@ -160,7 +160,7 @@ TEST(doors, a_matrix_is_no_vector) {
 }
 
 TEST(doors, several_problems_are_solved_as_one_by_one) {
-    const Sample& s = samples()[1];
+    const Sample& s = sample("a merged square");
     PoissonSolver solver(s.mesh);
     const auto places = solver.sites().rows();
     const DenseMatrix f = DenseMatrix::Random(places, 3), g = DenseMatrix::Random(places, 3);

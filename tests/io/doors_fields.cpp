@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+//
+// Every function of fields, products, solvers and pictures, asked of every kind of sample with
+// right inputs and with flawed ones: see expect_answers.
+#include "tests/io/doors.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+using Questions = std::vector<Question>;
+
+Index binomial(Index n, int k) {
+    return k == 0 ? 1 : n < k ? 0 : binomial(n - 1, k - 1) * n / k;
+}
+
+SmoothForm constant(int degree, Index coordinates) {
+    return [count = binomial(coordinates, degree)](const Vector&) {
+        return Vector(Vector::Ones(count));
+    };
+}
+
+Questions of_products(const Sample& s, int k, int l) {
+    const int n = s.n();
+    Questions all;
+    for (const auto weights : {WedgeWeights::uniform, WedgeWeights::circumcentric})
+        all.push_back({"wedge", [&s, k, l, weights](Inputs& in) {
+                           const auto a = in.form(s, Side::primal, k),
+                                      b = in.form(s, Side::primal, l);
+                           return fit(wedge(s.mesh, a, b, weights), s.P(), Side::primal, k + l);
+                       }});
+    all.push_back({"wedge of pieces", [&s, k, l](Inputs& in) {
+                       const auto a = in.form_on(s.pieces(), Side::primal, k),
+                                  b = in.form_on(s.pieces(), Side::primal, l);
+                       return fit(wedge(s.pieces(), a, b), s.pieces(), Side::primal, k + l);
+                   }});
+    all.push_back(
+        {"circumcentric_wedge", [&s, k, l](Inputs& in) {
+             const auto a = in.form_on(s.pieces(), Side::primal, k),
+                        b = in.form_on(s.pieces(), Side::primal, l);
+             return fit(circumcentric_wedge(s.pieces(), s.mesh.metric(), s.piece_volumes(), a, b),
+                        s.pieces(), Side::primal, k + l);
+         }});
+    all.push_back({"dual_wedge", [&s, k, l](Inputs& in) {
+                       const auto a = in.form(s, Side::dual, k), b = in.form(s, Side::dual, l);
+                       return fit(dual_wedge(s.mesh, a, b), s.P(), Side::dual, k + l);
+                   }});
+    if (k + l == n)
+        all.push_back({"primal_dual_wedge", [&s, k, l](Inputs& in) {
+                           const auto a = in.form(s, Side::primal, k),
+                                      b = in.form(s, Side::dual, l);
+                           return fit(primal_dual_wedge(s.P(), a, b), s.size(k));
+                       }});
+    return all;
+}
+
+Questions of_vector_fields(const Sample& s) {
+    const Index N = static_cast<Index>(s.mesh.points().cols());
+    const int n = s.n();
+    Questions all{
+        {"sharp_pp",
+         [&s, N](Inputs& in) {
+             return fit(sharp_pp(s.mesh, in.form(s, Side::primal, 1)), s.size(0), N);
+         }},
+        {"sharp_pd",
+         [&s, N, n](Inputs& in) {
+             return fit(sharp_pd(s.mesh, in.form(s, Side::primal, 1)), s.size(n), N);
+         }},
+        {"flux_sharp",
+         [&s, N, n](Inputs& in) {
+             return fit(flux_sharp(s.mesh, in.form(s, Side::primal, n - 1)), s.size(n), N);
+         }},
+    };
+    for (const Flat kind : {Flat::ppp, Flat::pdp, Flat::dpp, Flat::ppd, Flat::pdd, Flat::dpd}) {
+        const bool of_cells = kind == Flat::dpp || kind == Flat::dpd;
+        const bool to_dual = kind == Flat::ppd || kind == Flat::pdd || kind == Flat::dpd;
+        all.push_back({"flat", [&s, N, kind, of_cells, to_dual](Inputs& in) {
+                           const auto field = in.matrix(s.size(of_cells ? s.n() : 0), N);
+                           return fit(flat(s.mesh, kind, field), s.P(),
+                                      to_dual ? Side::dual : Side::primal, 1);
+                       }});
+    }
+    return all;
+}
+
+Questions of_fields(const Sample& s, int k) {
+    const Index N = static_cast<Index>(s.mesh.points().cols());
+    const int n = s.n();
+    return {
+        {"interior_product",
+         [&s, N, k](Inputs& in) {
+             const int degree = in.degree(k);
+             return fit(interior_product(s.mesh, in.matrix(s.size(0), N), degree, Sampling::upwind),
+                        s.size(k - 1), s.size(k));
+         }},
+        {"lie_derivative",
+         [&s, N, k](Inputs& in) {
+             const int degree = in.degree(k);
+             return fit(lie_derivative(s.mesh, in.matrix(s.size(0), N), degree, Sampling::centered),
+                        s.size(k), s.size(k));
+         }},
+        {"inflow",
+         [&s, N, k](Inputs& in) {
+             const int degree = in.degree(k);
+             return fit(inflow(s.mesh, in.matrix(s.size(0), N), degree), s.size(k), s.size(k));
+         }},
+        {"de_rham",
+         [&s, N, k](Inputs& in) {
+             return fit(de_rham(s.mesh, in.degree(k), constant(k, N)), s.P(), Side::primal, k);
+         }},
+        {"dual_de_rham",
+         [&s, N, k](Inputs& in) {
+             return fit(dual_de_rham(s.mesh, in.degree(k), constant(k, N)), s.P(), Side::dual, k);
+         }},
+        {"de_rham between points",
+         [&s, N, k](Inputs& in) {
+             return fit(de_rham(s.K(), in.points(s.K().size(0), N), k, constant(k, N)),
+                        s.K().size(k));
+         }},
+        {"whitney_at_centroids",
+         [&s, N, k, n](Inputs& in) {
+             return fit(whitney_at_centroids(s.mesh, in.form(s, Side::primal, k)), s.K().size(n),
+                        binomial(N, k));
+         }},
+        {"whitney_form",
+         [&s, N, k, n](Inputs& in) {
+             const auto w = in.form(s, Side::primal, k);
+             Vector where = in.vector(n + 1);
+             where /= where.sum();
+             return fit(whitney_form(s.mesh, w, 0, where), binomial(N, k));
+         }},
+        {"cell_centers",
+         [&s, N, k](Inputs& in) { return fit(cell_centers(s.mesh, in.degree(k)), s.size(k), N); }},
+        {"cell_centroids",
+         [&s, N, k](Inputs& in) {
+             return fit(cell_centroids(s.mesh.merging(), in.points(s.pieces().size(0), N),
+                                       s.piece_volumes(), in.degree(k)),
+                        s.size(k), N);
+         }},
+        {"circumradii",
+         [&s, k](Inputs& in) {
+             return fit(circumradii(s.pieces(), s.mesh.metric(), in.degree(k)), s.pieces().size(k));
+         }},
+        {"dual_parts",
+         [&s, k, n](Inputs& in) {
+             return fit(dual_parts(s.pieces(), s.mesh.metric(), s.piece_volumes(), in.degree(k), n),
+                        s.pieces().size(n), s.pieces().size(k));
+         }},
+        {"dual volumes",
+         [&s, k](Inputs&) {
+             return fit(circumcentric_volumes(s.pieces(), s.mesh.metric()).dual(k),
+                        s.pieces().size(k)) +
+                    fit(dual_volumes(s.pieces(), s.mesh.metric(), Centers::centroids()).dual(k),
+                        s.pieces().size(k));
+         }},
+        {"edge_lengths",
+         [&s, N](Inputs& in) {
+             return fit(edge_lengths(s.K(), in.points(s.K().size(0), N)), s.K().size(1));
+         }},
+        {"grundmann_moeller",
+         [k](Inputs&) {
+             const auto rule = grundmann_moeller(k, 3);
+             return fit(rule.points, rule.weights.size(), k + 1);
+         }},
+    };
+}
+
+Questions of_diagnoses(const Sample& s) {
+    const int n = s.n();
+    return {
+        {"facet_kinds",
+         [&s](Inputs&) {
+             const auto kinds = facet_kinds(s.pieces(), s.mesh.metric(), s.piece_volumes());
+             return fit(kinds.well_centered + kinds.delaunay + kinds.non_delaunay +
+                            kinds.cospherical <=
+                        s.pieces().size(s.n() - 1));
+         }},
+        {"merged_pairs", [&s](Inputs&) { return fit(merged_pairs(s.mesh.merging()).facets >= 0); }},
+        {"merge_cospherical",
+         [&s, n](Inputs& in) {
+             const auto stays = in.list(s.pieces().size(n - 1), true);
+             const auto merged =
+                 merge_cospherical(s.pieces(), s.mesh.metric(), s.piece_volumes(), {}, stays);
+             return fit(merged.merging.merged().size(n) == s.pieces().size(n));
+         }},
+        {"operator_verdicts",
+         [&s](Inputs&) {
+             bool right = true;
+             for (const auto stage : {Stage::input, Stage::merged})
+                 for (const auto& verdict : operator_verdicts(s.mesh, stage))
+                     right =
+                         right && (verdict.verdict == WellDefined::yes) == reason(verdict).empty();
+             return fit(right);
+         }},
+        {"spectrum_verdicts",
+         [&s, n](Inputs&) {
+             return fit(std::ssize(spectrum_verdicts(s.V())) == n + 1 &&
+                        std::ssize(spectrum_verdicts(s.mesh, Side::dual)) == n + 1);
+         }},
+        {"boundary_facets_without_dual",
+         [&s, n](Inputs&) {
+             return fit(std::ssize(boundary_facets_without_dual(s.mesh)) == s.size(n - 1) &&
+                        std::ssize(boundary_facets_without_dual(s.P(), s.V())) == s.size(n - 1));
+         }},
+        {"find_overlaps",
+         [&s](Inputs& in) {
+             const auto found =
+                 find_overlaps(s.K(), in.points(s.K().size(0), s.mesh.input_points().cols()));
+             return fit(Index(found.folded.size()) <= s.K().size(s.n()));
+         }},
+        {"essential_where and in_words",
+         [&s, n](Inputs& in) {
+             const Points sites = Points::Ones(std::ssize(in.list(s.size(n - 1), 0)), 2);
+             const auto conditions = essential_where(sites, [](const Vector&) { return true; });
+             return fit(!in_words(conditions, s.P(), 0).empty() &&
+                        std::ssize(essential_cells(s.P(), conditions)) == n + 1);
+         }},
+        {"conditioned_complex",
+         [&s, n](Inputs& in) {
+             BoundaryConditions conditions;
+             conditions.facets = in.list(s.size(n - 1), BoundaryCondition::natural);
+             const auto there = conditioned_complex(s.mesh, Side::primal, in.degree(0), conditions);
+             return fit(there.volumes.primal(0), there.relative.complex.size(0));
+         }},
+        {"join of tags",
+         [&s](Inputs&) {
+             return fit((s.mesh.tags().empty() || std::ssize(s.mesh.tags()) == s.size(s.n())) &&
+                        (s.mesh.facet_tags().empty() ||
+                         std::ssize(s.mesh.facet_tags()) == s.size(s.n() - 1)));
+         }},
+    };
+}
+
+TEST(doors, of_fields_and_diagnoses_answer_rightly_or_refuse) {
+    for (const Sample& s : samples()) {
+        const bool all = s.name == "triangles";
+        expect_answers(of_vector_fields(s), s.name, all);
+        expect_answers(of_diagnoses(s), s.name, all);
+        for (int k = 0; k <= s.n(); ++k) {
+            const auto where = s.name + ", degree " + std::to_string(k);
+            expect_answers(of_fields(s, k), where, all);
+            for (int l = 0; k + l <= s.n(); ++l)
+                expect_answers(of_products(s, k, l), where + " and " + std::to_string(l), all);
+        }
+    }
+}
+
+} // namespace
+} // namespace polydec::test

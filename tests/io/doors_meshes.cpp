@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+//
+// What makes complexes, volumes and systems, asked with tables that fit and with tables that do
+// not: see expect_answers.
+#include "tests/io/doors.h"
+#include "tests/io/support.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+using Questions = std::vector<Question>;
+
+/// The simplices of a sample with its points, the last of which is missing if the input is flawed:
+/// a mesh may have more of them than its simplices use.
+Mesh mesh_of(const Sample& s, Inputs& in) {
+    const auto& points = s.mesh.input_points();
+    const bool right = in.points(s.K().size(0), 1).rows() == s.K().size(0);
+    return {points.topRows(right ? points.rows() : points.rows() - 1), s.K().simplices(s.n()), {}};
+}
+
+/// Tags for its simplices, one too few or too many where the input is flawed.
+Mesh tagged_mesh_of(const Sample& s, Inputs& in) {
+    Inputs right;
+    Mesh mesh = mesh_of(s, right);
+    mesh.tags = in.list<Index>(mesh.simplices.rows(), 3);
+    return mesh;
+}
+
+Questions of_makers(const Sample& s, int k) {
+    const int n = s.n();
+    const auto all_of = [n](auto of) {
+        std::vector<Vector> result;
+        for (int degree = 0; degree <= n; ++degree)
+            result.push_back(of(degree));
+        return result;
+    };
+    return {
+        {"CellVolumes",
+         [&s, k, all_of](Inputs& in) {
+             auto primal = all_of([&](int j) { return s.V().primal(j); });
+             const auto dual = all_of([&](int j) { return s.V().dual(j); });
+             primal[k] = in.vector(s.size(k));
+             return fit(CellVolumes(primal, dual).dual(k), s.size(k));
+         }},
+        {"CellVolumes::numbered",
+         [&s, k, n](Inputs& in) {
+             std::vector<std::vector<Index>> numbers;
+             for (int j = 0; j <= n; ++j)
+                 numbers.emplace_back(s.size(j), 5);
+             numbers[k] = in.list<Index>(s.size(k), 7);
+             return fit(s.V().numbered(numbers).number(k, 0) == 7);
+         }},
+        {"Centers",
+         [&s, k, n](Inputs& in) {
+             std::vector<Points> coordinates;
+             for (int j = 0; j <= n; ++j)
+                 coordinates.emplace_back(
+                     Points::Constant(s.pieces().size(j), j + 1, 1.0 / (j + 1)));
+             const auto given = in.matrix(s.pieces().size(k), k + 1);
+             coordinates[k] = Points::Constant(given.rows(), given.cols(), 1.0 / (k + 1));
+             const Centers centers(coordinates);
+             centers.check_fit(s.pieces());
+             return fit(dual_volumes(s.pieces(), s.mesh.metric(), centers).dual(k),
+                        s.pieces().size(k));
+         }},
+        {"CellComplex",
+         [&s, k, n](Inputs& in) {
+             std::vector<IncidenceMatrix> d;
+             for (int j = 0; j < n; ++j)
+                 d.push_back(s.K().coboundary(j));
+             if (0 < k && k < n) // columns of d_k are rows of d_(k-1)
+                 d[k].conservativeResize(d[k].rows(), in.vector(d[k].cols()).size());
+             return fit(CellComplex(d).size(k) == s.K().size(k));
+         }},
+        {"parts_of_duals",
+         [&s, k, n](Inputs& in) {
+             const auto parts =
+                 parts_of_duals(s.pieces(), s.mesh.metric(), s.piece_volumes(), in.degree(k), n);
+             return fit(parts.allFinite() && parts.rows() == s.pieces().size(n));
+         }},
+        {"check_fit",
+         [&s, k](Inputs& in) {
+             const Vector dual = in.vector(s.size(k));
+             check_fit(s.P(), s.V().with_dual(k, dual));
+             return fit(true);
+         }},
+        {"check_positive_mass",
+         [&s, k](Inputs& in) {
+             check_positive_mass(s.V(), Side::primal, k, in.degree(k));
+             return fit(star(s.V(), k).minCoeff() > 0);
+         }},
+    };
+}
+
+Questions of_meshes(const Sample& s) {
+    const int n = s.n();
+    const auto rows = [&s] { return s.K().size(s.n()); };
+    return {
+        {"discretize",
+         [&s, n](Inputs& in) {
+             return fit(discretize(mesh_of(s, in), {MergeCriterion::none}).complex().size(n) ==
+                        s.K().size(n));
+         }},
+        {"discretize with tags",
+         [&s, n](Inputs& in) {
+             return fit(
+                 std::ssize(discretize(tagged_mesh_of(s, in), {MergeCriterion::none}).tags()) ==
+                 s.K().size(n));
+         }},
+        {"tidy",
+         [&s, rows](Inputs& in) {
+             return fit(tidy(tagged_mesh_of(s, in)).simplices.rows() == rows());
+         }},
+        {"shuffled",
+         [&s, rows](Inputs& in) {
+             return fit(shuffled(tagged_mesh_of(s, in), 1).mesh.simplices.rows() == rows());
+         }},
+        {"along_morton_curve",
+         [&s, rows](Inputs& in) {
+             return fit(along_morton_curve(tagged_mesh_of(s, in)).mesh.simplices.rows() == rows());
+         }},
+        {"tags_of_cells",
+         [&s, n](Inputs& in) {
+             return fit(std::ssize(tags_of_cells(s.K(), in.list<Index>(s.K().size(n), 2))) ==
+                        s.K().size(n));
+         }},
+        {"tags_of_facets",
+         [&s, n](Inputs& in) {
+             std::vector<std::string> warnings;
+             const TaggedSimplices facets{s.K().simplices(n - 1),
+                                          in.list<Index>(s.K().size(n - 1), 2)};
+             return fit(std::ssize(tags_of_facets(s.K(), facets, warnings)) == s.K().size(n - 1));
+         }},
+        {"vertex_points",
+         [&s](Inputs& in) {
+             Index last = 0;
+             for (Index v = 0; v < s.K().size(0); ++v)
+                 last = std::max(last, s.K().vertex_number(v));
+             Points table = in.points(last + 1, 3);
+             if (table.rows() > last + 1) // may have vertices that no cell uses
+                 table = table.topRows(last);
+             return fit(vertex_points(s.K(), table), s.K().size(0), 3);
+         }},
+        {"unit_of_length",
+         [&s](Inputs&) {
+             Inputs right;
+             const Mesh mesh = mesh_of(s, right);
+             return fit(unit_of_length(mesh)) + fit(in_units(mesh, 4).points.allFinite()) +
+                    fit(in_input_units(Vector::Ones(2), 4, 0.5, "lengths"), 2);
+         }},
+        {"write_mesh and read_mesh",
+         [&s, rows](Inputs& in) {
+             const tests::TemporaryFolder folder;
+             write_mesh(folder.path("a.nsc"), mesh_of(s, in));
+             return fit(read_mesh(folder.path("a.nsc")).simplices.rows() == rows());
+         }},
+        {"write_mesh with tags",
+         [&s, rows](Inputs& in) {
+             const tests::TemporaryFolder folder;
+             write_mesh(folder.path("a.mesh"), tagged_mesh_of(s, in));
+             return fit(std::ssize(read_mesh(folder.path("a.mesh")).tags) == rows());
+         }},
+        {"write_lengths and read_lengths",
+         [&s](Inputs& in) {
+             const auto& edges = s.K().simplices(1);
+             const LengthMesh lengths{s.K().simplices(s.n()), s.K().size(0), edges,
+                                      in.vector(edges.rows())};
+             const tests::TemporaryFolder folder;
+             write_lengths(folder.path("a.nsl"), lengths);
+             return fit(read_lengths(folder.path("a.nsl")).lengths, s.K().size(1));
+         }},
+        {"write_vtu",
+         [&s](Inputs& in) {
+             VtuGrid grid = draw_cells(s.mesh, 0);
+             grid.point_data.push_back(vtu_array("a", in.vector(grid.points.rows())));
+             const tests::TemporaryFolder folder;
+             write_vtu(folder.path("a.vtu"), grid);
+             return fit(!tests::read_text(folder.path("a.vtu")).empty());
+         }},
+        {"write_matrix_market",
+         [&s](Inputs&) {
+             const tests::TemporaryFolder folder;
+             const SparseMatrix d = derivative(s.P(), 0);
+             write_matrix_market(folder.path("d.mtx"), d);
+             return fit(read_matrix_market(folder.path("d.mtx")), s.size(1), s.size(0));
+         }},
+    };
+}
+
+Questions of_engines(const Sample& s) {
+    const Index size = s.size(0);
+    const auto stiffness = [&s] {
+        return SparseMatrix(derivative(s.P(), 0).transpose() * derivative(s.P(), 0));
+    };
+    return {
+        {"ConstrainedSolver",
+         [size, stiffness](Inputs& in) {
+             std::vector<bool> fixed = in.list(size, false);
+             fixed.front() = true;
+             const ConstrainedSolver solver(
+                 {stiffness(), fixed, in.list(size, false), in.vector(size).cwiseAbs()},
+                 "eigen.ldlt");
+             const Vector b = in.vector(size);
+             return fit(solver.solve(b, in.vector(size)).values, size);
+         }},
+        {"LinearSolver",
+         [size, stiffness](Inputs& in) {
+             SparseMatrix A = stiffness();
+             const Vector diagonal = in.vector(size).cwiseAbs();
+             SparseMatrix more(diagonal.size(), diagonal.size());
+             more.setIdentity();
+             A.conservativeResize(size, diagonal.size());
+             const auto solver = make_linear_solver("eigen.lu");
+             solver->factorize(diagonal.size() == size ? SparseMatrix(A + more) : A, {});
+             return fit(Vector(solver->solve(in.vector(size))), size);
+         }},
+        {"CertifiedEigensolver",
+         [size, stiffness](Inputs& in) {
+             CertifiedEigensolver solver(stiffness(), in.vector(size).cwiseAbs());
+             return fit(solver.smallest(1).vectors, size, 1);
+         }},
+        {"solve_matrix_free",
+         [size, stiffness](Inputs& in) {
+             SparseMatrix A = stiffness();
+             for (Index v = 0; v < size; ++v)
+                 A.coeffRef(v, v) += 1;
+             const SymmetricOperator op{size, [A](const Vector& x, Vector& y) { y = A * x; }};
+             const Vector b = in.vector(size);
+             return fit(solve_matrix_free(op, b, in.vector(size).cwiseAbs()), size);
+         }},
+    };
+}
+
+TEST(doors, of_makers_meshes_and_engines_answer_rightly_or_refuse) {
+    for (const Sample& s : samples()) {
+        const bool all = s.name == "triangles";
+        expect_answers(of_meshes(s), s.name, all);
+        expect_answers(of_engines(s), s.name, all);
+        for (int k = 0; k <= s.n(); ++k)
+            expect_answers(of_makers(s, k), s.name + ", degree " + std::to_string(k), all);
+    }
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "tests/io/doors.h"
+#include "tests/support/hand_made.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+namespace polydec::test {
+
+namespace {
+
+/// Cells of two materials, and facets of which every third has a tag.
+Mesh tagged(Mesh mesh) {
+    for (Index row = 0; row < mesh.simplices.rows(); ++row)
+        mesh.tags.push_back(1 + row % 2);
+    const SimplicialComplex K(mesh.simplices);
+    const auto& facets = K.simplices(K.dimension() - 1);
+    mesh.facet_tags.simplices.resize((facets.rows() + 2) / 3, facets.cols());
+    for (Index row = 0; row < mesh.facet_tags.simplices.rows(); ++row) {
+        mesh.facet_tags.simplices.row(row) = facets.row(3 * row);
+        mesh.facet_tags.tags.push_back(7);
+    }
+    return mesh;
+}
+
+std::vector<Sample> made() {
+    const MergeOptions as_they_are{.criterion = MergeCriterion::none};
+    const Mesh skew = perturbed(grid(4, 4), 0.08, 3);
+    std::vector<Sample> all;
+    all.emplace_back("an interval", kuhn(1, 3));
+    all.emplace_back("a merged square", kuhn(2, 2));
+    all.emplace_back("a merged cube", kuhn(3, 2));
+    all.emplace_back("triangles", well_centered(3));
+    all.emplace_back("a sphere", icosphere(2));
+    all.emplace_back("four dimensions", kuhn(4, 1));
+    all.emplace_back("simplices", skew, as_they_are);
+    all.emplace_back("tetrahedra", bcc(1), as_they_are);
+    all.emplace_back("isolated vertices", with_isolated_vertices());
+    all.emplace_back("lengths", discretize(length_mesh(well_centered(3))));
+    all.emplace_back("lengths in space", discretize(length_mesh(kuhn(3, 1))));
+    all.emplace_back("tags", tagged(kuhn(2, 3)), MergeOptions{.materials = Materials::keep_apart});
+    all.emplace_back("tags in space", tagged(kuhn(3, 1)));
+    all.emplace_back("centroids", skew, MergeOptions{.centers = Centers::centroids()});
+    all.emplace_back("flipped", skew, MergeOptions{.delaunay = Delaunay::flips});
+    all.emplace_back("split", skew, MergeOptions{.delaunay = Delaunay::flips_and_splits});
+    all.emplace_back("flipped isolated vertices", perturbed(with_isolated_vertices(), 0.08, 3),
+                     MergeOptions{.delaunay = Delaunay::flips_and_splits});
+    all.emplace_back("flipped lengths",
+                     discretize(length_mesh(skew), {.delaunay = Delaunay::flips_and_splits}));
+    return all;
+}
+
+} // namespace
+
+const std::vector<Sample>& samples() {
+    static const std::vector<Sample> all = made();
+    return all;
+}
+
+const Sample& sample(const std::string& name) {
+    for (const Sample& s : samples())
+        if (s.name == name)
+            return s;
+    throw std::out_of_range(name);
+}
+
+Cochain form(const Sample& s, Side side, int degree) {
+    return {side, degree, Vector::Ones(s.P().size(side == Side::primal ? degree : s.n() - degree))};
+}
+
+std::string outcome(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const InvalidInput&) {
+        return "refused";
+    } catch (const Error& error) {
+        return std::string("another error: ") + error.what();
+    } catch (const std::exception& error) {
+        return std::string("a foreign error: ") + error.what();
+    }
+    return "accepted";
+}
+
+Inputs::Flaw Inputs::next() {
+    const bool here = asked_++ == which_;
+    flawed_ = flawed_ || here;
+    return here ? flaw_ : Flaw::none;
+}
+
+DenseMatrix Inputs::matrix(Eigen::Index rows, Eigen::Index columns) {
+    const Flaw flaw = next();
+    const bool can_shrink = rows > 1; // no values at all are often allowed, and mean a default
+    rows += flaw == Flaw::fewer ? (can_shrink ? -1 : 1) : flaw == Flaw::more;
+    columns += flaw == Flaw::wider;
+    DenseMatrix result(rows, columns);
+    for (Eigen::Index i = 0; i < rows; ++i)
+        for (Eigen::Index j = 0; j < columns; ++j)
+            result(i, j) = 0.6 + 0.3 * std::sin(1.7 * double(i) + 2.3 * double(j));
+    return result;
+}
+
+Cochain Inputs::form(const Sample& s, Side side, int degree) {
+    return form_on(s.P(), side, degree);
+}
+
+Cochain Inputs::form_on(const CellComplex& complex, Side side, int degree) {
+    const int k = side == Side::primal ? degree : complex.dimension() - degree;
+    return {side, degree, vector(complex.size(k))};
+}
+
+Chain Inputs::chain(const Sample& s, Side side, int degree) {
+    return {side, degree, form(s, side, degree).values};
+}
+
+int Inputs::degree(int k) {
+    const Flaw flaw = next();
+    return flaw == Flaw::none ? k : flaw == Flaw::fewer ? -3 : flaw == Flaw::more ? 1000 : 33;
+}
+
+std::string fit(const DenseMatrix& found, Eigen::Index rows, Eigen::Index columns) {
+    if (found.rows() != rows || found.cols() != columns)
+        return std::to_string(found.rows()) + " x " + std::to_string(found.cols()) +
+               " numbers instead of " + std::to_string(rows) + " x " + std::to_string(columns);
+    return found.allFinite() ? "" : "a number that is not finite";
+}
+
+std::string fit(const SparseMatrix& found, Eigen::Index rows, Eigen::Index columns) {
+    return fit(DenseMatrix(found), rows, columns);
+}
+
+std::string fit(const Cochain& found, const CellComplex& complex, Side side, int degree) {
+    if (found.side != side || found.degree != degree)
+        return "a form of another kind";
+    return fit(found.values,
+               complex.size(side == Side::primal ? degree : complex.dimension() - degree));
+}
+
+std::string fit(double found) {
+    return std::isfinite(found) ? "" : "a number that is not finite";
+}
+
+std::string fit(bool right) {
+    return right ? "" : "a wrong answer";
+}
+
+std::vector<std::string> complaints(const Question& question, bool is_answered) {
+    const auto asked_with = [&](Inputs& in) {
+        std::string flaw;
+        const auto how = outcome([&] { flaw = question.ask(in); });
+        return flaw.empty() ? how : flaw;
+    };
+    std::vector<std::string> all;
+    Inputs right;
+    const auto answer = asked_with(right);
+    if (answer != "accepted" && (answer != "refused" || is_answered))
+        all.push_back(answer);
+    for (const auto flaw : {Inputs::Flaw::fewer, Inputs::Flaw::more, Inputs::Flaw::wider})
+        for (int which = 0;; ++which) {
+            Inputs wrong(which, flaw);
+            const auto found = asked_with(wrong);
+            if (!wrong.flawed())
+                break;
+            if (found != "refused")
+                all.push_back("input " + std::to_string(which) + " with flaw " +
+                              std::to_string(int(flaw)) + ": " + found);
+        }
+    return all;
+}
+
+void expect_answers(const std::vector<Question>& questions, const std::string& where,
+                    bool all_answered) {
+    for (const Question& question : questions)
+        EXPECT_EQ(complaints(question, all_answered), std::vector<std::string>{})
+            << question.name << " on " << where;
+}
+
+TEST(doors, that_answer_wrongly_or_do_not_look_are_found) {
+    const Sample& s = sample("triangles");
+    const auto twin = [](auto ask) { return complaints({"a twin", ask}, true); };
+    EXPECT_EQ(twin([&](Inputs& in) {
+                  return fit(d(s.P(), in.form(s, Side::primal, 0)), s.P(), Side::primal, 1);
+              }),
+              std::vector<std::string>{});
+    EXPECT_EQ(twin([](Inputs&) { return fit(std::sqrt(-1.0)); }).size(), 1);
+    EXPECT_EQ(twin([](Inputs&) { return fit(Vector::Ones(2), 3); }).size(), 1);
+    EXPECT_EQ(twin([](Inputs&) -> std::string { throw InvalidInput("always"); }).size(), 1);
+    EXPECT_EQ(twin([](Inputs&) -> std::string { throw std::bad_alloc(); }).size(), 1);
+    EXPECT_EQ(twin([](Inputs& in) { return fit(in.vector(3).sum()); }),
+              (std::vector<std::string>{"input 0 with flaw 1: accepted",
+                                        "input 0 with flaw 2: accepted"}));
+}
+
+} // namespace polydec::test

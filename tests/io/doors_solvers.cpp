@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+//
+// Every solver, surface function and picture, asked of every kind of sample with right inputs and
+// with flawed ones: see expect_answers.
+#include "tests/io/doors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+using Questions = std::vector<Question>;
+
+const std::string engine = "eigen.ldlt";
+
+BoundaryConditions conditions_of(const Sample& s, Inputs& in) {
+    BoundaryConditions conditions;
+    conditions.facets = in.list(s.size(s.n() - 1), BoundaryCondition::natural);
+    conditions.facets.front() = BoundaryCondition::essential;
+    return conditions;
+}
+
+Questions of_solvers(const Sample& s, Side side) {
+    const int n = s.n();
+    const auto values = [side, &s](int facets_or_cells) {
+        return s.size(side == Side::primal ? 0 : facets_or_cells);
+    };
+    const Index unknowns = values(n), boundary = values(n - 1);
+    return {
+        {"PoissonSolver",
+         [&s, side, n, unknowns, boundary](Inputs& in) {
+             const PoissonSolver solver(
+                 s.mesh, {side, conditions_of(s, in), engine, in.vector(s.size(n)).cwiseAbs()});
+             const Vector f = in.vector(unknowns), g = in.vector(boundary);
+             return fit(solver.solve(f, g, in.vector(s.size(n - 1))).values, unknowns);
+         }},
+        {"PoissonSolver of any cells",
+         [&s, side, unknowns, boundary](Inputs& in) {
+             const PoissonSolver solver(s.P(), s.V(), {side, conditions_of(s, in), engine});
+             const Vector f = in.vector(unknowns);
+             return fit(solver.solve(f, in.vector(boundary)).values, unknowns);
+         }},
+        {"DarcySolver",
+         [&s, n](Inputs& in) {
+             const DarcySolver solver(s.mesh, {Side::dual, conditions_of(s, in), engine});
+             const Vector source = in.vector(s.size(n)), given = in.vector(s.size(n - 1));
+             const auto flow = solver.solve(source, given, in.vector(s.size(n - 1)));
+             return fit(flow.pressure, s.P(), Side::dual, 0) +
+                    fit(flow.flux, s.P(), Side::primal, n - 1);
+         }},
+    };
+}
+
+Questions of_solvers_for_forms(const Sample& s, Side side, int j) {
+    const int n = s.n(), k = side == Side::primal ? j : n - j;
+    return {
+        {"HeatSolver",
+         [&s, side, j](Inputs& in) {
+             const HeatSolver solver(s.mesh, side, in.degree(j), {0.01, {}, engine});
+             return fit(solver.step(in.form(s, side, j)), s.P(), side, j);
+         }},
+        {"HeatSolver under conditions",
+         [&s, side, j](Inputs& in) {
+             const HeatSolver solver(s.mesh, conditions_of(s, in), side, j, {0.01, {}, engine});
+             return fit(solver.step(in.form(s, side, j)), s.P(), side, j);
+         }},
+        {"hodge_decomposition",
+         [&s, side, j](Inputs& in) {
+             const auto parts = hodge_decomposition(s.mesh, in.form(s, side, j), engine);
+             return fit(parts.exact, s.P(), side, j) + fit(parts.coexact, s.P(), side, j) +
+                    fit(parts.harmonic, s.P(), side, j);
+         }},
+        {"harmonic_forms",
+         [&s, side, j, k](Inputs& in) {
+             const auto forms = harmonic_forms(s.mesh, side, in.degree(j), engine);
+             return fit(forms, s.size(k), betti_numbers(s.P())[k]);
+         }},
+        {"spectrum",
+         [&s, side, j, k](Inputs& in) {
+             const auto found =
+                 spectrum(s.mesh, {.side = side, .degree = in.degree(j), .count = 1});
+             return fit(found.modes, s.size(k), 1) + fit(found.eigenvalues, 1);
+         }},
+        {"spectrum under conditions",
+         [&s, side, j, k](Inputs& in) {
+             const auto found = spectrum(s.mesh, conditions_of(s, in),
+                                         {.side = side, .degree = in.degree(j), .count = 1});
+             return fit(found.modes, s.size(k), 1) + fit(found.eigenvalues, 1);
+         }},
+        {"coexact_spectrum",
+         [&s, j](Inputs& in) {
+             const auto found =
+                 coexact_spectrum(s.P(), s.V(), {.degree = in.degree(j), .count = 1});
+             return fit(found.modes, s.size(j), 1);
+         }},
+        {"Leapfrog",
+         [&s, j](Inputs& in) {
+             const int degree = in.degree(j);
+             const double step = stable_step(s.mesh, degree);
+             const Leapfrog waves(s.mesh, degree, std::isfinite(step) ? step / 2 : 1);
+             Vector E = in.vector(s.size(j)), B = in.vector(s.size(j + 1));
+             waves.step(E, B);
+             return fit(E, s.size(j)) + fit(B, s.size(j + 1)) + fit(waves.energy(E, B));
+         }},
+    };
+}
+
+/// The triangles that a surface has after flips, with their lengths.
+GluedSurface surface_of(const Sample& s) {
+    return s.mesh.passage().is_identity() ? GluedSurface(s.K()) : s.mesh.passage().flips().surface;
+}
+
+Vector lengths_of(const Sample& s) {
+    if (!s.mesh.passage().is_identity())
+        return s.mesh.passage().flips().lengths;
+    return s.has_points() ? edge_lengths(s.K(), s.mesh.input_points()) : s.mesh.lengths();
+}
+
+/// The lengths, one more or less where the input is flawed.
+Vector lengths_of(const Sample& s, Inputs& in) {
+    const Vector right = lengths_of(s);
+    const Vector given = in.vector(right.size());
+    return given.size() == right.size() ? right : Vector(Vector::Ones(given.size()));
+}
+
+Questions of_surfaces(const Sample& s) {
+    return {
+        {"geodesic_distance",
+         [&s](Inputs&) {
+             return fit(geodesic_distance(s.mesh, std::vector<Index>{0}, {4, engine}), s.size(0));
+         }},
+        {"GeodesicDistance",
+         [&s](Inputs& in) {
+             const GeodesicDistance distance(surface_of(s), lengths_of(s, in), {4, engine});
+             return fit(distance.to(std::vector<Index>{0}).values, s.size(0));
+         }},
+        {"transported",
+         [&s](Inputs& in) {
+             const TangentVectors one(TangentVectors::Ones(in.vector(1).size()));
+             const Vector lengths = lengths_of(s, in);
+             const auto all =
+                 transported(surface_of(s), lengths, std::vector<Index>{0}, one, {4, engine});
+             return fit(Vector(all.cwiseAbs()), s.size(0));
+         }},
+        {"tangent_frames",
+         [&s](Inputs& in) {
+             const auto frames = tangent_frames(surface_of(s), lengths_of(s, in));
+             return fit(frames.sums, s.size(0)) + fit(frames.at_tail, 3 * s.pieces().size(2));
+         }},
+        {"intrinsic_delaunay",
+         [&s](Inputs& in) {
+             const auto flips = intrinsic_delaunay(surface_of(s), lengths_of(s, in));
+             return fit(flips.lengths, flips.surface.edges()) +
+                    fit(flips.statistics.negative_interior == 0);
+         }},
+        {"overlay",
+         [&s](Inputs&) {
+             const auto both = overlay(s.mesh.passage(), s.mesh.points());
+             return fit(both.areas, both.size());
+         }},
+        {"cell_complex and simplices of a glued surface",
+         [&s](Inputs&) {
+             const auto surface = surface_of(s);
+             return fit(cell_complex(surface).size(1) == surface.edges() &&
+                        simplices(surface).rows() == surface.triangles());
+         }},
+    };
+}
+
+Questions of_pictures(const Sample& s, int k) {
+    const int n = s.n();
+    return {
+        {"draw_cells",
+         [&s, k](Inputs& in) {
+             const VtuGrid grid = draw_cells(s.mesh, in.degree(k));
+             return fit(grid.points.allFinite() && !grid.types.empty());
+         }},
+        {"add_form",
+         [&s, k](Inputs& in) {
+             VtuGrid grid = draw_cells(s.mesh, k);
+             add_form(grid, s.mesh, "a", in.form(s, Side::primal, k));
+             return fit(grid.point_data.size() + grid.cell_data.size() == 1);
+         }},
+        {"add_cochain",
+         [&s, k](Inputs& in) {
+             VtuGrid grid = draw_cells(s.P(), s.mesh.points(), k);
+             add_cochain(grid, s.P(), k, "a", in.vector(s.size(k)));
+             return fit(grid.point_data.size() + grid.cell_data.size() == 1);
+         }},
+        {"polygon_mesh", [&s](Inputs&) { return fit(polygon_mesh(s.mesh).points.allFinite()); }},
+        {"draw_overlay", [&s](Inputs&) { return fit(draw_overlay(s.mesh).points.allFinite()); }},
+        {"kept_faces and kept_cells",
+         [&s, n](Inputs& in) {
+             const auto all = [](const Vector&) { return true; };
+             const auto faces = kept_faces(s.mesh, all, in.vector(s.size(n)));
+             const auto cells = kept_cells(s.mesh, all, 0.1, in.vector(s.size(n)));
+             return fit(!draw_solid(faces).shapes.empty() && !painting_order(cells).empty() &&
+                        !to_svg(draw_solid(cells)).empty());
+         }},
+        {"estimate_size",
+         [&s, n](Inputs&) { return fit(estimate_size(n, s.K().size(n), s.K().size(0)).bytes()); }},
+    };
+}
+
+TEST(doors, of_solvers_surfaces_and_pictures_answer_rightly_or_refuse) {
+    for (const Sample& s : samples()) {
+        const bool all = s.name == "triangles";
+        expect_answers(of_surfaces(s), s.name);
+        for (const Side side : {Side::primal, Side::dual})
+            expect_answers(of_solvers(s, side), s.name + ", " + name(side), all);
+        for (int k = 0; k <= s.n(); ++k) {
+            const auto where = s.name + ", degree " + std::to_string(k);
+            expect_answers(of_pictures(s, k), where);
+            for (const Side side : {Side::primal, Side::dual})
+                expect_answers(of_solvers_for_forms(s, side, k), where + ", " + name(side));
+        }
+    }
+}
+
+} // namespace
+} // namespace polydec::test
