@@ -16,7 +16,7 @@ const LazyMesh* in_memory = nullptr;
 Operators all_operators(const CellComplex& complex, const CellVolumes& volumes) {
     Operators result;
     for (int k = 0; k <= complex.dimension(); ++k)
-        result.stars.push_back(star(volumes, k));
+        result.stars.push_back(star(volumes, k).diagonal());
     result.laplacian = symmetric_laplacian(complex, volumes, 0);
     return result;
 }

@@ -51,9 +51,9 @@ std::vector<Advice> advice(const Discretization& discretization) {
     const Remedy next = remedy(discretization);
     const int facets = discretization.dimension() - 1;
     int k = facets;
-    auto negative = negative_star_cells(discretization.volumes(), k);
+    auto negative = discretization.stars()[k].negatives();
     while (negative.empty() && k > 0)
-        negative = negative_star_cells(discretization.volumes(), --k);
+        negative = discretization.stars()[--k].negatives();
 
     // flips are of edges inside, and splits of those on the boundary
     const auto& cofaces = discretization.complex().coface_counts(k);
@@ -69,9 +69,9 @@ std::vector<Advice> advice(const Discretization& discretization) {
     return list;
 }
 
-std::string nearer_to_delaunay(const CellVolumes& volumes) {
+std::string nearer_to_delaunay(int dimension) {
     const std::string wish = "a mesh that is nearer to Delaunay there";
-    if (volumes.dimension() != GluedSurface::dimension)
+    if (dimension != GluedSurface::dimension)
         return wish;
     return fmt::format("{}: on a manifold intrinsic flips make it so ({})", wish,
                        option(Remedy::splits));

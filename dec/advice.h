@@ -46,6 +46,6 @@ std::vector<Advice> advice(const Discretization& discretization);
 
 /// "a mesh that is nearer to Delaunay there", and how to come by one: for refusals of what knows
 /// volumes alone.
-std::string nearer_to_delaunay(const CellVolumes& volumes);
+std::string nearer_to_delaunay(int dimension);
 
 } // namespace polydec

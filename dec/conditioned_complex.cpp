@@ -43,10 +43,10 @@ CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_
 
 /// without_dual() marks the boundary facets without dual.
 template <class Marks>
-ConditionedComplex conditioned(const CellComplex& complex, const CellVolumes& volumes, Side side,
+ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Side side,
                                int degree, const BoundaryConditions& conditions,
                                Marks without_dual) {
-    check_fit(complex, volumes);
+    check_fit(complex, stars);
     cell_degree(complex, side, degree); // which there must be
     const bool densities = side == Side::primal && degree == complex.dimension();
     const bool leaves_duals_out = side == Side::dual || densities;
@@ -56,22 +56,22 @@ ConditionedComplex conditioned(const CellComplex& complex, const CellVolumes& vo
                         ? relative_complex(complex, left_out,
                                            on_the_boundary(complex, without_dual(), left_out))
                         : relative_complex(complex, left_out);
-    auto restricted = relative_volumes(relative, volumes);
+    auto restricted = relative_volumes(relative, stars.volumes());
     return {std::move(relative), std::move(restricted)};
 }
 
 } // namespace
 
-ConditionedComplex conditioned_complex(const CellComplex& complex, const CellVolumes& volumes,
+ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
                                        Side side, int degree,
                                        const BoundaryConditions& conditions) {
-    return conditioned(complex, volumes, side, degree, conditions,
-                       [&] { return boundary_facets_without_dual(complex, volumes); });
+    return conditioned(complex, stars, side, degree, conditions,
+                       [&] { return boundary_facets_without_dual(complex, stars.volumes()); });
 }
 
 ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,
                                        const BoundaryConditions& conditions) {
-    return conditioned(mesh.complex(), mesh.volumes(), side, degree, conditions,
+    return conditioned(mesh.complex(), mesh.stars(), side, degree, conditions,
                        [&] { return boundary_facets_without_dual(mesh); });
 }
 

@@ -6,12 +6,12 @@
 
 namespace polydec {
 
-/// The complex and the volumes on which the forms of one side obey homogeneous boundary conditions:
-/// what takes a complex and its volumes (operators, spectra, heat, Hodge decompositions) acts on
+/// The complex and the stars on which the forms of one side obey homogeneous boundary conditions:
+/// what takes a complex and its stars (operators, spectra, heat, Hodge decompositions) acts on
 /// these forms there.
 struct ConditionedComplex {
     RelativeComplex relative;
-    CellVolumes volumes;
+    HodgeStars stars;
 };
 
 /// Primal forms vanish on the essential facets and their faces, so these are left out. The star
@@ -23,7 +23,7 @@ struct ConditionedComplex {
 /// any cells, boundary facets are without dual where their star is zero.
 /// Linear time. Throws InvalidInput if there are no forms of that degree, and if there are
 /// conditions but not one for each facet.
-ConditionedComplex conditioned_complex(const CellComplex& complex, const CellVolumes& volumes,
+ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
                                        Side side, int degree, const BoundaryConditions& conditions);
 ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,
                                        const BoundaryConditions& conditions);

@@ -19,24 +19,24 @@ std::vector<Index> cell_counts(const CellComplex& complex) {
     return counts;
 }
 
-StarNumbers star_numbers(const CellVolumes& volumes, double unit, int k) {
-    const Vector values = star(volumes, k);
-    const int power = volumes.dimension() - 2 * k;
+StarNumbers star_numbers(const HodgeStar& star, double unit) {
+    const Vector values = star.diagonal();
+    const int power = star.dimension() - 2 * star.degree();
     StarNumbers numbers{in_input_units(values.minCoeff(), unit, power),
                         in_input_units(values.maxCoeff(), unit, power),
                         in_input_units(values.cwiseAbs().minCoeff(), unit, power),
-                        negative_star_cells(volumes, k).size(),
-                        zero_star_cells(volumes, k).size(),
+                        star.negatives().size(),
+                        star.zeros().size(),
                         {}};
     if (numbers.zero == 0)
         numbers.condition = values.cwiseAbs().maxCoeff() / values.cwiseAbs().minCoeff();
     return numbers;
 }
 
-std::vector<StarNumbers> star_numbers(const CellVolumes& volumes, double unit) {
+std::vector<StarNumbers> star_numbers(const HodgeStars& stars, double unit) {
     std::vector<StarNumbers> list;
-    for (int k = 0; k <= volumes.dimension(); ++k)
-        list.push_back(star_numbers(volumes, unit, k));
+    for (int k = 0; k <= stars.dimension(); ++k)
+        list.push_back(star_numbers(stars[k], unit));
     return list;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/forms/star.h"
 #include "dec/merging/merge.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/passage.h"
@@ -53,6 +54,9 @@ public:
     /// Of the cells of complex().
     const CellVolumes& volumes() const& { return parts_->volumes; }
     CellVolumes volumes() && { return volumes(); }
+
+    /// The Hodge stars of the cells.
+    HodgeStars stars() const { return volumes(); }
 
     /// The same with other volumes of the cells. Throws InvalidInput unless they fit.
     Discretization with_volumes(const CellVolumes& volumes) const;

@@ -47,7 +47,7 @@ std::vector<bool> boundary_facets_without_dual(const CellComplex& complex,
     check_fit(complex, volumes);
     const int n = complex.dimension();
     std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
-    for (const Index f : zero_star_cells(volumes, n - 1))
+    for (const Index f : star(volumes, n - 1).zeros())
         marks[f] = complex.coface_counts(n - 1)[f] == 1;
     return marks;
 }

@@ -14,7 +14,7 @@ namespace polydec {
 std::vector<bool> boundary_facets_without_dual(const Discretization& discretization);
 
 /// The same of any cells, of whose facets no sizes are known: those whose star entry is zero (see
-/// zero_star_cells).
+/// HodgeStar::zeros).
 std::vector<bool> boundary_facets_without_dual(const CellComplex& complex,
                                                const CellVolumes& volumes);
 

@@ -9,33 +9,30 @@
 
 namespace polydec {
 
-/// The operators on the cells of a discretization: those of its complex and volumes, see there.
+/// The operators on the cells of a discretization: those of its complex and stars, see there.
 inline SparseMatrix derivative(const Discretization& mesh, int k) {
     return derivative(mesh.complex(), k);
 }
 inline SparseMatrix dual_derivative(const Discretization& mesh, int j) {
     return dual_derivative(mesh.complex(), j);
 }
-inline Vector star(const Discretization& mesh, int k) {
-    return star(mesh.volumes(), k);
-}
-inline Vector dual_star(const Discretization& mesh, int k) {
-    return dual_star(mesh.volumes(), k);
+inline HodgeStar star(const Discretization& mesh, int k) {
+    return mesh.stars()[k];
 }
 inline Operator codifferential(const Discretization& mesh, int k) {
-    return codifferential(mesh.complex(), mesh.volumes(), k);
+    return codifferential(mesh.complex(), mesh.stars(), k);
 }
 inline Operator dual_codifferential(const Discretization& mesh, int j) {
-    return dual_codifferential(mesh.complex(), mesh.volumes(), j);
+    return dual_codifferential(mesh.complex(), mesh.stars(), j);
 }
 inline Operator laplacian(const Discretization& mesh, int k) {
-    return laplacian(mesh.complex(), mesh.volumes(), k);
+    return laplacian(mesh.complex(), mesh.stars(), k);
 }
 inline Operator dual_laplacian(const Discretization& mesh, int j) {
-    return dual_laplacian(mesh.complex(), mesh.volumes(), j);
+    return dual_laplacian(mesh.complex(), mesh.stars(), j);
 }
 inline Operator symmetric_laplacian(const Discretization& mesh, int k) {
-    return symmetric_laplacian(mesh.complex(), mesh.volumes(), k);
+    return symmetric_laplacian(mesh.complex(), mesh.stars(), k);
 }
 
 /// The same on forms as values.
@@ -43,19 +40,19 @@ inline Cochain d(const Discretization& mesh, const Cochain& form) {
     return d(mesh.complex(), form);
 }
 inline Cochain star(const Discretization& mesh, const Cochain& form) {
-    return star(mesh.complex(), mesh.volumes(), form);
+    return star(mesh.complex(), mesh.stars(), form);
 }
 inline Cochain codifferential(const Discretization& mesh, const Cochain& form) {
-    return codifferential(mesh.complex(), mesh.volumes(), form);
+    return codifferential(mesh.complex(), mesh.stars(), form);
 }
 inline Cochain laplacian(const Discretization& mesh, const Cochain& form) {
-    return laplacian(mesh.complex(), mesh.volumes(), form);
+    return laplacian(mesh.complex(), mesh.stars(), form);
 }
 inline double inner_product(const Discretization& mesh, const Cochain& a, const Cochain& b) {
-    return inner_product(mesh.complex(), mesh.volumes(), a, b);
+    return inner_product(mesh.complex(), mesh.stars(), a, b);
 }
 inline double norm(const Discretization& mesh, const Cochain& form) {
-    return norm(mesh.complex(), mesh.volumes(), form);
+    return norm(mesh.complex(), mesh.stars(), form);
 }
 
 } // namespace polydec

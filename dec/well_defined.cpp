@@ -60,7 +60,7 @@ View view(const Discretization& mesh, Stage stage) {
 Index without_dual(const View& view, int k) {
     const auto& carriers = view.merging.carriers(k);
     std::vector<bool> marks(static_cast<std::size_t>(view.size(k)), false);
-    for (const Index s : zero_star_cells(view.volumes, k))
+    for (const Index s : star(view.volumes, k).zeros())
         marks[s] = true;
     const bool facets = k == view.merging.merged().dimension() - 1;
     for (std::size_t s = 0; s < carriers.size(); ++s) {
@@ -192,18 +192,18 @@ std::string reason(const OperatorVerdict& verdict) {
                : fmt::format("{} the dual of another one", cells);
 }
 
-std::vector<SpectrumVerdict> spectrum_verdicts(const CellVolumes& volumes) {
-    const int n = volumes.dimension();
+std::vector<SpectrumVerdict> spectrum_verdicts(const HodgeStars& stars) {
+    const int n = stars.dimension();
     std::vector<std::size_t> zero, negative;
     for (int k = 0; k <= n; ++k) {
-        zero.push_back(zero_star_cells(volumes, k).size());
-        negative.push_back(negative_star_cells(volumes, k).size());
+        zero.push_back(stars[k].zeros().size());
+        negative.push_back(stars[k].negatives().size());
     }
     std::vector<SpectrumVerdict> verdicts;
     for (int k = 0; k <= n; ++k) {
         SpectrumVerdict verdict{k};
         const std::size_t spurious = k == 0 ? 0 : negative[k - 1] + (k < n ? negative[k + 1] : 0);
-        const bool empty = volumes.primal(k).size() == 0;
+        const bool empty = stars[k].size() == 0;
         verdict.exists = !empty && zero[k] == 0 && negative[k] == 0 && (k == 0 || zero[k - 1] == 0);
         if (empty)
             verdict.reason = fmt::format("no {}-cell has a value that is not given", k);
@@ -233,7 +233,7 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const Discretization& discretizat
     const int n = discretization.dimension();
     const auto judged = [&](int degree) {
         return spectrum_verdicts(
-            conditioned_complex(discretization, side, degree, conditions).volumes);
+            conditioned_complex(discretization, side, degree, conditions).stars);
     };
     auto verdicts = judged(0);
     verdicts[n] = judged(side == Side::primal ? n : 0)[n];

@@ -43,12 +43,12 @@ enum class Stage { input, merged };
 
 /// All operators in the order of the table, judged by the duals that the mesh has, not by theory:
 /// a dual has no extent where the merging removed its cell, where a facet is degenerate within the
-/// tolerance, or where the star entry is zero in the sense of zero_star_cells.
+/// tolerance, or where the star entry is zero in the sense of HodgeStar::zeros.
 std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretization, Stage stage);
 
 /// One for each degree 0..n of cells, by the same zeros as the stars and the solvers. A Laplacian
 /// can be well defined where there is no spectrum: with a negative dual there is no norm.
-std::vector<SpectrumVerdict> spectrum_verdicts(const CellVolumes& volumes);
+std::vector<SpectrumVerdict> spectrum_verdicts(const HodgeStars& stars);
 
 /// The same for the forms of one side under the conditions that are built in: the judgment is on
 /// the cells and volumes that spectrum() solves on, so facets of the boundary without dual do no

@@ -12,7 +12,7 @@ int main() {
 
     const double binomial[] = {1, 2, 1}; // 2 over k
     for (int k = 0; k <= 2; ++k) {
-        const polydec::Vector star = polydec::star(mesh.volumes(), k);
+        const polydec::Vector star = polydec::star(mesh, k).diagonal();
         std::cout << "star_" << k << " from " << star.minCoeff() << " to " << star.maxCoeff()
                   << "; sum |s||*s| / C(2," << k
                   << ") = " << mesh.volumes().primal(k).dot(mesh.volumes().dual(k)) / binomial[k]

@@ -19,7 +19,7 @@ int main() {
 
     // the boundary of the square keeps its half dual edges, of star 1/2
     const auto smallest_inside = [](const polydec::Discretization& grid) {
-        const polydec::Vector star = polydec::star(grid.volumes(), 1);
+        const polydec::Vector star = polydec::star(grid, 1).diagonal();
         double smallest = star.maxCoeff();
         for (polydec::Index e = 0; e < star.size(); ++e)
             if (grid.complex().coface_counts(1)[e] == 2)

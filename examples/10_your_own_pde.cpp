@@ -20,7 +20,7 @@ int main() {
         polydec::lie_derivative(sphere, wind, 0, polydec::Sampling::upwind);
 
     // (star_0 + dt nu d^T star_1 d) u_new = star_0 (u - dt L_X u), factorized once
-    const polydec::Vector mass = polydec::star(sphere, 0);
+    const polydec::Vector mass = polydec::star(sphere, 0).diagonal();
     polydec::SparseMatrix A = dt * nu * polydec::symmetric_laplacian(sphere, 0).matrix();
     A.diagonal() += mass;
     const auto solver = polydec::make_linear_solver("auto");

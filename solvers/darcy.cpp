@@ -20,9 +20,9 @@ DarcySolver::DarcySolver(const Discretization& mesh, const PoissonOptions& optio
     : DarcySolver(mesh.complex(), mesh.volumes(), PoissonSolver(mesh, with_dual_side(options)),
                   options.boundary) {}
 
-DarcySolver::DarcySolver(const CellComplex& complex, const CellVolumes& volumes,
+DarcySolver::DarcySolver(const CellComplex& complex, const HodgeStars& stars,
                          const PoissonOptions& options)
-    : DarcySolver(complex, volumes, PoissonSolver(complex, volumes, with_dual_side(options)),
+    : DarcySolver(complex, stars.volumes(), PoissonSolver(complex, stars, with_dual_side(options)),
                   options.boundary) {}
 
 DarcySolver::DarcySolver(const CellComplex& complex, const CellVolumes& volumes,

@@ -26,7 +26,7 @@ class DarcySolver {
 public:
     /// Of the options the side does not matter. Throws like PoissonSolver for dual 0-forms.
     DarcySolver(const Discretization& mesh, const PoissonOptions& options = {});
-    DarcySolver(const CellComplex& complex, const CellVolumes& volumes,
+    DarcySolver(const CellComplex& complex, const HodgeStars& stars,
                 const PoissonOptions& options = {});
 
     /// Places of cells and of facets: circumcenters.

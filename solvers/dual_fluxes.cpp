@@ -42,11 +42,11 @@ void check_two_sided(const CellComplex& complex, const FacetDuals& duals) {
                                duals.place(f));
 }
 
-void check_fluxes_are_defined(const CellComplex& complex, const CellVolumes& volumes,
+void check_fluxes_are_defined(const CellComplex& complex, const HodgeStars& stars,
                               const FacetDuals& duals) {
     const int n = complex.dimension();
     const auto& counts = complex.coface_counts(n - 1);
-    for (const Index facet : zero_star_cells(volumes, n - 1))
+    for (const Index facet : stars[n - 1].zeros())
         if (counts[facet] == 2)
             throw InvalidInput(
                 fmt::format(
@@ -77,19 +77,18 @@ void average_rows(SparseMatrix& matrix) {
 
 } // namespace
 
-FacetDuals facet_duals(const CellComplex& complex, const CellVolumes& volumes) {
-    const int n = complex.dimension();
-    return {
-        volumes.dual(n - 1), volumes.terms(n - 1), boundary_facets_without_dual(complex, volumes),
-        [volumes, n](Index facet) { return fmt::format("facet {}", volumes.number(n - 1, facet)); },
-        [volumes, n](Index facet) {
-            return Error::Place{.degree = n - 1, .cells = {volumes.number(n - 1, facet)}};
-        }};
+FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars) {
+    const int facets = complex.dimension() - 1;
+    const CellVolumes& volumes = stars.volumes();
+    return {volumes.dual(facets), volumes.terms(facets),
+            boundary_facets_without_dual(complex, volumes),
+            [star = stars[facets]](Index f) { return "facet " + star.numbers({f}); },
+            [star = stars[facets]](Index f) { return star.place({f}); }};
 }
 
 FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
     const int n = mesh.dimension();
-    FacetDuals duals = facet_duals(mesh.complex(), mesh.volumes());
+    FacetDuals duals = facet_duals(mesh.complex(), mesh.stars());
     duals.missing = boundary_facets_without_dual(mesh);
     duals.named = [mesh, n](Index facet) {
         return fmt::format("facet {} (vertices {})", facet,
@@ -122,13 +121,14 @@ FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
     return duals;
 }
 
-DualFluxes dual_fluxes(const CellComplex& complex, const CellVolumes& volumes,
-                       const FacetDuals& duals, const CellMarks& essential) {
+DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, const FacetDuals& duals,
+                       const CellMarks& essential) {
     check_two_sided(complex, duals);
-    check_fluxes_are_defined(complex, volumes, duals);
+    check_fluxes_are_defined(complex, stars, duals);
     const int n = complex.dimension();
     const Index cells = complex.size(n), facets = complex.size(n - 1);
     const IncidenceMatrix cofaces = complex.boundary(n);
+    const Vector& areas = stars.volumes().primal(n - 1);
 
     DualFluxes result{Vector::Zero(facets), std::vector<bool>(cells, false),
                       std::vector<bool>(cells, false), SparseMatrix(cells, facets),
@@ -146,7 +146,7 @@ DualFluxes dual_fluxes(const CellComplex& complex, const CellVolumes& volumes,
             result.fixed[cell] = true;
             continue;
         }
-        result.weights[f] = volumes.primal(n - 1)[f] / duals.resistances[f];
+        result.weights[f] = areas[f] / duals.resistances[f];
         if (!interior) {
             load.emplace_back(cell, f, result.weights[f]);
             result.tied[cell] = true;

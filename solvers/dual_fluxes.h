@@ -19,7 +19,7 @@ struct FacetDuals {
 };
 
 /// Those of any cells, of conductivity 1.
-FacetDuals facet_duals(const CellComplex& complex, const CellVolumes& volumes);
+FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars);
 
 /// Those of a discretization: conductivity is kappa of each merged n-cell; empty: 1.
 FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity);
@@ -36,7 +36,7 @@ struct DualFluxes {
 /// The fluxes of a dual 0-form: |f| over the resistance of f. Facets of the natural boundary
 /// conduct nothing. Throws InvalidInput, naming a facet, if the cells are not coherently oriented
 /// or branch, or if an interior resistance is zero.
-DualFluxes dual_fluxes(const CellComplex& complex, const CellVolumes& volumes,
-                       const FacetDuals& duals, const CellMarks& essential);
+DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, const FacetDuals& duals,
+                       const CellMarks& essential);
 
 } // namespace polydec

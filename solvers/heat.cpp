@@ -5,7 +5,6 @@
 #include "base/errors.h"
 #include "dec/conditioned_complex.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
 #include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
@@ -20,44 +19,44 @@ RelativeComplex absolute(const CellComplex& complex) {
 
 } // namespace
 
-HeatSolver::HeatSolver(const CellComplex& complex, const CellVolumes& volumes, Side side,
-                       int degree, const HeatOptions& options)
-    : HeatSolver(complex, ConditionedComplex{absolute(complex), volumes}, side, degree, options) {}
+HeatSolver::HeatSolver(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
+                       const HeatOptions& options)
+    : HeatSolver(complex, ConditionedComplex{absolute(complex), stars}, side, degree, options) {}
 
 HeatSolver::HeatSolver(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
                        int degree, const HeatOptions& options)
     : HeatSolver(mesh.complex(), conditioned_complex(mesh, side, degree, conditions), side, degree,
                  options) {}
 
-HeatSolver::HeatSolver(const CellComplex& complex, const CellVolumes& volumes,
+HeatSolver::HeatSolver(const CellComplex& complex, const HodgeStars& stars,
                        const BoundaryConditions& conditions, Side side, int degree,
                        const HeatOptions& options)
-    : HeatSolver(complex, conditioned_complex(complex, volumes, side, degree, conditions), side,
+    : HeatSolver(complex, conditioned_complex(complex, stars, side, degree, conditions), side,
                  degree, options) {}
 
 HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space, Side side,
                        int degree, const HeatOptions& options)
     : complex_(whole), side_(side), degree_(degree) {
     const CellComplex& complex = space.relative.complex;
-    const CellVolumes& volumes = space.volumes;
+    const HodgeStars& stars = space.stars;
     const int k = cell_degree(complex, side, degree);
     kept_ = space.relative.cells[k];
-    check_positive_mass(volumes, side, degree, k);
+    check_positive_mass(stars[k], side, degree);
     if (!(options.time_step > 0) || !std::isfinite(options.time_step))
         throw InvalidInput(fmt::format("a time step of {} is given: expected a finite one above 0",
                                        options.time_step));
     const bool implicit = options.scheme == HeatScheme::backward_euler;
     const double implicit_part = implicit ? options.time_step : options.time_step / 2;
     explicit_part_ = options.time_step - implicit_part;
-    mass_ = star(volumes, k);
-    stiffness_ = symmetric_laplacian(complex, volumes, k);
+    mass_ = stars[k].diagonal();
+    stiffness_ = symmetric_laplacian(complex, stars, k);
 
     SparseMatrix A(mass_.size(), mass_.size());
     A.setIdentity();
     A = mass_.asDiagonal() * A;
     A += implicit_part * stiffness_;
     solver_ = make_linear_solver(options.linear_solver);
-    const bool definite = laplacian_definiteness(volumes, k) == Definiteness::semidefinite;
+    const bool definite = laplacian_definiteness(stars, k) == Definiteness::semidefinite;
     solver_->factorize(
         A, {.symmetry = Symmetry::symmetric,
             .definiteness = definite ? Definiteness::positive : Definiteness::indefinite,

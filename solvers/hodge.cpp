@@ -5,7 +5,6 @@
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
-#include "dec/forms/star.h"
 #include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
@@ -100,15 +99,15 @@ Vector HodgeSolver::Projection::solve(const Vector& w) const {
     return x;
 }
 
-HodgeSolver::HodgeSolver(const CellComplex& complex, const CellVolumes& volumes, Side side,
-                         int degree, const std::string& engine)
+HodgeSolver::HodgeSolver(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
+                         const std::string& engine)
     : complex_(complex),
       side_(side),
       degree_(degree),
       k_(cell_degree(complex, side, degree)),
-      mass_(star(volumes, k_)) {
-    check_fit(complex, volumes);
-    check_positive_mass(volumes, side, degree, k_);
+      mass_(stars[k_].diagonal()) {
+    check_fit(complex, stars);
+    check_positive_mass(stars[k_], side, degree);
     unit_ = unit_of(mass_);
     mass_ /= unit_;
     const int n = complex.dimension();
@@ -174,24 +173,24 @@ DenseMatrix HodgeSolver::harmonic_forms() const {
                                  : DenseMatrix(root * (mass_.asDiagonal() * forms));
 }
 
-HodgeParts hodge_decomposition(const CellComplex& complex, const CellVolumes& volumes,
+HodgeParts hodge_decomposition(const CellComplex& complex, const HodgeStars& stars,
                                const Cochain& form, const std::string& engine) {
-    return HodgeSolver(complex, volumes, form.side, form.degree, engine).decompose(form);
+    return HodgeSolver(complex, stars, form.side, form.degree, engine).decompose(form);
 }
 
-DenseMatrix harmonic_forms(const CellComplex& complex, const CellVolumes& volumes, Side side,
+DenseMatrix harmonic_forms(const CellComplex& complex, const HodgeStars& stars, Side side,
                            int degree, const std::string& engine) {
-    return HodgeSolver(complex, volumes, side, degree, engine).harmonic_forms();
+    return HodgeSolver(complex, stars, side, degree, engine).harmonic_forms();
 }
 
 HodgeParts hodge_decomposition(const Discretization& mesh, const Cochain& form,
                                const std::string& engine) {
-    return hodge_decomposition(mesh.complex(), mesh.volumes(), form, engine);
+    return hodge_decomposition(mesh.complex(), mesh.stars(), form, engine);
 }
 
 DenseMatrix harmonic_forms(const Discretization& mesh, Side side, int degree,
                            const std::string& engine) {
-    return harmonic_forms(mesh.complex(), mesh.volumes(), side, degree, engine);
+    return harmonic_forms(mesh.complex(), mesh.stars(), side, degree, engine);
 }
 
 } // namespace polydec

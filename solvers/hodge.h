@@ -24,16 +24,16 @@ struct HodgeParts {
 ///
 /// On the whole complex the exact part of a primal form is orthogonal to coclosed forms that do not
 /// flow through the boundary, that of a dual form to all coclosed ones. For other conditions hand
-/// over the complex and the volumes of conditioned_complex.
+/// over the complex and the stars of conditioned_complex.
 class HodgeSolver {
 public:
     /// Throws InvalidInput if there is no such degree or, naming the cells, if the star of these
     /// forms is not positive; what the engine throws where it fails.
-    HodgeSolver(const CellComplex& complex, const CellVolumes& volumes, Side side, int degree,
+    HodgeSolver(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
                 const std::string& engine = "auto");
     HodgeSolver(const Discretization& mesh, Side side, int degree,
                 const std::string& engine = "auto")
-        : HodgeSolver(mesh.complex(), mesh.volumes(), side, degree, engine) {}
+        : HodgeSolver(mesh.complex(), mesh.stars(), side, degree, engine) {}
     HodgeSolver(HodgeSolver&&) noexcept;
     ~HodgeSolver();
 
@@ -58,13 +58,13 @@ private:
 };
 
 /// The decomposition by a solver made for it.
-HodgeParts hodge_decomposition(const CellComplex& complex, const CellVolumes& volumes,
+HodgeParts hodge_decomposition(const CellComplex& complex, const HodgeStars& stars,
                                const Cochain& form, const std::string& engine = "auto");
 HodgeParts hodge_decomposition(const Discretization& mesh, const Cochain& form,
                                const std::string& engine = "auto");
 
 /// The harmonic forms by a solver made for them.
-DenseMatrix harmonic_forms(const CellComplex& complex, const CellVolumes& volumes, Side side,
+DenseMatrix harmonic_forms(const CellComplex& complex, const HodgeStars& stars, Side side,
                            int degree, const std::string& engine = "auto");
 DenseMatrix harmonic_forms(const Discretization& mesh, Side side, int degree,
                            const std::string& engine = "auto");

@@ -18,31 +18,31 @@ namespace polydec {
 
 namespace {
 
-void check_stars(const CellComplex& complex, const CellVolumes& volumes, int k) {
+void check_stars(const CellComplex& complex, const HodgeStars& stars, int k) {
     if (k < 0 || k >= complex.dimension())
         throw InvalidInput(fmt::format("waves of {}-forms are asked for: in dimension {} the "
                                        "degrees are 0 to {}",
                                        k, complex.dimension(), complex.dimension() - 1));
-    check_fit(complex, volumes);
-    check_positive_mass(volumes, Side::primal, k, k);
-    const auto negative = negative_star_cells(volumes, k + 1);
+    check_fit(complex, stars);
+    check_positive_mass(stars[k], Side::primal, k);
+    const auto negative = stars[k + 1].negatives();
     if (!negative.empty())
         throw InvalidInput(fmt::format("the duals of {} {}-cells are negative, the first is cell "
                                        "{}: waves would grow without bound; take {}",
                                        negative.size(), k + 1,
-                                       volumes.number(k + 1, negative.front()),
-                                       nearer_to_delaunay(volumes)),
-                           {.degree = k + 1, .cells = volumes.numbers(k + 1, negative)});
+                                       stars[k + 1].numbers({negative.front()}),
+                                       nearer_to_delaunay(stars.dimension())),
+                           stars[k + 1].place(negative));
 }
 
 } // namespace
 
-double stable_step(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    check_stars(complex, volumes, k);
+double stable_step(const CellComplex& complex, const HodgeStars& stars, int k) {
+    check_stars(complex, stars, k);
     const SparseMatrix d = derivative(complex, k);
     const SparseMatrix d_transposed = d.transpose();
-    const Vector root = star(volumes, k).cwiseSqrt().cwiseInverse();
-    const Vector upper = star(volumes, k + 1);
+    const Vector root = stars[k].diagonal().cwiseSqrt().cwiseInverse();
+    const Vector upper = stars[k + 1].diagonal();
     if (d.nonZeros() == 0)
         return std::numeric_limits<double>::infinity();
     const SymmetricOperator A{complex.size(k), [&](const Vector& x, Vector& y) {
@@ -56,17 +56,17 @@ double stable_step(const CellComplex& complex, const CellVolumes& volumes, int k
     return 2 / std::sqrt(largest.values[0]);
 }
 
-Leapfrog::Leapfrog(const CellComplex& complex, const CellVolumes& volumes, int k, double time_step)
+Leapfrog::Leapfrog(const CellComplex& complex, const HodgeStars& stars, int k, double time_step)
     : time_step_(time_step) {
-    const double limit = stable_step(complex, volumes, k);
+    const double limit = stable_step(complex, stars, k);
     if (!(time_step > 0 && time_step < limit))
         throw InvalidInput(fmt::format("a time step of {:.6g} is given: expected one above 0 and "
                                        "below {:.6g}, beyond which waves grow",
                                        time_step, limit));
     d_ = derivative(complex, k);
     d_transposed_ = d_.transpose();
-    mass_ = star(volumes, k);
-    upper_mass_ = star(volumes, k + 1);
+    mass_ = stars[k].diagonal();
+    upper_mass_ = stars[k + 1].diagonal();
 }
 
 void Leapfrog::check_sizes(const Vector& E, const Vector& B) const {

@@ -16,9 +16,9 @@ class Leapfrog {
 public:
     /// Throws InvalidInput if there is no degree k < n, if star_k is not positive or star_(k+1) has
     /// a negative entry, or if the time step is not positive and below stable_step.
-    Leapfrog(const CellComplex& complex, const CellVolumes& volumes, int k, double time_step);
+    Leapfrog(const CellComplex& complex, const HodgeStars& stars, int k, double time_step);
     Leapfrog(const Discretization& mesh, int k, double time_step)
-        : Leapfrog(mesh.complex(), mesh.volumes(), k, time_step) {}
+        : Leapfrog(mesh.complex(), mesh.stars(), k, time_step) {}
 
     /// One step on E (size(k) values) and B (size(k+1) values). Throws InvalidInput, as energy
     /// does, for other numbers of values.
@@ -40,9 +40,9 @@ private:
 
 /// 2 / sqrt of the largest eigenvalue of delta d on k-forms: steps must be shorter. Units length.
 /// Throws InvalidInput like Leapfrog; infinity if d is zero.
-double stable_step(const CellComplex& complex, const CellVolumes& volumes, int k);
+double stable_step(const CellComplex& complex, const HodgeStars& stars, int k);
 inline double stable_step(const Discretization& mesh, int k) {
-    return stable_step(mesh.complex(), mesh.volumes(), k);
+    return stable_step(mesh.complex(), mesh.stars(), k);
 }
 
 } // namespace polydec

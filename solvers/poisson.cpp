@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/gram.h"
-#include "dec/forms/star.h"
 #include "dec/metric/dual_parts.h"
 #include "solvers/dual_fluxes.h"
 
@@ -88,9 +87,9 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
 }
 
 /// star_1; 0 where that is no more than rounding, because such an edge connects nothing.
-Vector edge_weights(const CellVolumes& volumes) {
-    Vector weights = star(volumes, 1);
-    for (const Index edge : zero_star_cells(volumes, 1))
+Vector edge_weights(const HodgeStar& star) {
+    Vector weights = star.diagonal();
+    for (const Index edge : star.zeros())
         weights[edge] = 0;
     return weights;
 }
@@ -98,7 +97,7 @@ Vector edge_weights(const CellVolumes& volumes) {
 /// The same with every part of a dual multiplied by the conductivity of the cell it lies in.
 Vector edge_weights(const Discretization& mesh, const Vector& conductivity) {
     if (conductivity.size() == 0)
-        return edge_weights(mesh.volumes());
+        return edge_weights(mesh.stars()[1]);
     const auto& volumes = mesh.piece_volumes();
     const int n = mesh.dimension();
     const SparseMatrix parts =
@@ -134,7 +133,7 @@ SparseMatrix shares_of_vertices(const Discretization& mesh) {
 }
 
 /// The same where nothing is known of duals: equal shares.
-SparseMatrix shares_of_vertices(const CellComplex& complex, const CellVolumes& volumes) {
+SparseMatrix shares_of_vertices(const CellComplex& complex, const HodgeStars& stars) {
     const int n = complex.dimension();
     SparseMatrix vertices(complex.size(n - 1), complex.size(n - 1));
     vertices.setIdentity();
@@ -146,7 +145,7 @@ SparseMatrix shares_of_vertices(const CellComplex& complex, const CellVolumes& v
     }
     vertices.coeffs().setOnes();
     const Vector counts = vertices * Vector::Ones(vertices.cols());
-    const Vector shares = volumes.primal(n - 1).cwiseQuotient(counts);
+    const Vector shares = stars.volumes().primal(n - 1).cwiseQuotient(counts);
     return SparseMatrix(shares.asDiagonal() * vertices).transpose();
 }
 
@@ -163,13 +162,13 @@ struct PoissonSolver::Problem {
 
     /// weights are those of edges; shares() are what vertices have of facets.
     template <class Shares>
-    static Problem primal(const CellComplex& complex, const CellVolumes& volumes,
+    static Problem primal(const CellComplex& complex, const HodgeStars& stars,
                           const PoissonOptions& options, const Vector& weights, Shares shares) {
         const int n = complex.dimension();
         const Index size = complex.size(0);
         const auto essential = essential_cells(complex, options.boundary);
         const Vector natural = natural_facets(complex, essential);
-        const Vector mass = star(volumes, 0);
+        const Vector mass = stars[0].diagonal();
         SparseMatrix flux_load(size, natural.size());
         if (!natural.isZero(0))
             flux_load = shares() * natural.asDiagonal();
@@ -188,11 +187,12 @@ struct PoissonSolver::Problem {
                 options.linear_solver};
     }
 
-    static Problem dual(const CellComplex& complex, const CellVolumes& volumes,
+    static Problem dual(const CellComplex& complex, const HodgeStars& stars,
                         const PoissonOptions& options, const FacetDuals& duals) {
         const int n = complex.dimension();
         const auto essential = essential_cells(complex, options.boundary);
-        auto fluxes = dual_fluxes(complex, volumes, duals, essential);
+        const CellVolumes& volumes = stars.volumes();
+        auto fluxes = dual_fluxes(complex, stars, duals, essential);
         const Vector areas = natural_facets(complex, essential).cwiseProduct(volumes.primal(n - 1));
         return {Side::dual,
                 {connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),
@@ -211,10 +211,10 @@ struct PoissonSolver::Problem {
     static Problem of(const Discretization& mesh, const PoissonOptions& options) {
         check_conductivity(mesh.complex(), options.conductivity);
         Problem problem = options.side == Side::primal
-                              ? primal(mesh.complex(), mesh.volumes(), options,
+                              ? primal(mesh.complex(), mesh.stars(), options,
                                        edge_weights(mesh, options.conductivity),
                                        [&] { return shares_of_vertices(mesh); })
-                              : dual(mesh.complex(), mesh.volumes(), options,
+                              : dual(mesh.complex(), mesh.stars(), options,
                                      facet_duals(mesh, options.conductivity));
         const int n = mesh.dimension();
         problem.sites = cell_centers(mesh, options.side == Side::primal ? 0 : n);
@@ -222,16 +222,16 @@ struct PoissonSolver::Problem {
         return problem;
     }
 
-    static Problem of(const CellComplex& complex, const CellVolumes& volumes,
+    static Problem of(const CellComplex& complex, const HodgeStars& stars,
                       const PoissonOptions& options) {
-        check_fit(complex, volumes);
+        check_fit(complex, stars);
         if (options.conductivity.size() != 0)
             throw InvalidInput("conductivities are given for cells of one's own: how their duals "
                                "are divided among them is not known; give a mesh");
         Problem problem = options.side == Side::primal
-                              ? primal(complex, volumes, options, edge_weights(volumes),
-                                       [&] { return shares_of_vertices(complex, volumes); })
-                              : dual(complex, volumes, options, facet_duals(complex, volumes));
+                              ? primal(complex, stars, options, edge_weights(stars[1]),
+                                       [&] { return shares_of_vertices(complex, stars); })
+                              : dual(complex, stars, options, facet_duals(complex, stars));
         problem.sites.resize(problem.mass.size(), 0);
         problem.flux_sites.resize(complex.size(complex.dimension() - 1), 0);
         return problem;
@@ -241,9 +241,9 @@ struct PoissonSolver::Problem {
 PoissonSolver::PoissonSolver(const Discretization& mesh, const PoissonOptions& options)
     : PoissonSolver(Problem::of(mesh, options)) {}
 
-PoissonSolver::PoissonSolver(const CellComplex& complex, const CellVolumes& volumes,
+PoissonSolver::PoissonSolver(const CellComplex& complex, const HodgeStars& stars,
                              const PoissonOptions& options)
-    : PoissonSolver(Problem::of(complex, volumes, options)) {}
+    : PoissonSolver(Problem::of(complex, stars, options)) {}
 
 PoissonSolver::PoissonSolver(Problem problem)
     : side_(problem.side),

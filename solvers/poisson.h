@@ -37,11 +37,11 @@ public:
     /// do not fit the facets.
     PoissonSolver(const Discretization& mesh, const PoissonOptions& options = {});
 
-    /// On any cells with any volumes, whose places are not known: tables of sites have no columns.
+    /// On any cells with any stars, whose places are not known: tables of sites have no columns.
     /// A boundary facet has a dual unless its star is zero, and what flows through it is shared
     /// equally among its vertices. Throws likewise, and for conductivities, since how the duals are
     /// divided among the cells is not known either.
-    PoissonSolver(const CellComplex& complex, const CellVolumes& volumes,
+    PoissonSolver(const CellComplex& complex, const HodgeStars& stars,
                   const PoissonOptions& options = {});
 
     /// Where f has its values, one row of coordinates each: vertices or circumcenters of n-cells.

@@ -124,7 +124,7 @@ std::string flip_advice(const Discretization& mesh) {
 
 void warn_of_negative_duals(const Discretization& mesh, int k, std::string_view consequence,
                             Log& log) {
-    const auto cells = negative_star_cells(mesh.volumes(), k).size();
+    const auto cells = mesh.stars()[k].negatives().size();
     if (cells > 0)
         log.warn(fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay "
                              "there): {}{}",

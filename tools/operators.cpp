@@ -73,7 +73,7 @@ public:
             if (k < mesh_.dimension())
                 write_matrix_market(file("d", k), P_.coboundary(k));
             const int n = mesh_.dimension();
-            write_scaled("star", k, star(mesh_.volumes(), k), n - 2 * k);
+            write_scaled("star", k, mesh_.stars()[k].diagonal(), n - 2 * k);
             write_scaled("volume", k, mesh_.volumes().primal(k), k);
             write_scaled("dual_volume", k, mesh_.volumes().dual(k), n - k);
             write_matrix_market(file("diamond", k), diamonds[k]);

@@ -89,7 +89,7 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
     std::size_t duals = 0;
     for (const int j : {k - 1, k + 1})
         if (j >= 0 && j <= mesh.dimension())
-            duals += negative_star_cells(mesh.volumes(), j).size();
+            duals += mesh.stars()[j].negatives().size();
     if (negative == 0 || duals == 0)
         return std::nullopt;
     return fmt::format("{} of the eigenvalues {} negative and spurious: {} next to these forms {} "

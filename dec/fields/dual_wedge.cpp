@@ -172,7 +172,7 @@ Vector product_of_stars(const Pieces& complex, const SimplexMetric& metric,
 /// The primal form of which a dual form is the star.
 Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
     const int p = complex.dimension() - form.degree;
-    return {Side::primal, p, inverse_star(volumes, p).cwiseProduct(form.values)};
+    return {Side::primal, p, star(volumes, p).solve(form.values)};
 }
 
 } // namespace

@@ -18,8 +18,8 @@ namespace polydec {
 /// (Desbrun, Hirani, Leok, Marsden 2005), is not exact for constants. Time linear in the number of
 /// incidences. volumes are those of `complex`.
 ///
-/// Throws like check; like inverse_star, naming the cells, where star_(n-k) or star_(n-l) has a
-/// zero; and InvalidInput for primal forms and for k + l > n.
+/// Throws like check; like HodgeStar::inverse, naming the cells, where star_(n-k) or star_(n-l) has
+/// a zero; and InvalidInput for primal forms and for k + l > n.
 Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
                    const Cochain& a, const Cochain& b, const Centers& centers = {});
 

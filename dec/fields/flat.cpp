@@ -75,10 +75,10 @@ Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
 }
 
 void check_dual_volumes(const Discretization& mesh) {
-    if (const auto zero = zero_star_cells(mesh.volumes(), 1); !zero.empty())
+    if (const auto zero = mesh.stars()[1].zeros(); !zero.empty())
         throw InvalidInput(
             fmt::format("the dpp flat divides by zero: the dual of the edge with vertices {} has "
-                        "no volume ({} such edges, see zero_star_cells of degree 1); let cells be "
+                        "no volume ({} such edges, see HodgeStar::zeros of degree 1); let cells be "
                         "merged, or take the field at the vertices",
                         fmt::join(cell_vertices(mesh, 1, zero.front()), ", "), zero.size()),
             {.degree = 1, .cells = zero, .vertices = cell_vertices(mesh, 1, zero.front())});

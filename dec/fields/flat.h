@@ -34,7 +34,7 @@ enum class Flat {
 /// input's simplices. All is exact as before; of smooth fields on smooth surfaces ppp and ppd are
 /// of second order, the others of first at least. Throws InvalidInput for a field of another shape,
 /// naming the row if it is not finite; for dpp also, naming the vertices, for edges whose dual
-/// volume is zero (zero_star_cells of degree 1).
+/// volume is zero (HodgeStar::zeros of degree 1).
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field);
 
 } // namespace polydec

@@ -29,7 +29,7 @@ void check_form(const Discretization& mesh, const Cochain& form, int degree) {
 }
 
 void check_dual_cells(const Discretization& mesh) {
-    auto zero = zero_star_cells(mesh.input_volumes(), 0);
+    auto zero = star(mesh.input_volumes(), 0).zeros();
     if (zero.empty())
         return;
     const auto count = zero.size();

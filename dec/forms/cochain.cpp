@@ -3,8 +3,6 @@
 
 #include "base/errors.h"
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
-#include "dec/metric/cell_volumes.h"
 
 #include <fmt/format.h>
 
@@ -100,45 +98,43 @@ Cochain d(const CellComplex& complex, const Cochain& form) {
                          (Operator::derivative(complex, k - 1).transposed() * form.values))};
 }
 
-Cochain star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
+Cochain star(const CellComplex& complex, const HodgeStars& stars, const Cochain& form) {
     check(complex, form);
-    check_fit(complex, volumes);
+    check_fit(complex, stars);
     const int k = cell_degree(complex, form.side, form.degree);
     const int other = complex.dimension() - form.degree;
     if (form.side == Side::primal)
-        return {Side::dual, other, star(volumes, k).cwiseProduct(form.values)};
-    return {Side::primal, other, dual_star(volumes, k).cwiseProduct(form.values)};
+        return {Side::dual, other, stars[k] * form.values};
+    const double star_star = k * (complex.dimension() - k) % 2 == 0 ? 1 : -1;
+    return {Side::primal, other, star_star * stars[k].solve(form.values)};
 }
 
-Cochain codifferential(const CellComplex& complex, const CellVolumes& volumes,
-                       const Cochain& form) {
+Cochain codifferential(const CellComplex& complex, const HodgeStars& stars, const Cochain& form) {
     check(complex, form);
     return {form.side, form.degree - 1,
             form.side == Side::primal
-                ? codifferential(complex, volumes, form.degree) * form.values
-                : dual_codifferential(complex, volumes, form.degree) * form.values};
+                ? codifferential(complex, stars, form.degree) * form.values
+                : dual_codifferential(complex, stars, form.degree) * form.values};
 }
 
-Cochain laplacian(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
+Cochain laplacian(const CellComplex& complex, const HodgeStars& stars, const Cochain& form) {
     check(complex, form);
     return {form.side, form.degree,
-            form.side == Side::primal
-                ? laplacian(complex, volumes, form.degree) * form.values
-                : dual_laplacian(complex, volumes, form.degree) * form.values};
+            form.side == Side::primal ? laplacian(complex, stars, form.degree) * form.values
+                                      : dual_laplacian(complex, stars, form.degree) * form.values};
 }
 
-double inner_product(const CellComplex& complex, const CellVolumes& volumes, const Cochain& a,
+double inner_product(const CellComplex& complex, const HodgeStars& stars, const Cochain& a,
                      const Cochain& b) {
     check(complex, a);
     check_alike(a, b, "form");
-    check_fit(complex, volumes);
+    check_fit(complex, stars);
     const int k = cell_degree(complex, a.side, a.degree);
-    const Vector mass = a.side == Side::primal ? star(volumes, k) : inverse_star(volumes, k);
-    return a.values.dot(mass.cwiseProduct(b.values));
+    return a.values.dot(a.side == Side::primal ? stars[k] * b.values : stars[k].solve(b.values));
 }
 
-double norm(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form) {
-    const double square = inner_product(complex, volumes, form, form);
+double norm(const CellComplex& complex, const HodgeStars& stars, const Cochain& form) {
+    const double square = inner_product(complex, stars, form, form);
     if (square < 0)
         throw InvalidInput(fmt::format("the square of the norm of {} is {:.3g}: the duals of some "
                                        "{}-cells are negative, so there is no norm",

@@ -3,7 +3,7 @@
 
 #include "complex/cell_complex.h"
 #include "dec/forms/side.h"
-#include "dec/metric/cell_volumes.h"
+#include "dec/forms/star.h"
 
 namespace polydec {
 
@@ -49,26 +49,26 @@ double pairing(const Cochain& form, const Chain& chain);
 Cochain d(const CellComplex& complex, const Cochain& form);
 
 /// Hodge star: primal k-forms to dual (n-k)-forms and back, star star = (-1)^(k(n-k)).
-/// Throws like check, like star for a primal form, and like dual_star for a dual one.
-Cochain star(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form);
+/// Throws like check, and for a dual form like HodgeStar::solve.
+Cochain star(const CellComplex& complex, const HodgeStars& stars, const Cochain& form);
 
 /// Codifferential, of degree k-1, the adjoint of d in the inner products below; empty for k = 0.
 /// Throws like check and codifferential or dual_codifferential.
-Cochain codifferential(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form);
+Cochain codifferential(const CellComplex& complex, const HodgeStars& stars, const Cochain& form);
 
 /// Laplace-de Rham operator d delta + delta d. Throws like check and laplacian or dual_laplacian.
-Cochain laplacian(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form);
+Cochain laplacian(const CellComplex& complex, const HodgeStars& stars, const Cochain& form);
 
 /// L2 product: values weighted with |*s| / |s| for primal forms, |s| / |*s| for dual ones.
 /// Symmetric; positive definite iff every dual volume is positive; units those of the values
-/// squared times length^(n-2k). Throws like check and inverse_star, and InvalidInput, naming both,
-/// if sides or degrees differ.
-double inner_product(const CellComplex& complex, const CellVolumes& volumes, const Cochain& a,
+/// squared times length^(n-2k). Throws like check and, for dual forms, HodgeStar::solve, and
+/// InvalidInput, naming both, if sides or degrees differ.
+double inner_product(const CellComplex& complex, const HodgeStars& stars, const Cochain& a,
                      const Cochain& b);
 
 /// Square root of the inner product with itself.
 /// Throws like inner_product, and InvalidInput if negative duals make it negative.
-double norm(const CellComplex& complex, const CellVolumes& volumes, const Cochain& form);
+double norm(const CellComplex& complex, const HodgeStars& stars, const Cochain& form);
 
 /// Sums and multiples. Throw InvalidInput, naming both, if sides, degrees or sizes differ.
 Cochain operator+(const Cochain& a, const Cochain& b);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "complex/cell_complex.h"
+#include "dec/forms/star.h"
 
 #include <memory>
 #include <variant>
@@ -17,8 +18,12 @@ public:
     /// d_k of a complex, size(k+1) x size(k), k = -1..n. Throws InvalidInput for another degree.
     static Operator derivative(const CellComplex& complex, int k);
 
-    /// Multiplies each value by a weight, as a diagonal star does.
+    /// Multiplies each value by a weight.
     static Operator weights(Vector weights);
+
+    /// A star, and its inverse, which throws InvalidInput like HodgeStar::inverse.
+    static Operator star(const HodgeStar& star) { return weights(star.diagonal()); }
+    static Operator inverse_star(const HodgeStar& star) { return weights(star.inverse()); }
 
     /// 0 for all values.
     static Operator zero(Index rows, Index cols);

@@ -2,7 +2,6 @@
 #include "dec/forms/star.h"
 
 #include "base/checks.h"
-#include "base/errors.h"
 #include "dec/metric/rounding.h"
 
 #include <fmt/format.h>
@@ -12,12 +11,47 @@
 
 namespace polydec {
 
-Vector star(const CellVolumes& volumes, int k) {
-    return volumes.dual(k).cwiseQuotient(volumes.primal(k));
+HodgeStar::HodgeStar(const CellVolumes& volumes, int k) : volumes_(volumes), degree_(k) {
+    volumes_.primal(k); // which there must be
 }
 
-std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k) {
-    const Vector &dual = volumes.dual(k), &terms = volumes.terms(k);
+void HodgeStar::check(const Vector& values) const {
+    check_as_many(fmt::format("values of {}-cells", degree_), values.size(), size());
+}
+
+Vector HodgeStar::diagonal() const {
+    return volumes_.dual(degree_).cwiseQuotient(volumes_.primal(degree_));
+}
+
+SparseMatrix HodgeStar::matrix() const {
+    return SparseMatrix(diagonal().asDiagonal());
+}
+
+Vector HodgeStar::operator*(const Vector& values) const {
+    check(values);
+    return diagonal().cwiseProduct(values);
+}
+
+Vector HodgeStar::solve(const Vector& values) const {
+    check(values);
+    return inverse().cwiseProduct(values);
+}
+
+Vector HodgeStar::inverse() const {
+    if (const auto cells = zeros(); !cells.empty())
+        throw InvalidInput(fmt::format("the inverse star of degree {} divides by zero: the duals "
+                                       "of {} {}-cells have no volume (cells {})",
+                                       degree_, cells.size(), degree_, numbers(cells)),
+                           place(cells));
+    return diagonal().cwiseInverse();
+}
+
+Vector HodgeStar::uncertainty() const {
+    return volumes_.rounding(degree_).cwiseQuotient(volumes_.primal(degree_));
+}
+
+std::vector<Index> HodgeStar::zeros() const {
+    const Vector &dual = volumes_.dual(degree_), &terms = volumes_.terms(degree_);
     std::vector<Index> cells;
     for (Index s = 0; s < dual.size(); ++s)
         if (is_zero(dual[s], terms[s]))
@@ -25,8 +59,8 @@ std::vector<Index> zero_star_cells(const CellVolumes& volumes, int k) {
     return cells;
 }
 
-std::vector<Index> negative_star_cells(const CellVolumes& volumes, int k) {
-    const Vector &dual = volumes.dual(k), &terms = volumes.terms(k);
+std::vector<Index> HodgeStar::negatives() const {
+    const Vector &dual = volumes_.dual(degree_), &terms = volumes_.terms(degree_);
     std::vector<Index> cells;
     for (Index s = 0; s < dual.size(); ++s)
         if (dual[s] < 0 && !is_zero(dual[s], terms[s]))
@@ -34,27 +68,16 @@ std::vector<Index> negative_star_cells(const CellVolumes& volumes, int k) {
     return cells;
 }
 
-std::string numbers_of(const CellVolumes& volumes, int k, const std::vector<Index>& cells) {
+std::string HodgeStar::numbers(const std::vector<Index>& cells) const {
     constexpr std::size_t most = 5;
-    std::vector<Index> numbers;
+    std::vector<Index> first;
     for (std::size_t i = 0; i < std::min(cells.size(), most); ++i)
-        numbers.push_back(volumes.number(k, cells[i]));
-    return fmt::format("{}{}", fmt::join(numbers, ", "), cells.size() > most ? ", .." : "");
+        first.push_back(volumes_.number(degree_, cells[i]));
+    return fmt::format("{}{}", fmt::join(first, ", "), cells.size() > most ? ", .." : "");
 }
 
-Vector inverse_star(const CellVolumes& volumes, int k) {
-    if (const auto cells = zero_star_cells(volumes, k); !cells.empty())
-        throw InvalidInput(
-            fmt::format("the inverse star of degree {} divides by zero: the duals of "
-                        "{} {}-cells have no volume (cells {})",
-                        k, cells.size(), k, numbers_of(volumes, k, cells)),
-            {.degree = k, .cells = volumes.numbers(k, cells)});
-    return star(volumes, k).cwiseInverse();
-}
-
-Vector dual_star(const CellVolumes& volumes, int k) {
-    const int n = volumes.dimension();
-    return (k * (n - k) % 2 == 0 ? 1.0 : -1.0) * inverse_star(volumes, k);
+Error::Place HodgeStar::place(const std::vector<Index>& cells) const {
+    return {.degree = degree_, .cells = volumes_.numbers(degree_, cells)};
 }
 
 } // namespace polydec

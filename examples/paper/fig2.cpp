@@ -101,7 +101,7 @@ Report fig2(const Request&) {
         const bool zero = std::abs(dual) < 1e-12;
         table.rows.push_back({pair.label, crosses ? "crosses the edge" : "on one side", kind(mesh),
                               zero ? 0 : dual,
-                              zero ? 0 : star(mesh.input_volumes(), 1)[common_edge],
+                              zero ? 0 : star(mesh.input_volumes(), 1).diagonal()[common_edge],
                               mesh.complex().size(2) == 1 ? "yes" : "no"});
     }
     return {

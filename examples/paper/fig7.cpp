@@ -175,7 +175,7 @@ void add_perturbations(Report& report, const Request& request, int levels) {
 /// 2-norm condition number of the Laplacian of dual 0-forms with Dirichlet data.
 double condition(const Discretization& mesh) {
     const SparseMatrix d = derivative(mesh.complex(), 1);
-    const SparseMatrix left = d * inverse_star(mesh.volumes(), 1).asDiagonal();
+    const SparseMatrix left = d * star(mesh.volumes(), 1).inverse().asDiagonal();
     const DenseMatrix A(left * SparseMatrix(d.transpose()));
     const Vector sizes = Eigen::SelfAdjointEigenSolver<DenseMatrix>(A, Eigen::EigenvaluesOnly)
                              .eigenvalues()

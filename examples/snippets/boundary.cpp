@@ -68,7 +68,7 @@ void zero_boundary_duals() {
     const auto mesh = polydec::discretize(polydec::hexagons(8));
     std::cout << "boundary edges of zero dual length: " << mesh.degenerate().boundary << '\n';
     try {
-        polydec::inverse_star(mesh.volumes(), 1);
+        polydec::star(mesh, 1).inverse();
         std::cout << "star_1 can be inverted\n";
     } catch (const polydec::InvalidInput& error) {
         std::cout << error.what() << '\n';

@@ -46,10 +46,10 @@ void condition_numbers() {
     const polydec::Mesh torus = polydec::perturbed(polydec::torus(24, 12), 1e-7, 1);
     for (const double tolerance : {1e-10, 1e-4}) {
         const auto mesh = polydec::discretize(torus, {.tolerance = tolerance});
-        const polydec::Vector star = polydec::star(mesh.volumes(), 1).cwiseAbs();
+        const polydec::Vector star = polydec::star(mesh, 1).diagonal().cwiseAbs();
         std::cout << "tolerance " << tolerance << ": condition of star_1 "
                   << star.maxCoeff() / star.minCoeff() << ", negative entries "
-                  << polydec::negative_star_cells(mesh.volumes(), 1).size() << '\n';
+                  << polydec::star(mesh, 1).negatives().size() << '\n';
     }
 }
 
@@ -66,7 +66,7 @@ void zero_vertex_dual() {
     }
     const auto mesh = polydec::discretize(star);
     std::cout << "ratio " << ratio << ": vertices without dual area";
-    for (const auto v : polydec::zero_star_cells(mesh.volumes(), 0))
+    for (const auto v : polydec::star(mesh, 0).zeros())
         std::cout << ' ' << v;
     std::cout << '\n';
 }

@@ -36,8 +36,8 @@ void flips() {
     const auto after = polydec::discretize(mesh, {.delaunay = polydec::Delaunay::flips});
     const polydec::IntrinsicStatistics& done = after.passage().flips().statistics;
     std::cout << done.negative_before << " negative dual edges, " << done.flips << " flips\n"
-              << "smallest star_1 " << polydec::star(before.volumes(), 1).minCoeff()
-              << ", after it " << polydec::star(after.volumes(), 1).minCoeff() << '\n';
+              << "smallest star_1 " << polydec::star(before, 1).diagonal().minCoeff()
+              << ", after it " << polydec::star(after, 1).diagonal().minCoeff() << '\n';
     print_spectrum("dual 0-forms before: ", before);
     print_spectrum("dual 0-forms after:  ", after);
 }
@@ -71,7 +71,7 @@ void splits() {
         std::cout << done.flips << " flips, " << done.splits
                   << " splits: " << done.negative_boundary
                   << " negative duals on the boundary, smallest star_1 "
-                  << polydec::star(surface.volumes(), 1).minCoeff() << '\n';
+                  << polydec::star(surface, 1).diagonal().minCoeff() << '\n';
     }
 }
 

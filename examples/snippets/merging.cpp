@@ -52,7 +52,7 @@ void laws_of_the_maps() {
 
 void on_the_triangles() {
     const auto mesh = polydec::discretize(polydec::grid(4, 4));
-    const polydec::SparseMatrix inverse_star(polydec::inverse_star(mesh.volumes(), 1).asDiagonal());
+    const polydec::SparseMatrix inverse_star(polydec::star(mesh, 1).inverse().asDiagonal());
     const polydec::SparseMatrix on_triangles =
         polydec::on_input(mesh, inverse_star, {polydec::Side::dual, 1}, {polydec::Side::primal, 1});
     std::cout << "on the merged edges " << inverse_star.rows() << ", on the edges "

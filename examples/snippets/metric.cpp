@@ -27,7 +27,7 @@ void signs_of_dual_edges() {
         const polydec::SimplicialComplex K(pair.simplices);
         const auto volumes = polydec::circumcentric_volumes(K, pair.points);
         std::cout << "height " << height << ": dual edge " << volumes.dual(1)[0] << ", star_1 "
-                  << polydec::star(volumes, 1)[0] << '\n';
+                  << polydec::star(volumes, 1).diagonal()[0] << '\n';
     }
 }
 
@@ -35,7 +35,7 @@ void flat_torus() {
     polydec::LengthMesh flat = polydec::length_mesh(polydec::torus(12, 8));
     flat.lengths.setOnes(); // six equilateral triangles around every vertex
     const auto mesh = polydec::discretize(flat);
-    const polydec::Vector star = polydec::star(mesh.volumes(), 0);
+    const polydec::Vector star = polydec::star(mesh, 0).diagonal();
     std::cout << "area " << mesh.volumes().primal(2).sum() << ", star_0 from " << star.minCoeff()
               << " to " << star.maxCoeff() << '\n';
 }
@@ -73,7 +73,7 @@ void other_centers() {
         const polydec::Vector u = mesh.points().rowwise().prod(); // xy, which is harmonic
         const polydec::Vector Lu = polydec::laplacian(mesh.complex(), mesh.volumes(), 0) * u;
         std::cout << mesh.complex().size(2) << " cells, smallest star_1 "
-                  << polydec::star(mesh.volumes(), 1).minCoeff() << ", Delta xy in the middle "
+                  << polydec::star(mesh, 1).diagonal().minCoeff() << ", Delta xy in the middle "
                   << std::round(1e6 * Lu[4 * 9 + 4]) / 1e6 << '\n';
     }
 }

@@ -92,11 +92,11 @@ DenseMatrix coexact_modes(const SparseMatrix& d, const Vector& upper_star, const
 }
 
 /// All coexact modes in whole clusters, a column each.
-DenseMatrix coexact_modes(const CellComplex& complex, const CellVolumes& volumes,
+DenseMatrix coexact_modes(const CellComplex& complex, const HodgeStars& stars,
                           const Spectrum& found, Index harmonic) {
     const int k = found.degree;
     const SparseMatrix d = derivative(complex, k);
-    const Vector upper_star = star(volumes, k + 1);
+    const Vector upper_star = stars[k + 1].diagonal();
     std::vector<DenseMatrix> parts;
     Index count = 0;
     for (const auto [begin, end] : whole_clusters(found, complex.size(k))) {
@@ -135,7 +135,7 @@ void measure(const Pencil& given, const DenseMatrix& modes, Index count, Spectru
 
 } // namespace
 
-Spectrum coexact_spectrum(const CellComplex& complex, const CellVolumes& volumes,
+Spectrum coexact_spectrum(const CellComplex& complex, const HodgeStars& stars,
                           const SpectrumOptions& options) {
     check(complex, options);
     const int k = options.degree;
@@ -147,11 +147,11 @@ Spectrum coexact_spectrum(const CellComplex& complex, const CellVolumes& volumes
     SpectrumOptions all = options;
     all.count = options.count > size / 2 - 10 ? size : 2 * options.count + 10;
     while (true) {
-        Spectrum found = spectrum(complex, volumes, all);
-        const DenseMatrix modes = coexact_modes(complex, volumes, found, betti[k]);
+        Spectrum found = spectrum(complex, stars, all);
+        const DenseMatrix modes = coexact_modes(complex, stars, found, betti[k]);
         if (modes.cols() >= options.count) {
             check_zeros(found, betti[k]);
-            measure(coexact_pencil(complex, volumes, k), modes, options.count, found);
+            measure(coexact_pencil(complex, stars, k), modes, options.count, found);
             return found;
         }
         if (all.count == size)

@@ -16,7 +16,7 @@ namespace polydec {
 /// Of the options the side must be primal; count is that of coexact pairs.
 /// Throws like spectrum, and InvalidInput, before any work, if there are fewer coexact forms than
 /// asked for; of degree n there are none.
-Spectrum coexact_spectrum(const CellComplex& complex, const CellVolumes& volumes,
+Spectrum coexact_spectrum(const CellComplex& complex, const HodgeStars& stars,
                           const SpectrumOptions& options);
 
 } // namespace polydec

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complex/cell_complex.h"
-#include "dec/metric/cell_volumes.h"
+#include "dec/forms/star.h"
 #include "solvers/spectra/pencil.h"
 
 namespace polydec {
@@ -12,14 +12,14 @@ namespace polydec {
 /// are taken as exact. An uncertain mass moves each eigenvalue by that share of it: true of each
 /// part (Ostrowski 1959), and so of both, since they have their nonzero eigenvalues apart from each
 /// other. Throws InvalidInput, naming the cells, if star_(k-1) has a zero.
-Pencil laplacian_pencil(const CellComplex& complex, const CellVolumes& volumes, int k);
+Pencil laplacian_pencil(const CellComplex& complex, const HodgeStars& stars, int k);
 
 /// The same for k = n, where the lower part is left alone. Unknowns are star_n times the forms: the
 /// dual functions, whose differences are exact. Throws like the above.
-Pencil dual_function_pencil(const CellComplex& complex, const CellVolumes& volumes, int n);
+Pencil dual_function_pencil(const CellComplex& complex, const HodgeStars& stars, int n);
 
 /// d_k^T star_(k+1) d_k x = lambda star_k x, k < n: coexact forms have the same eigenvalues as
 /// above, all others are in its kernel.
-Pencil coexact_pencil(const CellComplex& complex, const CellVolumes& volumes, int k);
+Pencil coexact_pencil(const CellComplex& complex, const HodgeStars& stars, int k);
 
 } // namespace polydec

@@ -3,14 +3,13 @@
 
 #include "base/errors.h"
 #include "dec/advice.h"
-#include "dec/forms/star.h"
 
 #include <fmt/format.h>
 
 namespace polydec {
 
-void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int k) {
-    const auto zero = zero_star_cells(volumes, k), negative = negative_star_cells(volumes, k);
+void check_positive_mass(const HodgeStar& star, Side side, int degree) {
+    const auto zero = star.zeros(), negative = star.negatives();
     if (zero.empty() && negative.empty())
         return;
     const auto& bad = negative.empty() ? zero : negative;
@@ -18,15 +17,15 @@ void check_positive_mass(const CellVolumes& volumes, Side side, int degree, int 
         fmt::format("the mass of {} {}-forms is not positive: the duals of {} of {} {}-cells have "
                     "{} volume (cells {})\nspectra and decompositions need a positive mass: take "
                     "dual 0-forms, whose mass are the volumes of the cells, or {}",
-                    name(side), degree, bad.size(), volumes.primal(k).size(), k,
-                    negative.empty() ? "zero" : "negative", numbers_of(volumes, k, bad),
-                    nearer_to_delaunay(volumes)),
-        {.degree = k, .cells = volumes.numbers(k, bad)});
+                    name(side), degree, bad.size(), star.size(), star.degree(),
+                    negative.empty() ? "zero" : "negative", star.numbers(bad),
+                    nearer_to_delaunay(star.dimension())),
+        star.place(bad));
 }
 
-Definiteness laplacian_definiteness(const CellVolumes& volumes, int k) {
+Definiteness laplacian_definiteness(const HodgeStars& stars, int k) {
     const auto positive = [&](int j) {
-        return j < 0 || j > volumes.dimension() || (volumes.dual(j).array() >= 0).all();
+        return j < 0 || j > stars.dimension() || (stars[j].diagonal().array() >= 0).all();
     };
     return positive(k - 1) && positive(k + 1) ? Definiteness::semidefinite
                                               : Definiteness::indefinite;

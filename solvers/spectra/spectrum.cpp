@@ -5,7 +5,6 @@
 #include "complex/homology.h"
 #include "dec/conditioned_complex.h"
 #include "dec/forms/cochain.h"
-#include "dec/forms/star.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/positive_mass.h"
 
@@ -32,28 +31,28 @@ void check_count(const CellComplex& complex, const SpectrumOptions& options, int
 
 } // namespace
 
-Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
+Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const SpectrumOptions& options) {
     const int k = cell_degree(complex, options.side, options.degree);
     check_count(complex, options, k);
-    check_fit(complex, volumes);
-    check_positive_mass(volumes, options.side, options.degree, k);
+    check_fit(complex, stars);
+    check_positive_mass(stars[k], options.side, options.degree);
 
     const bool is_dual_function = k == complex.dimension();
-    CertifiedEigensolver solver(is_dual_function ? dual_function_pencil(complex, volumes, k)
-                                                 : laplacian_pencil(complex, volumes, k),
+    CertifiedEigensolver solver(is_dual_function ? dual_function_pencil(complex, stars, k)
+                                                 : laplacian_pencil(complex, stars, k),
                                 {.linear_solver = options.linear_solver,
                                  .eigen_solver = options.eigen_solver,
                                  .certification = options.certification,
                                  .domain_dimension = complex.dimension(),
-                                 .definiteness = laplacian_definiteness(volumes, k),
+                                 .definiteness = laplacian_definiteness(stars, k),
                                  .zeros = betti_numbers(complex)[k],
                                  .progress = options.progress});
     auto pairs = solver.smallest(options.count);
     if (options.side == Side::dual && !is_dual_function)
-        pairs.vectors = star(volumes, k).asDiagonal() * pairs.vectors;
+        pairs.vectors = stars[k].diagonal().asDiagonal() * pairs.vectors;
     if (options.side == Side::primal && is_dual_function)
-        pairs.vectors = inverse_star(volumes, k).asDiagonal() * pairs.vectors;
+        pairs.vectors = stars[k].inverse().asDiagonal() * pairs.vectors;
     return {options.side,
             options.degree,
             std::move(pairs.values),
@@ -74,7 +73,7 @@ Spectrum spectrum(const Discretization& discretization, const BoundaryConditions
                   const SpectrumOptions& options) {
     const auto space =
         conditioned_complex(discretization, options.side, options.degree, conditions);
-    auto result = spectrum(space.relative.complex, space.volumes, options);
+    auto result = spectrum(space.relative.complex, space.stars, options);
     const int k = cell_degree(discretization.complex(), options.side, options.degree);
     result.modes = space.relative.extend(k, result.modes);
     return result;

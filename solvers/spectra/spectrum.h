@@ -48,7 +48,7 @@ struct Spectrum {
 /// Throws InvalidInput if there is no such degree or count, or, naming the cells, if the star that
 /// is the mass of these forms is not positive or a star that must be inverted has a zero;
 /// SolverFailure if the eigenpairs cannot be had or proved.
-Spectrum spectrum(const CellComplex& complex, const CellVolumes& volumes,
+Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const SpectrumOptions& options = {});
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options = {});
 

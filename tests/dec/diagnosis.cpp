@@ -242,7 +242,7 @@ std::string wrong_fact(const Diagnosis& told, const Mesh& mesh, const Discretiza
         if (told.cells.input[k] != static_cast<Index>(faces(mesh, k).size()) ||
             told.cells.merged[k] != bundle.volumes().primal(k).size())
             return "cells";
-        const Vector stars = star(bundle.volumes(), k);
+        const Vector stars = star(bundle.volumes(), k).diagonal();
         if (told.stars.merged[k].min != stars.minCoeff() ||
             told.stars.merged[k].negative + told.stars.merged[k].zero <
                 static_cast<std::size_t>((stars.array() < 0).count()))
@@ -305,7 +305,7 @@ TEST_P(DiagnosisOf, is_found_wrong_by_any_fact_that_is) {
 std::size_t negative_duals(const Discretization& mesh) {
     std::size_t count = 0;
     for (int k = 0; k <= mesh.dimension(); ++k)
-        count += negative_star_cells(mesh.volumes(), k).size();
+        count += star(mesh.volumes(), k).negatives().size();
     return count;
 }
 

@@ -53,7 +53,7 @@ std::vector<DualProduct> products(const Merged& mesh, const Discretization& whol
 
 /// By how much star^-1 of degree p magnifies rounding, at worst.
 double condition(const CellVolumes& volumes, int p) {
-    const Vector values = star(volumes, p).cwiseAbs();
+    const Vector values = star(volumes, p).diagonal().cwiseAbs();
     return values.maxCoeff() / values.minCoeff();
 }
 
@@ -66,8 +66,8 @@ void for_products(const std::string& name, Law law) {
     for (const auto& product : products(mesh, discretized(name)))
         for (int k = 0; k <= n; ++k)
             for (int l = 0; k + l <= n; ++l)
-                if (zero_star_cells(product.volumes, n - k).empty() &&
-                    zero_star_cells(product.volumes, n - l).empty()) {
+                if (star(product.volumes, n - k).zeros().empty() &&
+                    star(product.volumes, n - l).zeros().empty()) {
                     SCOPED_TRACE(fmt::format("{}, k = {}, l = {}", product.name, k, l));
                     law(product, k, l);
                 }

@@ -67,7 +67,7 @@ TEST_P(Flats, of_constant_fields_on_edges_are_their_circulations) {
         const SmoothForm X = random_constant(mesh);
         const Vector exact = de_rham(mesh, 1, circulation_form(X)).values;
         for (const Flat kind : primal_kinds) {
-            if (kind == Flat::dpp && !zero_star_cells(mesh.volumes(), 1).empty()) {
+            if (kind == Flat::dpp && !star(mesh.volumes(), 1).zeros().empty()) {
                 EXPECT_NE(refusal([&] { flat(mesh, kind, sampled(mesh, kind, X)); }), "accepted");
                 continue;
             }
@@ -178,7 +178,7 @@ TEST(FlatsBroken, unmerged_squares_have_no_dpp) {
     const auto& mesh = discretized("grid4", MergeCriterion::none);
     EXPECT_EQ(refusal([&] { flat(mesh, Flat::dpp, DenseMatrix::Ones(32, 2)); }),
               "the dpp flat divides by zero: the dual of the edge with vertices 0, 6 has no volume "
-              "(16 such edges, see zero_star_cells of degree 1); let cells be merged, or take the "
+              "(16 such edges, see HodgeStar::zeros of degree 1); let cells be merged, or take the "
               "field at the vertices");
 }
 

@@ -26,7 +26,7 @@ protected:
             EXPECT_GOLDEN(form_numbers.at("d_norm"), (derivative(mesh().P(), k) * w).norm()) << key;
         }
         EXPECT_GOLDEN(form_numbers.at("star_square"),
-                      w.dot(star(mesh().volumes, k).cwiseProduct(w)))
+                      w.dot(star(mesh().volumes, k).diagonal().cwiseProduct(w)))
             << key;
     }
 

@@ -13,13 +13,13 @@ namespace {
 class HarmonicForms : public OverMeshes {};
 
 bool positive(const CellVolumes& volumes, int k) {
-    return zero_star_cells(volumes, k).empty() && negative_star_cells(volumes, k).empty();
+    return star(volumes, k).zeros().empty() && star(volumes, k).negatives().empty();
 }
 
 /// Eigenvalues of Delta_k, ascending, by the symmetric form on both sides of which stands
 /// star^(-1/2).
 Vector eigenvalues(const Metric& m, int k) {
-    const Vector root = star(m.volumes, k).cwiseSqrt().cwiseInverse();
+    const Vector root = star(m.volumes, k).diagonal().cwiseSqrt().cwiseInverse();
     const DenseMatrix A = root.asDiagonal() *
                           DenseMatrix(symmetric_laplacian(m.complex, m.volumes, k).matrix()) *
                           root.asDiagonal();

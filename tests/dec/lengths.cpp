@@ -143,7 +143,7 @@ TEST_P(Lengths, give_the_parts_of_duals_and_the_products_that_points_give) {
                                 circumcentric_wedge(K(), mesh().points, volumes, a, b).values),
             1e-13 * shape * shape);
     }
-    if (!zero_star_cells(volumes, 1).empty() || !zero_star_cells(volumes, n - 1).empty())
+    if (!star(volumes, 1).zeros().empty() || !star(volumes, n - 1).zeros().empty())
         return; // no inverse star to make the dual product of
     const Cochain a{Side::dual, 1, random_vector(K().size(n - 1), 3)};
     const Cochain b{Side::dual, n - 1, random_vector(K().size(1), 4)};
@@ -257,7 +257,7 @@ TEST(FlatTori, known_by_lengths_alone_merge_to_cubes_with_the_spectrum_of_the_gr
         for (int k = 0; k <= n; ++k) {
             ASSERT_EQ(P.size(k), std::lround(binomial(n, k) * std::pow(N, n)));
             const double entry = std::pow(h, n - 2 * k);
-            EXPECT_LE((star(volumes, k).array() / entry - 1).abs().maxCoeff(), 1e-13);
+            EXPECT_LE((star(volumes, k).diagonal().array() / entry - 1).abs().maxCoeff(), 1e-13);
             if (P.size(k) > 100)
                 continue; // dense matrices
             const DenseMatrix A = symmetric_laplacian(P, volumes, k).matrix() / entry;

@@ -61,7 +61,7 @@ TEST_P(OperatorValues, act_on_values_as_their_matrices_do) {
         SCOPED_TRACE(k);
         EXPECT_GT(look_at({[&] { return Operator::derivative(P, k); },
                            [&] { return Operator::derivative(P, k - 1).transposed(); },
-                           [&] { return Operator::weights(star(V, k)); },
+                           [&] { return Operator::weights(star(V, k).diagonal()); },
                            [&] { return codifferential(P, V, k); },
                            [&] { return dual_codifferential(P, V, k); },
                            [&] { return laplacian(P, V, k); },

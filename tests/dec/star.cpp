@@ -2,6 +2,7 @@
 #include "dec/forms/star.h"
 
 #include "base/errors.h"
+#include "dec/forms/cochain.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
@@ -21,7 +22,7 @@ double sign(int n, int k) {
 }
 
 bool invertible(const CellVolumes& volumes, int k) {
-    return zero_star_cells(volumes, k).empty();
+    return star(volumes, k).zeros().empty();
 }
 
 TEST_P(Stars, twice_is_a_sign) {
@@ -29,36 +30,61 @@ TEST_P(Stars, twice_is_a_sign) {
         for (int k = 0; k <= mesh().n(); ++k) {
             if (!invertible(volumes, k))
                 continue;
-            const Vector twice = dual_star(volumes, k).cwiseProduct(star(volumes, k));
-            const Vector expected = Vector::Constant(complex.size(k), sign(mesh().n(), k));
-            EXPECT_LE(relative_difference(twice, expected), 1e-14) << name << ", k = " << k;
+            const Cochain ones{Side::primal, k, Vector::Ones(complex.size(k))};
+            const auto twice = star(complex, volumes, star(complex, volumes, ones));
+            EXPECT_LE(relative_difference(twice.values, sign(mesh().n(), k) * ones.values), 1e-14)
+                << name << ", k = " << k;
         }
 }
 
-TEST_P(Stars, and_their_inverses_are_no_dual_stars_where_the_sign_is_negative) {
+TEST_P(Stars, and_their_inverses_alone_are_the_identity) {
     for (int k = 0; k <= mesh().n(); ++k)
         if (invertible(mesh().volumes, k)) {
-            const bool same = relative_difference(inverse_star(mesh().volumes, k),
-                                                  dual_star(mesh().volumes, k)) == 0;
-            EXPECT_EQ(same, sign(mesh().n(), k) > 0) << "k = " << k;
+            const auto all = star(mesh().volumes, k);
+            const Vector ones = Vector::Ones(all.size());
+            EXPECT_LE(relative_difference(all.solve(all * ones), ones), 1e-14) << "k = " << k;
+            EXPECT_EQ(all.solve(ones), all.inverse()) << "k = " << k;
+            const auto dual =
+                star(mesh().P(), mesh().volumes, Cochain{Side::dual, mesh().n() - k, ones});
+            EXPECT_EQ(relative_difference(dual.values, all.inverse()) == 0, sign(mesh().n(), k) > 0)
+                << "k = " << k;
         }
+}
+
+TEST_P(Stars, are_matrices_and_what_they_do_to_values) {
+    for (const auto& [name, complex, volumes] : both(mesh()))
+        for (int k = 0; k <= mesh().n(); ++k) {
+            const auto all = star(volumes, k);
+            const Vector x = Vector::LinSpaced(all.size(), -1, 2);
+            EXPECT_EQ(all.degree(), k);
+            EXPECT_EQ(all.size(), complex.size(k));
+            EXPECT_EQ(Vector(all.matrix() * x), all * x) << name << ", k = " << k;
+            EXPECT_EQ(Vector(all.matrix().diagonal()), all.diagonal()) << name << ", k = " << k;
+            if (all.size() > 1) { // or it may be the identity
+                EXPECT_NE(Vector(all.matrix() * (2 * x)), all * x) << name << ", k = " << k;
+            }
+            EXPECT_THROW(all * Vector::Ones(all.size() + 1), InvalidInput);
+            EXPECT_THROW(all.solve(Vector::Ones(all.size() + 1)), InvalidInput);
+            EXPECT_TRUE((all.uncertainty().array() >= 0).all());
+        }
+    EXPECT_THROW(star(mesh().volumes, -1), InvalidInput);
+    EXPECT_THROW(star(mesh().volumes, mesh().n() + 1), InvalidInput);
 }
 
 TEST_P(Stars, refuse_to_be_inverted_where_they_are_zero) {
     for (const auto& [name, complex, volumes] : both(mesh()))
         for (int k = 0; k <= mesh().n(); ++k)
             if (!invertible(volumes, k)) {
-                EXPECT_THROW(inverse_star(volumes, k), InvalidInput) << name << ", k = " << k;
-                EXPECT_THROW(dual_star(volumes, k), InvalidInput) << name << ", k = " << k;
+                EXPECT_THROW(star(volumes, k).inverse(), InvalidInput) << name << ", k = " << k;
+                EXPECT_THROW(star(volumes, k).solve(Vector::Ones(complex.size(k))), InvalidInput);
             }
 }
 
 TEST_P(Stars, are_zero_positive_or_negative) {
     for (const auto& [name, complex, volumes] : both(mesh()))
         for (int k = 0; k <= mesh().n(); ++k) {
-            const Vector values = star(volumes, k);
-            const auto zero = zero_star_cells(volumes, k),
-                       negative = negative_star_cells(volumes, k);
+            const Vector values = star(volumes, k).diagonal();
+            const auto zero = star(volumes, k).zeros(), negative = star(volumes, k).negatives();
             for (Index s = 0; s < values.size(); ++s) {
                 const bool is_zero = std::binary_search(zero.begin(), zero.end(), s);
                 const bool is_negative = std::binary_search(negative.begin(), negative.end(), s);
@@ -71,7 +97,7 @@ TEST_P(Stars, are_zero_positive_or_negative) {
 /// (dia star_n^-1 dia^T)^-1: areas add.
 Vector star_of_tops(const Merged& mesh) {
     const SparseMatrix dia = mesh.merging().diamond(mesh.n()).cast<double>();
-    const SparseMatrix areas = dia * inverse_star(mesh.input_volumes, mesh.n()).asDiagonal() *
+    const SparseMatrix areas = dia * star(mesh.input_volumes, mesh.n()).inverse().asDiagonal() *
                                SparseMatrix(dia.transpose());
     return Vector(areas.diagonal()).cwiseInverse();
 }
@@ -79,13 +105,13 @@ Vector star_of_tops(const Merged& mesh) {
 /// dia star_n dia^T, as printed in Schier's paper.
 Vector star_of_tops_as_a_sum(const Merged& mesh) {
     const SparseMatrix dia = mesh.merging().diamond(mesh.n()).cast<double>();
-    const SparseMatrix sum =
-        dia * star(mesh.input_volumes, mesh.n()).asDiagonal() * SparseMatrix(dia.transpose());
+    const SparseMatrix sum = dia * star(mesh.input_volumes, mesh.n()).diagonal().asDiagonal() *
+                             SparseMatrix(dia.transpose());
     return sum.diagonal();
 }
 
 TEST_P(Stars, of_merged_top_cells_come_from_areas_that_add) {
-    const Vector expected = star(mesh().volumes, mesh().n());
+    const Vector expected = star(mesh().volumes, mesh().n()).diagonal();
     EXPECT_LE(relative_difference(star_of_tops(mesh()), expected), 1e-12);
     const bool merges = mesh().K().size(mesh().n()) > mesh().P().size(mesh().n());
     EXPECT_EQ(relative_difference(star_of_tops_as_a_sum(mesh()), expected) > 0.1, merges);
@@ -100,9 +126,9 @@ TEST(StarErrors, name_the_cells_whose_duals_are_zero) {
     for (Index f = 0; f < mesh.P().size(2); ++f)
         if (mesh.P().coface_counts(2)[f] == 1)
             boundary.push_back(f);
-    EXPECT_EQ(zero_star_cells(mesh.volumes, 2), boundary);
+    EXPECT_EQ(star(mesh.volumes, 2).zeros(), boundary);
     ASSERT_EQ(boundary.size(), 24U);
-    EXPECT_EQ(refusal([&] { inverse_star(mesh.volumes, 2); }),
+    EXPECT_EQ(refusal([&] { star(mesh.volumes, 2).inverse(); }),
               fmt::format("the inverse star of degree 2 divides by zero: the duals of 24 2-cells "
                           "have no volume (cells {}, {}, {}, {}, {}, ..)",
                           boundary[0], boundary[1], boundary[2], boundary[3], boundary[4]));
@@ -110,9 +136,9 @@ TEST(StarErrors, name_the_cells_whose_duals_are_zero) {
 
 TEST(StarErrors, negative_stars_are_counted_where_they_are) {
     const auto& mesh = merged("star_negative");
-    EXPECT_EQ(negative_star_cells(mesh.volumes, 0), (std::vector<Index>{0}));
-    EXPECT_TRUE(negative_star_cells(merged("wellcentred4").volumes, 1).empty());
-    EXPECT_FALSE(negative_star_cells(merged("obtuse_planar").volumes, 1).empty());
+    EXPECT_EQ(star(mesh.volumes, 0).negatives(), (std::vector<Index>{0}));
+    EXPECT_TRUE(star(merged("wellcentred4").volumes, 1).negatives().empty());
+    EXPECT_FALSE(star(merged("obtuse_planar").volumes, 1).negatives().empty());
 }
 
 } // namespace

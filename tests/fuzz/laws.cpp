@@ -29,9 +29,9 @@ void require_volumes(const CellComplex& complex, const CellVolumes& volumes) {
         require(volumes.primal(k).allFinite() && volumes.dual(k).allFinite(), "volumes are finite");
         require(volumes.primal(k).minCoeff() > 0, "volumes are positive");
         Vector values;
-        if (accepts([&] { values = star(volumes, k); }))
+        if (accepts([&] { values = star(volumes, k).diagonal(); }))
             require(values.allFinite(), "stars are finite");
-        if (accepts([&] { values = inverse_star(volumes, k); }))
+        if (accepts([&] { values = star(volumes, k).inverse(); }))
             require(values.allFinite(), "inverse stars are finite");
     }
 }

@@ -221,7 +221,7 @@ Questions of_diagnoses(const Sample& s) {
              BoundaryConditions conditions;
              conditions.facets = in.list(s.size(n - 1), BoundaryCondition::natural);
              const auto there = conditioned_complex(s.mesh, Side::primal, in.degree(0), conditions);
-             return fit(there.volumes.primal(0), there.relative.complex.size(0));
+             return fit(there.stars[0].diagonal(), there.relative.complex.size(0));
          }},
         {"join of tags",
          [&s](Inputs&) {

@@ -141,11 +141,18 @@ Questions of_operators(const Sample& s, int k) {
          [&s, k, n](Inputs& in) {
              return fit(dual_derivative(s.mesh, in.degree(n - k)), s.size(k - 1), s.size(k));
          }},
-        {"star", [&s, k](Inputs& in) { return fit(star(s.mesh, in.degree(k)), s.size(k)); }},
-        {"inverse_star",
-         [&s, k](Inputs& in) { return fit(inverse_star(s.V(), in.degree(k)), s.size(k)); }},
-        {"dual_star",
-         [&s, k](Inputs& in) { return fit(dual_star(s.mesh, in.degree(k)), s.size(k)); }},
+        {"star",
+         [&s, k](Inputs& in) { return fit(star(s.mesh, in.degree(k)).diagonal(), s.size(k)); }},
+        {"inverse star",
+         [&s, k](Inputs& in) { return fit(star(s.V(), in.degree(k)).inverse(), s.size(k)); }},
+        {"star of values",
+         [&s, k](Inputs& in) {
+             return fit(star(s.V(), in.degree(k)) * in.vector(s.size(k)), s.size(k));
+         }},
+        {"inverse star of values",
+         [&s, k](Inputs& in) {
+             return fit(star(s.V(), in.degree(k)).solve(in.vector(s.size(k))), s.size(k));
+         }},
         {"codifferential",
          [&s, k](Inputs& in) {
              return fit(codifferential(s.mesh, in.degree(k)), s.size(k - 1), s.size(k));
@@ -194,9 +201,10 @@ Questions of_operators(const Sample& s, int k) {
                }),
         {"negative and zero stars",
          [&s, k](Inputs& in) {
-             const auto cells = negative_star_cells(s.V(), in.degree(k));
-             return fit(Index(zero_star_cells(s.V(), k).size() + cells.size()) <= s.size(k) &&
-                        numbers_of(s.V(), k, cells).size() < 1000);
+             const auto all = star(s.V(), in.degree(k));
+             const auto cells = all.negatives();
+             return fit(Index(all.zeros().size() + cells.size()) <= s.size(k) &&
+                        all.numbers(cells).size() < 1000 && all.place(cells).cells == cells);
          }},
     };
 }

@@ -88,8 +88,8 @@ Questions of_makers(const Sample& s, int k) {
          }},
         {"check_positive_mass",
          [&s, k](Inputs& in) {
-             check_positive_mass(s.V(), Side::primal, k, in.degree(k));
-             return fit(star(s.V(), k).minCoeff() > 0);
+             check_positive_mass(star(s.V(), in.degree(k)), Side::primal, k);
+             return fit(star(s.V(), k).diagonal().minCoeff() > 0);
          }},
     };
 }

@@ -188,13 +188,13 @@ TEST_P(RealDecompositions, are_orthogonal_sums_of_closed_and_coclosed_parts_or_r
             SCOPED_TRACE(fmt::format("{} {}", name(side), degree));
             const int k = cell_degree(P(), side, degree);
             const auto w = random(side, degree, 5);
-            auto bad = negative_star_cells(V, k);
+            auto bad = star(V, k).negatives();
             if (bad.empty())
-                bad = zero_star_cells(V, k);
+                bad = star(V, k).zeros();
             if (!bad.empty()) {
                 EXPECT_NE(refusal([&] {
                               hodge_decomposition(mesh(), w);
-                          }).find("(cells " + numbers_of(V, k, bad)),
+                          }).find("(cells " + star(V, k).numbers(bad)),
                           std::string::npos);
                 continue;
             }

@@ -155,7 +155,8 @@ Vector harmonic_extension(const Discretization& mesh, int k, const Vector& w) {
     boundary_part(relative.cells[k]).setZero();
 
     const SparseMatrix d = derivative(P, k);
-    const Vector flux = d.transpose() * star(mesh.volumes(), k + 1).cwiseProduct(d * boundary_part);
+    const Vector flux =
+        d.transpose() * star(mesh.volumes(), k + 1).diagonal().cwiseProduct(d * boundary_part);
     const auto solver = make_linear_solver("auto");
     solver->factorize(symmetric_laplacian(relative.complex, volumes, k),
                       {.symmetry = Symmetry::symmetric, .definiteness = Definiteness::positive});

@@ -233,14 +233,14 @@ TEST(DualSpectraBroken, with_the_duals_of_centers_on_the_boundary_make_no_sense)
 TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
     // the diagonals, of which none is on the boundary
     const auto mesh = discretize(grid(4, 4), {.criterion = MergeCriterion::none});
-    const auto zero = zero_star_cells(mesh.volumes(), 1);
-    const auto cells = "(cells " + numbers_of(mesh.volumes(), 1, zero) + ")";
+    const auto zero = star(mesh.volumes(), 1).zeros();
+    const auto cells = "(cells " + star(mesh.volumes(), 1).numbers(zero) + ")";
     for (const Side side : sides) {
         // by which the boundary is left out
         const auto& conditions = side == Side::primal ? dirichlet : neumann;
         const auto space = conditioned_complex(mesh, side, 0, conditions);
         ASSERT_LT(space.relative.complex.size(1), mesh.complex().size(1));
-        ASSERT_NE(zero_star_cells(space.volumes, 1), zero);
+        ASSERT_NE(star(space.stars, 1).zeros(), zero);
         for (const auto& message :
              {refusal([&] { spectrum(mesh, conditions, {.side = side, .degree = 1}); }),
               refusal([&] { HeatSolver(mesh, conditions, side, 1, {.time_step = 1}); }),
@@ -248,8 +248,7 @@ TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
                   HeatSolver(mesh, conditions, side, side == Side::primal ? 2 : 0,
                              {.time_step = 1});
               }),
-              refusal(
-                  [&] { HodgeSolver(space.relative.complex, space.volumes, side, 1, "auto"); })})
+              refusal([&] { HodgeSolver(space.relative.complex, space.stars, side, 1, "auto"); })})
             EXPECT_NE(message.find(cells), std::string::npos) << message;
     }
 }
@@ -282,7 +281,7 @@ TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
     const auto mesh = discretize(ring);
     const auto inside = relative_to_boundary(mesh.complex());
     const auto volumes = relative_volumes(inside, mesh.volumes());
-    const auto negative = negative_star_cells(volumes, 1);
+    const auto negative = star(volumes, 1).negatives();
     ASSERT_EQ(negative.size(), 1U);
     const Index edge = inside.cells[1][negative[0]];
     EXPECT_EQ(cell_vertices(mesh, 1, edge), (std::vector<Index>{4, 5}));
@@ -339,10 +338,10 @@ TEST(HodgeUnderConditions, sees_the_homology_of_the_dual_complex) {
     // values 0 on the boundary of a square: no harmonic dual function, one harmonic dual 2-form
     const auto mesh = discretize(crossed_squares(4));
     const auto space = conditioned_complex(mesh, Side::dual, 0, dirichlet);
-    EXPECT_EQ(harmonic_forms(space.relative.complex, space.volumes, Side::dual, 0).cols(), 0);
-    EXPECT_EQ(harmonic_forms(space.relative.complex, space.volumes, Side::dual, 1).cols(), 0);
+    EXPECT_EQ(harmonic_forms(space.relative.complex, space.stars, Side::dual, 0).cols(), 0);
+    EXPECT_EQ(harmonic_forms(space.relative.complex, space.stars, Side::dual, 1).cols(), 0);
     const auto free = conditioned_complex(mesh, Side::dual, 0, neumann);
-    EXPECT_EQ(harmonic_forms(free.relative.complex, free.volumes, Side::dual, 0).cols(), 1);
+    EXPECT_EQ(harmonic_forms(free.relative.complex, free.stars, Side::dual, 0).cols(), 1);
 }
 
 } // namespace

@@ -40,7 +40,7 @@ Vector on_simplices(const Discretization& mesh, const Vector& conductivity) {
 Vector star_of(const Points& all, const Simplices& simplex) {
     const SimplicialComplex alone(simplex);
     const Points points = vertex_points(alone, all);
-    return star(circumcentric_volumes(alone, SimplexMetric(points)), 1);
+    return star(circumcentric_volumes(alone, SimplexMetric(points)), 1).diagonal();
 }
 
 /// The matrix for 0-forms of the simplices, each alone in the world, added up.
@@ -69,7 +69,7 @@ double error_of_solution(const Discretization& mesh, const Vector& conductivity,
                          const DenseMatrix& A) {
     PoissonSolver solver(mesh, {.conductivity = conductivity});
     const Vector v = random_vector(mesh.complex().size(0), 17);
-    const Vector f = (A * v).cwiseQuotient(star(mesh.volumes(), 0));
+    const Vector f = (A * v).cwiseQuotient(star(mesh.volumes(), 0).diagonal());
     const Vector u = solver.solve(f, v).values;
     const SparseMatrix d = derivative(mesh.complex(), 0);
     return relative_difference(Vector(d * u), Vector(d * v));

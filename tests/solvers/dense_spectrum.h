@@ -11,7 +11,7 @@ namespace polydec::test {
 /// All eigenvalues of the Laplacian on k-cells, ascending, from dense matrices.
 inline Vector dense_spectrum(const Discretization& mesh, int k) {
     const DenseMatrix A = symmetric_laplacian(mesh, k).matrix();
-    const DenseMatrix M = star(mesh.volumes(), k).asDiagonal();
+    const DenseMatrix M = star(mesh.volumes(), k).diagonal().asDiagonal();
     return Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix>(A, M, Eigen::EigenvaluesOnly)
         .eigenvalues();
 }

@@ -39,7 +39,7 @@ TEST_P(OnFlippedSurfaces, forms_are_sums_of_orthogonal_parts) {
     const auto mesh = flipped(this->mesh());
     const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 5)};
     const auto parts = hodge_decomposition(mesh.complex(), mesh.volumes(), form);
-    const Vector mass = star(mesh.volumes(), 1);
+    const Vector mass = star(mesh.volumes(), 1).diagonal();
     const Vector sum = parts.exact.values + parts.coexact.values + parts.harmonic.values;
     EXPECT_LT(relative_difference(sum, form.values), 1e-9);
     const double size = form.values.dot(mass.cwiseProduct(form.values));

@@ -16,7 +16,7 @@ namespace {
 
 /// star_k + (star times Laplacian) on k-forms: positive where the stars are.
 Operator positive(const Discretization& cells, int k) {
-    return symmetric_laplacian(cells, k) + Operator::weights(star(cells, k));
+    return symmetric_laplacian(cells, k) + Operator::weights(star(cells, k).diagonal());
 }
 
 SymmetricOperator shifted_laplacian(const Discretization& cells, int k) {
@@ -51,7 +51,7 @@ TEST(matrix_free, the_diagonal_saves_iterations_where_cells_differ_in_size) {
     Mesh mesh = well_centered(12);
     mesh.points = mesh.points.array().pow(3).matrix(); // small cells near the corner
     const auto cells = discretize(mesh, {.criterion = MergeCriterion::none});
-    const Vector mass = star(cells.volumes(), 0).cwiseAbs();
+    const Vector mass = star(cells.volumes(), 0).diagonal().cwiseAbs();
     const SymmetricOperator A{cells.complex().size(0),
                               [&](const Vector& x, Vector& y) { y = mass.cwiseProduct(x); }};
     const Vector b = random_vector(A.size, 6);

@@ -28,16 +28,17 @@ using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
 /// All eigenvalues of the Laplacian on k-cells, ascending, in more digits than a double has.
 LongVector long_spectrum(const CellComplex& complex, const CellVolumes& volumes, int k) {
-    const LongVector mass = star(volumes, k).cast<long double>();
+    const LongVector mass = star(volumes, k).diagonal().cast<long double>();
     LongMatrix A = LongMatrix::Zero(mass.size(), mass.size());
     if (k < complex.dimension()) {
         const LongMatrix d = DenseMatrix(derivative(complex, k)).cast<long double>();
-        A += d.transpose() * star(volumes, k + 1).cast<long double>().asDiagonal() * d;
+        A += d.transpose() * star(volumes, k + 1).diagonal().cast<long double>().asDiagonal() * d;
     }
     if (k > 0) {
         const LongMatrix d = DenseMatrix(derivative(complex, k - 1)).cast<long double>();
         const LongMatrix lower = mass.asDiagonal() * d;
-        const LongVector weights = star(volumes, k - 1).cast<long double>().cwiseInverse();
+        const LongVector weights =
+            star(volumes, k - 1).diagonal().cast<long double>().cwiseInverse();
         A += lower * weights.asDiagonal() * lower.transpose();
     }
     const LongVector scale = mass.cwiseSqrt().cwiseInverse();
@@ -53,8 +54,8 @@ struct Complex {
         : complex(mesh.simplices), volumes(circumcentric_volumes(complex, mesh.points)) {}
 
     bool has_spectrum(int k) const {
-        return negative_star_cells(volumes, k).empty() && zero_star_cells(volumes, k).empty() &&
-               (k == 0 || zero_star_cells(volumes, k - 1).empty());
+        return star(volumes, k).negatives().empty() && star(volumes, k).zeros().empty() &&
+               (k == 0 || star(volumes, k - 1).zeros().empty());
     }
 };
 

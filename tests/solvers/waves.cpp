@@ -186,8 +186,8 @@ TEST(Maxwell, energy_is_conserved_over_ten_thousand_steps) {
     EXPECT_NEAR(leapfrog.energy(E, B), begin, 1e-10 * begin);
     // the sum of the squares alone swings
     const auto squares = [&] {
-        return E.dot(star(cavity.volumes, 1).cwiseProduct(E)) +
-               B.dot(star(cavity.volumes, 2).cwiseProduct(B));
+        return E.dot(star(cavity.volumes, 1).diagonal().cwiseProduct(E)) +
+               B.dot(star(cavity.volumes, 2).diagonal().cwiseProduct(B));
     };
     const double before = squares();
     leapfrog.step(E, B);
@@ -219,9 +219,9 @@ TEST_P(Heat, eigenforms_decay_with_their_eigenvalues_on_both_sides) {
     const int n = mesh().n();
     for (int k = 0; k <= n; ++k)
         for (const Side side : {Side::primal, Side::dual}) {
-            if (!zero_star_cells(mesh().volumes, k).empty() ||
-                !negative_star_cells(mesh().volumes, k).empty() ||
-                (k > 0 && !zero_star_cells(mesh().volumes, k - 1).empty()))
+            if (!star(mesh().volumes, k).zeros().empty() ||
+                !star(mesh().volumes, k).negatives().empty() ||
+                (k > 0 && !star(mesh().volumes, k - 1).zeros().empty()))
                 continue;
             const int degree = side == Side::primal ? k : n - k;
             const auto modes =
@@ -259,7 +259,7 @@ TEST(HeatOrders, are_1_and_2_in_time) {
 
 TEST(Heat, flows_where_duals_of_facets_are_negative) {
     const auto mesh = discretize(perturbed(grid(4, 4), 0.08, 3), {MergeCriterion::none});
-    ASSERT_FALSE(negative_star_cells(mesh.volumes(), 1).empty());
+    ASSERT_FALSE(star(mesh.volumes(), 1).negatives().empty());
     const Cochain u{Side::dual, 0, random_vector(mesh.complex().size(2), 1)};
     for (const char* engine : {"eigen.ldlt", "auto"}) {
         const HeatSolver solver(mesh, Side::dual, 0, {.time_step = 0.01, .linear_solver = engine});
