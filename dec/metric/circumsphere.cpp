@@ -87,10 +87,10 @@ void look_at_row(Circumsphere& sphere, const Points& points, const Simplices& si
 
 /// Slope of coordinate i + 1 = sum of the inverse triangle's column i times row j / |row j|^2; all
 /// slopes sum to zero. There is room for two columns behind the pointer.
-template <class Number>
+template <class Number, int k_fixed>
 void Circumsphere::measure_slopes(const Number* triangle, Number* column, double reach,
                                   double longest) {
-    const int k = dimension_;
+    const int k = k_fixed >= 0 ? k_fixed : dimension_;
     Number* const sums = column + k;
     std::fill(sums, sums + k, Number(0));
     double all_slopes = 0;
@@ -193,7 +193,7 @@ bool Circumsphere::look(std::span<const Index> vertices) {
     squared_radius_ = static_cast<double>(squared_radius);
 
     solve(k, triangle, center, barycentric_.data());
-    measure_slopes(triangle, along + k, reach, std::sqrt(longest));
+    measure_slopes<Number, k_fixed>(triangle, along + k, reach, std::sqrt(longest));
     return true;
 }
 
@@ -237,14 +237,18 @@ void Circumsphere::look_at(SimplexLayout& layout, int k, Index s) {
 
 void Circumsphere::measure_distances(const Corners& corners) {
     HeightTerms terms;
+    std::array<double, most_vertices> slopes;
+    for (int i = 0; i <= dimension_; ++i)
+        slopes[i] = std::sqrt(squared_slopes_[i]);
     for (int i = 0; i <= dimension_; ++i)
         for (int j = 0; j <= dimension_; ++j) {
+            if (i == j)
+                continue;
             const double squared =
                 (corners.points.row(corners.vertices[i]) - corners.points.row(corners.vertices[j]))
                     .squaredNorm();
-            const double slope = std::sqrt(squared_slopes_[i]);
-            terms.shift += squared * slope * std::abs(barycentric_[j]);
-            terms.growth += squared * slope * std::sqrt(squared_slopes_[j]) / 2;
+            terms.shift += squared * slopes[i] * std::abs(barycentric_[j]);
+            terms.growth += squared * slopes[i] * slopes[j] / 2;
         }
     uncertainty_ = rounding_ = terms;
 }

@@ -81,7 +81,7 @@ public:
 private:
     template <class Number, int k_fixed, int N_fixed>
     bool look(std::span<const Index> vertices);
-    template <class Number>
+    template <class Number, int k_fixed>
     void measure_slopes(const Number* triangle, Number* column, double reach, double longest);
     void measure_distances(const Corners& corners);
     void check_sphere() const {

@@ -5,14 +5,14 @@
 
 #include <Eigen/QR>
 
-#include <algorithm>
-
 namespace polydec {
 
 Index face_at(const Pieces& complex, int m, Index t, std::span<const int> positions) {
     // leaving out the other vertices, the last one first, leads down to the face
     for (int k = m, v = m; v >= 0; --v)
-        if (!std::binary_search(positions.begin(), positions.end(), v))
+        if (!positions.empty() && positions.back() == v)
+            positions = positions.first(positions.size() - 1);
+        else
             t = complex.face(k--, t, v);
     return t;
 }
