@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "base/listed.h"
+#include "dec/merging/facet_defects.h"
 #include "dec/merging/lift.h"
 #include "dec/merging/merged_tags.h"
 #include "dec/merging/merged_volumes.h"
@@ -149,6 +150,7 @@ struct Given {
 /// both.
 struct Measured {
     Passage passage;
+    SimplexMetric metric; // of the pieces
     CellVolumes input_volumes, piece_volumes;
     Points points; // of the triangles
 };
@@ -157,10 +159,10 @@ Measured measure(Given& given, const MergeOptions& options) {
     auto& [complex, mesh, isolated, lengths, unit] = given;
     const bool has_points = mesh.points.cols() > 0;
     if (options.delaunay == Delaunay::off) {
-        const auto volumes = dual_volumes(
-            complex, has_points ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths),
-            options.centers);
-        return {Passage(complex), volumes, volumes, Points()};
+        const SimplexMetric metric =
+            has_points ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths);
+        const auto volumes = dual_volumes(complex, metric, options.centers);
+        return {Passage(complex), metric, volumes, volumes, Points()};
     }
     const Vector sides = has_points ? edge_lengths(complex, mesh.points) : lengths;
     Passage passage(complex, flipped(complex, sides, options),
@@ -169,11 +171,11 @@ Measured measure(Given& given, const MergeOptions& options) {
     warn_of_flips(flips.statistics, unit, mesh.warnings);
     const Vector longer = sides.array() + flips.statistics.added_length;
     const auto of_input = dual_volumes(complex, {complex, longer}, options.centers);
-    const auto of_pieces =
-        dual_volumes(passage.pieces(), {passage.pieces(), flips.lengths}, options.centers);
+    const SimplexMetric metric(passage.pieces(), flips.lengths);
+    const auto of_pieces = dual_volumes(passage.pieces(), metric, options.centers);
     Points points = passage.forth(0, mesh.points);
     points.topRows(mesh.points.rows()) = mesh.points;
-    return {std::move(passage), of_input, of_pieces, std::move(points)};
+    return {std::move(passage), metric, of_input, of_pieces, std::move(points)};
 }
 
 Discretization measured(Given given, MergeOptions options, const Stage& stage) {
@@ -191,12 +193,9 @@ Discretization measured(Given given, MergeOptions options, const Stage& stage) {
     const auto facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);
     const auto stays = staying_facets(complex, tags, facet_tags, options);
     begin(stage, "volumes");
-    auto [passage, of_input, of_pieces, points] = measure(given, options);
+    auto [passage, metric, of_input, of_pieces, points] = measure(given, options);
     begin(stage, "merge");
     const bool flips = !passage.is_identity();
-    const SimplexMetric metric = flips ? SimplexMetric(passage.pieces(), passage.flips().lengths)
-                                 : mesh.points.cols() > 0 ? SimplexMetric(mesh.points)
-                                                          : SimplexMetric(complex, lengths);
     auto merged = merge_cospherical(passage.pieces(), metric, of_pieces, options, stays);
     const auto volumes = merged_volumes(merged.merging, of_pieces);
     if (flips && !mesh.tags.empty())
@@ -209,8 +208,8 @@ Discretization measured(Given given, MergeOptions options, const Stage& stage) {
     }
     return Discretization({std::move(mesh.points), std::move(points), std::move(passage),
                            std::move(merged.merging), of_input, of_pieces, volumes, options,
-                           merged.degenerate, std::move(mesh.warnings), std::move(cell_tags),
-                           std::move(lengths), unit, std::move(isolated),
+                           std::move(merged.degenerate), std::move(mesh.warnings),
+                           std::move(cell_tags), std::move(lengths), unit, std::move(isolated),
                            std::move(merged_facet_tags)});
 }
 
@@ -231,7 +230,10 @@ Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
     if (!parts.facet_tags.empty())
         check_as_many("tags of facets", Index(parts.facet_tags.size()),
                       complex.size(complex.dimension() - 1));
-    parts_ = std::make_shared<const Parts>(std::move(parts));
+    const auto made = std::make_shared<Parts>(std::move(parts));
+    parts_ = made;
+    if (made->degenerate.marks.empty())
+        made->degenerate = facet_defects(pieces(), metric(), piece_volumes(), options()).degenerate;
 }
 
 Discretization Discretization::with_volumes(const CellVolumes& volumes) const {

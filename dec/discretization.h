@@ -34,7 +34,7 @@ public:
         CellVolumes piece_volumes; ///< of the pieces: the same, unless edges were flipped
         CellVolumes volumes;       ///< of the merged cells
         MergeOptions options = {};
-        DegenerateFacets degenerate = {};
+        DegenerateFacets degenerate = {}; ///< of the pieces; found anew without marks
         std::vector<std::string> warnings = {};
         std::vector<Index> tags = {};
         Vector lengths = {};

@@ -34,8 +34,8 @@ Index count(const std::vector<bool>& marks) {
 /// pieces themselves at the stage of the input.
 struct View {
     Merging merging;
-    CellVolumes volumes;          ///< of the cells
-    std::vector<bool> degenerate; ///< facets of the pieces
+    CellVolumes volumes;         ///< of the cells
+    DegenerateFacets degenerate; ///< of the pieces
     bool of_pieces;
 
     Index size(int k) const { return static_cast<Index>(volumes.primal(k).size()); }
@@ -44,9 +44,7 @@ struct View {
 View view(const Discretization& mesh, Stage stage) {
     const bool input = stage == Stage::input;
     if (!input || mesh.passage().is_identity())
-        return {mesh.merging(), input ? mesh.piece_volumes() : mesh.volumes(),
-                facet_defects(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), mesh.options())
-                    .degenerate,
+        return {mesh.merging(), input ? mesh.piece_volumes() : mesh.volumes(), mesh.degenerate(),
                 input};
     const auto lengths = mesh.input_volumes().primal(1);
     return {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 namespace polydec {
 
@@ -18,32 +17,11 @@ namespace {
 /// cotangent is the signed distance of the circumcenters over the facet's circumradius.
 Vector apex_angles(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
                    const Vector& radii) {
-    const int n = complex.dimension();
-    Vector angles = Vector::Zero(complex.size(n - 1));
-    SimplexLayout layout(complex, metric);
-    Circumsphere sphere;
-    for (Index t = 0; t < complex.size(n); ++t) {
-        sphere.look_at(layout, n, t);
-        for (int i = 0; i <= n; ++i) {
-            const Index f = complex.face(n, t, i);
-            angles[f] += std::atan2(radii[f], sphere.height(i, volumes.primal(n - 1)[f]));
-        }
-    }
+    Vector angles = Vector::Zero(radii.size());
+    for_each_height(complex, metric, volumes, [&](Index f, double height, double) {
+        angles[f] += std::atan2(radii[f], height);
+    });
     return angles;
-}
-
-/// Where only a tolerance is still missing.
-FacetDefects length_defects(const CellVolumes& volumes, int degree, Vector scale, Vector height,
-                            double tolerance) {
-    const Vector &dual = volumes.dual(degree), &terms = volumes.terms(degree);
-    FacetDefects result{dual.cwiseAbs(), std::move(scale), std::move(height),
-                        std::vector<bool>(static_cast<std::size_t>(dual.size()), false)};
-    for (Index f = 0; f < dual.size(); ++f) {
-        result.defect[f] = std::max(0.0, result.defect[f] - rounding_of(terms[f]));
-        result.degenerate[f] =
-            is_degenerate(dual[f], terms[f], result.scale[f], result.height[f], tolerance);
-    }
-    return result;
 }
 
 /// Least height n |t| / |f| of the n-simplices over each facet.
@@ -66,20 +44,44 @@ bool is_degenerate(double dual, double terms, double l, double height, double to
            std::abs(dual) <= thin * height;
 }
 
+void for_each_height(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
+                     const std::function<void(Index, double, double)>& take) {
+    const int n = complex.dimension();
+    SimplexLayout layout(complex, metric);
+    Circumsphere sphere;
+    for (Index t = 0; t < complex.size(n); ++t) {
+        sphere.look_at(layout, n, t);
+        for (int i = 0; i <= n; ++i) {
+            const Index f = complex.face(n, t, i);
+            const double height = sphere.height(i, volumes.primal(n - 1)[f]);
+            take(f, height, sphere.uncertainty().of(height));
+        }
+    }
+}
+
 FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options) {
     const int n = complex.dimension();
+    const bool by_angles = options.criterion == MergeCriterion::angle;
+    const Vector &dual = volumes.dual(n - 1), &terms = volumes.terms(n - 1);
     const Vector radii = circumradii(complex, metric, n - 1);
-    auto result = length_defects(volumes, n - 1, 2 * radii, least_heights(complex, volumes),
-                                 options.tolerance);
-    if (options.criterion != MergeCriterion::angle)
-        return result;
-    result.defect = apex_angles(complex, metric, volumes, radii);
-    result.scale.setOnes();
-    for (Index f = 0; f < complex.size(n - 1); ++f) {
-        const double right_angles = complex.coface_counts(n - 1)[f] * std::numbers::pi / 2;
-        result.defect[f] = std::abs(result.defect[f] - right_angles);
-        result.degenerate[f] = radii[f] > 0 && result.defect[f] <= options.tolerance;
+    FacetDefects result{dual.cwiseAbs(), 2 * radii, least_heights(complex, volumes), {}};
+    if (by_angles) {
+        result.defect = apex_angles(complex, metric, volumes, radii);
+        result.scale.setOnes();
+    }
+    const auto& cofaces = complex.coface_counts(n - 1);
+    auto& [interior, boundary, branching, marks] = result.degenerate;
+    marks.resize(static_cast<std::size_t>(radii.size()));
+    for (Index f = 0; f < radii.size(); ++f) {
+        double& defect = result.defect[f];
+        defect = by_angles ? std::abs(defect - cofaces[f] * std::numbers::pi / 2)
+                           : std::max(0.0, defect - rounding_of(terms[f]));
+        marks[f] = by_angles ? radii[f] > 0 && defect <= options.tolerance
+                             : is_degenerate(dual[f], terms[f], result.scale[f], result.height[f],
+                                             options.tolerance);
+        if (marks[f])
+            ++(cofaces[f] == 1 ? boundary : cofaces[f] == 2 ? interior : branching);
     }
     return result;
 }

@@ -4,6 +4,8 @@
 #include "dec/merging/merge.h"
 #include "dec/metric/simplex_metric.h"
 
+#include <functional>
+
 namespace polydec {
 
 /// How far each facet's dual is from having no extent.
@@ -11,7 +13,7 @@ struct FacetDefects {
     Vector defect; ///< |V(f)| (length) beyond rounding, or the angle's distance from pi (radians)
     Vector scale;  ///< what the tolerance multiplies: l(f), or 1
     Vector height; ///< least height of an n-simplex over the facet; length
-    std::vector<bool> degenerate; ///< defect within tolerance * scale, and see is_degenerate
+    DegenerateFacets degenerate; ///< defect within tolerance * scale, and see is_degenerate
 
     double ratio(Index facet) const { return defect[facet] / scale[facet]; }
 };
@@ -20,6 +22,12 @@ struct FacetDefects {
 /// size of its facet, and |V| <= height / 10, so that thin layers, whose centers are as near to
 /// each other as their facets, stay layers. A facet without extent has no such dual.
 bool is_degenerate(double dual, double terms, double l, double height, double tolerance);
+
+/// Calls take(f, height, terms) for every facet f of every n-simplex: how far the circumcenter of
+/// the simplex lies from that of the facet, positive towards the simplex, and to what the error of
+/// that is in proportion.
+void for_each_height(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
+                     const std::function<void(Index, double, double)>& take);
 
 /// Measures every facet, whatever its number of cofaces: one with m cofaces is compared with m
 /// right angles. A facet without extent (a vertex, n = 1) is never degenerate.

@@ -3,7 +3,6 @@
 
 #include "dec/merging/facet_defects.h"
 #include "dec/metric/cell_volumes.h"
-#include "dec/metric/circumsphere.h"
 #include "dec/metric/rounding.h"
 
 namespace polydec {
@@ -13,19 +12,11 @@ namespace {
 /// How many of the n-simplices at each facet have their circumcenter on their own side of it.
 std::vector<Index> centered_cofaces(const Pieces& complex, const SimplexMetric& metric,
                                     const CellVolumes& volumes) {
-    const int n = complex.dimension();
-    std::vector<Index> counts(complex.size(n - 1), 0);
-    SimplexLayout layout(complex, metric);
-    Circumsphere sphere;
-    for (Index t = 0; t < complex.size(n); ++t) {
-        sphere.look_at(layout, n, t);
-        for (int i = 0; i <= n; ++i) {
-            const Index f = complex.face(n, t, i);
-            const double height = sphere.height(i, volumes.primal(n - 1)[f]);
-            if (height >= 0 || is_zero(height, sphere.uncertainty().of(height)))
-                ++counts[f];
-        }
-    }
+    std::vector<Index> counts(complex.size(complex.dimension() - 1), 0);
+    for_each_height(complex, metric, volumes, [&](Index f, double height, double terms) {
+        if (height >= 0 || is_zero(height, terms))
+            ++counts[f];
+    });
     return counts;
 }
 

@@ -179,17 +179,6 @@ void keep_worst(const std::vector<InadmissibleBlock>& blocks, const FacetDefects
     }
 }
 
-DegenerateFacets count_degenerate(const Pieces& complex, const FacetDefects& defects) {
-    DegenerateFacets result;
-    const auto& counts = complex.coface_counts(complex.dimension() - 1);
-    for (std::size_t f = 0; f < counts.size(); ++f)
-        if (defects.degenerate[f])
-            ++(counts[f] == 1   ? result.boundary
-               : counts[f] == 2 ? result.interior
-                                : result.branching);
-    return result;
-}
-
 } // namespace
 
 CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric,
@@ -204,9 +193,8 @@ CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric
     if (!stays.empty())
         check_as_many("marks of facets", static_cast<Index>(stays.size()), complex.size(n - 1));
     const auto defects = facet_defects(complex, metric, volumes, options);
-    const auto degenerate = count_degenerate(complex, defects);
     if (options.criterion == MergeCriterion::none)
-        return {unmerged(std::move(complex)), degenerate, 0};
+        return {unmerged(std::move(complex)), defects.degenerate, 0};
 
     Kept kept;
     for (int k = 0; k < n; ++k)
@@ -223,11 +211,11 @@ CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric
     for (int rounds = 0;; ++rounds) {
         const auto removed = choice.removed(kept[n - 1]);
         if (std::find(removed.begin(), removed.end(), true) == removed.end())
-            return {unmerged(std::move(complex)), degenerate, rounds};
+            return {unmerged(std::move(complex)), defects.degenerate, rounds};
         const auto blocks = join_blocks(complex, removed, straight);
         const auto inadmissible = inadmissible_blocks(complex, blocks);
         if (inadmissible.empty())
-            return {Merging(std::move(complex), blocks), degenerate, rounds};
+            return {Merging(std::move(complex), blocks), defects.degenerate, rounds};
         keep_worst(inadmissible, defects, n, kept);
     }
 }

@@ -49,6 +49,9 @@ struct DegenerateFacets {
     Index interior = 0;
     Index boundary = 0;
     Index branching = 0;
+    std::vector<bool> marks = {}; ///< one for each facet
+
+    bool operator[](Index facet) const { return marks[facet]; }
 };
 
 struct CosphericalMerging {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -34,19 +33,6 @@ inline double corner_angle(double a, double b, double c, double area) {
 /// Circumradius of a triangle of known area.
 inline double triangle_circumradius(double a, double b, double c, double area) {
     return a * b * c / (4 * area);
-}
-
-/// How far relative errors of the lengths can move the circumcenter towards a side, for errors of
-/// size 1: 3 R^2 / A times the longest side. An angle moves by 3 longest / (height on its side).
-inline double triangle_height_terms(double a, double b, double c, double area) {
-    const double radius = triangle_circumradius(a, b, c, area);
-    return 3 * radius * radius * std::max({a, b, c}) / area;
-}
-
-/// How far relative errors of the lengths can change its area relatively, for errors of size 1: at
-/// most R (a + b + c) / A.
-inline double triangle_area_terms(double a, double b, double c, double area) {
-    return 1 + triangle_circumradius(a, b, c, area) * (a + b + c) / area;
 }
 
 } // namespace polydec

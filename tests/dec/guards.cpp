@@ -38,7 +38,7 @@ protected:
         const auto volumes = circumcentric_volumes(K, GetParam().mesh.points);
         const auto defects = facet_defects(K, GetParam().mesh.points, volumes,
                                            {MergeCriterion::angle, GetParam().tolerance});
-        std::vector<bool> removed = defects.degenerate;
+        std::vector<bool> removed = defects.degenerate.marks;
         for (std::size_t f = 0; f < removed.size(); ++f)
             removed[f] = removed[f] && K.coface_counts(K.dimension() - 1)[f] == 2;
         auto blocks = join_blocks(K, removed, [](int, Index, Index, Index) { return true; });
