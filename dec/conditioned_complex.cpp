@@ -4,6 +4,7 @@
 #include "dec/facets_without_dual.h"
 #include "dec/forms/cochain.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace polydec {
@@ -22,6 +23,8 @@ CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (left_out[n - 1][f])
             marks[n - 1][f] = false;
+    if (std::find(marks[n - 1].begin(), marks[n - 1].end(), true) == marks[n - 1].end())
+        return marks;
     for (Index t = 0; t < complex.size(n); ++t)
         for (IncidenceMatrix::InnerIterator f(complex.coboundary(n - 1), t); f; ++f)
             if (marks[n - 1][f.col()])
