@@ -53,7 +53,7 @@ SparseMatrix part(const SparseMatrix& A, const std::vector<Index>& list) {
 
 } // namespace
 
-ConstrainedSolver::ConstrainedSolver(ConstrainedSystem system, const std::string& engine)
+ConstrainedSolver::ConstrainedSolver(ConstrainedSystem&& system, const std::string& engine)
     : solver_(make_linear_solver(engine)) {
     SparseMatrix A; // what moves would be copied
     A.swap(system.A);

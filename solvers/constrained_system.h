@@ -40,7 +40,9 @@ struct Solution {
 class ConstrainedSolver {
 public:
     /// Throws InvalidInput for sizes that do not fit, SolverFailure if A cannot be factorized.
-    ConstrainedSolver(ConstrainedSystem system, const std::string& engine);
+    ConstrainedSolver(ConstrainedSystem&& system, const std::string& engine);
+    ConstrainedSolver(const ConstrainedSystem& system, const std::string& engine)
+        : ConstrainedSolver(ConstrainedSystem(system), engine) {}
 
     /// u with u = fixed_values on the fixed unknowns. fixed_values has an entry for every unknown.
     Solution<Vector> solve(const Vector& b, const Vector& fixed_values) const;
