@@ -95,17 +95,17 @@ std::vector<Index> corners(const CellComplex& complex, Index cell) {
     }
     std::sort(ways.begin(), ways.end());
     std::vector<Index> walk;
-    for (Index v = walk_from; walk.size() < ways.size();) {
+    Index v = walk_from;
+    while (v >= 0 && walk.size() < ways.size() && (walk.empty() || v != walk_from)) {
         walk.push_back(v);
         const auto way = std::lower_bound(ways.begin(), ways.end(), std::pair{v, Index{-1}});
         v = way != ways.end() && way->first == v ? way->second : -1;
-        if (v < 0 || (v == walk_from) != (walk.size() == ways.size()))
-            throw InvalidInput(
-                fmt::format(
-                    "the boundary of 2-cell {} is no simple circle: its corners have no order",
-                    cell),
-                {.degree = 2, .cells = {cell}});
     }
+    if (walk.empty() || walk.size() < ways.size() || v != walk_from)
+        throw InvalidInput(
+            fmt::format("the boundary of 2-cell {} is no simple circle: its corners have no order",
+                        cell),
+            {.degree = 2, .cells = {cell}});
     return walk;
 }
 

@@ -10,7 +10,8 @@ namespace polydec {
 /// 2; time O(p log p) for p pieces. Throws InvalidInput if there is no such cell.
 std::vector<Index> corners(const Merging& merging, Index cell);
 
-/// The same of any 2-cell. Throws InvalidInput too if its boundary is not one simple circle.
+/// The same of any 2-cell, without edges that have the cell on both sides. Throws InvalidInput too
+/// if the others are not one simple circle: where there are none, or a corner is passed twice.
 std::vector<Index> corners(const CellComplex& complex, Index cell);
 
 } // namespace polydec

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "complex/corners.h"
 
+#include "complex/surfaces/glued_surface.h"
+#include "tests/support/glued.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -75,7 +78,75 @@ TEST_P(Polygons, ascending_vertices_are_no_walk_around_most_merged_polygons) {
     EXPECT_GT(2 * failed, mesh().P().size(2));
 }
 
+/// The walk without the ways there and back along an edge.
+std::vector<Index> without_spikes(std::vector<Index> walk) {
+    for (std::size_t i = 0; i < walk.size();) {
+        const std::size_t m = walk.size(), after = (i + 1) % m;
+        if (m > 2 && walk[(i + m - 1) % m] == walk[after]) {
+            walk.erase(walk.begin() + std::max(i, after));
+            walk.erase(walk.begin() + std::min(i, after));
+            i = 0;
+        } else {
+            ++i;
+        }
+    }
+    return walk;
+}
+
+/// Both begin with the smallest edge and run as the boundary does, so they are equal as they are.
+TEST_P(Polygons, corners_of_a_complex_of_any_cells_are_those_of_the_merging) {
+    for (Index F = 0; mesh().n() >= 2 && F < mesh().P().size(2); ++F) {
+        const auto known = without_spikes(corners(mesh().merging(), F));
+        auto walk = corners(mesh().P(), F);
+        EXPECT_EQ(walk, known) << "cell " << F;
+        std::swap(walk[0], walk[1]);
+        EXPECT_NE(walk, known) << "cell " << F;
+    }
+}
+
+TEST_P(Polygons, corners_of_simplices_are_their_vertices) {
+    for (Index F = 0; mesh().n() >= 2 && F < mesh().K().size(2); ++F) {
+        auto walk = corners(mesh().K(), F);
+        std::sort(walk.begin(), walk.end());
+        const auto row = mesh().K().simplices(2).row(F);
+        EXPECT_EQ(walk, std::vector<Index>(row.begin(), row.end())) << "triangle " << F;
+    }
+}
+
 POLYDEC_OVER_MESHES(Polygons);
+
+/// One cell whose boundary passes edges, given by their ends, in the direction that they have.
+CellComplex one_cell(Index vertices, const std::vector<std::pair<Index, Index>>& edges) {
+    const auto count = static_cast<Index>(edges.size());
+    IncidenceMatrix ends(count, vertices), sides(1, count);
+    for (Index e = 0; e < count; ++e) {
+        ends.insert(e, edges[e].first) = -1;
+        ends.insert(e, edges[e].second) = 1;
+        sides.insert(0, e) = 1;
+    }
+    return CellComplex({ends, sides});
+}
+
+TEST(CornersOfAnyCell, are_refused_by_name_where_the_boundary_is_no_simple_circle) {
+    EXPECT_EQ(corners(one_cell(4, {{2, 0}, {3, 1}, {0, 3}, {1, 2}}), 0),
+              (std::vector<Index>{2, 0, 3, 1}));
+    const auto figure_eight = one_cell(5, {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {3, 4}, {4, 0}});
+    const auto two_circles = one_cell(6, {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}});
+    const CellComplex point_of_cancelled_edges({IncidenceMatrix(2, 1), IncidenceMatrix(1, 2)},
+                                               {{{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}});
+    for (const auto& complex :
+         {figure_eight, two_circles, point_of_cancelled_edges, cell_complex(square_torus()),
+          cell_complex(folded_triangle()), cell_complex(moebius_triangle())}) {
+        EXPECT_EQ(refusal([&] { corners(complex, 0); }),
+                  "the boundary of 2-cell 0 is no simple circle: its corners have no order");
+        try {
+            corners(complex, 0);
+        } catch (const InvalidInput& error) {
+            EXPECT_EQ(error.place().degree, 2);
+            EXPECT_EQ(error.place().cells, std::vector<Index>{0});
+        }
+    }
+}
 
 TEST(Corners, of_a_plane_polygon_give_its_area) {
     const auto& mesh = merged("hexagons5");
