@@ -61,6 +61,10 @@ Points center_coordinates(const Pieces& complex, const SimplexMetric& metric,
 
 Points combinations(const Pieces& complex, int k, const Points& coordinates,
                     const Points& of_vertices) {
+    check_number("a place in simplices of degree", k, 0, complex.dimension());
+    check_as_many("rows of coordinates", coordinates.rows(), complex.size(k));
+    check_as_many("coordinates of a place", coordinates.cols(), k + 1);
+    check_as_many("rows of vertices", of_vertices.rows(), complex.size(0));
     Points result = Points::Zero(complex.size(k), of_vertices.cols());
     for (Index s = 0; s < complex.size(k); ++s)
         for (int i = 0; i <= k; ++i)

@@ -61,6 +61,7 @@ Points center_coordinates(const Pieces& complex, const SimplexMetric& metric,
                           const Centers& centers, int k);
 
 /// Rows of vertices, such as their points, at a place in each k-simplex with these coordinates.
+/// Throws InvalidInput for tables of other numbers of rows or columns, and if there is no degree k.
 Points combinations(const Pieces& complex, int k, const Points& coordinates,
                     const Points& of_vertices);
 

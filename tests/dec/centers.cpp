@@ -110,6 +110,24 @@ TEST(Centroids, are_circumcenters_of_regular_simplices_and_of_no_others) {
               0.1);
 }
 
+TEST(Combinations, are_refused_for_tables_of_other_simplices) {
+    const Mesh square = grid(1, 1);
+    const SimplicialComplex K(square.simplices);
+    const Points edges = Points::Constant(5, 2, 0.5);
+    const auto refused = [&](int k, const Points& coordinates, const Points& of_vertices) {
+        return refusal([&] { combinations(K, k, coordinates, of_vertices); });
+    };
+    EXPECT_EQ(refused(1, edges, square.points), "accepted");
+    EXPECT_EQ(refused(1, edges.topRows(4), square.points),
+              "4 rows of coordinates are given: expected 5");
+    EXPECT_EQ(refused(1, edges.leftCols(1), square.points),
+              "1 coordinates of a place are given: expected 2");
+    EXPECT_EQ(refused(1, edges, square.points.topRows(3)),
+              "3 rows of vertices are given: expected 4");
+    for (const int k : {-1, 3})
+        EXPECT_NE(refused(k, edges, square.points), "accepted");
+}
+
 TEST(CentersOfOnesOwn, and_centroids_do_not_go_with_flips) {
     EXPECT_EQ(refusal([] {
                   discretize(grid(2, 2),
