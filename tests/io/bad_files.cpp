@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <map>
+#include <stdexcept>
 
 namespace polydec::tests {
 
@@ -120,6 +122,9 @@ TEST(BadFiles, RealOnesAreTheSame) {
         {"degenerate_mesh.obj", 1},   {"notenoughindices.obj", 1}, {"non_manif_hole.ply", 755},
         {"oblong-shuffled.off", 840}, {"moebius.obj", 448},        {"soup.stl", 100},
     };
+    for (const auto& [name, count] : cells) {
+        test_datum("bad/" + name);
+    }
     for (const auto& path : test_data("bad")) {
         const auto name = path.filename().string();
         const auto text = read_text(path);
@@ -133,22 +138,46 @@ TEST(BadFiles, RealOnesAreTheSame) {
 
 TEST(RealFiles, OfEveryFolderAreReadWhole) {
     const std::map<std::string, std::pair<Eigen::Index, Eigen::Index>> sizes{
-        {"bun_zipper.ply", {35947, 69451}}, {"plane_5000.off", {2601, 5000}},
-        {"fandisk_quads.off", {766, 1528}}, {"inspired_mesh_quads_Conjugate.off", {1749, 3266}},
-        {"mixedFaring.off", {2310, 4463}},  {"hand.mesh", {7234, 29998}},
-        {"octopus-low.mesh", {452, 1140}},  {"bob_small.ply", {250, 500}},
-        {"conrod.stl", {3223, 6442}},       {"featuretype.STL", {2010, 3476}},
-        {"casting.off", {5096, 10224}},     {"horse_quad.obj", {2400, 4796}},
+        {"table2/bun_zipper.ply", {35947, 69451}},
+        {"table2/plane_5000.off", {2601, 5000}},
+        {"poly/fandisk_quads.off", {766, 1528}},
+        {"poly/inspired_mesh_quads_Conjugate.off", {1749, 3266}},
+        {"poly/mixedFaring.off", {2310, 4463}},
+        {"tet/hand.mesh", {7234, 29998}},
+        {"tet/octopus-low.mesh", {452, 1140}},
+        {"surface/bob_small.ply", {250, 500}},
+        {"cad/conrod.stl", {3223, 6442}},
+        {"cad/featuretype.STL", {2010, 3476}},
+        {"cad/casting.off", {5096, 10224}},
+        {"poly/horse_quad.obj", {2400, 4796}},
     };
-    for (const char* folder : {"table2", "surface", "cad", "poly", "tet"}) {
-        for (const auto& path : test_data(folder)) {
-            const auto found = sizes.find(path.filename().string());
-            if (found != sizes.end()) {
-                const auto mesh = read_mesh(path);
-                EXPECT_EQ(mesh.points.rows(), found->second.first) << path;
-                EXPECT_EQ(mesh.simplices.rows(), found->second.second) << path;
-            }
+    for (const auto& [name, size] : sizes) {
+        if (const auto path = test_datum(name)) {
+            const auto mesh = read_mesh(*path);
+            EXPECT_EQ(mesh.points.rows(), size.first) << name;
+            EXPECT_EQ(mesh.simplices.rows(), size.second) << name;
         }
+    }
+}
+
+TEST(RealFiles, AreMissedWhereThereAreOthers) {
+    const char* before = std::getenv("POLYDEC_TEST_DATA");
+    const std::string kept = before == nullptr ? "" : before;
+    const TemporaryFolder folder;
+    ::setenv("POLYDEC_TEST_DATA", folder.path().c_str(), 1);
+    EXPECT_FALSE(has_test_data());
+    EXPECT_EQ(test_datum("a.off"), std::nullopt);
+    EXPECT_TRUE(test_data(".").empty());
+    std::filesystem::create_directory(folder.path("meshes"));
+    const auto there = folder.write("meshes/a.off", "");
+    EXPECT_TRUE(has_test_data());
+    EXPECT_EQ(test_datum("a.off"), there);
+    EXPECT_EQ(test_data("").size(), 1U);
+    EXPECT_THROW(test_datum("b.off"), std::runtime_error);
+    ::unsetenv("POLYDEC_TEST_DATA");
+    EXPECT_FALSE(has_test_data());
+    if (before != nullptr) {
+        ::setenv("POLYDEC_TEST_DATA", kept.c_str(), 1);
     }
 }
 

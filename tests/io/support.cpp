@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <unistd.h>
 
 namespace polydec::tests {
@@ -18,6 +19,13 @@ namespace {
 
 /// Every file is synced to the disk: fewer random cases, unless the caller wants another number.
 [[maybe_unused]] const int few_cases = ::setenv("RC_PARAMS", "max_success=20", 0);
+
+/// The folder of real meshes, or an empty path.
+std::filesystem::path real_meshes() {
+    const char* root = std::getenv("POLYDEC_TEST_DATA");
+    return root == nullptr || *root == 0 ? std::filesystem::path()
+                                         : std::filesystem::path(root) / "meshes";
+}
 
 } // namespace
 
@@ -127,12 +135,11 @@ std::string with_line_breaks(const std::string& text, const std::string& line_br
 }
 
 std::vector<std::filesystem::path> test_data(const std::string& folder) {
-    const char* root = std::getenv("POLYDEC_TEST_DATA");
     std::vector<std::filesystem::path> paths;
     std::error_code none;
-    if (root != nullptr) {
-        const auto below = std::filesystem::path(root) / "meshes" / folder;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(below, none)) {
+    if (has_test_data()) {
+        for (const auto& entry :
+             std::filesystem::recursive_directory_iterator(real_meshes() / folder, none)) {
             if (entry.is_regular_file()) {
                 paths.push_back(entry.path());
             }
@@ -140,6 +147,21 @@ std::vector<std::filesystem::path> test_data(const std::string& folder) {
     }
     std::sort(paths.begin(), paths.end());
     return paths;
+}
+
+bool has_test_data() {
+    std::error_code none;
+    return std::filesystem::is_directory(real_meshes(), none);
+}
+
+std::optional<std::filesystem::path> test_datum(const std::string& name) {
+    if (!has_test_data()) {
+        return std::nullopt;
+    }
+    if (!std::filesystem::is_regular_file(real_meshes() / name)) {
+        throw std::runtime_error("POLYDEC_TEST_DATA has meshes, but no " + name);
+    }
+    return real_meshes() / name;
 }
 
 } // namespace polydec::tests

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,5 +59,12 @@ std::string with_line_breaks(const std::string& text, const std::string& line_br
 
 /// The real meshes of POLYDEC_TEST_DATA below this folder, sorted; none where it is not set.
 std::vector<std::filesystem::path> test_data(const std::string& folder);
+
+/// Whether there are any: POLYDEC_TEST_DATA is set and has a folder `meshes`.
+bool has_test_data();
+
+/// The one of this name, such as "cad/joint.obj"; nothing where there are none at all. Throws
+/// std::runtime_error, which fails the test, where there are others but not this one.
+std::optional<std::filesystem::path> test_datum(const std::string& name);
 
 } // namespace polydec::tests

@@ -116,16 +116,16 @@ TEST(TetGen, RefusesWhatDoesNotFit) {
 }
 
 TEST(TetGen, RealFilesAreReadWhole) {
-    for (const auto& path : test_data("tet")) {
-        if (path.filename() == "cube.1.node" || path.filename() == "cube.1.ele") {
-            const auto mesh = read_mesh(path);
+    for (const char* name : {"tet/cube.1.node", "tet/cube.1.ele"}) {
+        if (const auto path = test_datum(name)) {
+            const auto mesh = read_mesh(*path);
             EXPECT_EQ(mesh.points.rows(), 4550);
             EXPECT_EQ(mesh.simplices.rows(), 20981);
             EXPECT_NEAR(volume(mesh), 1.0, 1e-12);
         }
-        if (path.filename() == "icos.1.ele") {
-            EXPECT_NEAR(volume(read_mesh(path)), 17.45276404266667, 1e-12);
-        }
+    }
+    if (const auto path = test_datum("tet/icos.1.ele")) {
+        EXPECT_NEAR(volume(read_mesh(*path)), 17.45276404266667, 1e-12);
     }
 }
 

@@ -17,14 +17,6 @@ namespace polydec::test {
 
 namespace {
 
-std::optional<std::filesystem::path> real_file(const std::string& name) {
-    const std::filesystem::path wanted(name);
-    for (const auto& path : tests::test_data(wanted.parent_path().string()))
-        if (path.filename() == wanted.filename())
-            return path;
-    return std::nullopt;
-}
-
 /// A corner that both lists have, if they have no other in common.
 std::optional<int> meeting(const std::vector<int>& a, const std::vector<int>& b) {
     std::vector<int> common;
@@ -62,16 +54,15 @@ std::string name_of_real_surface(const testing::TestParamInfo<RealSurface>& inst
 }
 
 void OnRealSurfaces::SetUp() {
-    const auto& name = std::get<0>(GetParam());
-    if (!real_file(name))
-        GTEST_SKIP() << "POLYDEC_TEST_DATA has no " << name;
+    if (!tests::test_datum(std::get<0>(GetParam())))
+        GTEST_SKIP() << "POLYDEC_TEST_DATA has no meshes";
 }
 
 const Discretization& OnRealSurfaces::mesh() const {
     static RealSurface made_of;
     static std::optional<Discretization> made;
     if (!made || made_of != GetParam()) {
-        made = discretize(read_mesh(*real_file(std::get<0>(GetParam()))),
+        made = discretize(read_mesh(*tests::test_datum(std::get<0>(GetParam()))),
                           {.delaunay = std::get<1>(GetParam())});
         made_of = GetParam();
     }

@@ -21,7 +21,8 @@ using RealSurface = std::tuple<std::string, Delaunay>;
 /// flips or, with boundary, after flips and splits.
 std::vector<RealSurface> real_surfaces();
 
-/// Fixture of laws for each of these. Skips where there are no test data.
+/// Fixture of laws for each of these. Skips where there are no test data,
+/// and fails where there are some but not its file.
 class OnRealSurfaces : public testing::TestWithParam<RealSurface> {
 protected:
     void SetUp() override;
