@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "dec/discretization.h"
 #include "io/pictures/draw_cells.h"
-#include "tests/support/merged.h"
+#include "meshes/generate.h"
+#include "tests/dec/discretized.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +30,52 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, MergedPolygons,
                                          "torus8x6", "folded_rect", "branching", "goldberg2",
                                          "moebius12x2", "klein_bottle", "triangle_soup"),
                          [](const auto& instance) { return instance.param; });
+
+class PicturesOfCells : public OverMeshes {};
+
+/// The corners and faces by the numbers of the input, as pictures of a mesh have them.
+VtuGrid renumbered(VtuGrid grid, const SimplicialComplex& input) {
+    grid.corners = input.vertex_numbers(std::move(grid.corners));
+    for (std::size_t at = 0; at < grid.faces.size();)
+        for (Index faces = grid.faces[at++]; faces > 0; --faces)
+            for (Index corners = grid.faces[at++]; corners > 0; --corners, ++at)
+                grid.faces[at] = input.vertex_number(grid.faces[at]);
+    return grid;
+}
+
+bool same(const VtuGrid& a, const VtuGrid& b) {
+    return a.types == b.types && a.corners == b.corners && a.offsets == b.offsets &&
+           a.faces == b.faces && a.face_offsets == b.face_offsets;
+}
+
+TEST_P(PicturesOfCells, of_a_complex_and_points_alone_are_those_of_the_mesh) {
+    const auto& whole = discretized(GetParam());
+    const int n = whole.dimension(), N = static_cast<int>(whole.points().cols());
+    for (int k = 0; k <= n; ++k) {
+        const int drawn = k == 0 ? n : k;
+        if (drawn > 3 || N > 3) {
+            EXPECT_NE(refusal([&] { draw_cells(whole.complex(), whole.points(), k); }), "accepted");
+            continue;
+        }
+        const VtuGrid own = draw_cells(whole.complex(), whole.points(), k);
+        EXPECT_EQ(own.points, whole.points());
+        EXPECT_EQ(std::ssize(own.types), whole.complex().size(drawn));
+        // the edge inside the spike's cell cancels, and so does not show in the complex
+        EXPECT_EQ(same(renumbered(own, whole.input()), draw_cells(whole, k)),
+                  GetParam() != "spike" || drawn != 2)
+            << "degree " << k;
+    }
+}
+
+POLYDEC_OVER_MESHES(PicturesOfCells);
+
+TEST(PicturesOfOtherCells, differ_or_are_refused) {
+    const auto squares = discretize(grid(2, 2));
+    EXPECT_NE(draw_cells(squares.complex(), squares.points(), 2).corners,
+              draw_cells(squares.input(), squares.points(), 2).corners);
+    EXPECT_NE(refusal([&] { draw_cells(squares.complex(), squares.points().topRows(8), 2); }),
+              "accepted");
+}
 
 } // namespace
 } // namespace polydec::test
