@@ -50,26 +50,23 @@ void add(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Factory 
 
 // Engines of optional components, so that who asks for one is told how to get it.
 void add_missing(Registry& registry) {
-    const auto missing = [](auto& known, const char* component, const EngineInfo& info) {
-        known[info.name] = {.info = info, .component = component};
+    const auto linear = [&](const char* component, const char* from, const char* name,
+                            const char* description) {
+        registry.linear[name] = {.info = {name, EngineKind::linear, false, description, from},
+                                 .component = component};
     };
-    missing(registry.linear, "cholmod",
-            {"cholmod", EngineKind::linear, false,
-             "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts "
-             "by inertia",
-             POLYDEC_CHOLMOD_FROM});
-    missing(registry.linear, "petsc",
-            {"petsc.cg-hypre", EngineKind::linear, false,
-             "PETSc's conjugate gradients with hypre's BoomerAMG: positive semidefinite, "
-             "iterative, for large solids",
-             POLYDEC_PETSC_FROM});
-    missing(registry.linear, "petsc",
-            {"petsc.cg-gamg", EngineKind::linear, false,
-             "PETSc's conjugate gradients with its own multigrid (GAMG): positive semidefinite, "
-             "iterative",
-             POLYDEC_PETSC_FROM});
-    missing(registry.eigen, "slepc",
-            {"slepc", EngineKind::eigen, false, "SLEPc's Krylov-Schur method", POLYDEC_SLEPC_FROM});
+    linear("cholmod", POLYDEC_CHOLMOD_FROM, "cholmod",
+           "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts "
+           "by inertia");
+    linear("petsc", POLYDEC_PETSC_FROM, "petsc.cg-hypre",
+           "PETSc's conjugate gradients with hypre's BoomerAMG: positive semidefinite, iterative, "
+           "for large solids");
+    linear("petsc", POLYDEC_PETSC_FROM, "petsc.cg-gamg",
+           "PETSc's conjugate gradients with its own multigrid (GAMG): positive semidefinite, "
+           "iterative");
+    registry.eigen["slepc"] = {.info = {"slepc", EngineKind::eigen, false,
+                                        "SLEPc's Krylov-Schur method", POLYDEC_SLEPC_FROM},
+                               .component = "slepc"};
 }
 
 void add_builtin(Registry& registry) {
