@@ -220,10 +220,32 @@ struct Discretization::Lift {
     std::vector<SparseMatrix> matrices;
 };
 
+namespace {
+
+/// Points of the vertices and lengths of the edges.
+void check_metric(const Discretization::Parts& parts) {
+    const SimplicialComplex& input = parts.passage.input();
+    const auto N = parts.input_points.cols();
+    check_as_many("points of the input's vertices", parts.input_points.rows(), input.size(0));
+    if (N == 0 || parts.lengths.size() > 0)
+        check_as_many("lengths of the input's edges", parts.lengths.size(), input.size(1));
+    if (!parts.passage.is_identity()) {
+        check_as_many("points of the vertices of the pieces", parts.points.rows(),
+                      parts.passage.pieces().size(0));
+        check_as_many("coordinates of the vertices of the pieces", parts.points.cols(), N);
+    }
+    if (parts.isolated.rows() > 0)
+        check_as_many("coordinates of the points of no cell", parts.isolated.cols(), N);
+}
+
+} // namespace
+
 Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
     check_fit(parts.passage.input(), parts.input_volumes);
+    check_fit(parts.passage.pieces(), parts.piece_volumes);
     check_fit(parts.merging.pieces(), parts.piece_volumes);
     check_fit(parts.merging.merged(), parts.volumes);
+    check_metric(parts);
     const CellComplex& complex = parts.merging.merged();
     if (!parts.tags.empty())
         check_as_many("tags", Index(parts.tags.size()), complex.size(complex.dimension()));

@@ -43,7 +43,8 @@ public:
         std::vector<Index> facet_tags = {};
     };
 
-    /// Throws InvalidInput unless the volumes and tags are those of as many cells.
+    /// Throws InvalidInput unless volumes, tags and points are those of as many cells and vertices,
+    /// points with as many coordinates, and lengths, if points are not known, those of the edges.
     explicit Discretization(Parts parts);
 
     /// The merged complex, and its dimension.

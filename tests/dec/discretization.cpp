@@ -2,6 +2,7 @@
 #include "dec/discretization.h"
 
 #include "meshes/generate.h"
+#include "meshes/length_mesh.h"
 #include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
@@ -100,6 +101,63 @@ TEST(Discretize, tidies_first) {
 TEST(Discretize, refuses_what_has_no_place) {
     EXPECT_NE(refusal([] { discretize(made_of({{0, 0}, {1, 0}}, {{0, 1, 2}})); }), "accepted");
     EXPECT_NE(refusal([] { discretize(made_of({{0}, {1}, {2}}, {{0, 1, 2}})); }), "accepted");
+}
+
+Discretization::Parts parts_of(const Discretization& mesh) {
+    return {.input_points = mesh.input_points(),
+            .points = mesh.points(),
+            .passage = mesh.passage(),
+            .merging = mesh.merging(),
+            .input_volumes = mesh.input_volumes(),
+            .piece_volumes = mesh.piece_volumes(),
+            .volumes = mesh.volumes(),
+            .lengths = mesh.lengths(),
+            .isolated = mesh.isolated()};
+}
+
+/// What is said of parts after a change that makes them unfit; they fit before it.
+template <class Change>
+std::string refusal_after(const Discretization& mesh, Change change) {
+    auto parts = parts_of(mesh);
+    EXPECT_EQ(refusal([&] { Discretization{parts}; }), "accepted");
+    change(parts);
+    return refusal([&] { Discretization{parts}; });
+}
+
+using Parts = Discretization::Parts;
+
+TEST(DiscretizationOfParts, refuses_points_and_lengths_of_another_mesh) {
+    const auto square = discretize(grid(2, 2)),
+               flipped = discretize(perturbed(grid(3, 3), 0.1, 1),
+                                    {.delaunay = Delaunay::flips_and_splits});
+    const auto lengths = discretize(length_mesh(grid(2, 2)));
+    const auto isolated = discretize(with_isolated_vertices());
+    for (const auto& mesh : {square, flipped, lengths, isolated})
+        EXPECT_EQ(refusal_after(mesh, [](Parts&) {}), "accepted");
+    EXPECT_EQ(refusal_after(square, [](Parts& p) { p.input_points.conservativeResize(8, 2); }),
+              "8 points of the input's vertices are given: expected 9");
+    EXPECT_EQ(refusal_after(square, [](Parts& p) { p.lengths = Vector::Ones(3); }),
+              "3 lengths of the input's edges are given: expected 16");
+    EXPECT_EQ(refusal_after(lengths, [](Parts& p) { p.input_points = Points(); }),
+              "0 points of the input's vertices are given: expected 9");
+    EXPECT_EQ(refusal_after(lengths, [](Parts& p) { p.lengths.resize(0); }),
+              "0 lengths of the input's edges are given: expected 16");
+    EXPECT_EQ(refusal_after(flipped, [](Parts& p) { p.points = p.input_points.topRows(2); }),
+              "2 points of the vertices of the pieces are given: expected " +
+                  std::to_string(flipped.pieces().size(0)));
+    EXPECT_EQ(
+        refusal_after(flipped, [](Parts& p) { p.points.conservativeResize(Eigen::NoChange, 3); }),
+        "3 coordinates of the vertices of the pieces are given: expected 2");
+    EXPECT_EQ(refusal_after(isolated, [](Parts& p) { p.isolated = Points::Zero(1, 3); }),
+              "3 coordinates of the points of no cell are given: expected 2");
+    const auto other = discretize(grid(3, 2));
+    EXPECT_EQ(refusal_after(square,
+                            [&](Parts& p) {
+                                p.passage = other.passage();
+                                p.input_volumes = other.input_volumes();
+                                p.input_points = other.input_points();
+                            }),
+              "9 volumes of 0-cells are given: expected 12");
 }
 
 } // namespace
