@@ -2,6 +2,7 @@
 #include "dec/fields/de_rham.h"
 
 #include "base/errors.h"
+#include "dec/fields/transfer.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/quadrature.h"
@@ -148,9 +149,9 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
 }
 
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
-    const Vector values = de_rham(mesh.input(), mesh.input_points(), k, form, quadrature_degree);
-    return {Side::primal, k,
-            mesh.merging().diamond(k).cast<double>() * mesh.passage().forth(k, values)};
+    return to_merged(
+        mesh,
+        {Side::primal, k, de_rham(mesh.input(), mesh.input_points(), k, form, quadrature_degree)});
 }
 
 Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
@@ -176,10 +177,8 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
             i, center_coordinates(mesh.pieces(), mesh.metric(), mesh.options().centers, i),
             mesh.points());
     };
-    const Vector values = DualIntegrals(mesh.pieces(), N, k, integral, centers_of).all();
-    const Vector weighted = mesh.piece_volumes().primal(k).cwiseProduct(values);
-    const Vector sums = mesh.merging().diamond(k).cast<double>() * weighted;
-    return {Side::dual, j, sums.cwiseQuotient(mesh.volumes().primal(k))};
+    return on_cells(
+        mesh, {Side::dual, j, DualIntegrals(mesh.pieces(), N, k, integral, centers_of).all()});
 }
 
 } // namespace polydec

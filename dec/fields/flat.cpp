@@ -2,6 +2,7 @@
 #include "dec/fields/flat.h"
 
 #include "base/errors.h"
+#include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/dual_parts.h"
@@ -43,12 +44,8 @@ void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix
 }
 
 /// The means of the rows of the vertices of each k-simplex.
-Points means(const Pieces& complex, const DenseMatrix& field, int k) {
-    Points result = Points::Zero(complex.size(k), field.cols());
-    for (Index s = 0; s < complex.size(k); ++s)
-        for (const Index v : vertices(complex.simplices(k), s))
-            result.row(s) += field.row(v) / (k + 1);
-    return result;
+Points means(const Pieces& complex, const Points& field, int k) {
+    return combinations(complex, k, Points::Constant(complex.size(k), k + 1, 1.0 / (k + 1)), field);
 }
 
 /// Vectors at vertices, continued linearly to the centers of the k-pieces.
@@ -58,7 +55,7 @@ Points at_centers(const Discretization& mesh, const Places& places, const Points
 }
 
 /// The vectors of the merged n-cells, copied to their pieces.
-Points on_pieces(const Discretization& mesh, const DenseMatrix& field) {
+Points copied_to_pieces(const Discretization& mesh, const DenseMatrix& field) {
     const auto& carriers = mesh.merging().carriers(mesh.dimension());
     Points result(carriers.size(), field.cols());
     for (std::size_t t = 0; t < carriers.size(); ++t)
@@ -66,12 +63,11 @@ Points on_pieces(const Discretization& mesh, const DenseMatrix& field) {
     return result;
 }
 
-/// The product of the mean of the vectors of both ends with each edge of the input, carried to the
-/// pieces.
+/// The product of the mean of the vectors of both ends with each edge of the input.
 Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
     const DenseMatrix edges = edge_vectors(mesh.input(), mesh.input_points());
-    const Vector values = edges.cwiseProduct(means(mesh.input(), field, 1)).rowwise().sum();
-    return mesh.passage().forth(1, values);
+    const Points of_input = field.topRows(mesh.input().size(0)); // splits have made the others
+    return edges.cwiseProduct(means(mesh.input(), of_input, 1)).rowwise().sum();
 }
 
 void check_dual_volumes(const Discretization& mesh) {
@@ -89,7 +85,7 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     check_dual_volumes(mesh);
     const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1,
                                           mesh.dimension(), mesh.options().centers);
-    const DenseMatrix sums = parts.transpose() * DenseMatrix(on_pieces(mesh, field));
+    const DenseMatrix sums = parts.transpose() * DenseMatrix(copied_to_pieces(mesh, field));
     Vector result = sums.cwiseProduct(edge_vectors(mesh.pieces(), mesh.points())).rowwise().sum();
 
     // edges inside of merged cells count for nothing, and their duals may well vanish
@@ -130,7 +126,7 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
             mesh, places, [&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
     }
     const Points vectors =
-        kind == Flat::pdd ? means(mesh.pieces(), field, n - 1) : on_pieces(mesh, field);
+        kind == Flat::pdd ? means(mesh.pieces(), field, n - 1) : copied_to_pieces(mesh, field);
     return along_dual_edges(
         mesh, places, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
 }
@@ -140,16 +136,11 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     require_points(mesh.points().cols(), "a flat");
     check_field(mesh, is_at_vertices(kind), field);
-    if (is_primal(kind)) {
-        const Vector values =
-            kind == Flat::dpp ? around_edges(mesh, field) : along_edges(mesh, field);
-        return {Side::primal, 1, mesh.merging().diamond(1).cast<double>() * values};
-    }
-    const int k = mesh.dimension() - 1;
-    const Vector values = along_dual_edges(mesh, kind, field);
-    const Vector weighted = mesh.piece_volumes().primal(k).cwiseProduct(values);
-    const Vector sums = mesh.merging().diamond(k).cast<double>() * weighted;
-    return {Side::dual, 1, sums.cwiseQuotient(mesh.volumes().primal(k))};
+    if (!is_primal(kind))
+        return on_cells(mesh, {Side::dual, 1, along_dual_edges(mesh, kind, field)});
+    if (kind == Flat::dpp)
+        return on_cells(mesh, {Side::primal, 1, around_edges(mesh, field)});
+    return to_merged(mesh, {Side::primal, 1, along_edges(mesh, field)});
 }
 
 } // namespace polydec

@@ -182,6 +182,26 @@ TEST(FlatsBroken, unmerged_squares_have_no_dpp) {
               "field at the vertices");
 }
 
+/// Duals are means over the pieces, whose volumes these are not.
+TEST(FlatsToDualForms, do_not_depend_on_the_volumes_of_merged_cells) {
+    const auto& mesh = discretized("grid4");
+    std::vector<Vector> primal, dual;
+    for (int k = 0; k <= 2; ++k) {
+        primal.push_back((k == 1 ? 2 : 1) * mesh.volumes().primal(k));
+        dual.push_back(mesh.volumes().dual(k));
+    }
+    const auto own = mesh.with_volumes(CellVolumes(primal, dual));
+    const SmoothForm field = linear_field(2, 3);
+    const auto expect_same = [](const Cochain& of_own, const Cochain& of_mesh) {
+        EXPECT_EQ(of_own.values, of_mesh.values);
+        EXPECT_GT(relative_difference(of_own.values, of_mesh.values / 2), 0.1);
+    };
+    for (const auto kind : dual_kinds)
+        expect_same(flat(own, kind, sampled(mesh, kind, field)),
+                    flat(mesh, kind, sampled(mesh, kind, field)));
+    expect_same(dual_de_rham(own, 1, field), dual_de_rham(mesh, 1, field));
+}
+
 TEST(FlatsRefuse, fields_of_the_wrong_shape_and_what_is_not_finite) {
     const auto& mesh = discretized("grid4");
     EXPECT_EQ(refusal([&] { flat(mesh, Flat::ppp, DenseMatrix::Ones(16, 2)); }),
