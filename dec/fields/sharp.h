@@ -23,7 +23,8 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form);
 /// where all ends in a cell lie on a line, X does too. Of first order on smooth surfaces.
 ///
 /// Exact for differentials of linear functions on flat cells of any shape. For n = 2 and a = df it
-/// is the mean by area of the gradients on the triangles. In higher dimensions obtuse cells have
+/// is the mean by area of the gradients on the triangles where these lie in one plane and are
+/// exactly cospherical; on bent cells it is near to that. In higher dimensions obtuse cells have
 /// negative weights; X is then where the derivative of the sum of squares vanishes.
 /// Throws InvalidInput for other forms, and, naming the cell, if its weights leave X
 /// undetermined.
