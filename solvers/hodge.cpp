@@ -130,8 +130,6 @@ HodgeParts HodgeSolver::decompose(const Cochain& form) const {
     if (form.side != side_ || form.degree != degree_)
         throw InvalidInput(fmt::format("a {} {}-form is given: this solver decomposes {} {}-forms",
                                        name(form.side), form.degree, name(side_), degree_));
-    if (!form.values.allFinite())
-        throw InvalidInput("a form with a value that is not finite cannot be decomposed");
     const int n = complex_.dimension();
     const bool primal = side_ == Side::primal;
     const Vector w = primal ? form.values : Vector(form.values.cwiseQuotient(mass_));

@@ -19,11 +19,21 @@ std::string described(const Values& values, const char* what) {
 }
 
 template <class Values>
+void check_finite(const Values& values, const char* what) {
+    for (Index i = 0; i < values.values.size(); ++i)
+        if (!std::isfinite(values.values[i]))
+            throw InvalidInput(
+                fmt::format("{} is given, of which number {} is {}: expected finite numbers",
+                            described(values, what), i, values.values[i]));
+}
+
+template <class Values>
 void check_values(const CellComplex& complex, const Values& values, const char* what) {
     const int k = cell_degree(complex, values.side, values.degree);
     if (values.values.size() != complex.size(k))
         throw InvalidInput(fmt::format("{} is given: the complex has {} {}-cells",
                                        described(values, what), complex.size(k), k));
+    check_finite(values, what);
 }
 
 /// Whether both are forms of one kind, or a form and a chain of its cells.
@@ -32,6 +42,8 @@ void check_alike(const Cochain& a, const Other& b, const char* what) {
     if (a.side != b.side || a.degree != b.degree || a.values.size() != b.values.size())
         throw InvalidInput(fmt::format("{} does not go with {}: side, degree and size must agree",
                                        described(b, what), described(a, "form")));
+    check_finite(a, "form");
+    check_finite(b, what);
 }
 
 /// The sign of the dual derivative that is d_k^T.

@@ -26,7 +26,8 @@ struct Chain {
 /// Throws InvalidInput if there is no such degree.
 int cell_degree(const CellComplex& complex, Side side, int degree);
 
-/// Throw InvalidInput, naming side, degree and sizes, for what does not live on this complex.
+/// Throw InvalidInput, naming side, degree and sizes, for what does not live on this complex, and
+/// naming the value for what is not finite. All that takes forms on a complex does so.
 void check(const CellComplex& complex, const Cochain& form);
 void check(const CellComplex& complex, const Chain& chain);
 
@@ -41,7 +42,8 @@ void check_factors(const CellComplex& complex, Side side, const Cochain& a, cons
 Chain boundary(const CellComplex& complex, const Chain& chain);
 
 /// The value of a form on a chain: the integral of the one over the other.
-/// Throws InvalidInput, naming both, if their sides, degrees or sizes differ.
+/// Throws InvalidInput, naming both, if their sides, degrees or sizes differ, and naming the value
+/// for what is not finite.
 double pairing(const Cochain& form, const Chain& chain);
 
 /// Exterior derivative, of degree k+1, by derivative or dual_derivative; empty for k = n. Throws
@@ -70,7 +72,7 @@ double inner_product(const CellComplex& complex, const HodgeStars& stars, const 
 /// Throws like inner_product, and InvalidInput if negative duals make it negative.
 double norm(const CellComplex& complex, const HodgeStars& stars, const Cochain& form);
 
-/// Sums and multiples. Throw InvalidInput, naming both, if sides, degrees or sizes differ.
+/// Sums and multiples. Sums throw like pairing.
 Cochain operator+(const Cochain& a, const Cochain& b);
 Cochain operator-(const Cochain& a, const Cochain& b);
 Cochain operator*(double factor, const Cochain& form);

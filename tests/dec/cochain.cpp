@@ -194,6 +194,30 @@ TEST(CochainErrors, name_side_degree_and_sizes) {
               "the square of the norm of a primal 0-form of 7 values i");
 }
 
+TEST(CochainErrors, name_the_value_that_is_no_number) {
+    const auto& m = merged("grid4");
+    for (const double value : {NAN, INFINITY, -INFINITY}) {
+        const Cochain zero{Side::primal, 1, Vector::Zero(40)};
+        Cochain bad = zero;
+        bad.values[7] = value;
+        const auto expected = "of 40 values is given, of which number 7 is " +
+                              std::string(std::isnan(value) ? "nan"
+                                          : value > 0       ? "inf"
+                                                            : "-inf") +
+                              ": expected finite numbers";
+        const Chain chain{Side::primal, 1, Vector::Zero(40)},
+            bad_chain{Side::primal, 1, bad.values};
+        EXPECT_EQ(refusal([&] { d(m.P(), bad); }), "a primal 1-form " + expected);
+        EXPECT_EQ(refusal([&] { boundary(m.P(), bad_chain); }), "a primal 1-chain " + expected);
+        EXPECT_EQ(refusal([&] { pairing(zero, bad_chain); }), "a primal 1-chain " + expected);
+        EXPECT_EQ(refusal([&] { pairing(bad, chain); }), "a primal 1-form " + expected);
+        EXPECT_EQ(refusal([&] { zero + bad; }), "a primal 1-form " + expected);
+        EXPECT_EQ(refusal([&] { inner_product(m.P(), m.volumes, zero, bad); }),
+                  "a primal 1-form " + expected);
+        EXPECT_EQ(refusal([&] { d(m.P(), zero) + d(m.P(), zero); }), "accepted");
+    }
+}
+
 TEST(Cochains, of_the_ends_of_the_tower_are_empty) {
     const auto& P = merged("grid4").P();
     EXPECT_EQ(d(P, {Side::primal, 2, Vector::Zero(16)}).values.size(), 0);
