@@ -88,8 +88,13 @@ TEST_P(OwnCells, have_heat_waves_and_decompositions) {
                 [&] { return hodge_decomposition(complex(), volumes(), form).copotential.values; },
                 1.1);
         }
-    EXPECT_EQ(refusal([&] { stable_step(whole(), 0); }),
-              refusal([&] { stable_step(complex(), volumes(), 0); }));
+}
+
+TEST_P(OwnCells, have_the_stable_steps_that_meshes_have) {
+    const auto frequency = [](double step) { return Vector(Vector::Constant(1, 2 / step)); };
+    for (int k = 0; k < complex().dimension(); ++k)
+        expect_equal([&] { return frequency(stable_step(whole(), k)); },
+                     [&] { return frequency(stable_step(complex(), volumes(), k)); }, 1.1);
 }
 
 POLYDEC_OVER_MESHES(OwnCells);
