@@ -159,12 +159,15 @@ Pieces::Pieces(Unchecked, CellComplex cells, std::vector<Simplices> simplices,
 }
 
 std::vector<Index> Pieces::vertex_numbers(std::vector<Index> vertices) const {
-    for (Index& v : vertices)
+    for (Index& v : vertices) {
+        check_number("vertex", v, 0, size(0) - 1);
         v = vertex_number(v);
+    }
     return vertices;
 }
 
 std::vector<Index> Pieces::vertex_numbers(int k, Index s) const {
+    check_number("simplex", s, 0, size(k) - 1);
     const auto corners = simplices(k).row(s);
     return vertex_numbers(std::vector<Index>(corners.begin(), corners.end()));
 }

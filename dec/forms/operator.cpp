@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/operator.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "dec/forms/gram.h"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace polydec {
@@ -64,6 +66,8 @@ Operator Operator::weights(Vector weights) {
 }
 
 Operator Operator::zero(Index rows, Index cols) {
+    for (const Index size : {rows, cols})
+        check_number("an operator of size", size, 0, std::numeric_limits<Index>::max());
     return {rows, cols, {}};
 }
 

@@ -25,7 +25,7 @@ public:
     static Operator star(const HodgeStar& star) { return weights(star.diagonal()); }
     static Operator inverse_star(const HodgeStar& star) { return weights(star.inverse()); }
 
-    /// 0 for all values.
+    /// 0 for all values. Throws InvalidInput for a negative size.
     static Operator zero(Index rows, Index cols);
 
     Index rows() const { return rows_; }

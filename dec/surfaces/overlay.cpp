@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/surfaces/overlay.h"
 
-#include "base/errors.h"
+#include "base/checks.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/strand_places.h"
 
@@ -110,6 +110,7 @@ void Cutter::place_points() {
             ends_by_point_[point] = {a, b};
         }
     }
+    result_.points.resize(points_.rows() + Eigen::Index(result_.crossings.size()), points_.cols());
     result_.points = result_.at_points(points_);
     place_along_edges();
 }
@@ -266,6 +267,7 @@ void Cutter::add(const Polygon& polygon, Index t) {
 
 Points Overlay::at_points(const Points& at_vertices) const {
     const auto vertices = at_vertices.rows(), more = static_cast<Eigen::Index>(crossings.size());
+    check_as_many("rows of vertices", vertices, points.rows() - more);
     Points result(vertices + more, at_vertices.cols());
     result.topRows(vertices) = at_vertices;
     for (Eigen::Index c = 0; c < more; ++c) {

@@ -27,7 +27,8 @@ struct Overlay {
     std::vector<std::int8_t> signs; ///< 1 where both are oriented alike, else -1
     Vector areas;                   ///< of the pieces, length^2
 
-    /// Rows for vertices, linear along the input's edges, for all points.
+    /// Rows for vertices, linear along the input's edges, for all points. Throws InvalidInput
+    /// unless there is a row for each vertex: of the input and of splits.
     Points at_points(const Points& at_vertices) const;
 
     Index size() const { return static_cast<Index>(input.size()); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/surfaces/places.h"
 
+#include "base/checks.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/simplex_faces.h"
 
@@ -31,6 +32,7 @@ Points Places::at(int k, const Points& coordinates, const Points& values) const 
     if (passage_.is_identity())
         return combinations(K, k, coordinates, values);
 
+    check_as_many("rows of coordinates", coordinates.rows(), K.size(k));
     const Points known = overlay_.at_points(values);
     SimplexLayout layout(K, SimplexMetric(K, passage_.flips().lengths));
     SimplexFaces faces(K, n, k);

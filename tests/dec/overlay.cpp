@@ -95,6 +95,16 @@ TEST_P(Overlays, know_what_crosses_by_integers_that_one_missed_flip_spoils) {
 
 INSTANTIATE_TEST_SUITE_P(Family, Overlays, testing::ValuesIn(names_of_surfaces()), parameter_name);
 
+TEST(Overlay, refuses_values_at_other_vertices) {
+    const auto mesh = discretize(shaken(grid(4, 4), 0.25, 7), {.delaunay = Delaunay::flips});
+    const auto both = overlay(mesh.passage(), mesh.points());
+    ASSERT_FALSE(both.crossings.empty());
+    EXPECT_EQ(both.at_points(mesh.points()), both.points);
+    for (const auto& values : {Points(mesh.points().topRows(24)), both.points})
+        EXPECT_EQ(refusal([&] { both.at_points(values); }),
+                  std::to_string(values.rows()) + " rows of vertices are given: expected 25");
+}
+
 TEST(Overlay, is_refused_without_flips) {
     EXPECT_EQ(
         refusal([] {

@@ -46,15 +46,16 @@ Cochain form(const Sample& s, Side side, int degree);
 std::string outcome(const std::function<void()>& call);
 
 /// What goes into one call. One of the inputs, counted in the order in which they are asked for,
-/// may be of another size than is asked for.
+/// may be of another size than is asked for, or a form with a value that is no number.
 class Inputs {
 public:
-    enum class Flaw { none, fewer, more, wider };
+    enum class Flaw { none, fewer, more, wider, not_finite };
 
     Inputs() = default;
     Inputs(int which, Flaw flaw) : which_(which), flaw_(flaw) {}
 
-    /// Whether there was such an input.
+    /// Whether there was such an input, and one that can have the flaw.
+    bool asked() const { return asked_ > which_; }
     bool flawed() const { return flawed_; }
 
     /// Values that follow no pattern; a flawed one lacks a row, or has one or a column too many.

@@ -142,6 +142,19 @@ Questions of_fields(const Sample& s, int k) {
          [&s, k](Inputs& in) {
              return fit(circumradii(s.pieces(), s.mesh.metric(), in.degree(k)), s.pieces().size(k));
          }},
+        {"center_coordinates",
+         [&s, k](Inputs& in) {
+             return fit(center_coordinates(s.pieces(), s.mesh.metric(), s.mesh.options().centers,
+                                           in.degree(k)),
+                        s.pieces().size(k), k + 1);
+         }},
+        {"combinations",
+         [&s, k](Inputs& in) {
+             const int degree = in.degree(k);
+             const Points places = in.matrix(s.pieces().size(k), k + 1);
+             return fit(combinations(s.pieces(), degree, places, in.points(s.pieces().size(0), 2)),
+                        s.pieces().size(k), 2);
+         }},
         {"dual_parts",
          [&s, k, n](Inputs& in) {
              return fit(dual_parts(s.pieces(), s.mesh.metric(), s.piece_volumes(), in.degree(k), n),
@@ -222,6 +235,28 @@ Questions of_diagnoses(const Sample& s) {
              conditions.facets = in.list(s.size(n - 1), BoundaryCondition::natural);
              const auto there = conditioned_complex(s.mesh, Side::primal, in.degree(0), conditions);
              return fit(there.stars[0].diagonal(), there.relative.complex.size(0));
+         }},
+        {"diagnose",
+         [&s, n](Inputs&) {
+             const auto found = diagnose(s.mesh);
+             const auto even = [](const std::vector<Index>& numbers) {
+                 Index sum = 0;
+                 for (std::size_t i = 0; i < numbers.size(); ++i)
+                     sum += i % 2 == 0 ? numbers[i] : -numbers[i];
+                 return sum;
+             };
+             return fit(std::ssize(found.laplacians) == n + 1 &&
+                        found.cells.merged.back() == s.size(n) && !found.lacks_numbers() &&
+                        even(found.betti.input) == found.euler.input &&
+                        even(found.cells.merged) == found.euler.merged);
+         }},
+        {"advice",
+         [&s, n](Inputs&) {
+             bool right = true;
+             for (const Advice& one : advice(s.mesh))
+                 right = right && one.cells > 0 && !in_words(one, n).empty() &&
+                         one.remedy == remedy(s.mesh);
+             return fit(right);
          }},
         {"join of tags",
          [&s](Inputs&) {

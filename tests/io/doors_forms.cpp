@@ -199,6 +199,24 @@ Questions of_operators(const Sample& s, int k) {
                [&s, n](int degree, const Vector& x) {
                    return dual_laplacian(s.mesh, n - degree) * x;
                }),
+        {"Operator::weights",
+         [&s, k](Inputs& in) {
+             const auto weights = Operator::weights(in.vector(s.size(k)));
+             return fit(weights * in.vector(s.size(k)), s.size(k));
+         }},
+        {"products of operators",
+         [&s, k](Inputs& in) {
+             const auto d = Operator::derivative(s.P(), in.degree(k));
+             const auto A = d.transposed() * Operator::weights(in.vector(s.size(k + 1))) * d;
+             return fit(A, s.size(k), s.size(k)) + fit(A.diagonal(), s.size(k));
+         }},
+        {"sums of operators",
+         [&s, k](Inputs& in) {
+             const Index columns = Index(in.vector(s.size(k)).size());
+             const auto A =
+                 Operator::zero(s.size(k), columns) + Operator::weights(in.vector(s.size(k)));
+             return fit(A, s.size(k), s.size(k)) + fit(A * in.vector(s.size(k)), s.size(k));
+         }},
         {"negative and zero stars",
          [&s, k](Inputs& in) {
              const auto all = star(s.V(), in.degree(k));

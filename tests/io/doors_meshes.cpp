@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+
 namespace polydec::test {
 namespace {
 
@@ -79,6 +82,47 @@ Questions of_makers(const Sample& s, int k) {
              const auto parts =
                  parts_of_duals(s.pieces(), s.mesh.metric(), s.piece_volumes(), in.degree(k), n);
              return fit(parts.allFinite() && parts.rows() == s.pieces().size(n));
+         }},
+        {"Pieces",
+         [&s, k, n](Inputs& in) {
+             const auto& K = s.pieces();
+             std::vector<Simplices> faces;
+             for (int j = 1; j <= n; ++j) {
+                 faces.emplace_back(K.size(j), j + 1);
+                 for (Index t = 0; t < K.size(j); ++t)
+                     for (int i = 0; i <= j; ++i)
+                         faces.back()(t, i) = K.face(j, t, i);
+             }
+             std::vector<std::int8_t> orientations = in.list<std::int8_t>(K.size(n), 1);
+             for (std::size_t t = 0; t < std::min(orientations.size(), std::size_t(K.size(n))); ++t)
+                 orientations[t] = static_cast<std::int8_t>(K.orientation(Index(t)));
+             std::vector<Index> vertices(std::size_t(K.size(0)));
+             std::iota(vertices.begin(), vertices.end(), 0);
+             if (k > 0) { // a table of one column too many, or with a face that there is not
+                 const auto width = in.matrix(K.size(k), k + 1);
+                 if (width.rows() != K.size(k))
+                     faces[k - 1](0, 0) = K.size(k - 1);
+                 faces[k - 1].conservativeResize(K.size(k), width.cols());
+             }
+             return fit(Pieces(faces, orientations, vertices).size(k) == K.size(k));
+         }},
+        {"Discretization::Parts",
+         [&s, k](Inputs& in) {
+             const auto& mesh = s.mesh;
+             const Points given = in.points(mesh.input_points().rows(), mesh.input_points().cols());
+             const auto lengths = in.vector(mesh.lengths().size());
+             Discretization::Parts parts{.input_points = given,
+                                         .points = mesh.points(),
+                                         .passage = mesh.passage(),
+                                         .merging = mesh.merging(),
+                                         .input_volumes = mesh.input_volumes(),
+                                         .piece_volumes = mesh.piece_volumes(),
+                                         .volumes = mesh.volumes(),
+                                         .tags = in.list<Index>(s.size(s.n()), 1),
+                                         .lengths = lengths,
+                                         .isolated = mesh.isolated(),
+                                         .facet_tags = in.list<Index>(s.size(s.n() - 1), 1)};
+             return fit(Discretization(parts).complex().size(k) == s.size(k));
          }},
         {"check_fit",
          [&s, k](Inputs& in) {
@@ -178,6 +222,40 @@ Questions of_meshes(const Sample& s) {
              const tests::TemporaryFolder folder;
              write_vtu(folder.path("a.vtu"), grid);
              return fit(!tests::read_text(folder.path("a.vtu")).empty());
+         }},
+        {"split_polygons",
+         [&s, n](Inputs& in) {
+             PolygonMesh polygons = polygon_mesh(s.mesh);
+             const auto faces = std::ssize(polygons.offsets) - 1;
+             if (n == 1) // no polygons, and nothing to be flawed
+                 return fit(split_polygons(polygons).simplices.rows() == 0);
+             polygons.tags = in.list<Index>(faces, 3);
+             const auto corners = in.vector(std::ssize(polygons.corners)).size();
+             polygons.corners.resize(static_cast<std::size_t>(corners), 0);
+             const Mesh mesh = split_polygons(polygons);
+             return fit(mesh.simplices.rows() >= faces && faces > 0 &&
+                        std::ssize(mesh.tags) == mesh.simplices.rows());
+         }},
+        {"add_cell",
+         [](Inputs& in) {
+             VtuGrid grid;
+             grid.points = Points::Zero(8, 3);
+             std::vector<Index> corners(static_cast<std::size_t>(in.vector(3).size()));
+             std::iota(corners.begin(), corners.end(), 0);
+             add_cell(grid, VtuCell::triangle, corners);
+             const tests::TemporaryFolder folder;
+             write_vtu(folder.path("a.vtu"), grid);
+             return fit(!tests::read_text(folder.path("a.vtu")).empty());
+         }},
+        {"read_matrix_market_array",
+         [&s](Inputs& in) {
+             const tests::TemporaryFolder folder;
+             std::string text =
+                 "%%MatrixMarket matrix array real general\n" + std::to_string(s.size(0)) + " 2\n";
+             const auto values = in.matrix(s.size(0), 2);
+             for (const double value : values.reshaped())
+                 text += std::to_string(value) + "\n";
+             return fit(read_matrix_market_array(folder.write("a.mtx", text)), s.size(0), 2);
          }},
         {"write_matrix_market",
          [&s](Inputs&) {

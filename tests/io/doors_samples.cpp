@@ -85,7 +85,7 @@ std::string outcome(const std::function<void()>& call) {
 }
 
 Inputs::Flaw Inputs::next() {
-    const bool here = asked_++ == which_;
+    const bool here = asked_++ == which_ && flaw_ != Flaw::not_finite;
     flawed_ = flawed_ || here;
     return here ? flaw_ : Flaw::none;
 }
@@ -108,7 +108,12 @@ Cochain Inputs::form(const Sample& s, Side side, int degree) {
 
 Cochain Inputs::form_on(const CellComplex& complex, Side side, int degree) {
     const int k = side == Side::primal ? degree : complex.dimension() - degree;
-    return {side, degree, vector(complex.size(k))};
+    const bool spoiled = asked_ == which_ && flaw_ == Flaw::not_finite && complex.size(k) > 0;
+    Cochain result{side, degree, vector(complex.size(k))};
+    if (spoiled)
+        result.values[complex.size(k) / 2] = std::nan("");
+    flawed_ = flawed_ || spoiled;
+    return result;
 }
 
 Chain Inputs::chain(const Sample& s, Side side, int degree) {
@@ -157,13 +162,14 @@ std::vector<std::string> complaints(const Question& question, bool is_answered) 
     const auto answer = asked_with(right);
     if (answer != "accepted" && (answer != "refused" || is_answered))
         all.push_back(answer);
-    for (const auto flaw : {Inputs::Flaw::fewer, Inputs::Flaw::more, Inputs::Flaw::wider})
+    for (const auto flaw :
+         {Inputs::Flaw::fewer, Inputs::Flaw::more, Inputs::Flaw::wider, Inputs::Flaw::not_finite})
         for (int which = 0;; ++which) {
             Inputs wrong(which, flaw);
             const auto found = asked_with(wrong);
-            if (!wrong.flawed())
+            if (!wrong.asked())
                 break;
-            if (found != "refused")
+            if (wrong.flawed() && found != "refused")
                 all.push_back("input " + std::to_string(which) + " with flaw " +
                               std::to_string(int(flaw)) + ": " + found);
         }
@@ -191,6 +197,11 @@ TEST(doors, that_answer_wrongly_or_do_not_look_are_found) {
     EXPECT_EQ(twin([](Inputs& in) { return fit(in.vector(3).sum()); }),
               (std::vector<std::string>{"input 0 with flaw 1: accepted",
                                         "input 0 with flaw 2: accepted"}));
+    EXPECT_EQ(twin([&](Inputs& in) {
+                  const auto w = in.form(s, Side::primal, 0);
+                  return fit(w.values.size() == s.size(0) && w.values.size() > 0 ? 1.0 : NAN);
+              }).back(),
+              "input 0 with flaw 4: accepted");
 }
 
 } // namespace polydec::test

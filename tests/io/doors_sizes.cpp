@@ -3,6 +3,7 @@
 // Cells that there are not, values for another number of cells, volumes of another mesh, matrices
 // for vectors and references to temporaries: each is refused, or does not compile.
 #include "tests/io/doors.h"
+#include "tests/io/support.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
@@ -35,6 +36,33 @@ TEST(doors, a_cell_that_there_is_not_is_refused) {
             EXPECT_EQ(outcome([&] { corners(s.mesh.merging(), cell); }), "refused");
         EXPECT_EQ(outcome([&] { geodesic_distance(s.mesh, std::vector<Index>{-1}); }), "refused");
     }
+}
+
+TEST(doors, polyhedra_that_there_are_not_are_refused) {
+    using Faces = std::vector<std::vector<Index>>;
+    const auto written = [](const Faces& faces) {
+        VtuGrid grid;
+        grid.points = Points::Identity(4, 3);
+        add_polyhedron(grid, faces);
+        const tests::TemporaryFolder folder;
+        return outcome([&] { write_vtu(folder.path("a.vtu"), grid); });
+    };
+    EXPECT_EQ(written({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}), "accepted");
+    EXPECT_EQ(written({{0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {0, 4, 2}}), "refused");
+    EXPECT_EQ(written({{0, 2, 1}, {0, 1, -1}, {1, 2, -1}, {0, -1, 2}}), "refused");
+    EXPECT_EQ(written({{0, 2, 1}, {0, 1}, {1, 2, 3}, {0, 3, 2}}), "refused");
+    EXPECT_EQ(written({}), "refused");
+}
+
+TEST(doors, sizes_and_vertices_that_there_are_not_are_refused) {
+    EXPECT_EQ(outcome([] { Operator::zero(3, 2) * Vector::Ones(2); }), "accepted");
+    EXPECT_EQ(outcome([] { Operator::zero(-1, 2); }), "refused");
+    EXPECT_EQ(outcome([] { Operator::zero(2, -1); }), "refused");
+    for (const Sample& s : samples())
+        for (const Index no : {-1, s.pieces().size(0), Index(1) << 30}) {
+            EXPECT_EQ(outcome([&] { s.pieces().vertex_numbers({no}); }), "refused");
+            EXPECT_EQ(outcome([&] { s.pieces().vertex_numbers(0, no); }), "refused");
+        }
 }
 
 TEST(doors, values_of_another_number_than_the_cells_are_refused) {

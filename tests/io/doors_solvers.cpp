@@ -160,6 +160,11 @@ Questions of_surfaces(const Sample& s) {
              const auto both = overlay(s.mesh.passage(), s.mesh.points());
              return fit(both.areas, both.size());
          }},
+        {"Overlay::at_points",
+         [&s](Inputs& in) {
+             const auto both = overlay(s.mesh.passage(), s.mesh.points());
+             return fit(both.at_points(in.points(s.pieces().size(0), 2)), both.points.rows(), 2);
+         }},
         {"cell_complex and simplices of a glued surface",
          [&s](Inputs&) {
              const auto surface = surface_of(s);
