@@ -15,11 +15,13 @@ IncidenceRows::IncidenceRows(Index cells, Index faces, std::size_t expected)
 
 void IncidenceRows::end_cell() {
     // those of a single simplex are sorted already, those of a few nearly so
-    const auto comes_before = [](const Side& a, const Side& b) { return a.face < b.face; };
+    const auto comes_before = [](const SignedFace& a, const SignedFace& b) {
+        return a.face < b.face;
+    };
     if (!std::is_sorted(sides_.begin(), sides_.end(), comes_before))
         std::sort(sides_.begin(), sides_.end(), comes_before);
     for (std::size_t i = 0, j = 0; i < sides_.size(); i = j) {
-        Side sum{sides_[i].face, 0};
+        SignedFace sum{sides_[i].face, 0};
         for (; j < sides_.size() && sides_[j].face == sum.face; ++j)
             sum.sign += sides_[j].sign;
         if (sum.sign != 0) {

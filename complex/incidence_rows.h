@@ -26,7 +26,7 @@ public:
                 std::vector<Incidence>& canceled);
 
 private:
-    struct Side {
+    struct SignedFace {
         Index face;
         int sign;
     };
@@ -34,7 +34,7 @@ private:
     std::vector<Index> columns_, ends_{0}, counts_;
     std::vector<std::int8_t> signs_;
     std::vector<Incidence> canceled_;
-    std::vector<Side> sides_; // of the cell that is being written
+    std::vector<SignedFace> sides_; // of the cell that is being written
     Index cells_;
 };
 

@@ -13,12 +13,12 @@
 namespace polydec {
 
 const char* option(Remedy remedy) {
-    constexpr std::array options{"", "MergeOptions::delaunay", "Delaunay::flips_and_splits",
+    constexpr std::array options{"", "DiscretizeOptions::delaunay", "Delaunay::flips_and_splits",
                                  "Centers::centroids()"};
     return options[static_cast<std::size_t>(remedy)];
 }
 
-MergeOptions with(Remedy remedy, MergeOptions options) {
+DiscretizeOptions with(Remedy remedy, DiscretizeOptions options) {
     if (remedy == Remedy::centroids)
         options.centers = Centers::centroids();
     if (remedy != Remedy::flips && remedy != Remedy::splits)

@@ -16,12 +16,12 @@ enum class Remedy {
     centroids, ///< Centers::centroids(): on every mesh, but less exact everywhere
 };
 
-/// The option by its name in C++: "MergeOptions::delaunay"; empty for none.
+/// The option by its name in C++: "DiscretizeOptions::delaunay"; empty for none.
 const char* option(Remedy remedy);
 
 /// The options with the remedy taken. With flips go neither the test of opposite angles, nor
 /// materials kept apart, nor other centers: they are as by default then.
-MergeOptions with(Remedy remedy, MergeOptions options);
+DiscretizeOptions with(Remedy remedy, DiscretizeOptions options);
 
 /// The first remedy that is not taken yet: flips, then splits, for a surface with two triangles at
 /// an edge at most; centroids for other meshes. None where all is taken.

@@ -99,7 +99,7 @@ Points isolated_points(const SimplicialComplex& complex, const Points& by_number
 /// None where the mesh has no tags or they do not matter.
 std::vector<bool> staying_facets(const SimplicialComplex& complex, const std::vector<Index>& tags,
                                  const std::vector<Index>& facet_tags,
-                                 const MergeOptions& options) {
+                                 const DiscretizeOptions& options) {
     if (options.materials == Materials::join || (tags.empty() && facet_tags.empty()))
         return {};
     if (options.delaunay != Delaunay::off)
@@ -120,7 +120,7 @@ std::vector<bool> staying_facets(const SimplicialComplex& complex, const std::ve
 
 /// Flips and splits as the options say; lengths are those of the edges.
 IntrinsicDelaunay flipped(const SimplicialComplex& complex, Vector lengths,
-                          const MergeOptions& options) {
+                          const DiscretizeOptions& options) {
     if (options.criterion == MergeCriterion::angle)
         throw InvalidInput("intrinsic flips go with the relative dual length, not with the test of "
                            "opposite angles: leave out the angle tolerance");
@@ -155,7 +155,7 @@ struct Measured {
     Points points; // of the triangles
 };
 
-Measured measure(Given& given, const MergeOptions& options) {
+Measured measure(Given& given, const DiscretizeOptions& options) {
     auto& [complex, mesh, isolated, lengths, unit] = given;
     const bool has_points = mesh.points.cols() > 0;
     if (options.delaunay == Delaunay::off) {
@@ -178,7 +178,7 @@ Measured measure(Given& given, const MergeOptions& options) {
     return {std::move(passage), metric, of_input, of_pieces, std::move(points)};
 }
 
-Discretization measured(Given given, MergeOptions options, const Stage& stage) {
+Discretization measured(Given given, DiscretizeOptions options, const Stage& stage) {
     auto& [complex, mesh, isolated, lengths, unit] = given;
     if (!options.centers.are_circumcenters()) {
         options.criterion = MergeCriterion::none;
@@ -273,7 +273,7 @@ const std::vector<SparseMatrix>& Discretization::lift() const& {
     return lift_->matrices;
 }
 
-Discretization discretize(Mesh mesh, const MergeOptions& options, const Stage& stage) {
+Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Stage& stage) {
     begin(stage, "complex");
     const bool flips = options.delaunay != Delaunay::off;
     mesh = tidy(std::move(mesh), flips ? CellsWithoutVolume::keep : CellsWithoutVolume::leave_out);
@@ -287,7 +287,8 @@ Discretization discretize(Mesh mesh, const MergeOptions& options, const Stage& s
     return measured({complex, std::move(mesh), std::move(isolated), {}, unit}, options, stage);
 }
 
-Discretization discretize(const LengthMesh& mesh, const MergeOptions& options, const Stage& stage) {
+Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options,
+                          const Stage& stage) {
     begin(stage, "complex");
     check(mesh);
     const SimplicialComplex complex(mesh.simplices);

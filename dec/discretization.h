@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/discretize_options.h"
 #include "dec/forms/star.h"
-#include "dec/merging/merge.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/passage.h"
 #include "meshes/length_mesh.h"
@@ -33,7 +33,7 @@ public:
         CellVolumes input_volumes; ///< of the simplices
         CellVolumes piece_volumes; ///< of the pieces: the same, unless edges were flipped
         CellVolumes volumes;       ///< of the merged cells
-        MergeOptions options = {};
+        DiscretizeOptions options = {};
         DegenerateFacets degenerate = {}; ///< of the pieces; found anew without marks
         std::vector<std::string> warnings = {};
         std::vector<Index> tags = {};
@@ -116,8 +116,8 @@ public:
     Vector lengths() && { return lengths(); }
 
     /// How it was made, and which facets were found degenerate.
-    const MergeOptions& options() const& { return parts_->options; }
-    MergeOptions options() && { return options(); }
+    const DiscretizeOptions& options() const& { return parts_->options; }
+    DiscretizeOptions options() && { return options(); }
     const DegenerateFacets& degenerate() const& { return parts_->degenerate; }
     DegenerateFacets degenerate() && { return degenerate(); }
 
@@ -152,14 +152,14 @@ private:
 /// tell of cells that overlap (see find_overlaps). Each stage (complex, volumes, merge) is told as
 /// it begins, if anyone listens. Throws InvalidInput, naming the cell or vertex, for what cannot be
 /// used.
-Discretization discretize(Mesh mesh, const MergeOptions& options = {},
+Discretization discretize(Mesh mesh, const DiscretizeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 
 /// The same from lengths alone; nothing is left out as untidy. What needs points (de Rham maps,
 /// flats, sharps, vector fields, centers of cells, drawings) throws InvalidInput for the result;
 /// all else is that of any mesh.
 /// Throws like check of a LengthMesh, SimplicialComplex, SimplexMetric and circumcentric_volumes.
-Discretization discretize(const LengthMesh& mesh, const MergeOptions& options = {},
+Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 
 /// The vertices of k-cell of complex(), ascending, by the numbers of the input, as messages and

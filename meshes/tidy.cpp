@@ -213,7 +213,7 @@ void leave_out_flat_cells(Sieve& sieve, CellsWithoutVolume others_may) {
                     sieve.numbers[first], vertices_of(sieve.mesh, first), measure(sieve.mesh),
                     remedy(sieve.mesh, first),
                     sieve.mesh.dimension() == 2
-                        ? " Intrinsic flips can do with such cells (MergeOptions::delaunay)."
+                        ? " Intrinsic flips can do with such cells (DiscretizeOptions::delaunay)."
                         : "",
                     others),
         {.degree = sieve.mesh.dimension(),

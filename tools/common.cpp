@@ -21,7 +21,7 @@ namespace {
 /// What was read may have points or lengths alone.
 template <class Read>
 Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
-                                  const MergeOptions& options,
+                                  const DiscretizeOptions& options,
                                   const std::function<void(std::string_view)>& stage) {
     if (arguments.angle_tolerance && mesh.dimension() != 2)
         throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but {} has cells of "
@@ -88,7 +88,7 @@ Discretization load(const MeshArguments& arguments, Log& log) {
         log.timing.begin(what);
         progress(what);
     };
-    MergeOptions options;
+    DiscretizeOptions options;
     options.tolerance = arguments.tolerance;
     if (!arguments.delaunay.empty())
         options.delaunay =

@@ -17,7 +17,7 @@ namespace polydec::tools {
 /// What every command that reads a mesh is told.
 struct MeshArguments {
     std::filesystem::path mesh;
-    double tolerance = MergeOptions{}.tolerance;
+    double tolerance = DiscretizeOptions{}.tolerance;
     std::optional<double> angle_tolerance;
     bool merge = true;
     bool keep_groups = false;
@@ -32,8 +32,8 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments);
 /// The option --side primal|dual.
 CLI::Option* add_side(CLI::App& command, Side& side);
 
-/// "; add MergeOptions::delaunay", told as the option, or what else flips would do against negative
-/// duals; empty if nothing would.
+/// "; add DiscretizeOptions::delaunay", told as the option, or what else flips would do against
+/// negative duals; empty if nothing would.
 std::string flip_advice(const Discretization& mesh);
 
 /// Warns of k-cells whose duals have a negative extent, if there are any, and of what follows.

@@ -17,7 +17,7 @@ struct Wording {
 };
 
 constexpr std::array options{
-    Wording{"MergeOptions::delaunay", "--delaunay"},
+    Wording{"DiscretizeOptions::delaunay", "--delaunay"},
     Wording{"Delaunay::flips_and_splits", "--delaunay=split-boundary"},
     Wording{"set_memory_limit", "--max-memory"},
 };

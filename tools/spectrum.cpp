@@ -160,7 +160,7 @@ void run(Arguments arguments) {
             result.rough.size(), result.rough.front(), result.rough.size() == 1 ? "is" : "are"));
     if (!arguments.out.empty()) {
         log.timing.begin("write");
-        write_vtu(arguments.out, mesh, result);
+        write_vtu(arguments.out, draw_modes(mesh, result));
     }
     use_input_units(result, mesh.unit());
     tell(Eigenvalues(result, in_words(boundary, mesh.complex(), result.degree), seconds.count()),

@@ -22,7 +22,7 @@ struct Neighbors {
     std::vector<std::pair<Index, bool>> list;
 };
 
-Neighbors neighbors(const std::vector<Side>& sides, std::span<const Index> offsets) {
+Neighbors neighbors(const std::vector<PolygonSide>& sides, std::span<const Index> offsets) {
     Neighbors result;
     result.begin.assign(offsets.begin(), offsets.end());
     result.list.resize(sides.size());

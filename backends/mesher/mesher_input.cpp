@@ -188,8 +188,8 @@ void check_closed(const MesherInput& input) {
     std::string names;
     std::size_t bad = 0;
     for (auto begin = sides.begin(); begin != sides.end();) {
-        const auto end = std::find_if(begin, sides.end(),
-                                      [&](const Side& side) { return !side.beside(*begin); });
+        const auto end = std::find_if(
+            begin, sides.end(), [&](const PolygonSide& side) { return !side.beside(*begin); });
         if (end - begin != 2 && ++bad <= 3) {
             names += fmt::format("{}edge {} {} in {} (facet {})", bad == 1 ? "" : ", ", begin->low,
                                  begin->high, end - begin, begin->polygon);

@@ -6,8 +6,9 @@
 
 namespace polydec {
 
-std::vector<Side> sorted_sides(std::span<const Index> corners, std::span<const Index> offsets) {
-    std::vector<Side> sides;
+std::vector<PolygonSide> sorted_sides(std::span<const Index> corners,
+                                      std::span<const Index> offsets) {
+    std::vector<PolygonSide> sides;
     sides.reserve(corners.size());
     for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
         for (Index i = offsets[f]; i < offsets[f + 1]; ++i) {
@@ -17,7 +18,7 @@ std::vector<Side> sorted_sides(std::span<const Index> corners, std::span<const I
             sides.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(f), a < b});
         }
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    std::sort(sides.begin(), sides.end(), [](const PolygonSide& a, const PolygonSide& b) {
         return std::tie(a.low, a.high, a.polygon) < std::tie(b.low, b.high, b.polygon);
     });
     return sides;

@@ -14,7 +14,7 @@ namespace polydec {
 
 namespace {
 
-std::vector<std::array<Index, 2>> pair_halfedges(const std::vector<GluedSurface::Side>& sides,
+std::vector<std::array<Index, 2>> pair_halfedges(const std::vector<GluedSurface::SignedEdge>& sides,
                                                  Index edges) {
     std::vector<std::array<Index, 2>> pairs(static_cast<std::size_t>(edges), {-1, -1});
     for (std::size_t h = 0; h < sides.size(); ++h) {
@@ -44,7 +44,7 @@ void check_edges(const Pieces& surface) {
 }
 
 /// The largest edge number and one, if all sides make sense.
-Index count_edges(const std::vector<std::array<GluedSurface::Side, 3>>& triangles) {
+Index count_edges(const std::vector<std::array<GluedSurface::SignedEdge, 3>>& triangles) {
     Index edges = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (const auto& side : triangles[t]) {
@@ -95,7 +95,7 @@ GluedSurface::GluedSurface(const Pieces& surface) : vertices_(surface.size(0)) {
     halfedges_ = pair_halfedges(sides_, surface.size(1));
 }
 
-GluedSurface::GluedSurface(const std::vector<std::array<Side, 3>>& triangles) {
+GluedSurface::GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangles) {
     const Index edges = count_edges(triangles);
     for (const auto& sides : triangles)
         sides_.insert(sides_.end(), sides.begin(), sides.end());
@@ -123,7 +123,7 @@ GluedSurface::GluedSurface(const std::vector<std::array<Side, 3>>& triangles) {
     }
 }
 
-void GluedSurface::set(Index halfedge, Side side, Index tail) {
+void GluedSurface::set(Index halfedge, SignedEdge side, Index tail) {
     sides_[halfedge] = side;
     tails_[halfedge] = tail;
 }
@@ -148,12 +148,12 @@ void GluedSurface::flip(Index edge) {
     const auto [h, g] = halfedges_[edge];
     const Index t = 3 * triangle(h), u = 3 * triangle(g);
     const Index h1 = next(h), h2 = previous(h), g1 = next(g), g2 = previous(g);
-    const Side along = sides_[h], against = sides_[g];
-    const Side jk = sides_[h1], ki = sides_[h2], il = sides_[g1], lj = sides_[g2];
+    const SignedEdge along = sides_[h], against = sides_[g];
+    const SignedEdge jk = sides_[h1], ki = sides_[h2], il = sides_[g1], lj = sides_[g2];
     const Index i = tails_[h], j = tails_[h1], k = tails_[h2], l = tails_[g2];
 
     // where the four outer sides were, as seen from their edges, before any of them moves
-    const auto place = [&](Side side, Index halfedge) -> Index& {
+    const auto place = [&](SignedEdge side, Index halfedge) -> Index& {
         auto& both = halfedges_[side.edge];
         return both[0] == halfedge ? both[0] : both[1];
     };
@@ -169,7 +169,7 @@ void GluedSurface::flip(Index edge) {
 void GluedSurface::split_boundary(Index edge) {
     const Index h = halfedges_[edge][0];
     const Index h1 = next(h);
-    const Side ij = sides_[h], jk = sides_[h1];
+    const SignedEdge ij = sides_[h], jk = sides_[h1];
     const Index j = tails_[h1], k = tails_[previous(h)];
     const Index m = vertices_++, n = static_cast<Index>(sides_.size());
     const Index mj = edges(), mk = mj + 1;

@@ -19,7 +19,7 @@ namespace polydec {
 class GluedSurface {
 public:
     /// One side of a triangle: which edge it is glued to, and the sign of the half-edge.
-    struct Side {
+    struct SignedEdge {
         Index edge;
         std::int8_t sign;
     };
@@ -39,7 +39,7 @@ public:
     /// vertex; vertices are numbered in the order of their first corners.
     /// Throws InvalidInput, naming the edge, if it has no side or more than two, and for signs
     /// other than 1 and -1.
-    explicit GluedSurface(const std::vector<std::array<Side, 3>>& triangles);
+    explicit GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangles);
 
     Index vertices() const { return vertices_; }
     Index edges() const { return static_cast<Index>(halfedges_.size()); }
@@ -103,9 +103,9 @@ public:
     }
 
 private:
-    void set(Index halfedge, Side side, Index tail);
+    void set(Index halfedge, SignedEdge side, Index tail);
 
-    std::vector<Side> sides_;                     // of half-edges
+    std::vector<SignedEdge> sides_;               // of half-edges
     std::vector<Index> tails_;                    // of half-edges
     std::vector<std::array<Index, 2>> halfedges_; // of edges
     Index vertices_ = 0;

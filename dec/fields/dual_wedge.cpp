@@ -8,7 +8,7 @@
 #include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
-#include "dec/metric/whitney.h"
+#include "dec/metric/subsets.h"
 
 #include <Eigen/QR>
 

@@ -6,7 +6,7 @@
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/simplex_metric.h"
-#include "dec/metric/whitney.h"
+#include "dec/metric/subsets.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

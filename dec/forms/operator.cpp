@@ -146,6 +146,7 @@ SparseMatrix Operator::matrix() const {
             term = SparseMatrix(sum + term);
         sum.swap(term);
     }
+    sum.coeffs() += 0.0; // -0 becomes 0
     return sum;
 }
 

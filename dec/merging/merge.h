@@ -3,7 +3,6 @@
 
 #include "complex/merging.h"
 #include "dec/metric/cell_volumes.h"
-#include "dec/metric/centers.h"
 #include "dec/metric/simplex_metric.h"
 
 namespace polydec {
@@ -15,32 +14,11 @@ enum class MergeCriterion {
     none,        ///< nothing is merged
 };
 
-/// Whether the edges of a surface are flipped before it is merged, so that no dual edge is
-/// negative. The surface and its vertices stay as they are. Source: see intrinsic_delaunay.
-enum class Delaunay {
-    off,
-    flips,           ///< of interior edges; boundary edges keep negative duals
-    flips_and_splits ///< boundary edges are divided too, until every dual is positive
-};
-
-/// Whether simplices of different materials, as the tags of a mesh tell them, may become pieces of
-/// one cell.
-enum class Materials {
-    join,      ///< what is cospherical merges; a cell of several materials has the tag 0
-    keep_apart ///< facets between different tags stay, so that every cell has the tag of its
-               ///< pieces, and so do facets that have a tag of their own
-};
-
 struct MergeOptions {
     MergeCriterion criterion = MergeCriterion::dual_length;
     /// Mesh files carry six or seven digits whatever they print, and merging all below 1e-3 moves
     /// a Poisson error by less than 0.1 %: 1e-4 catches what was meant to be cospherical.
     double tolerance = 1e-4;
-    // these are for discretize; merge_cospherical merges K as it is
-    Delaunay delaunay = Delaunay::off;
-    Materials materials = Materials::join;
-    /// Other centers than circumcenters need no merging: nothing is merged then.
-    Centers centers = {};
 };
 
 /// Facets within the tolerance, before any guard, by number of cofaces. Only those with two can

@@ -21,7 +21,7 @@ StraightnessTest::StraightnessTest(const Pieces& complex, const SimplexMetric& m
         must_be_coplanar_ = boundary_cells(complex);
 }
 
-StraightnessTest::Side StraightnessTest::look(int k, Index s, Index f) {
+StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
     int apex = 0;
     while (complex_.face(k, f, apex) != s)
         ++apex;
@@ -49,7 +49,7 @@ StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, i
 }
 
 bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
-    const Side a = look(k, s, f), b = look(k, s, g);
+    const Wing a = look(k, s, f), b = look(k, s, g);
     sphere_.look_at(layout_, k - 1, s);
     const double l = 2 * sphere_.radius(), terms = a.terms + b.terms;
     const double lower = std::min(a.altitude, b.altitude);

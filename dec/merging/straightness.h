@@ -21,13 +21,13 @@ public:
 
 private:
     /// What f and g look like from s.
-    struct Side {
+    struct Wing {
         int apex;        ///< which of the simplex's vertices is not in s
         double height;   ///< signed distance from the circumcenter of s to that of the simplex
         double terms;    ///< what cancels in it
         double altitude; ///< of the apex over s
     };
-    Side look(int k, Index s, Index f);
+    Wing look(int k, Index s, Index f);
 
     /// What of the edge from s to the apex is orthogonal to s: its length, and a unit vector.
     struct Altitude {

@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "dec/metric/simplex_faces.h"
-#include "dec/metric/whitney.h"
+#include "dec/metric/subsets.h"
 
 #include <algorithm>
 #include <utility>

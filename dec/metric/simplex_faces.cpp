@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/simplex_faces.h"
 
-#include "dec/metric/whitney.h"
+#include "dec/metric/subsets.h"
 
 #include <algorithm>
 

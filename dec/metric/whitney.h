@@ -8,9 +8,6 @@
 
 namespace polydec {
 
-/// Ascending lists of the (size)-subsets of 0..count-1, in lexicographic order.
-std::vector<std::vector<int>> subsets(int count, int size);
-
 /// Mass matrix of the Whitney j-forms of one m-simplex with the given vertices, j <= m: inner
 /// products of the forms of its j-faces, which are ordered and oriented by position in the vertex
 /// list as subsets(m+1, j+1) has them. Symmetric positive definite; units length^(m-2j); depends on

@@ -13,14 +13,14 @@ namespace polydec {
 
 namespace {
 
-using Side = GluedSurface::Side;
+using SignedEdge = GluedSurface::SignedEdge;
 
 struct Term {
     double weight;
     Index cell;
 };
 
-Term signed_term(double weight, Side side) {
+Term signed_term(double weight, SignedEdge side) {
     return {weight * side.sign, side.edge};
 }
 
@@ -53,7 +53,7 @@ SparseRow combine(const std::vector<SparseRow>& rows, std::span<const Term> term
     return all;
 }
 
-Side side_of(const GluedSurface& surface, Index halfedge) {
+SignedEdge side_of(const GluedSurface& surface, Index halfedge) {
     return {surface.edge(halfedge), static_cast<std::int8_t>(surface.sign(halfedge))};
 }
 
@@ -102,8 +102,8 @@ void FlipHistory::split_boundary(const GluedSurface& surface, Index edge, double
                       edge,
                       GluedSurface::triangle(h),
                       surface.triangles(),
-                      {side_of(surface, h1), side_of(surface, h2), Side{surface.edges(), 1},
-                       Side{surface.edges() + 1, 1}},
+                      {side_of(surface, h1), side_of(surface, h2), SignedEdge{surface.edges(), 1},
+                       SignedEdge{surface.edges() + 1, 1}},
                       {surface.tail(h), surface.tail(h1), surface.vertices()},
                       fraction,
                       fraction});

@@ -48,11 +48,11 @@ private:
 
     struct Step {
         Kind kind;
-        std::int8_t sign;                         // of the edge: i -> j, later k -> l
-        Index edge, first, second;                // triangles; a split makes the second
-        std::array<GluedSurface::Side, 4> around; // jk, ki, il, lj; of a split jk, ki, mj, mk
-        std::array<Index, 3> vertices;            // of a split: i, j, m
-        double before, after;                     // shares; of a split the fraction
+        std::int8_t sign;                               // of the edge: i -> j, later k -> l
+        Index edge, first, second;                      // triangles; a split makes the second
+        std::array<GluedSurface::SignedEdge, 4> around; // jk, ki, il, lj; of a split jk, ki, mj, mk
+        std::array<Index, 3> vertices;                  // of a split: i, j, m
+        double before, after;                           // shares; of a split the fraction
     };
 
     template <class Values>

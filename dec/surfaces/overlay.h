@@ -39,7 +39,7 @@ struct Overlay {
 /// rounding leaves are dropped. Time of the order of all crossings, and log(triangles) for each.
 /// points are those of the input and behind them those of vertices that splits have made, as
 /// Discretization has them. Throws InvalidInput if no edges were flipped, that is, without
-/// MergeOptions::delaunay.
+/// DiscretizeOptions::delaunay.
 Overlay overlay(const Passage& passage, const Points& points);
 
 } // namespace polydec

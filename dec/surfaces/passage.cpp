@@ -40,7 +40,7 @@ Passage::Passage(SimplicialComplex input, OrderedSurface ordered, IntrinsicDelau
 const IntrinsicDelaunay& Passage::flips(std::string_view what) const& {
     if (!flipped_)
         throw InvalidInput(fmt::format("{} is asked for, but no edges were flipped: take "
-                                       "MergeOptions::delaunay",
+                                       "DiscretizeOptions::delaunay",
                                        what));
     return flipped_->flips;
 }

@@ -97,7 +97,7 @@ public:
     }
 
 private:
-    static MergeOptions options(double perturbation) {
+    static DiscretizeOptions options(double perturbation) {
         return {.criterion =
                     perturbation == 0 ? MergeCriterion::dual_length : MergeCriterion::none};
     }
@@ -186,7 +186,7 @@ double condition(const Discretization& mesh) {
 void add_conditions(Report& report) {
     constexpr int cells = 16;
     constexpr double least = 1e-5;
-    const MergeOptions nothing{.criterion = MergeCriterion::none};
+    const DiscretizeOptions nothing{.criterion = MergeCriterion::none};
     Table table{"condition",
                 fmt::format("condition of the dual Laplacian, {} x {} cells", cells, cells),
                 {"mesh", "condition"},

@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The angles opposite to the edge add up to pi within 2 pi 1e-4.
-const MergeOptions papers_test{.criterion = MergeCriterion::angle,
-                               .tolerance = 2e-4 * std::numbers::pi};
+const DiscretizeOptions papers_test{.criterion = MergeCriterion::angle,
+                                    .tolerance = 2e-4 * std::numbers::pi};
 
 struct Source {
     std::string name;

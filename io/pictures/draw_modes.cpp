@@ -8,8 +8,7 @@
 
 namespace polydec {
 
-void write_vtu(const std::filesystem::path& path, const Discretization& discretization,
-               const Spectrum& spectrum) {
+VtuGrid draw_modes(const Discretization& discretization, const Spectrum& spectrum) {
     const int k = spectrum.side == Side::primal ? spectrum.degree
                                                 : discretization.dimension() - spectrum.degree;
     auto grid = draw_cells(discretization, k);
@@ -25,7 +24,7 @@ void write_vtu(const std::filesystem::path& path, const Discretization& discreti
         add_form(grid, discretization, fmt::format("mode_{}", i),
                  {spectrum.side, spectrum.degree, mode});
     }
-    write_vtu(path, grid);
+    return grid;
 }
 
 } // namespace polydec

@@ -2,6 +2,7 @@
 #include "solvers/surfaces/geodesic_distance.h"
 
 #include "solvers/constrained_system.h"
+#include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
 
 #include <algorithm>

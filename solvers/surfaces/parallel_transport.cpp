@@ -3,6 +3,7 @@
 
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
 
 #include <fmt/format.h>

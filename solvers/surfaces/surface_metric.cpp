@@ -117,46 +117,4 @@ SparseMatrix surface_laplacian(const GluedSurface& surface, const SurfaceMetric&
     return L;
 }
 
-HeatStep::HeatStep(HeatStep&&) noexcept = default;
-HeatStep::~HeatStep() = default;
-
-HeatStep::HeatStep(const GluedSurface& surface, const SurfaceMetric& metric, const Vector& times,
-                   const std::string& engine)
-    : times_(times), solver_(make_linear_solver(engine)) {
-    SparseMatrix A(surface.vertices(), surface.vertices());
-    A.setIdentity();
-    A = metric.vertex_areas.asDiagonal() * A;
-    A += surface_laplacian(surface, metric, times);
-    solver_->factorize(A, {.symmetry = Symmetry::symmetric,
-                           .definiteness = Definiteness::positive,
-                           .domain_dimension = 2,
-                           .many_solves = true});
-}
-
-DenseMatrix HeatStep::operator()(const DenseMatrix& b) {
-    DenseMatrix u = solver_->solve(b);
-    if (!u.allFinite())
-        throw SolverFailure(fmt::format("{} gives heat that is not finite: the triangles are too "
-                                        "badly shaped",
-                                        solver_->report().engine));
-    return u;
-}
-
-Vector HeatStep::longer(const SurfaceMetric& metric, const Vector& u) const {
-    // A factorization keeps the digits of a heat that fades by the same factor with every edge,
-    // until numbers underflow. Iterating keeps those alone that are not far below the largest.
-    const std::string& name = solver_->report().engine;
-    const EngineTraits traits =
-        has_linear_solver(name) ? make_linear_solver(name)->traits() : solver_->traits();
-    const bool iterative = traits.method == Method::iterative;
-    const double faintest = iterative ? 1e-8 : 1e-250;
-    Vector largest = Vector::Zero(times_.size()), result = times_;
-    for (Eigen::Index v = 0; v < u.size(); ++v)
-        largest[metric.component[v]] = std::max(largest[metric.component[v]], std::abs(u[v]));
-    for (Eigen::Index v = 0; v < u.size(); ++v)
-        if (const Index c = metric.component[v]; std::abs(u[v]) <= faintest * largest[c])
-            result[c] = 4 * times_[c];
-    return result;
-}
-
 } // namespace polydec

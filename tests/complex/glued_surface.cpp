@@ -18,7 +18,7 @@ namespace polydec::test {
 namespace {
 
 using Betti = std::vector<Index>;
-using Triangles = std::vector<std::array<GluedSurface::Side, 3>>;
+using Triangles = std::vector<std::array<GluedSurface::SignedEdge, 3>>;
 
 Betti betti(const GluedSurface& surface) {
     return betti_numbers(cell_complex(surface));

@@ -119,15 +119,17 @@ TEST(OrderedSurfaces, of_one_vertex_and_any_genus_have_no_triangle_that_is_a_cir
     // polygons of 4 g sides a b a^-1 b^-1 .., fanned from a corner: all vertices become one
     for (const Index genus : {1, 2, 3, 7}) {
         const Index sides = 4 * genus, diagonals = sides - 3, first_diagonal = 2 * genus;
-        const auto side = [&](Index i) -> GluedSurface::Side {
+        const auto side = [&](Index i) -> GluedSurface::SignedEdge {
             const Index handle = i / 4, place = i % 4;
             return {2 * handle + place % 2, static_cast<std::int8_t>(place < 2 ? 1 : -1)};
         };
-        std::vector<std::array<GluedSurface::Side, 3>> triangles;
+        std::vector<std::array<GluedSurface::SignedEdge, 3>> triangles;
         for (Index t = 0; t <= diagonals; ++t)
             triangles.push_back(
-                {t == 0 ? side(0) : GluedSurface::Side{first_diagonal + t - 1, 1}, side(t + 1),
-                 t == diagonals ? side(sides - 1) : GluedSurface::Side{first_diagonal + t, -1}});
+                {t == 0 ? side(0) : GluedSurface::SignedEdge{first_diagonal + t - 1, 1},
+                 side(t + 1),
+                 t == diagonals ? side(sides - 1)
+                                : GluedSurface::SignedEdge{first_diagonal + t, -1}});
         const GluedSurface surface(triangles);
         ASSERT_EQ(surface.vertices(), 1);
         expect_same(surface);

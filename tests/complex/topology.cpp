@@ -133,7 +133,7 @@ TEST(BettiNumbers, of_an_open_moebius_strip_see_that_it_is_one_sided) {
 /// A fan of triangles around a vertex, its first and last side glued: a disk with `sides` edges as
 /// its boundary, which is a loop if there is one only.
 GluedSurface cone(Index sides) {
-    std::vector<std::array<GluedSurface::Side, 3>> triangles;
+    std::vector<std::array<GluedSurface::SignedEdge, 3>> triangles;
     for (Index i = 0; i < sides; ++i)
         triangles.push_back({{{i, 1}, {sides + i, 1}, {(i + 1) % sides, -1}}});
     return GluedSurface(triangles);

@@ -4,7 +4,7 @@
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
 #include "dec/metric/circumsphere.h"
-#include "dec/metric/whitney.h"
+#include "dec/metric/subsets.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"

@@ -329,7 +329,7 @@ TEST_P(DiagnosisOf, advises_where_duals_are_negative_what_makes_them_positive) {
 
 POLYDEC_OVER_MESHES(DiagnosisOf);
 
-std::vector<std::string> words(const Mesh& mesh, const MergeOptions& options = {}) {
+std::vector<std::string> words(const Mesh& mesh, const DiscretizeOptions& options = {}) {
     const auto told = diagnose(discretize(mesh, options));
     std::vector<std::string> list;
     for (const auto& advice : told.advice)
@@ -340,7 +340,7 @@ std::vector<std::string> words(const Mesh& mesh, const MergeOptions& options = {
 TEST(Advice, names_the_option_for_edges_inside_for_the_boundary_and_for_what_cannot_flip) {
     using Words = std::vector<std::string>;
     const auto obtuse = kite(0.8, 0.9); // both sides of the edge, and none of the boundary
-    EXPECT_EQ(words(obtuse), Words{"1 negative dual edge: add MergeOptions::delaunay"});
+    EXPECT_EQ(words(obtuse), Words{"1 negative dual edge: add DiscretizeOptions::delaunay"});
     EXPECT_EQ(words(obtuse, {.delaunay = Delaunay::flips}), Words{});
     const auto triangle = made_of({{0, 0}, {2, 0}, {1, 0.5}}, {{0, 1, 2}});
     EXPECT_EQ(words(triangle),
@@ -356,9 +356,9 @@ TEST(Advice, names_the_option_for_edges_inside_for_the_boundary_and_for_what_can
 TEST(Advice, gives_options_that_discretize_takes) {
     auto mesh = kite(0.8, 0.9);
     mesh.tags = {1, 2};
-    const MergeOptions angle{.criterion = MergeCriterion::angle, .tolerance = 1e-3};
-    for (const auto& options : {angle, MergeOptions{.materials = Materials::keep_apart},
-                                MergeOptions{.centers = Centers::centroids()}})
+    const DiscretizeOptions angle{.criterion = MergeCriterion::angle, .tolerance = 1e-3};
+    for (const auto& options : {angle, DiscretizeOptions{.materials = Materials::keep_apart},
+                                DiscretizeOptions{.centers = Centers::centroids()}})
         for (const auto remedy : {Remedy::flips, Remedy::splits, Remedy::centroids}) {
             EXPECT_EQ(negative_duals(discretize(mesh, with(remedy, options))), 0U);
         }

@@ -15,8 +15,8 @@
 namespace polydec::test {
 namespace {
 
-const MergeOptions apart{.tolerance = tolerance, .materials = Materials::keep_apart};
-const MergeOptions unmerged_cells{.criterion = MergeCriterion::none};
+const DiscretizeOptions apart{.tolerance = tolerance, .materials = Materials::keep_apart};
+const DiscretizeOptions unmerged_cells{.criterion = MergeCriterion::none};
 
 /// The mesh with one of some tags on about every `share`-th facet, at random, whose corners stand
 /// in reverse order.

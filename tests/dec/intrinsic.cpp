@@ -328,7 +328,7 @@ TEST(IntrinsicDelaunay, forms_of_another_size_or_degree_are_refused) {
     EXPECT_EQ(refusal([&] { history.matrix(3); }), "0 values are given for a 3-form" + first);
     EXPECT_EQ(refusal([] { discretize(mesh_named("icosphere3")).passage().flips(); }),
               "what edges were flipped is asked for, but no edges were flipped: take "
-              "MergeOptions::delaunay");
+              "DiscretizeOptions::delaunay");
 }
 
 } // namespace

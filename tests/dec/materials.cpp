@@ -15,7 +15,7 @@
 namespace polydec::test {
 namespace {
 
-const MergeOptions apart{.tolerance = tolerance, .materials = Materials::keep_apart};
+const DiscretizeOptions apart{.tolerance = tolerance, .materials = Materials::keep_apart};
 
 /// The mesh with one of some tags on each simplex, at random.
 Mesh tagged(const std::string& name, Index tags) {

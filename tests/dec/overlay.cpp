@@ -112,7 +112,7 @@ TEST(Overlay, is_refused_without_flips) {
             overlay(mesh.passage(), mesh.points());
         }),
         "an overlay of the input's triangles and those after flips is asked for, but no edges "
-        "were flipped: take MergeOptions::delaunay");
+        "were flipped: take DiscretizeOptions::delaunay");
 }
 
 } // namespace

@@ -245,7 +245,7 @@ TEST(OnAFoldedSheet, centers_and_centroids_are_those_of_the_flat_one_folded) {
 }
 
 TEST(OnAFoldedSheetBroken, combinations_of_the_corners_lie_beside_the_surface) {
-    const MergeOptions options{.criterion = MergeCriterion::none, .delaunay = Delaunay::flips};
+    const DiscretizeOptions options{.criterion = MergeCriterion::none, .delaunay = Delaunay::flips};
     const auto sheet = discretize(slanted(8), options);
     const auto bent = discretize(folded(slanted(8), 1.2), options);
     for (int k = 1; k <= 2; ++k) {

@@ -2,7 +2,7 @@
 #include "tests/dec/products.h"
 
 #include "dec/merging/lift.h"
-#include "dec/metric/whitney.h"
+#include "dec/metric/subsets.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 

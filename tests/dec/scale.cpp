@@ -41,7 +41,7 @@ void expect_scaled(const CellVolumes& volumes, const CellVolumes& original, doub
 
 /// What `mesh` becomes at every size is what it is at size 1, in other units.
 template <class AnyMesh>
-void expect_equal_at_all_sizes(const AnyMesh& mesh, const MergeOptions& options) {
+void expect_equal_at_all_sizes(const AnyMesh& mesh, const DiscretizeOptions& options) {
     const auto original = discretize(mesh, options);
     ASSERT_EQ(original.unit(), 1);
     for (const int exponent : exponents) {

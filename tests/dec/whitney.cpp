@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/whitney.h"
 
+#include "dec/metric/subsets.h"
 #include "tests/support/forms.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"

@@ -12,12 +12,12 @@ namespace polydec::fuzz {
 
 namespace {
 
-MergeOptions options_of(int byte) {
+DiscretizeOptions options_of(int byte) {
     constexpr std::array tolerances{1e-4, 0.0, 1e-12, 0.1};
     constexpr std::array criteria{MergeCriterion::dual_length, MergeCriterion::angle,
                                   MergeCriterion::none};
     constexpr std::array flips{Delaunay::off, Delaunay::flips, Delaunay::flips_and_splits};
-    MergeOptions options;
+    DiscretizeOptions options;
     options.tolerance = tolerances[byte % 4];
     options.criterion = criteria[byte / 4 % 3];
     options.delaunay = flips[byte / 12 % 3];
@@ -30,7 +30,7 @@ double scale_of(int byte) {
 }
 
 template <class Mesh>
-void require_laws_if_accepted(const Mesh& mesh, const MergeOptions& options) {
+void require_laws_if_accepted(const Mesh& mesh, const DiscretizeOptions& options) {
     std::optional<Discretization> discretization;
     accepts<SolverFailure>([&] { // of splits of boundary edges, which may have no end
         accepts([&] { discretization.emplace(discretize(mesh, options)); });

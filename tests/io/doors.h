@@ -15,7 +15,7 @@ struct Sample {
     std::string name;
     Discretization mesh;
 
-    Sample(std::string title, const Mesh& input, const MergeOptions& options = {})
+    Sample(std::string title, const Mesh& input, const DiscretizeOptions& options = {})
         : name(std::move(title)), mesh(discretize(input, options)) {}
     Sample(std::string title, Discretization made)
         : name(std::move(title)), mesh(std::move(made)) {}

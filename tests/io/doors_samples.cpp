@@ -27,7 +27,7 @@ Mesh tagged(Mesh mesh) {
 }
 
 std::vector<Sample> made() {
-    const MergeOptions as_they_are{.criterion = MergeCriterion::none};
+    const DiscretizeOptions as_they_are{.criterion = MergeCriterion::none};
     const Mesh skew = perturbed(grid(4, 4), 0.08, 3);
     std::vector<Sample> all;
     all.emplace_back("an interval", kuhn(1, 3));
@@ -41,13 +41,14 @@ std::vector<Sample> made() {
     all.emplace_back("isolated vertices", with_isolated_vertices());
     all.emplace_back("lengths", discretize(length_mesh(well_centered(3))));
     all.emplace_back("lengths in space", discretize(length_mesh(kuhn(3, 1))));
-    all.emplace_back("tags", tagged(kuhn(2, 3)), MergeOptions{.materials = Materials::keep_apart});
+    all.emplace_back("tags", tagged(kuhn(2, 3)),
+                     DiscretizeOptions{.materials = Materials::keep_apart});
     all.emplace_back("tags in space", tagged(kuhn(3, 1)));
-    all.emplace_back("centroids", skew, MergeOptions{.centers = Centers::centroids()});
-    all.emplace_back("flipped", skew, MergeOptions{.delaunay = Delaunay::flips});
-    all.emplace_back("split", skew, MergeOptions{.delaunay = Delaunay::flips_and_splits});
+    all.emplace_back("centroids", skew, DiscretizeOptions{.centers = Centers::centroids()});
+    all.emplace_back("flipped", skew, DiscretizeOptions{.delaunay = Delaunay::flips});
+    all.emplace_back("split", skew, DiscretizeOptions{.delaunay = Delaunay::flips_and_splits});
     all.emplace_back("flipped isolated vertices", perturbed(with_isolated_vertices(), 0.08, 3),
-                     MergeOptions{.delaunay = Delaunay::flips_and_splits});
+                     DiscretizeOptions{.delaunay = Delaunay::flips_and_splits});
     all.emplace_back("flipped lengths",
                      discretize(length_mesh(skew), {.delaunay = Delaunay::flips_and_splits}));
     return all;

@@ -48,7 +48,7 @@ bool holds_on_hostile_meshes(const std::string& what, Law law) {
 /// The same for those that are accepted, at least a quarter of them, made ready for calculus.
 template <class Law>
 bool holds_on_hostile_discretizations(const std::string& what, Law law,
-                                      const MergeOptions& options = {}) {
+                                      const DiscretizeOptions& options = {}) {
     int meshes = 0, accepted = 0;
     const bool holds = holds_on_hostile_meshes(what, [&](const Mesh& mesh) {
         const auto made = unless_refused([&] { return discretize(mesh, options); });

@@ -148,7 +148,7 @@ TEST(Tidy, refuses_a_flat_cell_between_neighbors_and_names_vertices_to_be_joined
         "cell 1 (vertices 0 4 1) has no area, and without it its neighbors would come apart.\n"
         "Its vertices 1 and 4 are at the same point (1, 0): join them, that is, use one "
         "number for both."
-        " Intrinsic flips can do with such cells (MergeOptions::delaunay).");
+        " Intrinsic flips can do with such cells (DiscretizeOptions::delaunay).");
 }
 
 TEST(Tidy, refuses_a_flat_cell_between_neighbors_and_names_the_vertex_on_its_edge) {
@@ -160,7 +160,7 @@ TEST(Tidy, refuses_a_flat_cell_between_neighbors_and_names_the_vertex_on_its_edg
         "cell 2 (vertices 0 2 1) has no area, and without it its neighbors would come apart.\n"
         "Its vertex 2 at (1, 0) lies on its edge from 0 to 1: flip that edge, or leave the "
         "cell out and split its neighbor behind that edge at the vertex."
-        " Intrinsic flips can do with such cells (MergeOptions::delaunay).");
+        " Intrinsic flips can do with such cells (DiscretizeOptions::delaunay).");
 }
 
 TEST(Tidy, names_further_flat_cells_that_cannot_be_left_out) {
@@ -172,7 +172,7 @@ TEST(Tidy, names_further_flat_cells_that_cannot_be_left_out) {
         "cell 1 (vertices 1 5 6) has no area, and without it its neighbors would come apart.\n"
         "Its vertices 1 and 5 are at the same point (0, 0.3333333333333333): join them, that "
         "is, use one number for both. Intrinsic flips can do with such cells ("
-        "MergeOptions::delaunay).\n"
+        "DiscretizeOptions::delaunay).\n"
         "3 more like it: 2 (2 6 7), 3 (1 0 5), 4 (2 1 6).");
 }
 

@@ -3,7 +3,7 @@
 
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_geometry.h"
-#include "dec/metric/whitney.h"
+#include "dec/metric/subsets.h"
 #include "tests/io/support.h"
 #include "tests/support/matrices.h"
 

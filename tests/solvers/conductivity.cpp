@@ -22,7 +22,7 @@ namespace polydec::test {
 namespace {
 
 /// What is merged is merged exactly, so that no edge left out has a weight.
-const MergeOptions merges[] = {{.criterion = MergeCriterion::none}, {.tolerance = 1e-12}};
+const DiscretizeOptions merges[] = {{.criterion = MergeCriterion::none}, {.tolerance = 1e-12}};
 
 /// Between 1/10 and 10, for each merged n-cell.
 Vector random_conductivity(const Discretization& mesh, unsigned seed) {

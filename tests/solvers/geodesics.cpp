@@ -3,6 +3,7 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/surfaces/geodesic_distance.h"
+#include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/support/refusal.h"

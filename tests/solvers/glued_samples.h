@@ -38,17 +38,17 @@ inline GluedSample flat(Index n, Closing closing = Closing::torus) {
     const auto place = [n](Index i, Index j) { return i * n + (j + n) % n; };
     const auto right = [&](Index i, Index j) { return 3 * place(i, j); };
     const auto diagonal = [&](Index i, Index j) { return 3 * place(i, j) + 2; };
-    const auto up = [&](Index i, Index j) -> GluedSurface::Side {
+    const auto up = [&](Index i, Index j) -> GluedSurface::SignedEdge {
         if (i < n)
             return {3 * place(i, j) + 1, 1};
         if (closing == Closing::torus)
             return {3 * place(0, j) + 1, 1};
         return {3 * place(0, n - 1 - j) + 1, -1};
     };
-    const auto back = [](GluedSurface::Side side) {
-        return GluedSurface::Side{side.edge, static_cast<std::int8_t>(-side.sign)};
+    const auto back = [](GluedSurface::SignedEdge side) {
+        return GluedSurface::SignedEdge{side.edge, static_cast<std::int8_t>(-side.sign)};
     };
-    std::vector<std::array<GluedSurface::Side, 3>> triangles;
+    std::vector<std::array<GluedSurface::SignedEdge, 3>> triangles;
     for (Index i = 0; i < n; ++i)
         for (Index j = 0; j < n; ++j) {
             triangles.push_back({{{right(i, j), 1}, up(i + 1, j), {diagonal(i, j), -1}}});

@@ -13,7 +13,8 @@
 namespace polydec::test {
 namespace {
 
-double error_of_linear_solution(const Mesh& input, Side side, const MergeOptions& options = {}) {
+double error_of_linear_solution(const Mesh& input, Side side,
+                                const DiscretizeOptions& options = {}) {
     const auto mesh = discretize(input, options);
     PoissonSolver solver(mesh, {.side = side});
     const auto linear = [&](const Points& sites) {

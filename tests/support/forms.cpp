@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/forms.h"
 
-#include "dec/metric/whitney.h"
+#include "dec/metric/subsets.h"
 
 #include <Eigen/LU>
 

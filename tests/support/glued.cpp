@@ -9,7 +9,7 @@
 
 namespace polydec::test {
 
-using Triangles = std::vector<std::array<GluedSurface::Side, 3>>;
+using Triangles = std::vector<std::array<GluedSurface::SignedEdge, 3>>;
 
 // sides a and b of the square, and its diagonal c
 GluedSurface square_torus() {

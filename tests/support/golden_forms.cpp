@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/golden_forms.h"
 
-#include "dec/metric/whitney.h"
+#include "dec/metric/subsets.h"
 
 namespace polydec::test {
 
