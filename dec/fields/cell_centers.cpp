@@ -33,6 +33,7 @@ Points mean_over_cells(const Discretization& mesh, int k, const Points& coordina
 
 /// The coordinates of the centroids of k-simplices.
 Points middles(const Pieces& complex, int k) {
+    cell_degree(complex, Side::primal, k);
     return Points::Constant(complex.size(k), k + 1, 1.0 / (k + 1));
 }
 

@@ -184,7 +184,7 @@ Questions of_meshes(const Sample& s) {
                  last = std::max(last, s.K().vertex_number(v));
              Points table = in.points(last + 1, 3);
              if (table.rows() > last + 1) // may have vertices that no cell uses
-                 table = table.topRows(last);
+                 table.conservativeResize(last, Eigen::NoChange);
              return fit(vertex_points(s.K(), table), s.K().size(0), 3);
          }},
         {"unit_of_length",
