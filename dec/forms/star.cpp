@@ -24,7 +24,10 @@ Vector HodgeStar::diagonal() const {
 }
 
 SparseMatrix HodgeStar::matrix() const {
-    return SparseMatrix(diagonal().asDiagonal());
+    SparseMatrix result(size(), size());
+    result.setIdentity(); // Eigen cannot make a diagonal of no entries
+    result.coeffs() = diagonal().array();
+    return result;
 }
 
 Vector HodgeStar::operator*(const Vector& values) const {

@@ -119,6 +119,16 @@ TEST_P(Stars, of_merged_top_cells_come_from_areas_that_add) {
 
 POLYDEC_OVER_MESHES(Stars);
 
+TEST(StarsOfNoCells, are_empty_matrices) {
+    const CellVolumes none(std::vector<Vector>(2), std::vector<Vector>(2));
+    const HodgeStar empty = star(none, 1);
+    EXPECT_EQ(empty.size(), 0);
+    EXPECT_EQ(empty.matrix().rows(), 0);
+    EXPECT_EQ(empty.matrix().cols(), 0);
+    EXPECT_EQ((empty * Vector()).size(), 0);
+    EXPECT_EQ(empty.solve(Vector()).size(), 0);
+}
+
 TEST(StarErrors, name_the_cells_whose_duals_are_zero) {
     // each square of the cube's boundary is four triangles around its middle
     const auto& mesh = merged("fcc1");
