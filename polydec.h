@@ -26,6 +26,7 @@
 #include "complex/surfaces/normal_coordinates.h"
 #include "complex/surfaces/ordered_surface.h"
 #include "dec/advice.h"
+#include "dec/choose_stars.h"
 #include "dec/conditioned_complex.h"
 #include "dec/diagnosis.h"
 #include "dec/discretization.h"

@@ -51,9 +51,9 @@ std::vector<Advice> advice(const Discretization& discretization) {
     const Remedy next = remedy(discretization);
     const int facets = discretization.dimension() - 1;
     int k = facets;
-    auto negative = discretization.stars()[k].negatives();
+    auto negative = star(discretization.volumes(), k).negatives();
     while (negative.empty() && k > 0)
-        negative = discretization.stars()[--k].negatives();
+        negative = star(discretization.volumes(), --k).negatives();
 
     // flips are of edges inside, and splits of those on the boundary
     const auto& cofaces = discretization.complex().coface_counts(k);

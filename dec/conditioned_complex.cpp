@@ -59,7 +59,7 @@ ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& sta
                         ? relative_complex(complex, left_out,
                                            on_the_boundary(complex, without_dual(), left_out))
                         : relative_complex(complex, left_out);
-    auto restricted = relative_volumes(relative, stars.volumes());
+    auto restricted = relative_stars(relative, stars);
     return {std::move(relative), std::move(restricted)};
 }
 

@@ -245,6 +245,7 @@ Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
     check_fit(parts.passage.pieces(), parts.piece_volumes);
     check_fit(parts.merging.pieces(), parts.piece_volumes);
     check_fit(parts.merging.merged(), parts.volumes);
+    check_fit(parts.merging.merged(), parts.stars);
     check_metric(parts);
     const CellComplex& complex = parts.merging.merged();
     if (!parts.tags.empty())
@@ -261,6 +262,15 @@ Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
 Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
     Parts parts = *parts_;
     parts.volumes = volumes;
+    parts.stars = volumes;
+    Discretization result(std::move(parts));
+    result.lift_ = lift_;
+    return result;
+}
+
+Discretization Discretization::with_stars(const HodgeStars& stars) const {
+    Parts parts = *parts_;
+    parts.stars = stars;
     Discretization result(std::move(parts));
     result.lift_ = lift_;
     return result;

@@ -41,6 +41,7 @@ public:
         double unit = 1;
         Points isolated = {};
         std::vector<Index> facet_tags = {};
+        HodgeStars stars = volumes;
     };
 
     /// Throws InvalidInput unless volumes, tags and points are those of as many cells and vertices,
@@ -56,10 +57,16 @@ public:
     const CellVolumes& volumes() const& { return parts_->volumes; }
     CellVolumes volumes() && { return volumes(); }
 
-    /// The Hodge stars of the cells.
-    HodgeStars stars() const { return volumes(); }
+    /// The Hodge stars of the cells: those that the volumes make, unless others are chosen.
+    const HodgeStars& stars() const& { return parts_->stars; }
+    HodgeStars stars() && { return stars(); }
 
-    /// The same with other volumes of the cells. Throws InvalidInput unless they fit.
+    /// The same with other stars, as choose_stars makes them, for all that takes a discretization.
+    /// Throws InvalidInput unless they fit.
+    Discretization with_stars(const HodgeStars& stars) const;
+
+    /// The same with other volumes of the cells, and the stars that they make. Throws InvalidInput
+    /// unless they fit.
     Discretization with_volumes(const CellVolumes& volumes) const;
 
     /// What the cells are made of, and how.

@@ -131,11 +131,12 @@ def way_of_the_data():
     picture = Picture(760, 240)
     steps = [("Mesh", "meshes/"), ("Passage", "dec/surfaces"), ("Pieces", "complex/"),
              ("Merging", "dec/merging"), ("CellVolumes", "dec/metric"),
-             ("operators", "dec/forms, fields"), ("solvers", "solvers/"), ("pictures", "io/")]
+             ("HodgeStars", "dec/forms"), ("operators", "dec/forms, fields"),
+             ("solvers, pictures", "solvers/, io/")]
     width, height, step = 150, 66, 188
     corners = [(17 + step * (i if i < 4 else 7 - i), 150 if i < 4 else 24) for i in range(8)]
     for i, ((x, y), (name, room)) in enumerate(zip(corners, steps)):
-        fill = LIGHT_BLUE if i < 4 else LIGHT_ORANGE if i < 6 else LIGHT_GREY
+        fill = LIGHT_BLUE if i < 4 else LIGHT_ORANGE if i < 7 else LIGHT_GREY
         box(picture, (x, y), (width, height), fill, name, room)
         if i < 3:
             picture.arrow((x + width + 3, y + height / 2), (x + step - 3, y + height / 2))
@@ -143,5 +144,5 @@ def way_of_the_data():
             picture.arrow((x + width / 2, y - 3), (x + width / 2, 24 + height + 3))
         elif i < 7:
             picture.arrow((x - 3, y + height / 2), (x + width - step + 3, y + height / 2))
-    return picture.svg("From a mesh by passage, pieces, merging and volumes to operators, solvers "
-                       "and pictures")
+    return picture.svg("From a mesh by passage, pieces, merging, volumes and stars to operators, "
+                       "solvers and pictures")

@@ -36,24 +36,24 @@ HeatSolver::HeatSolver(const CellComplex& complex, const HodgeStars& stars,
 
 HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space, Side side,
                        int degree, const HeatOptions& options)
-    : complex_(whole), side_(side), degree_(degree) {
+    : complex_(whole),
+      side_(side),
+      degree_(degree),
+      mass_(space.stars[cell_degree(whole, side, degree)]) {
     const CellComplex& complex = space.relative.complex;
     const HodgeStars& stars = space.stars;
-    const int k = cell_degree(complex, side, degree);
+    const int k = mass_.degree();
     kept_ = space.relative.cells[k];
-    check_positive_mass(stars[k], side, degree);
+    check_positive_mass(mass_, side, degree);
     if (!(options.time_step > 0) || !std::isfinite(options.time_step))
         throw InvalidInput(fmt::format("a time step of {} is given: expected a finite one above 0",
                                        options.time_step));
     const bool implicit = options.scheme == HeatScheme::backward_euler;
     const double implicit_part = implicit ? options.time_step : options.time_step / 2;
     explicit_part_ = options.time_step - implicit_part;
-    mass_ = stars[k].diagonal();
     stiffness_ = symmetric_laplacian(complex, stars, k);
 
-    SparseMatrix A(mass_.size(), mass_.size());
-    A.setIdentity();
-    A = mass_.asDiagonal() * A;
+    SparseMatrix A = mass_.matrix();
     A += implicit_part * stiffness_;
     solver_ = make_linear_solver(options.linear_solver);
     const bool definite = laplacian_definiteness(stars, k) == Definiteness::semidefinite;
@@ -69,16 +69,14 @@ Cochain HeatSolver::step(const Cochain& form) const {
     if (form.side != side_ || form.degree != degree_)
         throw InvalidInput(fmt::format("a {} {}-form is given: this solver is for {} {}-forms",
                                        name(form.side), form.degree, name(side_), degree_));
-    if (!form.values.allFinite())
-        throw InvalidInput("a form with a value that is not finite cannot be heated");
     // dual forms are stars of primal ones, and stars commute with the Laplacian
     const bool primal = side_ == Side::primal;
     const Vector values = form.values(kept_);
-    const Vector w = primal ? values : Vector(values.cwiseQuotient(mass_));
-    const Vector right_side = mass_.cwiseProduct(w) - explicit_part_ * (stiffness_ * w);
+    const Vector w = primal ? values : mass_.solve(values);
+    const Vector right_side = mass_ * w - explicit_part_ * (stiffness_ * w);
     const Vector next = solver_->solve(right_side);
     Vector result = Vector::Zero(form.values.size());
-    result(kept_) = primal ? next : Vector(mass_.cwiseProduct(next));
+    result(kept_) = primal ? next : mass_ * next;
     return {side_, degree_, std::move(result)};
 }
 

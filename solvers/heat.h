@@ -58,7 +58,7 @@ private:
     int degree_;
     double explicit_part_; // of the time step
     SparseMatrix stiffness_;
-    Vector mass_;
+    HodgeStar mass_;
     std::unique_ptr<LinearSolver> solver_;
 };
 

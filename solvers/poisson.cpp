@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/gram.h"
+#include "dec/forms/laplacian.h"
 #include "dec/metric/dual_parts.h"
 #include "solvers/dual_fluxes.h"
 
@@ -86,6 +87,12 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
                                {.degree = n, .cells = {cell}});
 }
 
+/// What connects the unknowns, and what is known of it.
+struct Stiffness {
+    SparseMatrix matrix;
+    Definiteness definiteness;
+};
+
 /// star_1; 0 where that is no more than rounding, because such an edge connects nothing.
 Vector edge_weights(const HodgeStar& star) {
     Vector weights = star.diagonal();
@@ -96,8 +103,6 @@ Vector edge_weights(const HodgeStar& star) {
 
 /// The same with every part of a dual multiplied by the conductivity of the cell it lies in.
 Vector edge_weights(const Discretization& mesh, const Vector& conductivity) {
-    if (conductivity.size() == 0)
-        return edge_weights(mesh.stars()[1]);
     const auto& volumes = mesh.piece_volumes();
     const int n = mesh.dimension();
     const SparseMatrix parts =
@@ -122,12 +127,33 @@ Vector edge_weights(const Discretization& mesh, const Vector& conductivity) {
     return (weights.array().abs() <= rounding * sizes.array()).select(0, weights);
 }
 
+Stiffness by_weights(const CellComplex& complex, const Vector& weights) {
+    return {connections(complex.boundary(1), complex.coboundary(0), weights), by_sign(weights)};
+}
+
+/// d_0^T star_1 d_0.
+Stiffness stiffness(const CellComplex& complex, const HodgeStars& stars) {
+    if (stars[1].is_diagonal())
+        return by_weights(complex, edge_weights(stars[1]));
+    SparseMatrix A = symmetric_laplacian(complex, stars, 0).matrix();
+    A.prune(0.0);
+    return {std::move(A), Definiteness::semidefinite};
+}
+
+Stiffness stiffness(const Discretization& mesh, const Vector& conductivity) {
+    if (conductivity.size() == 0)
+        return stiffness(mesh.complex(), mesh.stars());
+    mesh.stars()[1].diagonal(); // refuses a matrix, of which parts in cells are not known
+    return by_weights(mesh.complex(), edge_weights(mesh, conductivity));
+}
+
 /// What each vertex gets of the (n-1)-cells: each piece is shared among its vertices as their duals
-/// divide it.
+/// divide it, equally for finite elements.
 SparseMatrix shares_of_vertices(const Discretization& mesh) {
     const int n = mesh.dimension();
-    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 0,
-                                          n - 1, mesh.options().centers);
+    const SparseMatrix parts =
+        dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 0, n - 1,
+                   mesh.stars()[1].is_diagonal() ? mesh.options().centers : Centers::centroids());
     const SparseMatrix pieces = mesh.merging().diamond(n - 1).cast<double>().cwiseAbs();
     return SparseMatrix(pieces * parts).transpose();
 }
@@ -155,29 +181,30 @@ SparseMatrix shares_of_vertices(const CellComplex& complex, const HodgeStars& st
 struct PoissonSolver::Problem {
     Side side;
     ConstrainedSystem system;
-    Vector mass, facet_weights;
+    SparseMatrix mass;
+    Vector facet_weights;
     SparseMatrix boundary_load, boundary_fix, flux_load;
     Points sites, flux_sites;
     std::string engine;
 
-    /// weights are those of edges; shares() are what vertices have of facets.
+    /// shares() are what vertices have of facets.
     template <class Shares>
     static Problem primal(const CellComplex& complex, const HodgeStars& stars,
-                          const PoissonOptions& options, const Vector& weights, Shares shares) {
+                          const PoissonOptions& options, Stiffness stiffness, Shares shares) {
         const int n = complex.dimension();
         const Index size = complex.size(0);
         const auto essential = essential_cells(complex, options.boundary);
         const Vector natural = natural_facets(complex, essential);
-        const Vector mass = stars[0].diagonal();
+        const Vector shares_of_domain = stars[0] * Vector::Ones(size).eval();
         SparseMatrix flux_load(size, natural.size());
         if (!natural.isZero(0))
             flux_load = shares() * natural.asDiagonal();
         SparseMatrix fix(size, size);
         fix.setIdentity();
         return {Side::primal,
-                {connections(complex.boundary(1), complex.coboundary(0), weights), essential[0],
-                 std::vector<bool>(size, false), mass.cwiseAbs(), by_sign(weights), n},
-                mass,
+                {std::move(stiffness.matrix), essential[0], std::vector<bool>(size, false),
+                 shares_of_domain.cwiseAbs(), stiffness.definiteness, n},
+                stars[0].matrix(),
                 {},
                 SparseMatrix(size, size),
                 std::move(fix),
@@ -198,7 +225,7 @@ struct PoissonSolver::Problem {
                 {connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),
                  std::move(fluxes.fixed), std::move(fluxes.tied), volumes.primal(n),
                  by_sign(fluxes.weights), n},
-                volumes.primal(n),
+                SparseMatrix(volumes.primal(n).asDiagonal()),
                 fluxes.weights,
                 std::move(fluxes.load),
                 std::move(fluxes.fix),
@@ -212,7 +239,7 @@ struct PoissonSolver::Problem {
         check_conductivity(mesh.complex(), options.conductivity);
         Problem problem = options.side == Side::primal
                               ? primal(mesh.complex(), mesh.stars(), options,
-                                       edge_weights(mesh, options.conductivity),
+                                       stiffness(mesh, options.conductivity),
                                        [&] { return shares_of_vertices(mesh); })
                               : dual(mesh.complex(), mesh.stars(), options,
                                      facet_duals(mesh, options.conductivity));
@@ -229,10 +256,10 @@ struct PoissonSolver::Problem {
             throw InvalidInput("conductivities are given for cells of one's own: how their duals "
                                "are divided among them is not known; give a mesh");
         Problem problem = options.side == Side::primal
-                              ? primal(complex, stars, options, edge_weights(stars[1]),
+                              ? primal(complex, stars, options, stiffness(complex, stars),
                                        [&] { return shares_of_vertices(complex, stars); })
                               : dual(complex, stars, options, facet_duals(complex, stars));
-        problem.sites.resize(problem.mass.size(), 0);
+        problem.sites.resize(problem.mass.rows(), 0);
         problem.flux_sites.resize(complex.size(complex.dimension() - 1), 0);
         return problem;
     }
@@ -286,7 +313,7 @@ Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
     check_values(boundary_values, boundary_sites(), "boundary data");
     check_values(normal_derivatives, flux_sites_, "normal derivatives");
     const DenseMatrix load = boundary_load_ * boundary_values + flux_load_ * normal_derivatives;
-    const DenseMatrix right_side = mass_.asDiagonal() * f + load;
+    const DenseMatrix right_side = mass_ * f + load;
     const DenseMatrix fixed = boundary_fix_ * boundary_values;
     check_loads(right_side, degree_);
     check_loads(right_side - fixed_load_ * fixed, degree_);

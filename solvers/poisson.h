@@ -79,7 +79,7 @@ private:
     Side side_;
     int degree_; // of the cells that values belong to
     Points sites_, flux_sites_;
-    Vector mass_; // volume that each value of f stands for
+    SparseMatrix mass_; // values of f to the right-hand side
     Vector facet_weights_;
     SparseMatrix boundary_load_; // boundary values to right-hand side
     SparseMatrix boundary_fix_;  // boundary values to fixed unknowns

@@ -71,7 +71,7 @@ Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
 }
 
 void check_dual_volumes(const Discretization& mesh) {
-    if (const auto zero = mesh.stars()[1].zeros(); !zero.empty())
+    if (const auto zero = star(mesh.volumes(), 1).zeros(); !zero.empty())
         throw InvalidInput(
             fmt::format("the dpp flat divides by zero: the dual of the edge with vertices {} has "
                         "no volume ({} such edges, see HodgeStar::zeros of degree 1); let cells be "

@@ -121,6 +121,21 @@ CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes&
         .numbered(std::move(numbers));
 }
 
+HodgeStars relative_stars(const RelativeComplex& relative, const HodgeStars& stars) {
+    HodgeStars result = relative_volumes(relative, stars.volumes());
+    for (int k = 0; k <= stars.dimension(); ++k) {
+        if (stars[k].is_diagonal())
+            continue;
+        std::vector<Eigen::Triplet<double, Index>> kept;
+        for (const Index cell : relative.cells[k])
+            kept.emplace_back(static_cast<Index>(kept.size()), cell, 1.0);
+        SparseMatrix rows(static_cast<Index>(kept.size()), stars[k].size());
+        rows.setFromTriplets(kept.begin(), kept.end());
+        result = result.with(k, rows * stars[k].matrix() * SparseMatrix(rows.transpose()));
+    }
+    return result;
+}
+
 SparseMatrix dual_boundary_derivative(const CellComplex& complex, int j) {
     const int n = complex.dimension(), k = n - j - 1;
     check_number("boundary data of dual forms of degree", j, 0, n);

@@ -3,7 +3,7 @@
 
 #include "complex/relative.h"
 #include "dec/forms/side.h"
-#include "dec/metric/cell_volumes.h"
+#include "dec/forms/star.h"
 
 #include <functional>
 #include <string>
@@ -63,6 +63,10 @@ CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& 
 /// its volumes acts on forms that vanish on the dropped cells. Errors name cells by their numbers
 /// in the whole complex.
 CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes& volumes);
+
+/// The same for stars: of those that are no diagonal the rows and columns of the cells that are
+/// kept.
+HodgeStars relative_stars(const RelativeComplex& relative, const HodgeStars& stars);
 
 /// What boundary data add to the derivative of a dual j-form: dual_derivative(j) w + B g is the
 /// derivative with the part of the duals' boundaries that lies on the boundary of the domain. With

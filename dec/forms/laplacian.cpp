@@ -47,8 +47,8 @@ Operator dual_codifferential(const CellComplex& complex, const HodgeStars& stars
     if (k == complex.dimension())
         return Operator::zero(0, complex.size(k));
     const double sign = k % 2 == 0 ? -1 : 1;
-    return Operator::weights(sign * stars[k + 1].diagonal()) * Operator::derivative(complex, k) *
-           Operator::inverse_star(stars[k]);
+    return sign * (Operator::star(stars[k + 1]) * Operator::derivative(complex, k) *
+                   Operator::inverse_star(stars[k]));
 }
 
 Operator laplacian(const CellComplex& complex, const HodgeStars& stars, int k) {

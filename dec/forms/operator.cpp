@@ -65,10 +65,32 @@ Operator Operator::weights(Vector weights) {
     return {size, size, {{std::make_shared<const Vector>(std::move(weights))}}};
 }
 
+Operator Operator::star(const HodgeStar& star) {
+    if (star.is_diagonal())
+        return weights(star.diagonal());
+    return {star.size(), star.size(), {{Mass{star, false}}}};
+}
+
+Operator Operator::inverse_star(const HodgeStar& star) {
+    if (star.is_diagonal())
+        return weights(star.inverse());
+    return {star.size(), star.size(), {{Mass{star, true}}}};
+}
+
 Operator Operator::zero(Index rows, Index cols) {
     for (const Index size : {rows, cols})
         check_number("an operator of size", size, 0, std::numeric_limits<Index>::max());
     return {rows, cols, {}};
+}
+
+Vector Operator::apply(const Factor& factor, const Vector& x) {
+    if (const auto* weights = std::get_if<Weights>(&factor))
+        return x.cwiseProduct(**weights);
+    if (const auto* mass = std::get_if<Mass>(&factor))
+        return mass->inverted ? mass->star.solve(x) : mass->star * x;
+    const auto& [complex, k, transposed] = std::get<Derivative>(factor);
+    return transposed ? across_rows(complex.coboundary(k), x)
+                      : along_rows(complex.coboundary(k), x);
 }
 
 Vector Operator::operator*(const Vector& values) const {
@@ -79,13 +101,7 @@ Vector Operator::operator*(const Vector& values) const {
     for (const Product& product : terms_) {
         Vector x = values;
         for (auto factor = product.rbegin(); factor != product.rend(); ++factor)
-            if (const auto* weights = std::get_if<Weights>(&*factor))
-                x = x.cwiseProduct(**weights);
-            else {
-                const auto& [complex, k, transposed] = std::get<Derivative>(*factor);
-                x = transposed ? across_rows(complex.coboundary(k), x)
-                               : along_rows(complex.coboundary(k), x);
-            }
+            x = apply(*factor, x);
         sum = sum.size() == 0 ? std::move(x) : Vector(sum + x);
     }
     return sum;
@@ -100,6 +116,22 @@ bool Operator::is_gram(const Product& product, std::size_t i) {
     return left != nullptr && right != nullptr && std::holds_alternative<Weights>(product[i + 1]) &&
            left->k == right->k && left->transposed != right->transposed &&
            &left->complex.coboundary(left->k) == &right->complex.coboundary(right->k);
+}
+
+/// Of a derivative, or of a star that is no diagonal.
+SparseMatrix Operator::matrix(const Factor& factor) {
+    if (const auto* mass = std::get_if<Mass>(&factor)) {
+        if (mass->inverted)
+            throw InvalidInput(
+                fmt::format("the matrix of an operator is asked for that inverts the "
+                            "star of {}-cells, which is no diagonal: it is dense; "
+                            "apply the operator to values instead",
+                            mass->star.degree()),
+                {.degree = mass->star.degree()});
+        return mass->star.matrix();
+    }
+    const auto& [complex, k, transposed] = std::get<Derivative>(factor);
+    return (transposed ? complex.boundary(k + 1) : complex.coboundary(k)).cast<double>();
 }
 
 SparseMatrix Operator::matrix(const Product& product) {
@@ -126,10 +158,8 @@ SparseMatrix Operator::matrix(const Product& product) {
                 result = result * (*weights)->asDiagonal();
             else
                 pending = pending.size() > 0 ? Vector(pending.cwiseProduct(**weights)) : **weights;
-        } else {
-            const auto& [complex, k, transposed] = std::get<Derivative>(product[i]);
-            multiply((transposed ? complex.boundary(k + 1) : complex.coboundary(k)).cast<double>());
-        }
+        } else
+            multiply(matrix(product[i]));
     if (!begun) {
         SparseMatrix identity(pending.size(), pending.size());
         identity.setIdentity();
@@ -172,12 +202,13 @@ Vector Operator::diagonal() const {
         std::size_t i = 0;
         while (i < product.size() && std::holds_alternative<Weights>(product[i]))
             ++i;
-        const auto derivatives =
+        const auto weights =
             std::count_if(product.begin(), product.end(), [](const Factor& factor) {
-                return std::holds_alternative<Derivative>(factor);
+                return std::holds_alternative<Weights>(factor);
             });
-        sum += derivatives == 2 && is_gram(product, i) ? gram_diagonal(product, i)
-                                                       : Vector(matrix(product).diagonal());
+        sum += std::ssize(product) == weights + 2 && is_gram(product, i)
+                   ? gram_diagonal(product, i)
+                   : Vector(matrix(product).diagonal());
     }
     return sum;
 }
@@ -202,6 +233,10 @@ Operator operator*(const Operator& A, const Operator& B) {
             result.terms_.back().insert(result.terms_.back().end(), right.begin(), right.end());
         }
     return result;
+}
+
+Operator operator*(double factor, const Operator& A) {
+    return Operator::weights(Vector::Constant(A.rows(), factor)) * A;
 }
 
 Operator operator+(const Operator& A, const Operator& B) {

@@ -21,9 +21,10 @@ public:
     /// Multiplies each value by a weight.
     static Operator weights(Vector weights);
 
-    /// A star, and its inverse, which throws InvalidInput like HodgeStar::inverse.
-    static Operator star(const HodgeStar& star) { return weights(star.diagonal()); }
-    static Operator inverse_star(const HodgeStar& star) { return weights(star.inverse()); }
+    /// A star, and its inverse, which throws InvalidInput like HodgeStar::inverse. That of a star
+    /// that is no diagonal solves with it whenever it is applied.
+    static Operator star(const HodgeStar& star);
+    static Operator inverse_star(const HodgeStar& star);
 
     /// 0 for all values. Throws InvalidInput for a negative size.
     static Operator zero(Index rows, Index cols);
@@ -34,6 +35,8 @@ public:
     /// What it makes of values. Throws InvalidInput unless there are cols() of them.
     Vector operator*(const Vector& values) const;
 
+    /// Throws InvalidInput if the inverse of a star that is no diagonal is among the factors: that
+    /// is a dense matrix.
     SparseMatrix matrix() const;
     operator SparseMatrix() const { return matrix(); }
 
@@ -46,6 +49,8 @@ public:
     friend Operator operator*(const Operator& A, const Operator& B);
     friend Operator operator+(const Operator& A, const Operator& B);
 
+    friend Operator operator*(double factor, const Operator& A);
+
 private:
     struct Derivative {
         CellComplex complex;
@@ -53,7 +58,11 @@ private:
         bool transposed;
     };
     using Weights = std::shared_ptr<const Vector>;
-    using Factor = std::variant<Derivative, Weights>;
+    struct Mass { // a star that is no diagonal
+        HodgeStar star;
+        bool inverted;
+    };
+    using Factor = std::variant<Derivative, Weights, Mass>;
     using Product = std::vector<Factor>;
 
     Operator(Index rows, Index cols, std::vector<Product> terms)
@@ -61,6 +70,8 @@ private:
 
     static bool is_gram(const Product& product, std::size_t i);
     static Vector gram_diagonal(const Product& product, std::size_t i);
+    static Vector apply(const Factor& factor, const Vector& x);
+    static SparseMatrix matrix(const Factor& factor);
     static SparseMatrix matrix(const Product& product);
 
     Index rows_, cols_;

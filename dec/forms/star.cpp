@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/star.h"
 
+#include "backends/registry.h"
 #include "base/checks.h"
 #include "dec/metric/rounding.h"
 
@@ -8,11 +9,52 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <utility>
 
 namespace polydec {
 
+struct HodgeStar::Matrix {
+    std::shared_ptr<const SparseMatrix> entries;
+    std::mutex solving; // engines are used by one thread at a time
+    std::unique_ptr<LinearSolver> solver = nullptr;
+};
+
+namespace {
+
+/// Whether entries are finite and those across the diagonal equal, but for rounding.
+void check_symmetric(const SparseMatrix& matrix, int k, Index size) {
+    check_as_many(fmt::format("rows of the star of {}-cells", k), matrix.rows(), size);
+    check_as_many(fmt::format("columns of the star of {}-cells", k), matrix.cols(), size);
+    constexpr double rounding = 1e-12;
+    const SparseMatrix skew = matrix - SparseMatrix(matrix.transpose());
+    for (Index row = 0; row < size; ++row)
+        for (SparseMatrix::InnerIterator entry(skew, row); entry; ++entry) {
+            const double largest = std::sqrt(matrix.coeff(row, row)) *
+                                   std::sqrt(matrix.coeff(entry.col(), entry.col()));
+            if (!(std::abs(entry.value()) <= rounding * largest))
+                throw InvalidInput(
+                    fmt::format("the star of {}-cells is given by a matrix whose entries at row "
+                                "{}, column {} are {} and, across the diagonal, {}: expected a "
+                                "symmetric positive definite one",
+                                k, row, entry.col(), matrix.coeff(row, entry.col()),
+                                matrix.coeff(entry.col(), row)),
+                    {.degree = k, .cells = {row, static_cast<Index>(entry.col())}});
+        }
+}
+
+} // namespace
+
 HodgeStar::HodgeStar(const CellVolumes& volumes, int k) : volumes_(volumes), degree_(k) {
     volumes_.primal(k); // which there must be
+}
+
+HodgeStar::HodgeStar(const CellVolumes& volumes, int k, SparseMatrix matrix)
+    : HodgeStar(volumes, k) {
+    check_symmetric(matrix, k, size());
+    matrix_ = std::make_shared<Matrix>();
+    matrix_->entries = std::make_shared<const SparseMatrix>(std::move(matrix));
 }
 
 void HodgeStar::check(const Vector& values) const {
@@ -20,10 +62,17 @@ void HodgeStar::check(const Vector& values) const {
 }
 
 Vector HodgeStar::diagonal() const {
+    if (!is_diagonal())
+        throw InvalidInput(fmt::format("a diagonal star of {}-cells is needed, and a matrix is "
+                                       "given: take circumcentric stars",
+                                       degree_),
+                           {.degree = degree_});
     return volumes_.dual(degree_).cwiseQuotient(volumes_.primal(degree_));
 }
 
 SparseMatrix HodgeStar::matrix() const {
+    if (!is_diagonal())
+        return *matrix_->entries;
     SparseMatrix result(size(), size());
     result.setIdentity(); // Eigen cannot make a diagonal of no entries
     result.coeffs() = diagonal().array();
@@ -32,12 +81,28 @@ SparseMatrix HodgeStar::matrix() const {
 
 Vector HodgeStar::operator*(const Vector& values) const {
     check(values);
-    return diagonal().cwiseProduct(values);
+    return is_diagonal() ? Vector(diagonal().cwiseProduct(values)) : *matrix_->entries * values;
 }
 
 Vector HodgeStar::solve(const Vector& values) const {
     check(values);
-    return inverse().cwiseProduct(values);
+    if (is_diagonal())
+        return inverse().cwiseProduct(values);
+    const std::lock_guard lock(matrix_->solving);
+    if (!matrix_->solver) {
+        auto solver = make_linear_solver("auto");
+        solver->factorize(matrix_->entries, {.symmetry = Symmetry::symmetric,
+                                             .inertia = Inertia::wanted,
+                                             .domain_dimension = dimension(),
+                                             .many_solves = true});
+        if (const auto negative = solver->negative_pivots(); negative.value_or(0) > 0)
+            throw InvalidInput(fmt::format("the star of {}-cells is given by a matrix with {} "
+                                           "negative eigenvalues: expected a positive definite one",
+                                           degree_, *negative),
+                               {.degree = degree_});
+        matrix_->solver = std::move(solver);
+    }
+    return matrix_->solver->solve(values);
 }
 
 Vector HodgeStar::inverse() const {
@@ -54,6 +119,8 @@ Vector HodgeStar::uncertainty() const {
 }
 
 std::vector<Index> HodgeStar::zeros() const {
+    if (!is_diagonal())
+        return {};
     const Vector &dual = volumes_.dual(degree_), &terms = volumes_.terms(degree_);
     std::vector<Index> cells;
     for (Index s = 0; s < dual.size(); ++s)
@@ -63,6 +130,8 @@ std::vector<Index> HodgeStar::zeros() const {
 }
 
 std::vector<Index> HodgeStar::negatives() const {
+    if (!is_diagonal())
+        return {};
     const Vector &dual = volumes_.dual(degree_), &terms = volumes_.terms(degree_);
     std::vector<Index> cells;
     for (Index s = 0; s < dual.size(); ++s)
@@ -81,6 +150,19 @@ std::string HodgeStar::numbers(const std::vector<Index>& cells) const {
 
 Error::Place HodgeStar::place(const std::vector<Index>& cells) const {
     return {.degree = degree_, .cells = volumes_.numbers(degree_, cells)};
+}
+
+HodgeStar HodgeStars::operator[](int k) const {
+    const auto found = std::find_if(matrices_.begin(), matrices_.end(),
+                                    [&](const HodgeStar& star) { return star.degree() == k; });
+    return found != matrices_.end() ? *found : HodgeStar(volumes_, k);
+}
+
+HodgeStars HodgeStars::with(int k, SparseMatrix matrix) const {
+    HodgeStars result = *this;
+    std::erase_if(result.matrices_, [&](const HodgeStar& star) { return star.degree() == k; });
+    result.matrices_.emplace_back(volumes_, k, std::move(matrix));
+    return result;
 }
 
 } // namespace polydec

@@ -2,10 +2,12 @@
 #include "dec/metric/whitney.h"
 
 #include "base/checks.h"
+#include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <cmath>
 #include <limits>
@@ -15,10 +17,12 @@ namespace polydec {
 namespace {
 
 double volume(const DenseMatrix& gradients) {
-    // the gradients of all but one vertex span the dual lattice of the edges
+    // the gradients of all but one vertex span the dual lattice of the edges; the determinant of
+    // their products would lose twice the digits that a flat simplex costs
     const auto m = gradients.rows() - 1;
-    const DenseMatrix gram = gradients.bottomRows(m) * gradients.bottomRows(m).transpose();
-    return 1 / (std::sqrt(gram.determinant()) * std::tgamma(double(m) + 1));
+    const DenseMatrix dual_edges = gradients.bottomRows(m).transpose();
+    const double cell = dual_edges.householderQr().matrixQR().diagonal().prod();
+    return 1 / (std::abs(cell) * std::tgamma(double(m) + 1));
 }
 
 /// Determinant of the products of gradients in I without its p-th and J without its q-th.
@@ -59,6 +63,29 @@ DenseMatrix whitney_mass(const Points& points, std::span<const Index> vertices, 
             mass(a, b) = weight * sum;
         }
     return mass;
+}
+
+SparseMatrix whitney_mass(const Pieces& complex, const SimplexMetric& metric, int k,
+                          const Vector& weights) {
+    const int n = complex.dimension();
+    check_number("the mass of Whitney forms of degree", k, 0, n);
+    check_as_many("weights of simplices", weights.size(), complex.size(n));
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    SimplexFaces faces(complex, n, k);
+    SimplexLayout layout(complex, metric);
+    for (Index t = 0; t < complex.size(n); ++t) {
+        if (weights[t] == 0)
+            continue;
+        const Corners corners = layout.at(n, t);
+        const DenseMatrix mass = weights[t] * whitney_mass(corners.points, corners.vertices, k);
+        const auto& of_t = faces.of(t);
+        for (std::size_t a = 0; a < of_t.size(); ++a)
+            for (std::size_t b = 0; b < of_t.size(); ++b)
+                entries.emplace_back(of_t[a], of_t[b], mass(a, b));
+    }
+    SparseMatrix M(complex.size(k), complex.size(k));
+    M.setFromTriplets(entries.begin(), entries.end());
+    return M;
 }
 
 } // namespace polydec

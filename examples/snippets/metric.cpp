@@ -67,6 +67,19 @@ void laplacian_of_a_parabola() {
               << ", along the diagonal " << A.coeff(middle, middle + 10) << '\n';
 }
 
+void kinds_of_stars() {
+    auto input = polydec::grid(8, 8);
+    input.points.col(0) += 0.6 * input.points.col(1); // which makes triangles obtuse
+    const auto mesh = polydec::discretize(input);
+    const auto chosen = polydec::choose_stars(mesh, polydec::StarKind::automatic);
+    const polydec::HodgeStar star = polydec::star(chosen.stars, 1);
+    const polydec::Vector x = polydec::Vector::Random(star.size());
+    std::cout << polydec::star(mesh, 1).negatives().size() << " negative duals; "
+              << polydec::name(chosen.kind) << ", " << 100 * chosen.galerkin_share()
+              << " % of the cells by Galerkin, and " << (x.dot(star * x) > 0 ? "" : "not ")
+              << "positive\n";
+}
+
 void other_centers() {
     for (const auto& centers : {polydec::Centers(), polydec::Centers::centroids()}) {
         const auto mesh = polydec::discretize(polydec::grid(8, 8), {.centers = centers});
@@ -87,5 +100,6 @@ int main() {
     flat_torus();
     adjoint();
     laplacian_of_a_parabola();
+    kinds_of_stars();
     other_centers();
 }

@@ -170,7 +170,7 @@ void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const
     if (!mesh.passage().is_identity()) {
         if (form.side == Side::dual && k < mesh.dimension())
             shown = {Side::primal, k,
-                     mesh.stars()[k].diagonal().cwiseInverse().cwiseProduct(form.values)};
+                     star(mesh.volumes(), k).diagonal().cwiseInverse().cwiseProduct(form.values)};
         shown = to_input(mesh, shown);
     }
     if (k == 0)

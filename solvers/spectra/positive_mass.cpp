@@ -25,7 +25,8 @@ void check_positive_mass(const HodgeStar& star, Side side, int degree) {
 
 Definiteness laplacian_definiteness(const HodgeStars& stars, int k) {
     const auto positive = [&](int j) {
-        return j < 0 || j > stars.dimension() || (stars[j].diagonal().array() >= 0).all();
+        return j < 0 || j > stars.dimension() || !stars[j].is_diagonal() ||
+               (stars[j].diagonal().array() >= 0).all();
     };
     return positive(k - 1) && positive(k + 1) ? Definiteness::semidefinite
                                               : Definiteness::indefinite;

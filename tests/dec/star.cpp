@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace polydec::test {
 namespace {
@@ -142,6 +143,42 @@ TEST(StarErrors, name_the_cells_whose_duals_are_zero) {
               fmt::format("the inverse star of degree 2 divides by zero: the duals of 24 2-cells "
                           "have no volume (cells {}, {}, {}, {}, {}, ..)",
                           boundary[0], boundary[1], boundary[2], boundary[3], boundary[4]));
+}
+
+TEST(StarErrors, matrices_fit_their_cells_and_are_symmetric_and_definite) {
+    const CellVolumes volumes = merged("wellcentred4").volumes;
+    const Index size = star(volumes, 1).size();
+    SparseMatrix M(size, size);
+    M.setIdentity();
+    M.coeffs() *= 2;
+    const HodgeStar twice(volumes, 1, M);
+    const Vector x = Vector::LinSpaced(size, -1, 3);
+    EXPECT_EQ(twice * x, 2 * x);
+    EXPECT_LE(relative_difference(twice.solve(2 * x), x), 1e-14);
+    EXPECT_TRUE(twice.zeros().empty() && twice.negatives().empty());
+    EXPECT_EQ(refusal([&] { twice.diagonal(); }),
+              "a diagonal star of 1-cells is needed, and a matrix is given: take circumcentric "
+              "stars");
+    const HodgeStars stars = HodgeStars(volumes).with(1, M);
+    EXPECT_FALSE(stars[1].is_diagonal());
+    EXPECT_TRUE(stars[0].is_diagonal() && stars[2].is_diagonal());
+
+    EXPECT_NE(refusal([&] { HodgeStar(volumes, 2, M); }).find("rows of the star of 2-cells"),
+              std::string::npos);
+    M.coeffRef(0, 1) = 0.5;
+    EXPECT_EQ(refusal([&] { HodgeStar(volumes, 1, M); }),
+              "the star of 1-cells is given by a matrix whose entries at row 0, column 1 are 0.5 "
+              "and, across the diagonal, 0: expected a symmetric positive definite one");
+    M.coeffRef(1, 0) = 0.5;
+    EXPECT_EQ(refusal([&] { HodgeStar(volumes, 1, M); }), "accepted");
+    M.coeffRef(0, 0) = std::nan("");
+    EXPECT_NE(refusal([&] { HodgeStar(volumes, 1, M); }), "accepted");
+    M.coeffRef(0, 0) = -1;
+    EXPECT_THROW(HodgeStar(volumes, 1, M), InvalidInput);
+    M.coeffRef(0, 0) = 0.01; // indefinite with the entries beside it
+    EXPECT_EQ(refusal([&] { HodgeStar(volumes, 1, M).solve(x); }),
+              "the star of 1-cells is given by a matrix with 1 negative eigenvalues: expected a "
+              "positive definite one");
 }
 
 TEST(StarErrors, negative_stars_are_counted_where_they_are) {

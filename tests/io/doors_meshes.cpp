@@ -130,6 +130,19 @@ Questions of_makers(const Sample& s, int k) {
              check_fit(s.P(), s.V().with_dual(k, dual));
              return fit(true);
          }},
+        {"HodgeStar of a matrix",
+         [&s, k](Inputs& in) {
+             const SparseMatrix M(in.vector(s.size(k)).cwiseAbs2().asDiagonal());
+             const auto stars = s.mesh.stars().with(in.degree(k), M);
+             return fit(stars[k].matrix(), s.size(k), s.size(k));
+         }},
+        {"choose_stars",
+         [&s, k](Inputs&) {
+             const auto chosen = choose_stars(s.mesh, static_cast<StarKind>(k));
+             return fit(chosen.galerkin_share() <= 1 &&
+                        std::ssize(chosen.galerkin) == s.size(s.n()) &&
+                        fit(chosen.stars[k].matrix(), s.size(k), s.size(k)).empty());
+         }},
         {"check_positive_mass",
          [&s, k](Inputs& in) {
              check_positive_mass(star(s.V(), in.degree(k)), Side::primal, k);

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "dec/choose_stars.h"
+
+#include "base/errors.h"
+#include "complex/surfaces/glued_surface.h"
+#include "dec/merging/merged_volumes.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/dual_parts.h"
+#include "dec/metric/whitney.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace polydec {
+
+namespace {
+
+using Cells = std::vector<bool>;
+using Entry = SparseMatrix::InnerIterator;
+
+Vector ones_on(const Discretization& mesh, const Cells& cells) {
+    const auto& carriers = mesh.merging().carriers(mesh.dimension());
+    Vector weights(carriers.size());
+    for (std::size_t t = 0; t < carriers.size(); ++t)
+        weights[static_cast<Index>(t)] = cells[carriers[t].cell] ? 1 : 0;
+    return weights;
+}
+
+/// Inner products of Whitney k-forms over the pieces of some n-cells, by the lift.
+SparseMatrix galerkin_mass(const Discretization& mesh, int k, const Cells& cells) {
+    const SparseMatrix W = whitney_mass(mesh.pieces(), mesh.metric(), k, ones_on(mesh, cells));
+    const SparseMatrix& S = mesh.lift()[k];
+    return SparseMatrix(S.transpose()) * W * S;
+}
+
+/// The part of |E||*E| that lies in each n-cell, for all its k-cells E: size(n) x size(k).
+SparseMatrix parts_of_products(const Discretization& mesh, int k, const Centers& centers) {
+    const int n = mesh.dimension();
+    const SparseMatrix parts =
+        dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), k, n, centers);
+    const SparseMatrix cells = mesh.merging().diamond(n).cast<double>().cwiseAbs();
+    const SparseMatrix faces = mesh.merging().diamond(k).cast<double>().cwiseAbs();
+    return cells * parts * mesh.piece_volumes().primal(k).asDiagonal() *
+           SparseMatrix(faces.transpose());
+}
+
+CellVolumes barycentric_volumes(const Discretization& mesh) {
+    return merged_volumes(mesh.merging(),
+                          dual_volumes(mesh.pieces(), mesh.metric(), Centers::centroids()));
+}
+
+bool all_positive(const HodgeStars& stars) {
+    for (int k = 0; k <= stars.dimension(); ++k)
+        if (!stars[k].zeros().empty() || !stars[k].negatives().empty())
+            return false;
+    return true;
+}
+
+/// The cells of a surface that get Galerkin's stars. With those beside an edge without positive
+/// dual go all that have a negative part of the dual of an edge which a bad cell has too: so every
+/// edge between good cells has a positive star, and on every other edge good cells add nothing
+/// negative to what is definite. Vertices whose dual is not positive make the cells around them
+/// bad.
+class BadCells {
+public:
+    explicit BadCells(const Discretization& mesh)
+        : mesh_(mesh), bad_(static_cast<std::size_t>(mesh.complex().size(2)), false) {
+        for (const int k : {0, 1})
+            parts_[k] = parts_of_products(mesh, k, mesh.options().centers);
+        thirds_ = parts_of_products(mesh, 0, Centers::centroids());
+        const HodgeStar edges = star(mesh.volumes(), 1);
+        for (const auto& list : {edges.zeros(), edges.negatives()})
+            for (const Index e : list)
+                add_cells_at(1, e);
+        do
+            spread();
+        while (add_cells_at_vertices());
+    }
+
+    const Cells& cells() const { return bad_; }
+
+    /// |*E| of the good cells alone, over |E|.
+    Vector edge_star() const {
+        Vector sums = Vector::Zero(parts_[1].cols());
+        for (Index t = 0; t < parts_[1].rows(); ++t)
+            for (Entry part(parts_[1], t); part; ++part)
+                if (!bad_[t])
+                    sums[part.col()] += part.value();
+        const Vector& lengths = mesh_.volumes().primal(1);
+        return sums.cwiseQuotient(lengths).cwiseQuotient(lengths);
+    }
+
+    /// Of vertices: circumcentric in good cells, a third of each triangle in bad ones.
+    Vector vertex_duals() const {
+        Vector sums = Vector::Zero(parts_[0].cols());
+        for (Index t = 0; t < parts_[0].rows(); ++t)
+            for (Entry part(bad_[t] ? thirds_ : parts_[0], t); part; ++part)
+                sums[part.col()] += part.value();
+        return sums;
+    }
+
+private:
+    bool add(Index t) {
+        const bool is_new = !bad_[t];
+        bad_[t] = true;
+        if (is_new)
+            latest_.push_back(t);
+        return is_new;
+    }
+
+    bool add_cells_at(int k, Index face) {
+        if (cofaces_[k].rows() == 0)
+            cofaces_[k] = parts_[k].transpose();
+        bool any = false;
+        for (Entry cell(cofaces_[k], face); cell; ++cell)
+            any = add(static_cast<Index>(cell.col())) || any;
+        return any;
+    }
+
+    /// From each bad cell to those across an edge of which they have a negative part.
+    void spread() {
+        if (cofaces_[1].rows() == 0)
+            cofaces_[1] = parts_[1].transpose();
+        while (!latest_.empty()) {
+            const Index t = latest_.back();
+            latest_.pop_back();
+            for (Entry edge(parts_[1], t); edge; ++edge)
+                for (Entry cell(cofaces_[1], edge.col()); cell; ++cell)
+                    if (cell.value() < 0)
+                        add(static_cast<Index>(cell.col()));
+        }
+    }
+
+    bool add_cells_at_vertices() {
+        bool any = false;
+        const Vector duals = vertex_duals();
+        for (Index v = 0; v < duals.size(); ++v)
+            if (!(duals[v] > 0))
+                any = add_cells_at(0, v) || any;
+        return any;
+    }
+
+    const Discretization& mesh_;
+    Cells bad_;
+    std::vector<Index> latest_; // bad cells whose neighbors have not been looked at
+    std::array<SparseMatrix, 2> parts_, cofaces_;
+    SparseMatrix thirds_;
+};
+
+ChosenStars hybrid(const Discretization& mesh) {
+    if (mesh.dimension() != GluedSurface::dimension)
+        throw InvalidInput(fmt::format("hybrid stars are asked for in dimension {}: there are some "
+                                       "in dimension {} alone; take galerkin or automatic ones",
+                                       mesh.dimension(), GluedSurface::dimension));
+    const BadCells bad(mesh);
+    const bool any = std::find(bad.cells().begin(), bad.cells().end(), true) != bad.cells().end();
+    HodgeStars stars = mesh.volumes();
+    if (any) {
+        SparseMatrix good(mesh.complex().size(1), mesh.complex().size(1));
+        good.setIdentity();
+        good = bad.edge_star().asDiagonal() * good;
+        stars = HodgeStars(mesh.volumes().with_dual(0, bad.vertex_duals()))
+                    .with(1, good + galerkin_mass(mesh, 1, bad.cells()));
+    }
+    return {stars, StarKind::hybrid, bad.cells()};
+}
+
+ChosenStars galerkin(const Discretization& mesh, int lowest) {
+    const Cells all(static_cast<std::size_t>(mesh.complex().size(mesh.dimension())), true);
+    HodgeStars stars = lowest > 0 ? mesh.volumes().with_dual(0, barycentric_volumes(mesh).dual(0))
+                                  : mesh.volumes();
+    for (int k = lowest; k < mesh.dimension(); ++k)
+        stars = stars.with(k, galerkin_mass(mesh, k, all));
+    return {stars, StarKind::galerkin, all};
+}
+
+ChosenStars diagonal(const Discretization& mesh, const HodgeStars& stars, StarKind kind) {
+    return {stars, kind, Cells(static_cast<std::size_t>(mesh.complex().size(mesh.dimension())))};
+}
+
+} // namespace
+
+double ChosenStars::galerkin_share() const {
+    return galerkin.empty()
+               ? 0
+               : static_cast<double>(std::count(galerkin.begin(), galerkin.end(), true)) /
+                     static_cast<double>(galerkin.size());
+}
+
+ChosenStars choose_stars(const Discretization& mesh, StarKind kind) {
+    switch (kind) {
+    case StarKind::circumcentric:
+        return diagonal(mesh, mesh.volumes(), kind);
+    case StarKind::galerkin:
+        return galerkin(mesh, 0);
+    case StarKind::hybrid:
+        return hybrid(mesh);
+    case StarKind::barycentric:
+        return diagonal(mesh, barycentric_volumes(mesh), kind);
+    case StarKind::automatic:
+        if (mesh.dimension() == GluedSurface::dimension)
+            return hybrid(mesh);
+        return all_positive(mesh.volumes())
+                   ? diagonal(mesh, mesh.volumes(), StarKind::circumcentric)
+                   : galerkin(mesh, 1);
+    }
+    return diagonal(mesh, mesh.volumes(), StarKind::circumcentric);
+}
+
+const char* name(StarKind kind) {
+    constexpr std::array names{"circumcentric", "galerkin", "hybrid", "barycentric", "automatic"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+} // namespace polydec

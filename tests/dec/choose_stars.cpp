@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "dec/choose_stars.h"
+
+#include "dec/forms/laplacian.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "dec/operators.h"
+#include "meshes/generate.h"
+#include "tests/support/families.h"
+#include "tests/support/forms.h"
+#include "tests/support/glued.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+constexpr double rounding = 1e-10;
+constexpr std::array consistent{StarKind::galerkin, StarKind::hybrid, StarKind::automatic};
+
+DenseMatrix dense(const HodgeStar& star) {
+    return DenseMatrix(star.matrix());
+}
+
+Vector eigenvalues(const DenseMatrix& A, const DenseMatrix& M) {
+    return Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix>(A, M, Eigen::EigenvaluesOnly)
+        .eigenvalues();
+}
+
+/// star_k Delta_k with every star a matrix.
+DenseMatrix laplacian_by_masses(const CellComplex& complex, const HodgeStars& stars, int k) {
+    DenseMatrix A = DenseMatrix::Zero(complex.size(k), complex.size(k));
+    if (k < complex.dimension()) {
+        const DenseMatrix d(derivative(complex, k));
+        A += d.transpose() * dense(stars[k + 1]) * d;
+    }
+    if (k > 0) {
+        const DenseMatrix B = dense(stars[k]) * DenseMatrix(derivative(complex, k - 1));
+        A += B * dense(stars[k - 1]).llt().solve(B.transpose());
+    }
+    return A;
+}
+
+/// Of the cells of a mesh and, as they are, of its simplices.
+class StarsOf : public testing::TestWithParam<std::string> {
+protected:
+    static std::vector<Discretization> both(const Mesh& mesh) {
+        return {discretize(mesh, {.tolerance = tolerance}),
+                discretize(mesh, {.criterion = MergeCriterion::none})};
+    }
+    std::vector<Discretization> both() const { return both(mesh_named(GetParam())); }
+
+    static bool small(const Discretization& mesh) {
+        Index largest = 0;
+        for (int k = 0; k <= mesh.dimension(); ++k)
+            largest = std::max(largest, mesh.complex().size(k));
+        return largest <= 400;
+    }
+    static bool exists(const Discretization& mesh, StarKind kind) {
+        return kind != StarKind::hybrid || mesh.dimension() == 2;
+    }
+};
+
+TEST_P(StarsOf, galerkin_are_exact_for_constant_forms) {
+    if (!is_flat(mesh_named(GetParam())))
+        return;
+    for (const auto& mesh : both()) {
+        const int n = mesh.dimension();
+        const double volume = mesh.volumes().primal(n).sum();
+        for (const StarKind kind : consistent) {
+            if (!exists(mesh, kind))
+                continue;
+            const auto chosen = choose_stars(mesh, kind);
+            for (int k = 0; k <= n; ++k) {
+                if (chosen.kind == StarKind::circumcentric && k > 0)
+                    continue; // exact as a sum over all cells around, not at the boundary
+                const Vector a = random_vector(coefficients(n, k), 1),
+                             b = random_vector(coefficients(n, k), 2);
+                const auto of = [&](const Vector& c) -> Vector {
+                    return mesh.merging().diamond(k).cast<double>() *
+                           integrate(mesh.input(), mesh.points(), k, constant_form(c));
+                };
+                const double expected = a.dot(b) * volume;
+                EXPECT_NEAR(of(a).dot(chosen.stars[k] * of(b)), expected,
+                            rounding * a.norm() * b.norm() * volume)
+                    << name(kind) << ", k = " << k;
+            }
+        }
+    }
+}
+
+TEST_P(StarsOf, all_kinds_but_circumcentric_ones_are_positive_definite) {
+    for (const auto& mesh : both())
+        for (const StarKind kind :
+             {StarKind::galerkin, StarKind::hybrid, StarKind::barycentric, StarKind::automatic}) {
+            if (!exists(mesh, kind) || !small(mesh))
+                continue;
+            const auto stars = choose_stars(mesh, kind).stars;
+            for (int k = 0; k <= mesh.dimension(); ++k) {
+                const DenseMatrix M = dense(stars[k]);
+                EXPECT_LE((M - M.transpose()).cwiseAbs().maxCoeff(),
+                          1e-13 * M.cwiseAbs().maxCoeff());
+                EXPECT_EQ(M.llt().info(), Eigen::Success) << name(kind) << ", k = " << k;
+            }
+        }
+}
+
+/// On surfaces any star of 1-forms has the cotangent Laplacian: closed forms do not see the choice.
+TEST_P(StarsOf, surfaces_have_one_laplacian_of_functions) {
+    for (const auto& mesh : both()) {
+        if (mesh.dimension() != 2)
+            continue;
+        const SparseMatrix d = derivative(mesh, 0), d_transposed = d.transpose();
+        const SparseMatrix expected = d_transposed * mesh.stars()[1].matrix() * d;
+        for (const StarKind kind : consistent) {
+            const SparseMatrix A = d_transposed * choose_stars(mesh, kind).stars[1].matrix() * d;
+            EXPECT_LE(relative_difference(A, expected), rounding) << name(kind);
+        }
+        const SparseMatrix other =
+            d_transposed * choose_stars(mesh, StarKind::barycentric).stars[1].matrix() * d;
+        if (GetParam() == "obtuse_planar") {
+            EXPECT_GT(relative_difference(other, expected), 1e-2);
+        }
+    }
+}
+
+/// Where values of dual 0-forms are.
+Points sites(const Discretization& mesh, const std::vector<bool>& galerkin) {
+    const auto& volumes = mesh.piece_volumes().primal(2);
+    const Points circumcenters = combinations(
+        mesh.pieces(), 2, center_coordinates(mesh.pieces(), mesh.metric(), {}, 2), mesh.points());
+    const Points centroids = combinations(
+        mesh.pieces(), 2, center_coordinates(mesh.pieces(), mesh.metric(), Centers::centroids(), 2),
+        mesh.points());
+    Points result = Points::Zero(mesh.complex().size(2), 2);
+    for (Index t = 0; t < volumes.size(); ++t) {
+        const Index cell = mesh.merging().carriers(2)[t].cell;
+        result.row(cell) += (galerkin[cell] ? centroids : circumcenters).row(t) * volumes[t] /
+                            mesh.volumes().primal(2)[cell];
+    }
+    return result;
+}
+
+/// How far fluxes of a linear function p are from its differences between sites, and between these
+/// and midpoints of edges on the boundary.
+double flux_defect(const Discretization& mesh, const HodgeStars& stars, const Points& places) {
+    const Eigen::Vector2d slope(0.7, -0.4);
+    const Vector flux = mesh.merging().diamond(1).cast<double>() *
+                        integrate(mesh.input(), mesh.points(), 1,
+                                  constant_form(Eigen::Vector2d(-slope[1], slope[0])));
+    const Vector p = places * slope;
+    const Points middles =
+        mesh.merging().diamond(1).cast<double>().cwiseAbs() *
+        DenseMatrix(combinations(mesh.pieces(), 1, Points::Constant(mesh.pieces().size(1), 2, 0.5),
+                                 mesh.points()));
+    const SparseMatrix cofaces = SparseMatrix(derivative(mesh, 1).transpose());
+    const Vector of_orientation = cofaces * Vector::Ones(cofaces.cols());
+    Vector differences = cofaces * p;
+    for (Index e = 0; e < differences.size(); ++e)
+        if (mesh.complex().coface_counts(1)[e] == 1)
+            differences[e] -= of_orientation[e] * middles.row(e).dot(slope);
+    const Vector measured = stars[1] * flux;
+    return std::min((measured - differences).cwiseAbs().maxCoeff(),
+                    (measured + differences).cwiseAbs().maxCoeff());
+}
+
+/// Whether all triangles of a plane mesh turn one way as they are oriented.
+bool lies_unfolded(const Discretization& mesh) {
+    int sides = 0;
+    for (Index t = 0; t < mesh.pieces().size(2); ++t) {
+        const auto corners = mesh.pieces().simplices(2).row(t);
+        const Eigen::RowVector2d a = mesh.points().row(corners[1]) - mesh.points().row(corners[0]),
+                                 b = mesh.points().row(corners[2]) - mesh.points().row(corners[0]);
+        sides += (a[0] * b[1] - a[1] * b[0] > 0 ? 1 : -1) * mesh.pieces().orientation(t);
+    }
+    return std::abs(sides) == mesh.pieces().size(2);
+}
+
+TEST_P(StarsOf, planar_pass_the_patch_test_of_fluxes) {
+    const Mesh& input = mesh_named(GetParam());
+    if (input.simplices.cols() != 3 || !is_flat(input))
+        return;
+    for (const auto& mesh : both(shaken(input, 0.15, 5))) {
+        if (!lies_unfolded(mesh))
+            continue;
+        for (const StarKind kind : consistent) {
+            const auto chosen = choose_stars(mesh, kind);
+            EXPECT_LE(flux_defect(mesh, chosen.stars, sites(mesh, chosen.galerkin)), 1e-9)
+                << name(kind);
+        }
+        const auto barycentric = choose_stars(mesh, StarKind::barycentric);
+        const std::vector<bool> all(barycentric.galerkin.size(), true);
+        if (all.size() > 2) {
+            EXPECT_GT(flux_defect(mesh, barycentric.stars, sites(mesh, all)), 1e-4);
+        }
+    }
+}
+
+TEST_P(StarsOf, codifferentials_are_adjoint_and_laplacians_are_those_of_the_masses) {
+    for (const auto& mesh : both()) {
+        if (!small(mesh))
+            continue;
+        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        for (int k = 0; k <= mesh.dimension(); ++k) {
+            const Vector a = random_vector(mesh.complex().size(k), 3);
+            const Operator A = symmetric_laplacian(mesh.complex(), stars, k);
+            const DenseMatrix expected = laplacian_by_masses(mesh.complex(), stars, k);
+            EXPECT_LE(relative_difference(A * a, Vector(expected * a)), 1e-8) << "k = " << k;
+            EXPECT_LE(relative_difference(stars[k] * (laplacian(mesh.complex(), stars, k) * a),
+                                          Vector(expected * a)),
+                      1e-8)
+                << "k = " << k;
+            if (k > 0) {
+                const Vector b = random_vector(mesh.complex().size(k - 1), 4);
+                const double there = a.dot(stars[k] * (derivative(mesh, k - 1) * b));
+                const Vector delta = codifferential(mesh.complex(), stars, k) * a;
+                EXPECT_NEAR(b.dot(stars[k - 1] * delta), there,
+                            1e-9 * std::sqrt(a.dot(stars[k] * a) * b.dot(stars[k - 1] * b)) /
+                                mesh.volumes().primal(1).minCoeff());
+                EXPECT_NE(refusal([&] { A.matrix(); }).find("apply the operator"),
+                          std::string::npos);
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Family, StarsOf, testing::ValuesIn(names_of_meshes()), parameter_name);
+
+/// Smallest and largest eigenvalue of star_1: an independent reference in numpy.
+TEST(ChosenStars, of_a_mesh_with_a_negative_dual_have_known_eigenvalues) {
+    const auto mesh = discretize(mesh_named("star_negative"), {.criterion = MergeCriterion::none});
+    const auto ends = [&](StarKind kind) {
+        const DenseMatrix M = dense(choose_stars(mesh, kind).stars[1]);
+        const Vector all = eigenvalues(M, DenseMatrix::Identity(M.rows(), M.cols()));
+        return Eigen::Vector2d(all[0], all[all.size() - 1]);
+    };
+    EXPECT_LE((ends(StarKind::circumcentric) - Eigen::Vector2d(-0.3024215696, 4.2723919920)).norm(),
+              1e-9);
+    EXPECT_LE((ends(StarKind::galerkin) - Eigen::Vector2d(0.0779644155, 2.6172780486)).norm(),
+              1e-9);
+    EXPECT_LE((ends(StarKind::hybrid) - ends(StarKind::galerkin)).norm(), 1e-12);
+    EXPECT_EQ(choose_stars(mesh, StarKind::hybrid).galerkin_share(), 1);
+}
+
+/// The first eigenvalues with all masses Galerkin's, of the simplices: the same reference.
+TEST(ChosenStars, by_galerkin_have_known_spectra) {
+    struct Known {
+        const char* mesh;
+        int degree;
+        std::vector<double> values;
+    };
+    for (const auto& [title, k, values] :
+         {Known{"torus8x6", 1, {0, 0, 1.0974662552, 1.0974662552, 1.1822376741, 1.1822376741}},
+          Known{"ring6", 1, {0, .20134008193, .20182179506, .54617326016, 1.0715937102}},
+          Known{"solid_torus3", 1, {0, .88310083608, .88370374909, 2.3536436337, 5.2806815885}},
+          Known{"solid_torus3", 2, {5.2806815885, 5.6437309026, 6.5032900069}},
+          Known{"kuhn3", 1, {11.4687669178, 11.4989561344, 11.4989561344, 20.7306862326}},
+          Known{"kuhn3", 3, {30.3132883229, 48.2709931715, 48.2709931715, 57.3481861183}}}) {
+        const auto mesh = discretize(mesh_named(title), {.criterion = MergeCriterion::none});
+        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const Vector found =
+            eigenvalues(laplacian_by_masses(mesh.complex(), stars, k), dense(stars[k]));
+        for (std::size_t i = 0; i < values.size(); ++i)
+            EXPECT_NEAR(found[static_cast<Index>(i)], values[i], 1e-8) << title << ", k = " << k;
+    }
+}
+
+TEST(ChosenStars, hybrid_are_definite_on_shaken_meshes_where_circumcentric_ones_are_not) {
+    int indefinite = 0;
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        const auto mesh = discretize(shaken(grid(6, 6), 0.42, seed));
+        const auto chosen = choose_stars(mesh, StarKind::automatic);
+        EXPECT_EQ(chosen.kind, StarKind::hybrid);
+        EXPECT_EQ(dense(chosen.stars[1]).llt().info(), Eigen::Success) << seed;
+        EXPECT_GT(chosen.stars[0].diagonal().minCoeff(), 0) << seed;
+        indefinite += mesh.stars()[1].negatives().empty() ? 0 : 1;
+    }
+    EXPECT_GT(indefinite, 50);
+}
+
+TEST(ChosenStars, hybrid_mix_both_kinds_and_pass_the_patch_test) {
+    int mixed = 0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const auto mesh = discretize(shaken(grid(8, 8), 0.2, seed));
+        const auto chosen = choose_stars(mesh, StarKind::hybrid);
+        const double share = chosen.galerkin_share();
+        if (!lies_unfolded(mesh) || share == 0 || share == 1)
+            continue;
+        ++mixed;
+        EXPECT_LE(flux_defect(mesh, chosen.stars, sites(mesh, chosen.galerkin)), 1e-12);
+        const std::vector<bool> none(chosen.galerkin.size(), false);
+        EXPECT_GT(flux_defect(mesh, chosen.stars, sites(mesh, none)), 1e-3);
+    }
+    EXPECT_GT(mixed, 10);
+}
+
+/// Next to an edge whose dual is a million times as long as it is: the same reference.
+TEST(ChosenStars, by_galerkin_have_a_positive_spectrum_on_a_sliver) {
+    Mesh mesh;
+    mesh.points.resize(5, 2);
+    mesh.points << 0, 0, 1, 0, .5, -1e-6, .5, 1e-6, .5, -1;
+    mesh.simplices.resize(3, 3);
+    mesh.simplices << 0, 1, 3, 0, 1, 2, 0, 2, 4;
+    const auto three = discretize(mesh, {.criterion = MergeCriterion::none});
+    const auto stars = choose_stars(three, StarKind::galerkin).stars;
+    const Vector found =
+        eigenvalues(laplacian_by_masses(three.complex(), stars, 2), dense(stars[2]));
+    EXPECT_NEAR(found[0], 57.599677, 1e-6);
+    EXPECT_NEAR(found[1], 96, 1e-5);
+    EXPECT_NEAR(found[2], 96, 1e-5);
+}
+
+TEST(ChosenStars, automatic_ones_are_circumcentric_where_these_are_positive) {
+    EXPECT_EQ(choose_stars(discretize(grid(4, 4)), StarKind::automatic).galerkin_share(), 0);
+    EXPECT_EQ(choose_stars(discretize(kuhn(3, 2)), StarKind::automatic).kind,
+              StarKind::circumcentric);
+    const auto tets = discretize(shaken(kuhn(3, 3), 0.2, 1));
+    const auto chosen = choose_stars(tets, StarKind::automatic);
+    EXPECT_EQ(chosen.kind, StarKind::galerkin);
+    EXPECT_TRUE(chosen.stars[0].is_diagonal());
+    EXPECT_FALSE(chosen.stars[1].is_diagonal());
+    EXPECT_NE(refusal([&] { choose_stars(tets, StarKind::hybrid); }), "accepted");
+}
+
+} // namespace
+} // namespace polydec::test

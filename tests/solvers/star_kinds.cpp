@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+//
+// What solvers make of stars that are no diagonal.
+#include "dec/choose_stars.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/laplacian.h"
+#include "meshes/generate.h"
+#include "solvers/heat.h"
+#include "solvers/hodge.h"
+#include "solvers/leapfrog.h"
+#include "solvers/poisson.h"
+#include "solvers/spectra/spectrum.h"
+#include "tests/support/families.h"
+#include "tests/support/glued.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+const HeatOptions quick{.time_step = 0.1};
+
+/// Heat shrinks an eigenform by 1 / (1 + dt lambda) with each step.
+void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& stars, int k) {
+    const DenseMatrix A(symmetric_laplacian(complex, stars, k).matrix());
+    const DenseMatrix M(stars[k].matrix());
+    const Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> modes(A, M);
+    const HeatSolver primal(complex, stars, Side::primal, k, quick);
+    const int j = complex.dimension() - k;
+    const HeatSolver dual(complex, stars, Side::dual, j, quick);
+    for (const Index i : {Index{0}, static_cast<Index>(A.rows() / 2)}) {
+        const Vector form = modes.eigenvectors().col(i);
+        const double factor = 1 / (1 + quick.time_step * modes.eigenvalues()[i]);
+        EXPECT_LE(relative_difference(primal.step({Side::primal, k, form}).values, factor * form),
+                  1e-8)
+            << "k = " << k;
+        const Vector flux = stars[k] * form;
+        EXPECT_LE(relative_difference(dual.step({Side::dual, j, flux}).values, factor * flux), 1e-8)
+            << "k = " << k;
+        EXPECT_GT(relative_difference(primal.step({Side::primal, k, form}).values,
+                                      factor * factor * form + form),
+                  1e-3);
+    }
+}
+
+TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
+    const auto mesh = discretize(shaken(grid(5, 5), 0.42, 3));
+    ASSERT_NE(refusal([&] { HeatSolver(mesh, Side::primal, 1, quick); }).find("not positive"),
+              std::string::npos);
+    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    ASSERT_FALSE(stars[1].is_diagonal());
+    for (const int k : {0, 1})
+        expect_eigenforms_to_shrink(mesh.complex(), stars, k);
+}
+
+TEST(HeatByStars, shrinks_eigenforms_on_obtuse_tets) {
+    const auto mesh = discretize(shaken(kuhn(3, 2), 0.3, 3));
+    const auto chosen = choose_stars(mesh, StarKind::automatic);
+    ASSERT_EQ(chosen.kind, StarKind::galerkin);
+    for (const int k : {0, 1})
+        expect_eigenforms_to_shrink(mesh.complex(), chosen.stars, k);
+}
+
+TEST(HeatByStars, keeps_conditions_on_the_boundary) {
+    const auto mesh = discretize(shaken(grid(5, 5), 0.42, 3));
+    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    BoundaryConditions fixed;
+    fixed.everywhere = BoundaryCondition::essential;
+    const auto space = conditioned_complex(mesh.complex(), stars, Side::primal, 1, fixed);
+    ASSERT_LT(space.relative.complex.size(1), mesh.complex().size(1));
+    ASSERT_FALSE(space.stars[1].is_diagonal());
+    const Vector form = random_vector(mesh.complex().size(1), 2);
+    const HeatSolver inside(space.relative.complex, space.stars, Side::primal, 1, quick);
+    const HeatSolver solver(mesh.complex(), stars, fixed, Side::primal, 1, quick);
+    const Vector next = solver.step({Side::primal, 1, form}).values;
+    const Vector there = inside.step({Side::primal, 1, space.relative.restrict(1, form)}).values;
+    EXPECT_LE(relative_difference(next, space.relative.extend(1, there)), 1e-12);
+    // the rows and columns of the edges inside, as they are
+    const DenseMatrix whole(stars[1].matrix()), part(space.stars[1].matrix());
+    const auto& kept = space.relative.cells[1];
+    EXPECT_EQ(part, DenseMatrix(whole(kept, kept)));
+}
+
+TEST(HeatByStars, has_nothing_to_do_where_conditions_fix_all) {
+    Mesh triangle;
+    triangle.points.resize(3, 2);
+    triangle.points << 0, 0, 1, 0, 0, 1;
+    triangle.simplices.resize(1, 3);
+    triangle.simplices << 0, 1, 2;
+    const auto mesh = discretize(triangle);
+    SparseMatrix twice(3, 3);
+    twice.setIdentity();
+    twice.coeffs() *= 2;
+    const auto stars = mesh.stars().with(1, twice);
+    BoundaryConditions fixed;
+    fixed.everywhere = BoundaryCondition::essential;
+    const auto space = conditioned_complex(mesh.complex(), stars, Side::primal, 1, fixed);
+    EXPECT_EQ(space.stars[1].size(), 0);
+    EXPECT_FALSE(space.stars[1].is_diagonal());
+    const HeatSolver solver(mesh.complex(), stars, fixed, Side::primal, 1, quick);
+    EXPECT_TRUE(solver.step({Side::primal, 1, Vector::Ones(3)}).values.isZero(0));
+}
+
+TEST(HeatByStars, refuses_what_would_need_the_inverse_of_a_matrix) {
+    const auto mesh = discretize(shaken(grid(5, 5), 0.42, 3));
+    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    EXPECT_NE(refusal([&] {
+                  HeatSolver(mesh.complex(), stars, Side::primal, 2, quick);
+              }).find("inverts the star of 1-cells"),
+              std::string::npos);
+}
+
+/// The outward unit normals of the facets of tets, as they are.
+Points outward_normals(const Discretization& mesh) {
+    const Pieces& K = mesh.pieces();
+    Points normals = Points::Zero(K.size(2), 3);
+    for (Index t = 0; t < K.size(3); ++t)
+        for (int i = 0; i <= 3; ++i) {
+            const Index f = K.face(3, t, i);
+            const auto corners = K.simplices(2).row(f);
+            const auto point = [&](Index v) { return Eigen::Vector3d(mesh.points().row(v)); };
+            const Eigen::Vector3d a = point(corners[0]);
+            const Eigen::Vector3d normal =
+                (point(corners[1]) - a).cross(point(corners[2]) - a).normalized();
+            const double side = normal.dot(point(K.simplices(3)(t, i)) - a);
+            normals.row(f) = side > 0 ? -normal : normal;
+        }
+    return normals;
+}
+
+/// How far the solution for a linear function is from it; its values are given where x < 1/2 on the
+/// boundary, what flows out elsewhere.
+double error_of_linear_solution(const Discretization& mesh) {
+    const Vector slope = random_vector(3, 8);
+    PoissonOptions options;
+    options.boundary =
+        essential_where(cell_centers(mesh, 2), [](const Vector& x) { return x[0] < 0.5; });
+    const PoissonSolver solver(mesh, options);
+    const Vector exact = solver.sites() * slope;
+    const Vector outflow = outward_normals(mesh) * slope;
+    return (solver.solve(Vector::Zero(exact.size()), exact, outflow).values - exact)
+        .cwiseAbs()
+        .maxCoeff();
+}
+
+TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
+    const auto mesh = discretize(shaken(kuhn(3, 3), 0.08, 3), {.criterion = MergeCriterion::none});
+    const auto by = [&](StarKind kind) {
+        return error_of_linear_solution(mesh.with_stars(choose_stars(mesh, kind).stars));
+    };
+    EXPECT_LE(by(StarKind::galerkin), 1e-11);
+    EXPECT_LE(by(StarKind::automatic), 1e-11);
+    EXPECT_GT(by(StarKind::barycentric), 1e-3);
+}
+
+TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
+    const auto mesh = discretize(shaken(kuhn(3, 2), 0.25, 3));
+    const auto stars = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
+    const Vector ones = Vector::Ones(mesh.complex().size(3));
+    const std::string lacking = "a diagonal star of";
+    EXPECT_EQ(refusal([&] { PoissonSolver(stars, {.side = Side::dual}); }).find(lacking), 0U);
+    EXPECT_EQ(refusal([&] { PoissonSolver(stars, {.conductivity = ones}); }).find(lacking), 0U);
+    EXPECT_EQ(refusal([&] { spectrum(stars, {.degree = 1}); }).find(lacking), 0U);
+    EXPECT_EQ(refusal([&] { HodgeSolver(stars, Side::primal, 1); }).find(lacking), 0U);
+    EXPECT_EQ(refusal([&] { Leapfrog(stars, 1, 1e-3); }).find(lacking), 0U);
+}
+
+} // namespace
+} // namespace polydec::test
