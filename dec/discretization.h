@@ -61,8 +61,9 @@ public:
     const HodgeStars& stars() const& { return parts_->stars; }
     HodgeStars stars() && { return stars(); }
 
-    /// The same with other stars, as choose_stars makes them, for all that takes a discretization.
-    /// Throws InvalidInput unless they fit.
+    /// The same with other stars, as choose_stars makes them, for operators and solvers. Products
+    /// of dual forms and integrals over duals stay those of the volumes. Throws InvalidInput unless
+    /// they fit.
     Discretization with_stars(const HodgeStars& stars) const;
 
     /// The same with other volumes of the cells, and the stars that they make. Throws InvalidInput
