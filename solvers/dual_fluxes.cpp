@@ -80,7 +80,7 @@ void average_rows(SparseMatrix& matrix) {
 FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars) {
     const int facets = complex.dimension() - 1;
     const CellVolumes& volumes = stars.volumes();
-    stars[facets].diagonal(); // which there must be
+    stars[facets].require_diagonal();
     return {volumes.dual(facets), volumes.terms(facets),
             boundary_facets_without_dual(complex, volumes),
             [star = stars[facets]](Index f) { return "facet " + star.numbers({f}); },

@@ -143,7 +143,7 @@ Stiffness stiffness(const CellComplex& complex, const HodgeStars& stars) {
 Stiffness stiffness(const Discretization& mesh, const Vector& conductivity) {
     if (conductivity.size() == 0)
         return stiffness(mesh.complex(), mesh.stars());
-    mesh.stars()[1].diagonal(); // refuses a matrix, of which parts in cells are not known
+    mesh.stars()[1].require_diagonal(); // parts of a matrix in cells are not known
     return by_weights(mesh.complex(), edge_weights(mesh, conductivity));
 }
 

@@ -61,12 +61,16 @@ void HodgeStar::check(const Vector& values) const {
     check_as_many(fmt::format("values of {}-cells", degree_), values.size(), size());
 }
 
-Vector HodgeStar::diagonal() const {
+void HodgeStar::require_diagonal() const {
     if (!is_diagonal())
         throw InvalidInput(fmt::format("a diagonal star of {}-cells is needed, and a matrix is "
                                        "given: take circumcentric stars",
                                        degree_),
                            {.degree = degree_});
+}
+
+Vector HodgeStar::diagonal() const {
+    require_diagonal();
     return volumes_.dual(degree_).cwiseQuotient(volumes_.primal(degree_));
 }
 
@@ -115,6 +119,7 @@ Vector HodgeStar::inverse() const {
 }
 
 Vector HodgeStar::uncertainty() const {
+    require_diagonal();
     return volumes_.rounding(degree_).cwiseQuotient(volumes_.primal(degree_));
 }
 

@@ -30,8 +30,9 @@ public:
     int degree() const { return degree_; }
     Index size() const { return static_cast<Index>(volumes_.primal(degree_).size()); }
 
-    /// Whether it is diagonal: |*s| / |s|, size() entries. Throws InvalidInput if it is a matrix.
+    /// Whether it is diagonal: |*s| / |s|, size() entries. Throw InvalidInput if it is a matrix.
     bool is_diagonal() const { return matrix_ == nullptr; }
+    void require_diagonal() const;
     Vector diagonal() const;
 
     SparseMatrix matrix() const;
@@ -49,7 +50,7 @@ public:
     Vector inverse() const;
 
     /// How far off each entry of the diagonal may be by what computing has done to it (see
-    /// CellVolumes::rounding).
+    /// CellVolumes::rounding). Throws InvalidInput if it is a matrix.
     Vector uncertainty() const;
 
     /// The cells whose entry counts as zero: whose dual volume is no larger than the rounding error

@@ -159,6 +159,8 @@ TEST(StarErrors, matrices_fit_their_cells_and_are_symmetric_and_definite) {
     EXPECT_EQ(refusal([&] { twice.diagonal(); }),
               "a diagonal star of 1-cells is needed, and a matrix is given: take circumcentric "
               "stars");
+    EXPECT_THROW(twice.uncertainty(), InvalidInput);
+    EXPECT_THROW(twice.inverse(), InvalidInput);
     const HodgeStars stars = HodgeStars(volumes).with(1, M);
     EXPECT_FALSE(stars[1].is_diagonal());
     EXPECT_TRUE(stars[0].is_diagonal() && stars[2].is_diagonal());
