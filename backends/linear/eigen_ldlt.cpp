@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "backends/builtin_engines.h"
 #include "backends/linear/checked_solver.h"
+#include "backends/linear/counting_factor.h"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <fmt/format.h>
-
-#include <limits>
 
 namespace polydec::builtin {
 
@@ -14,14 +13,8 @@ namespace {
 
 using ColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 
-// Eigen counts the factor's entries in 32 bits and writes beyond its arrays where they wrap around.
-class CountingLdlt
-    : public Eigen::SimplicialLDLT<ColumnMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>> {
-public:
-    bool factor_fits() const {
-        return m_nonZerosPerCol.cast<std::int64_t>().sum() <= std::numeric_limits<Index>::max();
-    }
-};
+using Ldlt =
+    CountingFactor<Eigen::SimplicialLDLT<ColumnMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>>>;
 
 class EigenLdlt final : public CheckedSolver {
 public:
@@ -37,7 +30,7 @@ protected:
     Solution apply_inverse(const DenseMatrix& B) override { return {ldlt_.solve(B)}; }
 
 private:
-    CountingLdlt ldlt_;
+    Ldlt ldlt_;
     std::optional<Index> negative_pivots_;
 };
 
@@ -49,7 +42,7 @@ void EigenLdlt::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern
         A.rows(), A.cols(), A.nonZeros(), A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr());
     if (pattern == Pattern::fresh)
         ldlt_.analyzePattern(columns);
-    if (!ldlt_.factor_fits())
+    if (!ldlt_.fits())
         fail(fmt::format("the factor of this {} x {} matrix has more than 2^31 - 1 entries\n"
                          "Take cholmod or eigen.cg.",
                          A.rows(), A.cols()));

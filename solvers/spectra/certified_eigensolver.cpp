@@ -4,7 +4,6 @@
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "base/random.h"
-#include "base/row_sum_norm.h"
 #include "solvers/spectra/found_pairs.h"
 #include "solvers/spectra/inertia.h"
 #include "solvers/spectra/scaled_pencil.h"
@@ -43,20 +42,25 @@ struct CertifiedEigensolver::State {
     State(const Pencil& given, EigensolverOptions options_)
         : pencil(given),
           options(std::move(options_)),
-          B(pencil.matrix()),
-          counter(B, options.linear_solver, options.domain_dimension, pencil.doubt()),
+          counter(pencil.matrices(), options.linear_solver, options.domain_dimension,
+                  pencil.doubt()),
           solver(make_linear_solver(options.linear_solver)),
-          norm(row_sum_norm(*B)),
-          small(small_length(*B)),
+          norm(pencil.norm()),
+          small(pencil.small()),
           pairs(size(), small) {
         choose_engine(1);
     }
 
-    Index size() const { return static_cast<Index>(B->rows()); }
+    Index size() const { return pencil.size(); }
     Index found() const { return pairs.count(); }
     void tell(std::string_view what) const {
         if (options.progress)
             options.progress(what);
+    }
+
+    /// (B - shift I)^-1 Y.
+    DenseMatrix solve(const DenseMatrix& Y) const {
+        return pencil.from_matrices(solver->solve(pencil.to_matrices(Y)));
     }
 
     void choose_engine(Index count);
@@ -75,9 +79,8 @@ struct CertifiedEigensolver::State {
 
     ScaledPencil pencil;
     EigensolverOptions options;
-    std::shared_ptr<const SparseMatrix> B; // M^-1/2 A M^-1/2
     InertiaCounter counter;
-    std::unique_ptr<LinearSolver> solver; // of B - shift
+    std::unique_ptr<LinearSolver> solver; // of matrices at shift
     std::unique_ptr<EigenSolver> eigensolver;
     double norm;
     double small;     // a length on the axis far below any eigenvalue that is not zero
@@ -114,13 +117,13 @@ void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiten
     tell("factorizing");
     MatrixFacts facts;
     facts.symmetry = Symmetry::symmetric;
-    facts.definiteness = definiteness;
+    facts.definiteness = pencil.matrices().hidden > 0 ? Definiteness::indefinite : definiteness;
     facts.domain_dimension = options.domain_dimension;
     facts.many_solves = true;
     // next to eigenvalues so small beside the largest, residuals of solves are not
     if (small < 1e-8 * norm)
         facts.inertia = Inertia::wanted;
-    solver->factorize(std::make_shared<const SparseMatrix>(shifted(*B, sigma)), facts);
+    solver->factorize(std::make_shared<const SparseMatrix>(pencil.matrices().at(sigma)), facts);
     shift = sigma;
     factorized = true;
     smoothed = false;
@@ -133,12 +136,12 @@ Index CertifiedEigensolver::State::ask(Index count) {
     choose_engine(count);
     const auto apply = [&](const auto& X, auto& Y) {
         if (found() == 0) {
-            Y = solver->solve(X);
+            Y = solve(X);
             return;
         }
         auto right = X;
         pairs.project_out(right);
-        Y = solver->solve(right);
+        Y = solve(right);
         pairs.project_out(Y);
     };
     EigenOptions eigen_options;
@@ -181,7 +184,7 @@ bool CertifiedEigensolver::State::smooth() {
     pairs.project_out(Y);
     DenseMatrix residuals;
     pencil.enclose(Y, &residuals);
-    Y -= solver->solve(residuals);
+    Y -= solve(residuals);
     Y.colwise().normalize();
     pairs.take(Y, pencil.enclose(Y));
     rotate();

@@ -52,10 +52,11 @@ struct CertifiedEigenpairs {
     std::vector<Index> rough = {};
 };
 
-/// Smallest eigenpairs of A x = lambda M x, A symmetric, M diagonal and positive, with the proof
-/// that none is missing and with the distances within which the exact ones lie.
+/// Smallest eigenpairs of A x = lambda M x, A symmetric, M positive definite, with the proof that
+/// none is missing and with the distances within which the exact ones lie.
 ///
-/// That none is missing: shift-invert Lanczos, then the inertia of A - tau M with tau in a gap
+/// That none is missing: shift-invert Lanczos, then the inertia of A - tau M (of a larger matrix
+/// where A is not sparse, see ShiftedMatrices) with tau in a gap
 /// behind the values found; while it counts more, those found are projected out and the missing
 /// ones asked for. The shift moves where eigenvalues far from it come out inaccurately.
 ///
@@ -71,8 +72,8 @@ struct CertifiedEigenpairs {
 /// Scale-free. Keeps what it has found for further calls.
 class CertifiedEigensolver {
 public:
-    /// Throws InvalidInput for sizes that do not fit, an entry of M that is not positive, numbers
-    /// that are not finite, and a matrix C that is not symmetric.
+    /// Throws InvalidInput for sizes that do not fit, a mass that is not positive, numbers that are
+    /// not finite, and matrices that are not symmetric.
     explicit CertifiedEigensolver(const Pencil& pencil, EigensolverOptions options = {});
     CertifiedEigensolver(const SparseMatrix& A, const Vector& M, EigensolverOptions options = {});
     CertifiedEigensolver(CertifiedEigensolver&&) noexcept;

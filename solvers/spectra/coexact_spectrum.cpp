@@ -82,10 +82,10 @@ void check_zeros(const Spectrum& found, Index harmonic) {
 
 /// The coexact forms in the space of a cluster. It is invariant under delta d, which on it has the
 /// cluster's eigenvalue on coexact forms and 0 on exact ones.
-DenseMatrix coexact_modes(const SparseMatrix& d, const Vector& upper_star, const DenseMatrix& modes,
-                          double eigenvalue) {
+DenseMatrix coexact_modes(const SparseMatrix& d, const SparseMatrix& upper_star,
+                          const DenseMatrix& modes, double eigenvalue) {
     const DenseMatrix curls = d * modes;
-    const DenseMatrix energies = curls.transpose() * upper_star.asDiagonal() * curls;
+    const DenseMatrix energies = curls.transpose() * (upper_star * curls);
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen(energies / eigenvalue);
     const auto exact = static_cast<Index>((eigen.eigenvalues().array() < 0.5).count());
     return modes * eigen.eigenvectors().rightCols(modes.cols() - exact);
@@ -96,7 +96,7 @@ DenseMatrix coexact_modes(const CellComplex& complex, const HodgeStars& stars,
                           const Spectrum& found, Index harmonic) {
     const int k = found.degree;
     const SparseMatrix d = derivative(complex, k);
-    const Vector upper_star = stars[k + 1].diagonal();
+    const SparseMatrix upper_star = stars[k + 1].matrix();
     std::vector<DenseMatrix> parts;
     Index count = 0;
     for (const auto [begin, end] : whole_clusters(found, complex.size(k))) {
@@ -123,7 +123,7 @@ DenseMatrix coexact_modes(const CellComplex& complex, const HodgeStars& stars,
 /// Values, radii and residuals of the first modes as eigenforms of delta d alone.
 void measure(const Pencil& given, const DenseMatrix& modes, Index count, Spectrum& spectrum) {
     const ScaledPencil pencil(given);
-    const DenseMatrix Y = given.M.cwiseSqrt().asDiagonal() * modes;
+    const DenseMatrix Y = pencil.scaled(modes);
     FoundPairs pairs(pencil.size(), 0);
     pairs.take(Y, pencil.enclose(Y));
     spectrum.eigenvalues = pencil.eigenvalues(pairs.values().head(count));

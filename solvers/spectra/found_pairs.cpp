@@ -2,7 +2,6 @@
 #include "solvers/spectra/found_pairs.h"
 
 #include "base/errors.h"
-#include "base/row_sum_norm.h"
 
 #include <fmt/format.h>
 
@@ -182,7 +181,7 @@ std::vector<Index> rough_values(const FoundPairs& pairs, const ScaledPencil& pen
                 "since rounding beside the largest one, about {:.3g}, hides it; improve or remove "
                 "cells that are very much smaller or flatter than others",
                 i, pencil.eigenvalue(pairs.values()[i]), pencil.eigenvalue(pairs.radii()[i]),
-                pencil.eigenvalue(row_sum_norm(*pencil.matrix()))));
+                pencil.eigenvalue(pencil.norm())));
         if (!pairs.is_accurate(i, largest_share))
             rough.push_back(i);
     }

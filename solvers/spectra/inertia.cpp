@@ -21,9 +21,19 @@ constexpr int most_bisections = 40;
 
 } // namespace
 
-InertiaCounter::InertiaCounter(std::shared_ptr<const SparseMatrix> B, const std::string& engine,
+ShiftedMatrices::ShiftedMatrices(std::shared_ptr<const SparseMatrix> B)
+    : A(std::move(B)), M(A->rows(), A->cols()) {
+    M.setIdentity();
+}
+
+ShiftedMatrices::ShiftedMatrices(SparseMatrix A_, SparseMatrix M_, Index hidden_)
+    : A(std::make_shared<const SparseMatrix>(std::move(A_))), M(std::move(M_)), hidden(hidden_) {}
+
+InertiaCounter::InertiaCounter(ShiftedMatrices matrices, const std::string& engine,
                                int domain_dimension, Doubt doubt)
-    : B_(std::move(B)), solver_(make_linear_solver(engine)), doubt_(std::move(doubt)) {
+    : matrices_(std::move(matrices)),
+      solver_(make_linear_solver(engine)),
+      doubt_(std::move(doubt)) {
     facts_.symmetry = Symmetry::symmetric;
     facts_.definiteness = Definiteness::indefinite;
     facts_.inertia = Inertia::wanted;
@@ -32,13 +42,13 @@ InertiaCounter::InertiaCounter(std::shared_ptr<const SparseMatrix> B, const std:
 
 InertiaCounter::~InertiaCounter() = default;
 
-/// D (B - shift I) D without rounding, D^2 (sizes + |shift|) from 1/4 to 1.
+/// D (A - shift M) D without rounding, D^2 (sizes + |shift| M) from 1/4 to 1 on the diagonal.
 SparseMatrix InertiaCounter::scaled(double shift) const {
-    const Vector D = doubt_.sizes.unaryExpr([=](double size) {
-        const double all = size + std::abs(shift);
-        return all > 0 ? std::ldexp(1.0, -((std::ilogb(all) + 2) >> 1)) : 1.0;
+    const Vector all = doubt_.sizes + std::abs(shift) * matrices_.M.diagonal();
+    const Vector D = all.unaryExpr([](double size) {
+        return size > 0 ? std::ldexp(1.0, -((std::ilogb(size) + 2) >> 1)) : 1.0;
     });
-    return D.asDiagonal() * shifted(*B_, shift) * D.asDiagonal();
+    return D.asDiagonal() * matrices_.at(shift) * D.asDiagonal();
 }
 
 std::optional<Index> InertiaCounter::below(double shift, double gap) {
@@ -66,7 +76,10 @@ std::optional<Index> InertiaCounter::below(double shift, double gap) {
     const double smallest = 1 / probe.norm();
     if (!(doubt_.share < below * smallest && lost * row_sum_norm(*S) <= far_below * smallest))
         return std::nullopt;
-    return solver_->negative_pivots();
+    const auto negative = solver_->negative_pivots();
+    if (!negative || *negative < matrices_.hidden)
+        return std::nullopt;
+    return *negative - matrices_.hidden;
 }
 
 std::optional<InertiaCounter::Counted> InertiaCounter::between(double low, double high,
@@ -102,12 +115,6 @@ double InertiaCounter::shift_close_to(Index done, Index wanted, double low, doub
             break;
     }
     return low;
-}
-
-SparseMatrix shifted(const SparseMatrix& B, double shift) {
-    SparseMatrix I(B.rows(), B.cols());
-    I.setIdentity();
-    return B - shift * I;
 }
 
 double small_length(const SparseMatrix& B) {

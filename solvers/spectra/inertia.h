@@ -16,14 +16,30 @@ struct Doubt {
     double relative = 0; ///< share by which each eigenvalue may be off besides
 };
 
-/// Counts eigenvalues of a symmetric matrix below a shift, by the inertia of B - shift I. It is
-/// that of D (B - shift I) D with any diagonal D > 0, which is chosen so that no entry is above 1:
-/// on graded meshes the norm of B says nothing of the accuracy of its small entries.
+/// The symmetric matrices A - shift M, for all shifts. Eigenvalues of a symmetric matrix B may be
+/// asked of a larger one that is sparse where B is not: B - shift I is what remains of the last
+/// rows where the first `hidden` ones, a negative definite block without shift, are eliminated. The
+/// larger one has as many more negative eigenvalues (Haynsworth 1968).
+struct ShiftedMatrices {
+    std::shared_ptr<const SparseMatrix> A;
+    SparseMatrix M; ///< positive semidefinite
+    Index hidden = 0;
+
+    /// B - shift I itself.
+    ShiftedMatrices(std::shared_ptr<const SparseMatrix> B);
+    ShiftedMatrices(SparseMatrix A, SparseMatrix M, Index hidden);
+
+    SparseMatrix at(double shift) const { return *A - shift * M; }
+};
+
+/// Counts eigenvalues of a symmetric matrix below a shift, by the inertia of A - shift M. It is
+/// that of D (A - shift M) D with any diagonal D > 0, which is chosen so that no entry is above 1:
+/// on graded meshes the norm of A says nothing of the accuracy of its small entries.
 class InertiaCounter {
 public:
-    /// B is shared; the engine must be one that counts.
-    InertiaCounter(std::shared_ptr<const SparseMatrix> B, const std::string& engine,
-                   int domain_dimension, Doubt doubt);
+    /// The doubt is of A. The engine must be one that counts.
+    InertiaCounter(ShiftedMatrices matrices, const std::string& engine, int domain_dimension,
+                   Doubt doubt);
     ~InertiaCounter();
 
     /// The number of those meant that lie below the shift, if it can be trusted: what is in doubt,
@@ -50,14 +66,11 @@ public:
 private:
     SparseMatrix scaled(double shift) const;
 
-    std::shared_ptr<const SparseMatrix> B_;
+    ShiftedMatrices matrices_;
     std::unique_ptr<LinearSolver> solver_;
     MatrixFacts facts_;
     Doubt doubt_;
 };
-
-/// B - shift I.
-SparseMatrix shifted(const SparseMatrix& B, double shift);
 
 /// A length on the axis below eigenvalues that are not zero, but not so small that a shift by it
 /// is next to singular. On graded meshes the coarse cells decide.

@@ -7,14 +7,14 @@
 
 namespace polydec {
 
-/// star_k Delta_k x = lambda star_k x on primal k-forms, k < n, by its parts. Their uncertainties
-/// are what computing has done at most to the stars (CellVolumes::rounding); points
-/// are taken as exact. An uncertain mass moves each eigenvalue by that share of it: true of each
-/// part (Ostrowski 1959), and so of both, since they have their nonzero eigenvalues apart from each
-/// other. Throws InvalidInput, naming the cells, if star_(k-1) has a zero.
+/// star_k Delta_k x = lambda star_k x on primal k-forms by its parts. Their uncertainties are what
+/// computing has done at most to diagonal stars (CellVolumes::rounding); points, and stars that are
+/// matrices, are taken as exact. An uncertain mass moves each eigenvalue by that share of it: true
+/// of each part (Ostrowski 1959), and so of both, since they have their nonzero eigenvalues apart
+/// from each other. Throws InvalidInput, naming the cells, if star_(k-1) has a zero.
 Pencil laplacian_pencil(const CellComplex& complex, const HodgeStars& stars, int k);
 
-/// The same for k = n, where the lower part is left alone. Unknowns are star_n times the forms: the
+/// The same for k = n and a diagonal star_n. Unknowns are star_n times the forms: the
 /// dual functions, whose differences are exact. Throws like the above.
 Pencil dual_function_pencil(const CellComplex& complex, const HodgeStars& stars, int n);
 

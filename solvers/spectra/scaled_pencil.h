@@ -2,9 +2,12 @@
 #pragma once
 
 #include "solvers/spectra/inertia.h"
+#include "solvers/spectra/mass.h"
 #include "solvers/spectra/pencil.h"
+#include "solvers/spectra/scaled_part.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace polydec {
@@ -22,68 +25,69 @@ struct Enclosure {
 
 /// A pencil brought by powers of two, so without rounding, to masses and weights of size 1 and a
 /// matrix of norm about 1, whatever its units. Eigenvectors are kept in the scale in which the mass
-/// is 1: y = M^1/2 x.
+/// is 1: y = R x, M = R^T R. There the matrix of the pencil is B = R^-T A R^-1.
 class ScaledPencil {
 public:
     /// Throws InvalidInput for sizes that do not fit, entries that are not finite or, of M,
-    /// positive, a matrix C that is not symmetric, uncertainties that are no shares or sizes, and
-    /// entries that differ by more than numbers can tell.
+    /// positive, a matrix C that is not symmetric, matrices M or weights that are not positive
+    /// definite, uncertainties that are no shares or sizes, and entries that differ by more than
+    /// numbers can tell.
     explicit ScaledPencil(const Pencil& pencil);
 
-    Index size() const { return static_cast<Index>(M_.size()); }
+    Index size() const { return mass_->size(); }
 
-    /// M^-1/2 A M^-1/2, rounded: for factorizations.
-    const std::shared_ptr<const SparseMatrix>& matrix() const { return matrix_; }
+    /// Where B - shift I is what remains; B itself where M is diagonal and no weights are inverse.
+    const ShiftedMatrices& matrices() const { return *matrices_; }
 
-    /// How far this matrix may be from that of the pencil: by the rounding of its entries, and what
-    /// the uncertainties can do.
+    /// The right-hand side of these matrices for that of B - shift I, and what of their solution
+    /// is its solution.
+    DenseMatrix to_matrices(const DenseMatrix& Y) const;
+    DenseMatrix from_matrices(const DenseMatrix& Z) const;
+
+    /// No eigenvalue is larger in size.
+    double norm() const { return norm_; }
+
+    /// See small_length.
+    double small() const { return small_; }
+
+    /// How far the matrix A of matrices() may be from that of the pencil: by the rounding of its
+    /// entries, and what the uncertainties can do.
     Doubt doubt() const;
 
     /// What the columns of Y prove, from residuals in more than double precision where there is:
     /// |A x - theta M x| in the norm of M^-1 over |x| in that of M, the rounding of this residual
     /// and what the uncertainties of weights and masses can do. Where residuals are asked for,
-    /// they are M^-1/2 (A X - M X theta).
+    /// they are R^-T (A X - M X theta).
     std::vector<Enclosure> enclose(const DenseMatrix& Y, DenseMatrix* residuals = nullptr) const;
 
     /// Eigenvalues, and all that is measured like them, in the units of the pencil given.
     double eigenvalue(double scaled) const;
     Vector eigenvalues(const Vector& scaled) const;
 
-    /// Eigenvectors x in the units of the pencil given, x^T M x = y^T y.
+    /// Eigenvectors x in the units of the pencil given, x^T M x = y^T y; and y for those.
     DenseMatrix eigenvectors(const DenseMatrix& Y) const;
+    DenseMatrix scaled(const DenseMatrix& X) const;
 
 private:
-    using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
-
-    struct Part {
-        SparseMatrix F, transposed;
-        Vector weights, uncertainty;
-        bool exact_products = false; // with entries of F
-        double rounding = 0;         // of a sum F^T (W F x), relative to its terms
-    };
-
-    struct Image {
-        LongVector Ax;
-        Vector rounding;   // what this has done to Ax at most, entry by entry
-        Vector doubt;      // and with it the uncertainties of weights
-        double energy = 0; // above x^T A x
-    };
-
-    Part scaled(const GramPart& part) const;
     void normalize();
     void assemble();
-    void add_part(const Part& part, const Vector& x, Image& image) const;
+    void add_hidden(Doubt& doubt, const Vector& scaling, Vector& sums) const;
     Image apply(const Vector& x) const;
-    Enclosure enclose(const Vector& x, const Image& image) const;
+    Enclosure enclose(const Vector& x, Image& image, LongVector& residual) const;
+
+    /// Whether matrices() are B and I themselves.
+    bool is_explicit() const { return mass_->is_diagonal() && !inverse_; }
 
     SparseMatrix C_; // this and all below: scaled
-    std::vector<Part> parts_;
-    Vector M_, root_;
+    std::vector<std::unique_ptr<ScaledPart>> parts_;
+    const ScaledPart* inverse_ = nullptr; // the one with inverse weights, if there is one
+    std::unique_ptr<const Mass> mass_;
     Vector columns_;           // x in the units given = columns_ * (x here)
     int exponent_ = 0;         // eigenvalue = 2^exponent * scaled eigenvalue
     double mass_share_ = 0;    // by which masses off by as much as may be move an eigenvalue
     double weights_share_ = 0; // the same for weights; infinite unless all are surely positive
-    std::shared_ptr<const SparseMatrix> matrix_;
+    double norm_ = 0, small_ = 0;
+    std::optional<ShiftedMatrices> matrices_;
 };
 
 } // namespace polydec

@@ -38,7 +38,7 @@ Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
     check_fit(complex, stars);
     check_positive_mass(stars[k], options.side, options.degree);
 
-    const bool is_dual_function = k == complex.dimension();
+    const bool is_dual_function = k == complex.dimension() && stars[k].is_diagonal();
     CertifiedEigensolver solver(is_dual_function ? dual_function_pencil(complex, stars, k)
                                                  : laplacian_pencil(complex, stars, k),
                                 {.linear_solver = options.linear_solver,
@@ -50,7 +50,7 @@ Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                                  .progress = options.progress});
     auto pairs = solver.smallest(options.count);
     if (options.side == Side::dual && !is_dual_function)
-        pairs.vectors = stars[k].diagonal().asDiagonal() * pairs.vectors;
+        pairs.vectors = SparseMatrix(stars[k].matrix()) * pairs.vectors;
     if (options.side == Side::primal && is_dual_function)
         pairs.vectors = stars[k].inverse().asDiagonal() * pairs.vectors;
     return {options.side,

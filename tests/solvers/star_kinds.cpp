@@ -165,7 +165,6 @@ TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
     const std::string lacking = "a diagonal star of";
     EXPECT_EQ(refusal([&] { PoissonSolver(stars, {.side = Side::dual}); }).find(lacking), 0U);
     EXPECT_EQ(refusal([&] { PoissonSolver(stars, {.conductivity = ones}); }).find(lacking), 0U);
-    EXPECT_EQ(refusal([&] { spectrum(stars, {.degree = 1}); }).find(lacking), 0U);
     EXPECT_EQ(refusal([&] { HodgeSolver(stars, Side::primal, 1); }).find(lacking), 0U);
     EXPECT_EQ(refusal([&] { Leapfrog(stars, 1, 1e-3); }).find(lacking), 0U);
 }

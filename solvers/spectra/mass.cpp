@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/spectra/mass.h"
+
+#include "backends/linear/counting_factor.h"
+#include "base/errors.h"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+class DiagonalMass final : public Mass {
+public:
+    explicit DiagonalMass(const Vector& diagonal)
+        : Mass(diagonal, 1), root_(diagonal.cwiseSqrt()) {}
+
+    bool is_diagonal() const override { return true; }
+
+    SparseMatrix matrix() const override {
+        SparseMatrix result(size(), size());
+        result.setIdentity();
+        return diagonal_.asDiagonal() * result;
+    }
+
+    LongVector times(const LongVector& x, Vector& error) const override {
+        LongVector result = diagonal_.cast<long double>().cwiseProduct(x);
+        error = unit_roundoff() * result.cwiseAbs().cast<double>();
+        return result;
+    }
+
+    Vector spread(const Vector& sizes) const override { return diagonal_.cwiseProduct(sizes); }
+
+    LongVector solve(const LongVector& z, Vector& error) const override {
+        error = unit_roundoff() * z.cwiseAbs().cast<double>();
+        return z.cwiseQuotient(diagonal_.cast<long double>());
+    }
+
+    DenseMatrix root(const DenseMatrix& X) const override { return root_.asDiagonal() * X; }
+    DenseMatrix unroot(const DenseMatrix& X) const override {
+        return root_.cwiseInverse().asDiagonal() * X;
+    }
+    DenseMatrix transposed_root(const DenseMatrix& X) const override { return root(X); }
+    Vector transposed_unroot(const LongVector& x) const override {
+        return x.cwiseQuotient(root_.cast<long double>()).cast<double>();
+    }
+
+    long double inverse_square(const LongVector& x) const override {
+        long double sum = 0;
+        for (Index i = 0; i < size(); ++i)
+            sum += x[i] * x[i] / diagonal_[i];
+        return sum;
+    }
+
+private:
+    Vector root_;
+};
+
+using ColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
+using Cholesky =
+    CountingFactor<Eigen::SimplicialLLT<ColumnMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>>>;
+
+/// P M P^T = L L^T, R = L^T P.
+class MatrixMass final : public Mass {
+public:
+    explicit MatrixMass(const SparseMatrix& matrix)
+        : Mass(matrix.diagonal(), 0), matrix_(matrix), absolute_(matrix.cwiseAbs()) {
+        cholesky_.analyzePattern(matrix);
+        if (!cholesky_.fits())
+            throw SolverFailure(
+                fmt::format("the root of a {} x {} mass has more than 2^31 - 1 entries; take a "
+                            "diagonal star, or a smaller mesh",
+                            size(), size()));
+        cholesky_.factorize(matrix);
+        if (cholesky_.info() != Eigen::Success)
+            throw InvalidInput(
+                "a mass is not positive definite: an inner product of forms is expected");
+        dominance_ = least_eigenvalue();
+    }
+
+    bool is_diagonal() const override { return false; }
+    SparseMatrix matrix() const override { return matrix_; }
+
+    LongVector times(const LongVector& x, Vector& error) const override {
+        error = longest_row_ * unit_roundoff() * spread(x.cwiseAbs().cast<double>());
+        return times(x);
+    }
+
+    Vector spread(const Vector& sizes) const override { return absolute_ * sizes; }
+
+    LongVector solve(const LongVector& z, Vector& error) const override {
+        LongVector x = LongVector::Zero(size()), rest = z;
+        for (int step = 0; step < refinements; ++step) {
+            x += Vector(cholesky_.solve(rest.cast<double>())).cast<long double>();
+            rest = z - times(x);
+        }
+        const Vector sizes =
+            spread(x.cwiseAbs().cast<double>()) + Vector(z.cwiseAbs().cast<double>());
+        error = rest.cwiseAbs().cast<double>() + longest_row_ * unit_roundoff() * sizes;
+        return x;
+    }
+
+    DenseMatrix root(const DenseMatrix& X) const override {
+        return cholesky_.matrixU() * (cholesky_.permutationP() * X);
+    }
+    DenseMatrix unroot(const DenseMatrix& X) const override {
+        return cholesky_.permutationPinv() * DenseMatrix(cholesky_.matrixU().solve(X));
+    }
+    DenseMatrix transposed_root(const DenseMatrix& X) const override {
+        return cholesky_.permutationPinv() * DenseMatrix(cholesky_.matrixL() * X);
+    }
+    Vector transposed_unroot(const LongVector& x) const override {
+        return cholesky_.matrixL().solve(cholesky_.permutationP() * Vector(x.cast<double>()));
+    }
+
+    long double inverse_square(const LongVector& x) const override {
+        return transposed_unroot(x).cast<long double>().squaredNorm();
+    }
+
+private:
+    LongVector times(const LongVector& x) const {
+        LongVector result(size());
+        for (Index i = 0; i < size(); ++i) {
+            long double sum = 0;
+            for (SparseMatrix::InnerIterator entry(matrix_, i); entry; ++entry)
+                sum += entry.value() * x[entry.col()];
+            result[i] = sum;
+        }
+        return result;
+    }
+
+    /// Of diag(M)^-1/2 M diag(M)^-1/2: inverse iteration comes to it from above.
+    double least_eigenvalue() const {
+        constexpr int steps = 8;
+        constexpr double room = 0.25;
+        const Vector scale = diagonal_.cwiseSqrt();
+        Vector probe(size());
+        for (Index i = 0; i < size(); ++i)
+            probe[i] = std::sin(1.0 + i);
+        for (int step = 0; step < steps; ++step) {
+            probe.normalize();
+            probe = scale.cwiseProduct(Vector(cholesky_.solve(scale.cwiseProduct(probe))));
+        }
+        return std::min(1.0, room / probe.norm());
+    }
+
+    static constexpr int refinements = 3;
+
+    SparseMatrix matrix_, absolute_;
+    Cholesky cholesky_;
+    double longest_row_ = static_cast<double>(longest_row(matrix_) + 1);
+};
+
+} // namespace
+
+double unit_roundoff() {
+    return static_cast<double>(std::numeric_limits<long double>::epsilon());
+}
+
+Index longest_row(const SparseMatrix& A) {
+    Index longest = 0;
+    for (Index i = 0; i < A.rows(); ++i)
+        longest = std::max(longest, A.outerIndexPtr()[i + 1] - A.outerIndexPtr()[i]);
+    return longest;
+}
+
+long double Mass::inverse_square_bound(const Vector& sizes) const {
+    long double sum = 0;
+    for (Index i = 0; i < size(); ++i)
+        sum += static_cast<long double>(sizes[i]) * sizes[i] / diagonal_[i];
+    return sum / dominance_;
+}
+
+std::unique_ptr<const Mass> make_mass(const Weights& weights) {
+    if (const auto* numbers = std::get_if<Vector>(&weights))
+        return std::make_unique<DiagonalMass>(*numbers);
+    return std::make_unique<MatrixMass>(std::get<SparseMatrix>(weights));
+}
+
+} // namespace polydec

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+#include "solvers/spectra/pencil.h"
+
+#include <memory>
+
+namespace polydec {
+
+using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
+/// A step of the numbers in LongVector behind 1.
+double unit_roundoff();
+
+/// The largest number of entries in a row.
+Index longest_row(const SparseMatrix& A);
+
+/// A positive definite matrix M = R^T R, R diagonal or sparse, by what it does to vectors.
+class Mass {
+public:
+    Mass(const Mass&) = delete;
+    Mass& operator=(const Mass&) = delete;
+    virtual ~Mass() = default;
+
+    Index size() const { return static_cast<Index>(diagonal_.size()); }
+    const Vector& diagonal() const { return diagonal_; }
+
+    /// Some a <= 1 with M >= a diag(M). That of a matrix comes from inverse iteration, with
+    /// room.
+    double dominance() const { return dominance_; }
+
+    virtual bool is_diagonal() const = 0;
+    virtual SparseMatrix matrix() const = 0;
+
+    /// M x, and how far it may be from exact.
+    virtual LongVector times(const LongVector& x, Vector& error) const = 0;
+
+    /// At least |M x|, entry by entry, for every x with |x_i| <= sizes_i.
+    virtual Vector spread(const Vector& sizes) const = 0;
+
+    /// M^-1 z, to nearly as many digits, and how far M times it may be from z.
+    virtual LongVector solve(const LongVector& z, Vector& error) const = 0;
+
+    /// R X, R^-1 X, R^T X and R^-T x.
+    virtual DenseMatrix root(const DenseMatrix& X) const = 0;
+    virtual DenseMatrix unroot(const DenseMatrix& X) const = 0;
+    virtual DenseMatrix transposed_root(const DenseMatrix& X) const = 0;
+    virtual Vector transposed_unroot(const LongVector& x) const = 0;
+
+    /// x^T M^-1 x, and at least that for every x with |x_i| <= sizes_i.
+    virtual long double inverse_square(const LongVector& x) const = 0;
+    long double inverse_square_bound(const Vector& sizes) const;
+
+protected:
+    Mass(Vector diagonal, double dominance)
+        : diagonal_(std::move(diagonal)), dominance_(dominance) {}
+
+    Vector diagonal_;
+    double dominance_;
+};
+
+/// Throws InvalidInput for numbers that are not positive and matrices that are not positive
+/// definite; SolverFailure if the root of one takes more memory than there is.
+std::unique_ptr<const Mass> make_mass(const Weights& weights);
+
+} // namespace polydec

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/cell_complex.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/star.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+namespace polydec::test {
+
+template <class Scalar>
+using DenseOf = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// star_k.
+template <class Scalar = double>
+DenseOf<Scalar> dense_star(const HodgeStars& stars, int k) {
+    return DenseMatrix(stars[k].matrix()).cast<Scalar>();
+}
+
+/// star_k Delta_k with every star a dense matrix.
+template <class Scalar = double>
+DenseOf<Scalar> dense_laplacian(const CellComplex& complex, const HodgeStars& stars, int k) {
+    DenseOf<Scalar> A = DenseOf<Scalar>::Zero(complex.size(k), complex.size(k));
+    if (k < complex.dimension()) {
+        const DenseOf<Scalar> d = DenseMatrix(derivative(complex, k)).cast<Scalar>();
+        A += d.transpose() * dense_star<Scalar>(stars, k + 1) * d;
+    }
+    if (k > 0) {
+        const DenseOf<Scalar> d = DenseMatrix(derivative(complex, k - 1)).cast<Scalar>();
+        const DenseOf<Scalar> B = dense_star<Scalar>(stars, k) * d;
+        const DenseOf<Scalar> below = dense_star<Scalar>(stars, k - 1);
+        A += B * below.llt().solve(DenseOf<Scalar>(B.transpose()));
+    }
+    return A;
+}
+
+/// All eigenvalues of the Laplacian on k-cells, ascending.
+template <class Scalar = double>
+Eigen::Matrix<Scalar, Eigen::Dynamic, 1> dense_eigenvalues(const CellComplex& complex,
+                                                           const HodgeStars& stars, int k) {
+    return Eigen::GeneralizedSelfAdjointEigenSolver<DenseOf<Scalar>>(
+               dense_laplacian<Scalar>(complex, stars, k), dense_star<Scalar>(stars, k),
+               Eigen::EigenvaluesOnly)
+        .eigenvalues();
+}
+
+} // namespace polydec::test
