@@ -48,6 +48,7 @@
 #include "dec/forms/operator.h"
 #include "dec/forms/side.h"
 #include "dec/forms/star.h"
+#include "dec/forms/star_kind.h"
 #include "dec/merging/facet_kinds.h"
 #include "dec/merging/lift.h"
 #include "dec/merging/merge.h"

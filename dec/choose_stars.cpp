@@ -155,16 +155,14 @@ ChosenStars hybrid(const Discretization& mesh) {
                                        "in dimension {} alone; take galerkin or automatic ones",
                                        mesh.dimension(), GluedSurface::dimension));
     const BadCells bad(mesh);
-    const bool any = std::find(bad.cells().begin(), bad.cells().end(), true) != bad.cells().end();
-    HodgeStars stars = mesh.volumes();
-    if (any) {
-        SparseMatrix good(mesh.complex().size(1), mesh.complex().size(1));
-        good.setIdentity();
-        good = bad.edge_star().asDiagonal() * good;
-        stars = HodgeStars(mesh.volumes().with_dual(0, bad.vertex_duals()))
-                    .with(1, good + galerkin_mass(mesh, 1, bad.cells()));
-    }
-    return {stars, StarKind::hybrid, bad.cells()};
+    if (std::find(bad.cells().begin(), bad.cells().end(), true) == bad.cells().end())
+        return ChosenStars(mesh.volumes(), StarKind::circumcentric);
+    SparseMatrix good(mesh.complex().size(1), mesh.complex().size(1));
+    good.setIdentity();
+    good = bad.edge_star().asDiagonal() * good;
+    const HodgeStars stars = mesh.volumes().with_dual(0, bad.vertex_duals());
+    return {stars.with(1, good + galerkin_mass(mesh, 1, bad.cells())), StarKind::hybrid,
+            bad.cells()};
 }
 
 ChosenStars galerkin(const Discretization& mesh, int lowest) {
@@ -176,42 +174,27 @@ ChosenStars galerkin(const Discretization& mesh, int lowest) {
     return {stars, StarKind::galerkin, all};
 }
 
-ChosenStars diagonal(const Discretization& mesh, const HodgeStars& stars, StarKind kind) {
-    return {stars, kind, Cells(static_cast<std::size_t>(mesh.complex().size(mesh.dimension())))};
-}
-
 } // namespace
-
-double ChosenStars::galerkin_share() const {
-    return galerkin.empty()
-               ? 0
-               : static_cast<double>(std::count(galerkin.begin(), galerkin.end(), true)) /
-                     static_cast<double>(galerkin.size());
-}
 
 ChosenStars choose_stars(const Discretization& mesh, StarKind kind) {
     switch (kind) {
     case StarKind::circumcentric:
-        return diagonal(mesh, mesh.volumes(), kind);
+        return ChosenStars(mesh.volumes(), kind);
     case StarKind::galerkin:
         return galerkin(mesh, 0);
     case StarKind::hybrid:
         return hybrid(mesh);
     case StarKind::barycentric:
-        return diagonal(mesh, barycentric_volumes(mesh), kind);
+        return ChosenStars(barycentric_volumes(mesh), kind);
     case StarKind::automatic:
-        if (mesh.dimension() == GluedSurface::dimension)
-            return hybrid(mesh);
-        return all_positive(mesh.volumes())
-                   ? diagonal(mesh, mesh.volumes(), StarKind::circumcentric)
-                   : galerkin(mesh, 1);
+        if (all_positive(mesh.volumes()))
+            return ChosenStars(mesh.volumes(), StarKind::circumcentric);
+        return mesh.dimension() == GluedSurface::dimension ? hybrid(mesh) : galerkin(mesh, 1);
+    case StarKind::own:
+        break;
     }
-    return diagonal(mesh, mesh.volumes(), StarKind::circumcentric);
-}
-
-const char* name(StarKind kind) {
-    constexpr std::array names{"circumcentric", "galerkin", "hybrid", "barycentric", "automatic"};
-    return names[static_cast<std::size_t>(kind)];
+    throw InvalidInput("own stars are asked for: choose_stars makes the other kinds; hand over "
+                       "your own to Discretization::with_stars");
 }
 
 } // namespace polydec

@@ -69,7 +69,7 @@ ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeSt
                                        Side side, int degree,
                                        const BoundaryConditions& conditions) {
     return conditioned(complex, stars, side, degree, conditions,
-                       [&] { return boundary_facets_without_dual(complex, stars.volumes()); });
+                       [&] { return boundary_facets_without_dual(complex, stars); });
 }
 
 ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,

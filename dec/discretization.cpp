@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "base/listed.h"
+#include "dec/choose_stars.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/lift.h"
 #include "dec/merging/merged_tags.h"
@@ -206,11 +207,15 @@ Discretization measured(Given given, DiscretizeOptions options, const Stage& sta
         cell_tags = merged_tags(merged.merging, n, tags, mesh.warnings);
         merged_facet_tags = merged_tags(merged.merging, n - 1, facet_tags, mesh.warnings);
     }
-    return Discretization({std::move(mesh.points), std::move(points), std::move(passage),
-                           std::move(merged.merging), of_input, of_pieces, volumes, options,
-                           std::move(merged.degenerate), std::move(mesh.warnings),
-                           std::move(cell_tags), std::move(lengths), unit, std::move(isolated),
-                           std::move(merged_facet_tags)});
+    const Discretization result({std::move(mesh.points), std::move(points), std::move(passage),
+                                 std::move(merged.merging), of_input, of_pieces, volumes, options,
+                                 std::move(merged.degenerate), std::move(mesh.warnings),
+                                 std::move(cell_tags), std::move(lengths), unit,
+                                 std::move(isolated), std::move(merged_facet_tags)});
+    if (options.star == StarKind::circumcentric)
+        return result;
+    begin(stage, "stars");
+    return result.with_stars(choose_stars(result, options.star));
 }
 
 } // namespace
@@ -245,7 +250,6 @@ Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
     check_fit(parts.passage.pieces(), parts.piece_volumes);
     check_fit(parts.merging.pieces(), parts.piece_volumes);
     check_fit(parts.merging.merged(), parts.volumes);
-    check_fit(parts.merging.merged(), parts.stars);
     check_metric(parts);
     const CellComplex& complex = parts.merging.merged();
     if (!parts.tags.empty())
@@ -255,6 +259,7 @@ Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
                       complex.size(complex.dimension() - 1));
     const auto made = std::make_shared<Parts>(std::move(parts));
     parts_ = made;
+    stars_ = std::make_shared<const ChosenStars>(made->volumes, StarKind::circumcentric);
     if (made->degenerate.marks.empty())
         made->degenerate = facet_defects(pieces(), metric(), piece_volumes(), options()).degenerate;
 }
@@ -262,17 +267,17 @@ Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
 Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
     Parts parts = *parts_;
     parts.volumes = volumes;
-    parts.stars = volumes;
     Discretization result(std::move(parts));
     result.lift_ = lift_;
     return result;
 }
 
-Discretization Discretization::with_stars(const HodgeStars& stars) const {
-    Parts parts = *parts_;
-    parts.stars = stars;
-    Discretization result(std::move(parts));
-    result.lift_ = lift_;
+Discretization Discretization::with_stars(const ChosenStars& chosen) const {
+    check_fit(complex(), chosen.stars);
+    check_as_many("marks of cells with Galerkin's stars", Index(chosen.galerkin.size()),
+                  complex().size(dimension()));
+    Discretization result = *this;
+    result.stars_ = std::make_shared<const ChosenStars>(chosen);
     return result;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dec/discretize_options.h"
-#include "dec/forms/star.h"
+#include "dec/forms/star_kind.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/passage.h"
 #include "meshes/length_mesh.h"
@@ -41,7 +41,6 @@ public:
         double unit = 1;
         Points isolated = {};
         std::vector<Index> facet_tags = {};
-        HodgeStars stars = volumes;
     };
 
     /// Throws InvalidInput unless volumes, tags and points are those of as many cells and vertices,
@@ -58,13 +57,20 @@ public:
     CellVolumes volumes() && { return volumes(); }
 
     /// The Hodge stars of the cells: those that the volumes make, unless others are chosen.
-    const HodgeStars& stars() const& { return parts_->stars; }
+    const HodgeStars& stars() const& { return chosen_stars().stars; }
     HodgeStars stars() && { return stars(); }
+
+    /// And of which kind they are.
+    const ChosenStars& chosen_stars() const& { return *stars_; }
+    ChosenStars chosen_stars() && { return chosen_stars(); }
 
     /// The same with other stars, as choose_stars makes them, for operators and solvers. Products
     /// of dual forms and integrals over duals stay those of the volumes. Throws InvalidInput unless
     /// they fit.
-    Discretization with_stars(const HodgeStars& stars) const;
+    Discretization with_stars(const ChosenStars& chosen) const;
+    Discretization with_stars(const HodgeStars& stars) const {
+        return with_stars(ChosenStars(stars));
+    }
 
     /// The same with other volumes of the cells, and the stars that they make. Throws InvalidInput
     /// unless they fit.
@@ -152,14 +158,15 @@ private:
     struct Lift;
 
     std::shared_ptr<const Parts> parts_;
+    std::shared_ptr<const ChosenStars> stars_;
     std::shared_ptr<Lift> lift_;
 };
 
-/// The whole way from a mesh to its merged complex and volumes. Untidy input is tidied with a
-/// warning (see tidy); a mesh far from size 1 is measured in other units, with a warning; warnings
-/// tell of cells that overlap (see find_overlaps). Each stage (complex, volumes, merge) is told as
-/// it begins, if anyone listens. Throws InvalidInput, naming the cell or vertex, for what cannot be
-/// used.
+/// The whole way from a mesh to its merged complex, volumes and stars. Untidy input is tidied with
+/// a warning (see tidy); a mesh far from size 1 is measured in other units, with a warning;
+/// warnings tell of cells that overlap (see find_overlaps). Each stage (complex, volumes, merge,
+/// stars) is told as it begins, if anyone listens. Throws InvalidInput, naming the cell or vertex,
+/// for what cannot be used.
 Discretization discretize(Mesh mesh, const DiscretizeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/forms/star_kind.h"
 #include "dec/merging/merge.h"
 #include "dec/metric/centers.h"
 
@@ -30,6 +31,7 @@ struct DiscretizeOptions {
     Materials materials = Materials::join;
     /// Other centers than circumcenters need no merging: nothing is merged then.
     Centers centers = {};
+    StarKind star = StarKind::circumcentric; ///< see choose_stars
 
     operator MergeOptions() const { return {criterion, tolerance}; }
 };

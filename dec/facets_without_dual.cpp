@@ -16,8 +16,10 @@ using Row = IncidenceMatrix::InnerIterator;
 } // namespace
 
 std::vector<bool> boundary_facets_without_dual(const Discretization& discretization) {
-    const int n = discretization.dimension();
     const auto& complex = discretization.complex();
+    if (discretization.chosen_stars().kind != StarKind::circumcentric)
+        return boundary_facets_without_dual(complex, discretization.stars());
+    const int n = discretization.dimension();
     const auto& volumes = discretization.volumes();
     const auto& counts = complex.coface_counts(n - 1);
     std::vector<bool> marks(counts.size(), false);
@@ -43,11 +45,11 @@ std::vector<bool> boundary_facets_without_dual(const Discretization& discretizat
 }
 
 std::vector<bool> boundary_facets_without_dual(const CellComplex& complex,
-                                               const CellVolumes& volumes) {
-    check_fit(complex, volumes);
+                                               const HodgeStars& stars) {
+    check_fit(complex, stars);
     const int n = complex.dimension();
     std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
-    for (const Index f : star(volumes, n - 1).zeros())
+    for (const Index f : stars[n - 1].zeros())
         marks[f] = complex.coface_counts(n - 1)[f] == 1;
     return marks;
 }

@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/advice.h"
-#include "dec/forms/star.h"
+#include "dec/forms/star_kind.h"
 #include "examples/paper/console.h"
 #include "io/meshes/length_file.h"
 #include "io/meshes/read_mesh.h"
@@ -12,11 +12,23 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <set>
 #include <unistd.h>
 
 namespace polydec::tools {
 
 namespace {
+
+constexpr std::array star_kinds{StarKind::circumcentric, StarKind::hybrid, StarKind::galerkin,
+                                StarKind::barycentric, StarKind::automatic};
+
+StarKind star_kind(const std::string& text) {
+    for (const StarKind kind : star_kinds)
+        if (text == name(kind))
+            return kind;
+    return StarKind::circumcentric;
+}
 
 /// What was read may have points or lengths alone.
 template <class Read>
@@ -30,6 +42,10 @@ Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
     if (options.delaunay != Delaunay::off && mesh.dimension() != 2)
         throw InvalidInput(fmt::format("--delaunay is for surfaces, but {} has cells of dimension "
                                        "{}: leave it out",
+                                       arguments.mesh.string(), mesh.dimension()));
+    if (options.star == StarKind::hybrid && mesh.dimension() != 2)
+        throw InvalidInput(fmt::format("--star hybrid is for surfaces, but {} has cells of "
+                                       "dimension {}: take galerkin or automatic",
                                        arguments.mesh.string(), mesh.dimension()));
     return discretize(std::move(mesh), options, stage);
 }
@@ -65,6 +81,18 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
         ->check(CLI::IsMember({"flips", "split-boundary"}))
         ->excludes(angle)
         ->excludes(groups);
+    std::set<std::string> kinds;
+    for (const StarKind kind : star_kinds)
+        kinds.insert(name(kind));
+    command
+        .add_option("--star", arguments.star,
+                    "inner products of forms: circumcentric (dual over primal volume),\n"
+                    "galerkin (Whitney forms; positive on every mesh), hybrid (surfaces:\n"
+                    "galerkin where circumcentric is not positive), barycentric\n"
+                    "(inconsistent for degrees 1 .. n-1), or automatic: the first of\n"
+                    "circumcentric, hybrid and galerkin that is positive here")
+        ->capture_default_str()
+        ->check(CLI::IsMember(kinds));
     add_common_options(command, arguments.tell);
     command.add_flag("--timing", arguments.tell.timing, "tell the seconds each stage took");
 }
@@ -101,6 +129,7 @@ Discretization load(const MeshArguments& arguments, Log& log) {
         options.centers = Centers::centroids();
     if (arguments.keep_groups)
         options.materials = Materials::keep_apart;
+    options.star = star_kind(arguments.star);
     if (!arguments.merge)
         options.criterion = MergeCriterion::none;
 
@@ -114,6 +143,20 @@ Discretization load(const MeshArguments& arguments, Log& log) {
     for (const auto& warning : result.warnings())
         log.warn(warning);
     return result;
+}
+
+std::string in_words(const ChosenStars& stars) {
+    if (stars.kind == StarKind::hybrid)
+        return fmt::format("hybrid stars, Galerkin's on {:.3g} % of the cells",
+                           100 * stars.galerkin_share());
+    return fmt::format("{} stars", name(stars.kind));
+}
+
+void write_member(JsonWriter& json, const ChosenStars& stars) {
+    json.object("star", [&] {
+        json.member("kind", name(stars.kind));
+        json.member("galerkin_share", stars.galerkin_share());
+    });
 }
 
 std::string flip_advice(const Discretization& mesh) {

@@ -73,7 +73,7 @@ public:
             if (k < mesh_.dimension())
                 write_matrix_market(file("d", k), P_.coboundary(k));
             const int n = mesh_.dimension();
-            write_scaled("star", k, mesh_.stars()[k].diagonal(), n - 2 * k);
+            write_star(k);
             write_scaled("volume", k, mesh_.volumes().primal(k), k);
             write_scaled("dual_volume", k, mesh_.volumes().dual(k), n - k);
             write_matrix_market(file("diamond", k), diamonds[k]);
@@ -88,27 +88,37 @@ private:
         return folder_ / fmt::format("{}_{}.{}", name, k, extension);
     }
 
+    /// Of a diagonal the values.
+    void write_star(int k) const {
+        const int power = mesh_.dimension() - 2 * k;
+        const HodgeStar star = mesh_.stars()[k];
+        if (star.is_diagonal())
+            write_scaled("star", k, star.diagonal(), power);
+        else
+            write_scaled(file("star", k), star.matrix(), power);
+    }
+
     /// Values that are a length to some power, in the units of the file.
     void write_scaled(const char* name, int k, const Vector& values, int power) const {
         const auto path = file(name, k);
         write_matrix_market(path,
                             in_input_units(values, mesh_.unit(), power, path.filename().string()));
     }
-    void write_scaled(const std::filesystem::path& path, SparseMatrix laplacian) const {
-        laplacian.makeCompressed();
-        laplacian.coeffs() =
-            in_input_units(laplacian.coeffs().matrix(), mesh_.unit(), -2, path.filename().string())
+    void write_scaled(const std::filesystem::path& path, SparseMatrix matrix, int power) const {
+        matrix.makeCompressed();
+        matrix.coeffs() =
+            in_input_units(matrix.coeffs().matrix(), mesh_.unit(), power, path.filename().string())
                 .array();
-        write_matrix_market(path, laplacian);
+        write_matrix_market(path, matrix);
     }
 
-    /// A Laplacian that would divide by zero is left out.
+    /// A Laplacian that would divide by zero, or invert a matrix, is left out.
     void write_laplacians(int k) const {
         const int j = mesh_.dimension() - k;
         const auto primal = file("laplacian_primal", k), dual = file("laplacian_dual", j);
         try {
-            write_scaled(primal, laplacian(mesh_, k));
-            write_scaled(dual, dual_laplacian(mesh_, j));
+            write_scaled(primal, laplacian(mesh_, k), -2);
+            write_scaled(dual, dual_laplacian(mesh_, j), -2);
         } catch (const InvalidInput& error) {
             log_.warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
                                   dual.filename().string(), error.what()));

@@ -2,7 +2,6 @@
 #include "solvers/spectra/spectrum.h"
 
 #include "base/memory.h"
-#include "dec/forms/star.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_modes.h"
 #include "meshes/unit_of_length.h"
@@ -35,10 +34,11 @@ struct Arguments {
 struct Eigenvalues : Answer {
     const Spectrum& spectrum;
     std::string conditions; ///< on the boundary, in words
+    const ChosenStars& stars;
     double seconds;
 
-    Eigenvalues(const Spectrum& found, std::string words, double took)
-        : spectrum(found), conditions(std::move(words)), seconds(took) {}
+    Eigenvalues(const Spectrum& found, std::string words, const ChosenStars& chosen, double took)
+        : spectrum(found), conditions(std::move(words)), stars(chosen), seconds(took) {}
 
     void write(JsonWriter& json) const override {
         const auto& certificate = spectrum.certificate;
@@ -57,14 +57,14 @@ struct Eigenvalues : Answer {
         json.member("eigen_solver", spectrum.eigen_solver);
         json.member("seconds", seconds);
         json.member("conditions", conditions);
+        write_member(json, stars);
     }
 
     void write(Text& text) const override {
-        text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n{}\n\n{:>5}  "
-             "{:>20}  "
-             "{:>10}  {:>10}\n",
-             name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), conditions, "",
-             "eigenvalue", "radius", "residual");
+        text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n{}\n{}\n\n"
+             "{:>5}  {:>20}  {:>10}  {:>10}\n",
+             name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), conditions,
+             in_words(stars), "", "eigenvalue", "radius", "residual");
         for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
             text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
                  spectrum.radii[i], spectrum.residuals[i]);
@@ -163,7 +163,8 @@ void run(Arguments arguments) {
         write_vtu(arguments.out, draw_modes(mesh, result));
     }
     use_input_units(result, mesh.unit());
-    tell(Eigenvalues(result, in_words(boundary, mesh.complex(), result.degree), seconds.count()),
+    tell(Eigenvalues(result, in_words(boundary, mesh.complex(), result.degree), mesh.chosen_stars(),
+                     seconds.count()),
          log, arguments.mesh.tell);
 }
 
@@ -173,6 +174,7 @@ void add_spectrum(CLI::App& app) {
     auto* command = app.add_subcommand(
         "spectrum", "smallest eigenpairs of the Laplace-de Rham operator, certified");
     const auto arguments = std::make_shared<Arguments>();
+    arguments->mesh.star = name(StarKind::automatic);
     add_mesh_arguments(*command, arguments->mesh);
     add_side(*command, arguments->spectrum.side)->required();
     command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();

@@ -5,6 +5,9 @@
 #include "dec/metric/cell_volumes.h"
 #include "dec/surfaces/places.h"
 
+#include <utility>
+#include <vector>
+
 namespace polydec {
 
 namespace {
@@ -37,7 +40,31 @@ Points middles(const Pieces& complex, int k) {
     return Points::Constant(complex.size(k), k + 1, 1.0 / (k + 1));
 }
 
+/// Marks the k-cells that have a Galerkin star's n-cell beside them, or are one.
+std::vector<bool> beside_galerkin(const Discretization& mesh, int k) {
+    std::vector<bool> marks = mesh.chosen_stars().galerkin;
+    for (int j = mesh.dimension() - 1; j >= k; --j) {
+        std::vector<bool> of_faces(static_cast<std::size_t>(mesh.complex().size(j)), false);
+        for (Index cell = 0; cell < mesh.complex().size(j + 1); ++cell)
+            for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(j), cell); f; ++f)
+                if (marks[cell])
+                    of_faces[f.col()] = true;
+        marks = std::move(of_faces);
+    }
+    return marks;
+}
+
 } // namespace
+
+Points site_coordinates(const Discretization& mesh, int k) {
+    Points result = center_coordinates(mesh.pieces(), mesh.metric(), mesh.options().centers, k);
+    const auto marks = beside_galerkin(mesh, k);
+    for (Index cell = 0; cell < mesh.complex().size(k); ++cell)
+        for (IncidenceMatrix::InnerIterator piece(mesh.merging().diamond(k), cell); piece; ++piece)
+            if (marks[cell])
+                result.row(piece.col()).setConstant(1.0 / (k + 1));
+    return result;
+}
 
 Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
                     int k) {
@@ -51,9 +78,7 @@ Points cell_centers(const Discretization& discretization, int k) {
     cell_degree(discretization.complex(), Side::primal, k);
     if (discretization.points().cols() == 0)
         return Points(discretization.complex().size(k), 0);
-    return mean_over_cells(discretization, k,
-                           center_coordinates(discretization.pieces(), discretization.metric(),
-                                              discretization.options().centers, k));
+    return mean_over_cells(discretization, k, site_coordinates(discretization, k));
 }
 
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,

@@ -18,11 +18,15 @@ Points cell_centers(const Merging& merging, const Points& points, const CellVolu
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
                       int k);
 
-/// The same on the cells of a bundle; centers where only lengths are known have as many rows
-/// without coordinates. After intrinsic flips they are places on the triangles of the input, where
-/// centers and centroids of the flipped ones are found on the surface; centers beyond its boundary
-/// go on as the corners of the last triangle lie.
+/// The same on the cells of a bundle, where cells with Galerkin's stars (see ChosenStars), and
+/// their faces, have their centroids for centers; centers where only lengths are known have as many
+/// rows without coordinates. After intrinsic flips they are places on the triangles of the input,
+/// where centers and centroids of the flipped ones are found on the surface; centers beyond its
+/// boundary go on as the corners of the last triangle lie.
 Points cell_centers(const Discretization& discretization, int k);
 Points cell_centroids(const Discretization& discretization, int k);
+
+/// Barycentric coordinates of these centers in each k-piece: k + 1 in a row.
+Points site_coordinates(const Discretization& discretization, int k);
 
 } // namespace polydec

@@ -2,6 +2,7 @@
 #include "dec/fields/de_rham.h"
 
 #include "base/errors.h"
+#include "dec/fields/cell_centers.h"
 #include "dec/fields/transfer.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/exterior_product.h"
@@ -173,8 +174,11 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
     const Integral integral(form, static_cast<Index>(N), j, quadrature_degree);
     const Places places(mesh.passage(), mesh.points());
     const auto centers_of = [&](int i) {
+        const bool is_site = j == 0; // integrals over duals are those of the volumes
         return places.at(
-            i, center_coordinates(mesh.pieces(), mesh.metric(), mesh.options().centers, i),
+            i,
+            is_site ? site_coordinates(mesh, i)
+                    : center_coordinates(mesh.pieces(), mesh.metric(), mesh.options().centers, i),
             mesh.points());
     };
     return on_cells(

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dec/choose_stars.h"
 
+#include "dec/fields/cell_centers.h"
 #include "dec/forms/laplacian.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
+#include "tests/support/dense_laplacian.h"
 #include "tests/support/families.h"
 #include "tests/support/forms.h"
 #include "tests/support/glued.h"
@@ -32,20 +34,6 @@ DenseMatrix dense(const HodgeStar& star) {
 Vector eigenvalues(const DenseMatrix& A, const DenseMatrix& M) {
     return Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix>(A, M, Eigen::EigenvaluesOnly)
         .eigenvalues();
-}
-
-/// star_k Delta_k with every star a matrix.
-DenseMatrix laplacian_by_masses(const CellComplex& complex, const HodgeStars& stars, int k) {
-    DenseMatrix A = DenseMatrix::Zero(complex.size(k), complex.size(k));
-    if (k < complex.dimension()) {
-        const DenseMatrix d(derivative(complex, k));
-        A += d.transpose() * dense(stars[k + 1]) * d;
-    }
-    if (k > 0) {
-        const DenseMatrix B = dense(stars[k]) * DenseMatrix(derivative(complex, k - 1));
-        A += B * dense(stars[k - 1]).llt().solve(B.transpose());
-    }
-    return A;
 }
 
 /// Of the cells of a mesh and, as they are, of its simplices.
@@ -143,23 +131,6 @@ TEST_P(StarsOf, surfaces_have_one_laplacian_of_functions) {
     }
 }
 
-/// Where values of dual 0-forms are.
-Points sites(const Discretization& mesh, const std::vector<bool>& galerkin) {
-    const auto& volumes = mesh.piece_volumes().primal(2);
-    const Points circumcenters = combinations(
-        mesh.pieces(), 2, center_coordinates(mesh.pieces(), mesh.metric(), {}, 2), mesh.points());
-    const Points centroids = combinations(
-        mesh.pieces(), 2, center_coordinates(mesh.pieces(), mesh.metric(), Centers::centroids(), 2),
-        mesh.points());
-    Points result = Points::Zero(mesh.complex().size(2), 2);
-    for (Index t = 0; t < volumes.size(); ++t) {
-        const Index cell = mesh.merging().carriers(2)[t].cell;
-        result.row(cell) += (galerkin[cell] ? centroids : circumcenters).row(t) * volumes[t] /
-                            mesh.volumes().primal(2)[cell];
-    }
-    return result;
-}
-
 /// How far fluxes of a linear function p are from its differences between sites, and between these
 /// and midpoints of edges on the boundary.
 double flux_defect(const Discretization& mesh, const HodgeStars& stars, const Points& places) {
@@ -203,14 +174,13 @@ TEST_P(StarsOf, planar_pass_the_patch_test_of_fluxes) {
         if (!lies_unfolded(mesh))
             continue;
         for (const StarKind kind : consistent) {
-            const auto chosen = choose_stars(mesh, kind);
-            EXPECT_LE(flux_defect(mesh, chosen.stars, sites(mesh, chosen.galerkin)), 1e-9)
+            const auto chosen = mesh.with_stars(choose_stars(mesh, kind));
+            EXPECT_LE(flux_defect(chosen, chosen.stars(), cell_centers(chosen, 2)), 1e-9)
                 << name(kind);
         }
         const auto barycentric = choose_stars(mesh, StarKind::barycentric);
-        const std::vector<bool> all(barycentric.galerkin.size(), true);
-        if (all.size() > 2) {
-            EXPECT_GT(flux_defect(mesh, barycentric.stars, sites(mesh, all)), 1e-4);
+        if (mesh.complex().size(2) > 2) {
+            EXPECT_GT(flux_defect(mesh, barycentric.stars, cell_centroids(mesh, 2)), 1e-4);
         }
     }
 }
@@ -223,7 +193,7 @@ TEST_P(StarsOf, codifferentials_are_adjoint_and_laplacians_are_those_of_the_mass
         for (int k = 0; k <= mesh.dimension(); ++k) {
             const Vector a = random_vector(mesh.complex().size(k), 3);
             const Operator A = symmetric_laplacian(mesh.complex(), stars, k);
-            const DenseMatrix expected = laplacian_by_masses(mesh.complex(), stars, k);
+            const DenseMatrix expected = dense_laplacian(mesh.complex(), stars, k);
             EXPECT_LE(relative_difference(A * a, Vector(expected * a)), 1e-8) << "k = " << k;
             EXPECT_LE(relative_difference(stars[k] * (laplacian(mesh.complex(), stars, k) * a),
                                           Vector(expected * a)),
@@ -244,6 +214,20 @@ TEST_P(StarsOf, codifferentials_are_adjoint_and_laplacians_are_those_of_the_mass
 }
 
 INSTANTIATE_TEST_SUITE_P(Family, StarsOf, testing::ValuesIn(names_of_meshes()), parameter_name);
+
+TEST(ChosenStars, are_an_option_of_discretize) {
+    const Mesh input = shaken(grid(6, 6), 0.42, 3);
+    const auto mesh = discretize(input, {.star = StarKind::automatic});
+    const auto expected = choose_stars(discretize(input), StarKind::automatic);
+    EXPECT_EQ(mesh.chosen_stars().kind, StarKind::hybrid);
+    EXPECT_EQ(mesh.chosen_stars().galerkin, expected.galerkin);
+    for (int k = 0; k <= 2; ++k)
+        EXPECT_EQ(dense(mesh.stars()[k]), dense(expected.stars[k]));
+    EXPECT_EQ(discretize(input).chosen_stars().kind, StarKind::circumcentric);
+    EXPECT_EQ(mesh.with_stars(mesh.volumes()).chosen_stars().kind, StarKind::own);
+    EXPECT_NE(refusal([&] { choose_stars(mesh, StarKind::own); }).find("hand over your own"),
+              std::string::npos);
+}
 
 /// Smallest and largest eigenvalue of star_1: an independent reference in numpy.
 TEST(ChosenStars, of_a_mesh_with_a_negative_dual_have_known_eigenvalues) {
@@ -277,8 +261,7 @@ TEST(ChosenStars, by_galerkin_have_known_spectra) {
           Known{"kuhn3", 3, {30.3132883229, 48.2709931715, 48.2709931715, 57.3481861183}}}) {
         const auto mesh = discretize(mesh_named(title), {.criterion = MergeCriterion::none});
         const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
-        const Vector found =
-            eigenvalues(laplacian_by_masses(mesh.complex(), stars, k), dense(stars[k]));
+        const Vector found = dense_eigenvalues(mesh.complex(), stars, k);
         for (std::size_t i = 0; i < values.size(); ++i)
             EXPECT_NEAR(found[static_cast<Index>(i)], values[i], 1e-8) << title << ", k = " << k;
     }
@@ -289,7 +272,8 @@ TEST(ChosenStars, hybrid_are_definite_on_shaken_meshes_where_circumcentric_ones_
     for (unsigned seed = 0; seed < 60; ++seed) {
         const auto mesh = discretize(shaken(grid(6, 6), 0.42, seed));
         const auto chosen = choose_stars(mesh, StarKind::automatic);
-        EXPECT_EQ(chosen.kind, StarKind::hybrid);
+        EXPECT_EQ(chosen.kind == StarKind::hybrid,
+                  !mesh.stars()[1].negatives().empty() || !mesh.stars()[0].negatives().empty());
         EXPECT_EQ(dense(chosen.stars[1]).llt().info(), Eigen::Success) << seed;
         EXPECT_GT(chosen.stars[0].diagonal().minCoeff(), 0) << seed;
         indefinite += mesh.stars()[1].negatives().empty() ? 0 : 1;
@@ -301,14 +285,13 @@ TEST(ChosenStars, hybrid_mix_both_kinds_and_pass_the_patch_test) {
     int mixed = 0;
     for (unsigned seed = 0; seed < 20; ++seed) {
         const auto mesh = discretize(shaken(grid(8, 8), 0.2, seed));
-        const auto chosen = choose_stars(mesh, StarKind::hybrid);
-        const double share = chosen.galerkin_share();
+        const auto chosen = mesh.with_stars(choose_stars(mesh, StarKind::hybrid));
+        const double share = chosen.chosen_stars().galerkin_share();
         if (!lies_unfolded(mesh) || share == 0 || share == 1)
             continue;
         ++mixed;
-        EXPECT_LE(flux_defect(mesh, chosen.stars, sites(mesh, chosen.galerkin)), 1e-12);
-        const std::vector<bool> none(chosen.galerkin.size(), false);
-        EXPECT_GT(flux_defect(mesh, chosen.stars, sites(mesh, none)), 1e-3);
+        EXPECT_LE(flux_defect(mesh, chosen.stars(), cell_centers(chosen, 2)), 1e-12);
+        EXPECT_GT(flux_defect(mesh, chosen.stars(), cell_centers(mesh, 2)), 1e-3);
     }
     EXPECT_GT(mixed, 10);
 }
@@ -322,8 +305,7 @@ TEST(ChosenStars, by_galerkin_have_a_positive_spectrum_on_a_sliver) {
     mesh.simplices << 0, 1, 3, 0, 1, 2, 0, 2, 4;
     const auto three = discretize(mesh, {.criterion = MergeCriterion::none});
     const auto stars = choose_stars(three, StarKind::galerkin).stars;
-    const Vector found =
-        eigenvalues(laplacian_by_masses(three.complex(), stars, 2), dense(stars[2]));
+    const Vector found = dense_eigenvalues(three.complex(), stars, 2);
     EXPECT_NEAR(found[0], 57.599677, 1e-6);
     EXPECT_NEAR(found[1], 96, 1e-5);
     EXPECT_NEAR(found[2], 96, 1e-5);

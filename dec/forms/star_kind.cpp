@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "dec/forms/star_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace polydec {
+
+const char* name(StarKind kind) {
+    constexpr std::array names{"circumcentric", "galerkin",  "hybrid",
+                               "barycentric",   "automatic", "own"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+ChosenStars::ChosenStars(const HodgeStars& stars_, StarKind kind_, std::vector<bool> galerkin_)
+    : stars(stars_), kind(kind_), galerkin(std::move(galerkin_)) {}
+
+ChosenStars::ChosenStars(const HodgeStars& stars_, StarKind kind_)
+    : ChosenStars(
+          stars_, kind_,
+          std::vector<bool>(stars_.dimension() < 0
+                                ? 0
+                                : static_cast<std::size_t>(stars_[stars_.dimension()].size()))) {}
+
+double ChosenStars::galerkin_share() const {
+    const auto count = std::count(galerkin.begin(), galerkin.end(), true);
+    return galerkin.empty() ? 0 : static_cast<double>(count) / static_cast<double>(galerkin.size());
+}
+
+} // namespace polydec

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/forms/star.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// Where Hodge stars come from. On flat cells inner products of constant forms are exact for
+/// galerkin and hybrid ones in every degree, for all others in degrees 0 and n.
+enum class StarKind {
+    circumcentric, ///< dual over primal volume: diagonal, but not positive on every mesh
+    galerkin,      ///< inner products of Whitney forms, on merged cells by the lift: positive
+                   ///< definite on every mesh; diagonal for k = n alone
+    hybrid,        ///< n = 2: galerkin on the cells beside edges whose dual is not positive and on
+                   ///< as many around them as make it definite, circumcentric on all others
+    barycentric,   ///< diagonal and positive, duals between centroids. Inconsistent for 0 < k < n:
+                   ///< linear functions have no exact fluxes, which need not converge
+    automatic,     ///< circumcentric if every dual is positive; else hybrid for n = 2, and for all
+                   ///< other n galerkin for 0 < k < n and barycentric for k = 0
+    own            ///< handed over: none that could be asked for
+};
+
+/// "circumcentric", "galerkin" ..
+const char* name(StarKind kind);
+
+struct ChosenStars {
+    HodgeStars stars;
+    StarKind kind; ///< what automatic has become
+    /// Of each n-cell whether it has Galerkin's stars: then a dual 0-form has its value at the
+    /// centroid, else at the circumcenter.
+    std::vector<bool> galerkin;
+
+    ChosenStars(const HodgeStars& stars, StarKind kind, std::vector<bool> galerkin);
+
+    /// Without Galerkin's.
+    explicit ChosenStars(const HodgeStars& stars, StarKind kind = StarKind::own);
+
+    /// How many of the n-cells these are, 0 to 1.
+    double galerkin_share() const;
+};
+
+} // namespace polydec
