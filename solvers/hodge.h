@@ -20,7 +20,8 @@ struct HodgeParts {
 /// Decomposes forms of one side and degree with one factorization for each part. The normal
 /// equations of d, whose kernel is large, are solved on a largest regular minor of d (see
 /// regular_minor), where they are positive definite; so all that is needed is that the star of
-/// these forms is positive, and no Betti number need be known.
+/// these forms is positive, and no Betti number need be known. Those of the coexact part invert the
+/// star; where it is a matrix, copotential and part are found together (see SaddleSolver).
 ///
 /// On the whole complex the exact part of a primal form is orthogonal to coclosed forms that do not
 /// flow through the boundary, that of a dual form to all coclosed ones. For other conditions hand
@@ -46,15 +47,12 @@ public:
     DenseMatrix harmonic_forms() const;
 
 private:
-    class Projection; // onto the range of a matrix, orthogonal in the inner product
+    struct Parts;
 
     CellComplex complex_;
     Side side_;
     int degree_, k_;
-    Vector mass_;                        // star_k / unit_
-    double unit_ = 1;                    // a power of 4 by which squares of the mass are numbers
-    std::vector<Index> faces_, cofaces_; // the cells of the regular minors
-    std::unique_ptr<Projection> exact_, coexact_;
+    std::unique_ptr<Parts> parts_;
 };
 
 /// The decomposition by a solver made for it.

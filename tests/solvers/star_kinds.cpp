@@ -7,7 +7,6 @@
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/heat.h"
-#include "solvers/hodge.h"
 #include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
 #include "solvers/spectra/spectrum.h"
@@ -165,7 +164,6 @@ TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
     const std::string lacking = "a diagonal star of";
     EXPECT_EQ(refusal([&] { PoissonSolver(stars, {.side = Side::dual}); }).find(lacking), 0U);
     EXPECT_EQ(refusal([&] { PoissonSolver(stars, {.conductivity = ones}); }).find(lacking), 0U);
-    EXPECT_EQ(refusal([&] { HodgeSolver(stars, Side::primal, 1); }).find(lacking), 0U);
     EXPECT_EQ(refusal([&] { Leapfrog(stars, 1, 1e-3); }).find(lacking), 0U);
 }
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/saddle_solver.h"
+
+#include "backends/registry.h"
+#include "base/checks.h"
+#include "base/errors.h"
+#include "base/row_sum_norm.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+/// The diagonal below M, of rows whose D diag(M)^-1 D^T has diagonal 1. Pivots of this size cost
+/// half of the digits, and refinement gives them back; parts of c are refined by this over their
+/// eigenvalue, which are the squared frequencies of the mesh over the largest.
+constexpr double below = 1e-8;
+
+/// 1 over the roots of the diagonals of M and of D diag(M)^-1 D^T.
+Vector scales_of(const SparseMatrix& M, const SparseMatrix& D) {
+    check_as_many("columns of constraints", D.cols(), M.rows());
+    Vector result(M.rows() + D.rows());
+    for (Index i = 0; i < M.rows(); ++i)
+        result[i] = 1 / std::sqrt(M.coeff(i, i));
+    for (Index row = 0; row < D.rows(); ++row) {
+        double sum = 0;
+        for (SparseMatrix::InnerIterator entry(D, row); entry; ++entry)
+            sum += std::pow(entry.value() * result[entry.col()], 2);
+        result[M.rows() + row] = sum > 0 ? 1 / std::sqrt(sum) : 1;
+    }
+    return result;
+}
+
+/// M above, D below, D^T beside, scaled; `diagonal` below M.
+SparseMatrix saddle(const SparseMatrix& M, const SparseMatrix& D, const Vector& scales,
+                    double diagonal) {
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    entries.reserve(M.nonZeros() + 2 * D.nonZeros() + D.rows());
+    const auto size = static_cast<Index>(M.rows());
+    for (Index i = 0; i < size; ++i)
+        for (SparseMatrix::InnerIterator entry(M, i); entry; ++entry)
+            entries.emplace_back(i, entry.col(), scales[i] * scales[entry.col()] * entry.value());
+    for (Index row = 0; row < D.rows(); ++row) {
+        const Index i = size + row;
+        for (SparseMatrix::InnerIterator entry(D, row); entry; ++entry) {
+            const double value = scales[i] * scales[entry.col()] * entry.value();
+            entries.emplace_back(i, entry.col(), value);
+            entries.emplace_back(entry.col(), i, value);
+        }
+        if (diagonal != 0)
+            entries.emplace_back(i, i, diagonal);
+    }
+    SparseMatrix result(scales.size(), scales.size());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+} // namespace
+
+SaddleSolver::SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const std::string& engine,
+                           int domain_dimension)
+    : scales_(scales_of(M, D)),
+      A_(saddle(M, D, scales_, 0)),
+      size_(static_cast<Index>(M.rows())),
+      solver_(make_linear_solver(engine)) {
+    if (!scales_.allFinite())
+        throw InvalidInput("a matrix is given as inner products whose diagonal is not positive: "
+                           "expected a positive definite one");
+    solver_->factorize(saddle(M, D, scales_, -below), {.symmetry = Symmetry::symmetric,
+                                                       .domain_dimension = domain_dimension,
+                                                       .many_solves = true});
+    // on what D takes to 0, M decides on the signs
+    if (const auto negative = solver_->negative_pivots(); negative && *negative != D.rows())
+        throw InvalidInput(fmt::format("a matrix is given as inner products that has {} negative "
+                                       "eigenvalues: expected a positive definite one",
+                                       *negative - D.rows()));
+}
+
+SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g) const {
+    check_as_many("values of the upper right-hand side", f.size(), size_);
+    check_as_many("values of the lower right-hand side", g.size(), A_.rows() - size_);
+    Vector b(A_.rows());
+    b << f, g;
+    b = b.cwiseProduct(scales_);
+    Vector y = Vector::Zero(b.size()), left = b;
+    const double norm = row_sum_norm(A_);
+    constexpr int most = 50;
+    constexpr double rounding = std::numeric_limits<double>::epsilon();
+    double error = b.isZero(0) ? 0 : 1, before = 2 * error;
+    for (int pass = 0; pass < most && error > rounding && error < 0.8 * before; ++pass) {
+        const Vector better = y + solver_->solve(left);
+        const Vector rest = b - A_ * better;
+        const double next = rest.lpNorm<Eigen::Infinity>() /
+                            (norm * better.lpNorm<Eigen::Infinity>() + b.lpNorm<Eigen::Infinity>());
+        before = error;
+        if (!(next < error))
+            break;
+        error = next;
+        y = better;
+        left = rest;
+    }
+    SolveReport report = solver_->report();
+    report.backward_error = error;
+    report.residual = b.isZero(0) ? 0 : left.norm() / b.norm();
+    constexpr double limit = 1e-10;
+    if (!(error <= limit))
+        throw SolverFailure(fmt::format("{}: the solution of a mixed problem is not to be trusted: "
+                                        "backward error {:.2g}\nThe matrix of the inner products "
+                                        "is nearly singular, or its data contradict each other.",
+                                        report.engine, error),
+                            report);
+    const Vector solution = y.cwiseProduct(scales_);
+    return {solution.head(size_), solution.tail(g.size()), report};
+}
+
+} // namespace polydec

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backends/linear_solver.h"
+
+#include <memory>
+#include <string>
+
+namespace polydec {
+
+/// x and c with M x + D^T c = f and D x = g: of all x with D x = g the one whose x^T M x / 2 - f^T
+/// x is least. M is symmetric positive definite and need not be diagonal, so that D M^-1 D^T, which
+/// c alone would obey, is dense; the rows of D may depend on each other, and c is determined up to
+/// what D^T takes to 0.
+///
+/// The matrix of both is indefinite, and a factorization that does not exchange rows may meet zeros
+/// in it. With a small negative diagonal below M it meets none in any order (it is quasi-definite),
+/// and a few steps of refinement, the method of multipliers, lead back to the equations as they
+/// are.
+/// Source: Vanderbei 1995 (quasi-definite); Friedlander, Orban 2012 (refinement).
+/// An object is used by one thread at a time.
+class SaddleSolver {
+public:
+    /// Throws InvalidInput if M is seen to have negative eigenvalues; what the engine throws where
+    /// it fails.
+    SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const std::string& engine,
+                 int domain_dimension);
+
+    struct Values {
+        Vector x, c;
+        SolveReport report;
+    };
+
+    /// Throws SolverFailure if there is no such x: for a g that D does not give.
+    Values solve(const Vector& f, const Vector& g) const;
+
+private:
+    Vector scales_;  // by which rows and columns are multiplied, so that diagonals are 1
+    SparseMatrix A_; // so scaled, without the diagonal below M
+    Index size_;     // of x
+    std::unique_ptr<LinearSolver> solver_;
+};
+
+} // namespace polydec

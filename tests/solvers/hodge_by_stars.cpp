@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+//
+// Hodge decompositions and harmonic forms by stars that are no diagonal.
+#include "complex/homology.h"
+#include "dec/forms/boundary_conditions.h"
+#include "dec/operators.h"
+#include "meshes/generate.h"
+#include "solvers/hodge.h"
+#include "tests/solvers/star_samples.h"
+#include "tests/support/glued.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+constexpr double rounding = 1e-10;
+
+class HodgeByStars : public OverMeshes {
+protected:
+    /// Calls law(complex, stars, k) for cells and simplices, relative to the boundary too, with
+    /// stars of every kind and every degree.
+    template <class Law>
+    void for_all(Law law) const {
+        for (const auto& [title, mesh, chosen] : with_star_kinds(mesh_named(GetParam()))) {
+            const auto relative = relative_to_boundary(mesh.complex());
+            const HodgeStars restricted = relative_stars(relative, mesh.stars());
+            for (int k = 0; k <= mesh.dimension(); ++k) {
+                SCOPED_TRACE(title + ", k = " + std::to_string(k));
+                law(mesh.complex(), mesh.stars(), k);
+                if (relative.complex.size(k) > 0 &&
+                    relative.complex.size(k) < mesh.complex().size(k)) {
+                    SCOPED_TRACE("relative to the boundary");
+                    law(relative.complex, restricted, k);
+                }
+            }
+        }
+    }
+};
+
+TEST_P(HodgeByStars, parts_are_orthogonal_and_have_their_potentials) {
+    for_all([](const CellComplex& complex, const HodgeStars& stars, int k) {
+        const int n = complex.dimension();
+        for (const Side side : {Side::primal, Side::dual}) {
+            const int degree = side == Side::primal ? k : n - k;
+            const Cochain w{side, degree, random_vector(complex.size(k), 1)};
+            const auto parts = hodge_decomposition(complex, stars, w);
+            const double square = inner_product(complex, stars, w, w);
+            const auto product = [&](const Cochain& a, const Cochain& b) {
+                return std::abs(inner_product(complex, stars, a, b)) / square;
+            };
+            EXPECT_LE(product(parts.exact, parts.coexact), rounding);
+            EXPECT_LE(product(parts.exact, parts.harmonic), rounding);
+            EXPECT_LE(product(parts.coexact, parts.harmonic), rounding);
+            EXPECT_LE(relative_difference((parts.exact + parts.coexact + parts.harmonic).values,
+                                          w.values),
+                      rounding);
+            if (degree > 0) {
+                EXPECT_LE((d(complex, parts.potential).values - parts.exact.values).norm(),
+                          rounding * w.values.norm());
+            }
+            if (degree < n) {
+                const Vector expected = star(complex, stars, parts.coexact).values;
+                EXPECT_LE((d(complex, parts.copotential).values - expected).norm(),
+                          rounding * star(complex, stars, w).values.norm());
+            }
+        }
+    });
+}
+
+TEST_P(HodgeByStars, harmonic_forms_are_as_many_as_betti_numbers_say) {
+    for_all([](const CellComplex& complex, const HodgeStars& stars, int k) {
+        const int n = complex.dimension();
+        const HodgeStar star = stars[k];
+        const DenseMatrix H = harmonic_forms(complex, stars, Side::primal, k);
+        ASSERT_EQ(H.cols(), betti_numbers(complex)[k]);
+        EXPECT_EQ(harmonic_forms(complex, stars, Side::dual, n - k).cols(), H.cols());
+        const HodgeSolver solver(complex, stars, Side::primal, k);
+        const DenseMatrix masses = star.matrix() * H;
+        EXPECT_LE((H.transpose() * masses - DenseMatrix::Identity(H.cols(), H.cols())).norm(),
+                  rounding * static_cast<double>(H.cols()));
+        for (Index i = 0; i < H.cols(); ++i) {
+            const Vector flux = derivative(complex, k - 1).transpose() * Vector(masses.col(i));
+            EXPECT_LE(flux.norm(), rounding * masses.col(i).norm());
+            EXPECT_LE((derivative(complex, k) * Vector(H.col(i))).norm(),
+                      rounding * H.col(i).norm());
+            const auto parts = solver.decompose({Side::primal, k, H.col(i)});
+            EXPECT_LE((parts.harmonic.values - H.col(i)).norm(), rounding * H.col(i).norm());
+        }
+    });
+}
+
+TEST_P(HodgeByStars, exact_and_coexact_forms_have_no_other_part) {
+    for_all([](const CellComplex& complex, const HodgeStars& stars, int k) {
+        const HodgeSolver solver(complex, stars, Side::primal, k);
+        if (k > 0) {
+            const Vector da = derivative(complex, k - 1) * random_vector(complex.size(k - 1), 2);
+            const auto parts = solver.decompose({Side::primal, k, da});
+            EXPECT_LE((parts.exact.values - da).norm(), rounding * da.norm());
+        }
+        if (k < complex.dimension()) {
+            const Vector delta =
+                codifferential(complex, stars, k + 1) * random_vector(complex.size(k + 1), 3);
+            const auto parts = solver.decompose({Side::primal, k, delta});
+            EXPECT_LE((parts.coexact.values - delta).norm(), rounding * delta.norm());
+        }
+    });
+}
+
+POLYDEC_OVER_MESHES(HodgeByStars);
+
+TEST(HodgeByOtherStars, parts_are_orthogonal_in_their_own_inner_product_alone) {
+    const auto mesh = discretize(shaken(grid(6, 6), 0.42, 3));
+    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    const auto other = choose_stars(mesh, StarKind::barycentric).stars;
+    ASSERT_FALSE(stars[1].is_diagonal());
+    const Cochain w{Side::primal, 1, random_vector(mesh.complex().size(1), 1)};
+    const auto parts = hodge_decomposition(mesh.complex(), stars, w);
+    EXPECT_GT(std::abs(inner_product(mesh.complex(), other, parts.exact, parts.coexact)),
+              1e-3 * inner_product(mesh.complex(), other, w, w));
+}
+
+/// Stars of the same cells measured in another unit.
+TEST(HodgeByOtherStars, parts_of_cells_of_every_size_are_the_same) {
+    const auto mesh = discretize(shaken(kuhn(3, 2), 0.3, 3));
+    const auto& complex = mesh.complex();
+    const auto chosen = choose_stars(mesh, StarKind::galerkin).stars;
+    const Cochain w{Side::primal, 1, random_vector(complex.size(1), 1)};
+    const auto here = hodge_decomposition(complex, chosen, w);
+    for (const double factor : {0x1p-300, 0x1p300}) {
+        const auto stars = chosen.with(1, factor * chosen[1].matrix());
+        const auto there = hodge_decomposition(complex, stars, w);
+        EXPECT_LE(relative_difference(there.exact.values, here.exact.values), rounding);
+        EXPECT_LE(relative_difference(there.coexact.values, here.coexact.values), rounding);
+        EXPECT_LE(relative_difference(there.copotential.values / factor, here.copotential.values),
+                  1e-6); // but for what d takes to 0
+        EXPECT_EQ(harmonic_forms(complex, stars, Side::primal, 1).cols(), 0);
+    }
+}
+
+TEST(HodgeByOtherStars, refuse_a_matrix_that_is_not_definite) {
+    const auto mesh = discretize(grid(2, 2));
+    SparseMatrix M(mesh.complex().size(1), mesh.complex().size(1));
+    M.setIdentity();
+    M.coeffRef(0, 1) = M.coeffRef(1, 0) = 2;
+    const auto stars = mesh.stars().with(1, M);
+    EXPECT_NE(refusal([&] {
+                  HodgeSolver(mesh.complex(), stars, Side::primal, 1);
+              }).find("negative eigenvalue"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/choose_stars.h"
+#include "tests/support/families.h"
+
+#include <string>
+#include <vector>
+
+namespace polydec::test {
+
+struct StarSample {
+    std::string name;
+    Discretization mesh;
+    ChosenStars chosen; ///< what its stars are
+};
+
+/// A mesh, merged and as it is, with stars of every kind that is consistent and positive.
+inline std::vector<StarSample> with_star_kinds(const Mesh& input) {
+    std::vector<StarSample> result;
+    for (const auto& [title, mesh] :
+         {std::pair{"merged", discretize(input)},
+          std::pair{"simplices", discretize(input, {.criterion = MergeCriterion::none})}})
+        for (const StarKind kind : {StarKind::galerkin, StarKind::hybrid, StarKind::automatic}) {
+            if ((kind == StarKind::hybrid) != (mesh.dimension() == 2) && kind != StarKind::galerkin)
+                continue; // automatic ones of surfaces are hybrid
+            auto chosen = choose_stars(mesh, kind);
+            result.push_back({std::string(title) + ", " + name(kind), mesh.with_stars(chosen.stars),
+                              std::move(chosen)});
+        }
+    return result;
+}
+
+} // namespace polydec::test
