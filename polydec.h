@@ -49,6 +49,7 @@
 #include "dec/forms/side.h"
 #include "dec/forms/star.h"
 #include "dec/forms/star_kind.h"
+#include "dec/material_stars.h"
 #include "dec/merging/facet_kinds.h"
 #include "dec/merging/lift.h"
 #include "dec/merging/merge.h"

@@ -53,6 +53,72 @@ SparseMatrix part(const SparseMatrix& A, const std::vector<Index>& list) {
 
 } // namespace
 
+FreeComponents::FreeComponents(const SparseMatrix& graph, const std::vector<bool>& fixed,
+                               const std::vector<bool>& tied, Vector weights)
+    : weights_(std::move(weights)) {
+    normalize(weights_);
+    const auto n = static_cast<Index>(graph.rows());
+    DisjointSets sets(n);
+    std::vector<bool> held = tied;
+    for (Index i = 0; i < n; ++i)
+        for (SparseMatrix::InnerIterator entry(graph, i); entry; ++entry) {
+            const auto j = static_cast<Index>(entry.col());
+            if (entry.value() == 0 || fixed[i])
+                continue;
+            if (fixed[j])
+                held[i] = true;
+            else
+                sets.join(i, j);
+        }
+
+    std::vector<bool> held_root(n, false);
+    for (Index i = 0; i < n; ++i)
+        if (held[i] && !fixed[i])
+            held_root[sets.find(i).element] = true;
+    std::vector<Index> number(n, -1);
+    component_.assign(n, -1);
+    Index count = 0;
+    for (Index i = 0; i < n; ++i) {
+        const Index root = sets.find(i).element;
+        if (fixed[i] || held_root[root])
+            continue;
+        if (number[root] < 0)
+            number[root] = count++;
+        component_[i] = number[root];
+    }
+    weights_of_all_ = Vector::Zero(count);
+    for (Index i = 0; i < n; ++i)
+        if (const Index c = component_[i]; c >= 0)
+            weights_of_all_[c] += weights_[i];
+}
+
+Compatibility FreeComponents::balance(Vector& b) const {
+    Vector sum = Vector::Zero(count()), size = sum;
+    for (Index i = 0; i < b.size(); ++i)
+        if (const Index c = component_[i]; c >= 0) {
+            sum[c] += b[i];
+            size[c] += std::abs(b[i]);
+        }
+    Compatibility compatibility{count(), 0};
+    for (Index c = 0; c < count(); ++c)
+        if (size[c] > 0)
+            compatibility.worst = std::max(compatibility.worst, std::abs(sum[c]) / size[c]);
+    for (Index i = 0; i < b.size(); ++i)
+        if (const Index c = component_[i]; c >= 0)
+            b[i] -= sum[c] * weights_[i] / weights_of_all_[c];
+    return compatibility;
+}
+
+void FreeComponents::remove_means(Vector& u) const {
+    Vector mean = Vector::Zero(count());
+    for (Index i = 0; i < u.size(); ++i)
+        if (const Index c = component_[i]; c >= 0)
+            mean[c] += weights_[i] * u[i] / weights_of_all_[c];
+    for (Index i = 0; i < u.size(); ++i)
+        if (const Index c = component_[i]; c >= 0)
+            u[i] -= mean[c];
+}
+
 ConstrainedSolver::ConstrainedSolver(ConstrainedSystem&& system, const std::string& engine)
     : solver_(make_linear_solver(engine)) {
     SparseMatrix A; // what moves would be copied
@@ -60,15 +126,14 @@ ConstrainedSolver::ConstrainedSolver(ConstrainedSystem&& system, const std::stri
     system_ = std::move(system);
     system_.A.swap(A);
     check_sizes(system_);
-    normalize(system_.weights);
-    find_components();
+    components_ = {system_.A, system_.fixed, system_.tied, system_.weights};
 
     // one unknown of each free component is set to zero for the time being
-    std::vector<bool> grounded(free_components_, false);
+    std::vector<bool> grounded(components_.count(), false);
     for (Index i = 0; i < system_.A.rows(); ++i) {
         if (system_.fixed[i])
             continue;
-        const Index component = component_[i];
+        const Index component = components_.of(i);
         if (component < 0 || grounded[component])
             unknowns_.push_back(i);
         else
@@ -82,54 +147,11 @@ ConstrainedSolver::ConstrainedSolver(ConstrainedSystem&& system, const std::stri
     solver_->factorize(part(system_.A, unknowns_), facts);
 }
 
-/// Components of the graph of A among the unknowns that are not fixed; those that touch a fixed or
-/// tied unknown are regular and get no number.
-void ConstrainedSolver::find_components() {
-    const auto n = static_cast<Index>(system_.A.rows());
-    DisjointSets sets(n);
-    std::vector<bool> held = system_.tied;
-    for (Index i = 0; i < n; ++i)
-        for (SparseMatrix::InnerIterator entry(system_.A, i); entry; ++entry) {
-            const auto j = static_cast<Index>(entry.col());
-            if (entry.value() == 0 || system_.fixed[i])
-                continue;
-            if (system_.fixed[j])
-                held[i] = true;
-            else
-                sets.join(i, j);
-        }
-
-    std::vector<bool> held_root(n, false);
-    for (Index i = 0; i < n; ++i)
-        if (held[i] && !system_.fixed[i])
-            held_root[sets.find(i).element] = true;
-    std::vector<Index> number(n, -1);
-    component_.assign(n, -1);
-    for (Index i = 0; i < n; ++i) {
-        const Index root = sets.find(i).element;
-        if (system_.fixed[i] || held_root[root])
-            continue;
-        if (number[root] < 0)
-            number[root] = free_components_++;
-        component_[i] = number[root];
-    }
-}
-
 Solution<DenseMatrix> ConstrainedSolver::solve_all(const DenseMatrix& b,
                                                    const DenseMatrix& fixed_values) const {
     check_as_many("columns of fixed values", fixed_values.cols(), b.cols());
-    Solution<DenseMatrix> all{DenseMatrix(system_.A.rows(), b.cols()), {}, {}};
-    for (Eigen::Index j = 0; j < b.cols(); ++j) {
-        auto [u, report, compatibility] = solve(Vector(b.col(j)), Vector(fixed_values.col(j)));
-        all.values.col(j) = u;
-        report.iterations = std::max(report.iterations, all.report.iterations);
-        report.residual = std::max(report.residual, all.report.residual);
-        report.backward_error = std::max(report.backward_error, all.report.backward_error);
-        compatibility.worst = std::max(compatibility.worst, all.compatibility.worst);
-        all.report = std::move(report);
-        all.compatibility = compatibility;
-    }
-    return all;
+    return by_columns(
+        b, [&](Index j) { return solve(Vector(b.col(j)), Vector(fixed_values.col(j))); });
 }
 
 Solution<Vector> ConstrainedSolver::solve(const Vector& b, const Vector& fixed_values) const {
@@ -141,37 +163,19 @@ Solution<Vector> ConstrainedSolver::solve(const Vector& b, const Vector& fixed_v
     if (!b.allFinite() || !fixed_values.allFinite())
         throw InvalidInput("right-hand side or fixed values of a constrained system are not "
                            "finite: scale the data");
-    Vector sum = Vector::Zero(free_components_), size = sum, weight = sum, mean = sum;
-    for (Index i = 0; i < n; ++i)
-        if (const Index c = component_[i]; c >= 0) {
-            sum[c] += b[i];
-            size[c] += std::abs(b[i]);
-            weight[c] += system_.weights[i];
-        }
-    Compatibility compatibility{free_components_, 0};
-    for (Index c = 0; c < free_components_; ++c)
-        if (size[c] > 0)
-            compatibility.worst = std::max(compatibility.worst, std::abs(sum[c]) / size[c]);
-
     Vector u = Vector::Zero(n);
     for (Index i = 0; i < n; ++i)
         if (system_.fixed[i])
             u[i] = fixed_values[i];
+    // no free component has a fixed neighbor, so there it is b
     Vector right_side = b - system_.A * u;
-    for (Index i = 0; i < n; ++i)
-        if (const Index c = component_[i]; c >= 0)
-            right_side[i] -= sum[c] * system_.weights[i] / weight[c];
+    const Compatibility compatibility = components_.balance(right_side);
 
     const Vector reduced = right_side(unknowns_);
     const Vector solution = solver_->solve(reduced);
     u(unknowns_) = solution;
 
-    for (Index i = 0; i < n; ++i)
-        if (const Index c = component_[i]; c >= 0)
-            mean[c] += system_.weights[i] * u[i] / weight[c];
-    for (Index i = 0; i < n; ++i)
-        if (const Index c = component_[i]; c >= 0)
-            u[i] -= mean[c];
+    components_.remove_means(u);
     if (!u.allFinite())
         throw SolverFailure("the solution has values that are not finite: data or weights leave "
                             "the range of numbers; scale them");

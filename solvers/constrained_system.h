@@ -3,8 +3,10 @@
 
 #include "backends/linear_solver.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polydec {
@@ -12,10 +14,10 @@ namespace polydec {
 /// A symmetric system A u = b in which some unknowns are prescribed and whose remaining part may be
 /// singular: on every connected component that nothing ties down, u is free up to a constant.
 struct ConstrainedSystem {
-    SparseMatrix A;
-    std::vector<bool> fixed; ///< unknowns whose value is prescribed
-    std::vector<bool> tied;  ///< unknowns that boundary data in A tie down without fixing them
-    Vector weights;          ///< positive; the mean on a free component is weighted by these
+    SparseMatrix A = {};
+    std::vector<bool> fixed = {}; ///< unknowns whose value is prescribed
+    std::vector<bool> tied = {};  ///< unknowns that boundary data in A tie down without fixing them
+    Vector weights = {};          ///< positive; the mean on a free component is weighted by these
     Definiteness definiteness = Definiteness::indefinite; ///< of A where nothing is fixed
     int domain_dimension = 0;
 };
@@ -26,6 +28,31 @@ struct Compatibility {
     double worst = 0; ///< largest |sum of b| / sum |b| over them; removed before solving
 };
 
+/// The connected components of unknowns on which a solution is free up to a constant: those of the
+/// graph of a matrix that touch no fixed or tied unknown.
+class FreeComponents {
+public:
+    FreeComponents() = default;
+    FreeComponents(const SparseMatrix& graph, const std::vector<bool>& fixed,
+                   const std::vector<bool>& tied, Vector weights);
+
+    Index count() const { return static_cast<Index>(weights_of_all_.size()); }
+    /// -1 where nothing is free.
+    Index of(Index unknown) const { return component_[unknown]; }
+
+    /// Takes from a right-hand side what no solution can give: its sum on each component, shared
+    /// out by the weights.
+    Compatibility balance(Vector& b) const;
+
+    /// Makes the weighted mean on each component 0.
+    void remove_means(Vector& u) const;
+
+private:
+    std::vector<Index> component_; // of unknowns
+    Vector weights_;
+    Vector weights_of_all_; // of components
+};
+
 /// What a solve gives, and how it went; of several systems, a column each, the worst.
 template <class Values>
 struct Solution {
@@ -33,6 +60,24 @@ struct Solution {
     SolveReport report;
     Compatibility compatibility;
 };
+
+/// The solutions for as many columns as b has, of the size of its own: solve(j) is that of column
+/// j.
+template <class Solve>
+Solution<DenseMatrix> by_columns(const DenseMatrix& b, Solve solve) {
+    Solution<DenseMatrix> all{DenseMatrix(b.rows(), b.cols()), {}, {}};
+    for (Index j = 0; j < b.cols(); ++j) {
+        auto [u, report, compatibility] = solve(j);
+        all.values.col(j) = u;
+        report.iterations = std::max(report.iterations, all.report.iterations);
+        report.residual = std::max(report.residual, all.report.residual);
+        report.backward_error = std::max(report.backward_error, all.report.backward_error);
+        compatibility.worst = std::max(compatibility.worst, all.compatibility.worst);
+        all.report = std::move(report);
+        all.compatibility = compatibility;
+    }
+    return all;
+}
 
 /// Solves constrained systems with one factorization. On free components the part of b that no u
 /// can give (its sum, shared out by the weights) is removed, and the weighted mean of u is 0.
@@ -51,12 +96,9 @@ public:
     Solution<DenseMatrix> solve_all(const DenseMatrix& b, const DenseMatrix& fixed_values) const;
 
 private:
-    void find_components();
-
     ConstrainedSystem system_;
-    std::vector<Index> unknowns_;  // those solved for
-    std::vector<Index> component_; // of each unknown, -1 if fixed or tied down
-    Index free_components_ = 0;
+    std::vector<Index> unknowns_; // those solved for
+    FreeComponents components_;
     std::unique_ptr<LinearSolver> solver_;
 };
 

@@ -2,6 +2,7 @@
 #include "solvers/darcy.h"
 
 #include "dec/forms/derivative.h"
+#include "solvers/mixed_poisson.h"
 
 #include <utility>
 
@@ -35,6 +36,8 @@ DarcySolver::DarcySolver(const CellComplex& complex, const CellVolumes& volumes,
 DarcyFlow DarcySolver::solve(const Vector& source, const Vector& pressures,
                              const Vector& outflow) const {
     const int n = complex_.dimension();
+    if (poisson_.mixed_)
+        return mixed_flow(source, pressures, outflow);
     const auto [p, report, compatibility] = poisson_.solve(source, pressures, -outflow);
     const SparseMatrix divergence = derivative(complex_, n - 1);
     const Vector &areas = volumes_.primal(n - 1), &weights = poisson_.facet_weights();
@@ -65,6 +68,18 @@ DarcyFlow DarcySolver::solve(const Vector& source, const Vector& pressures,
             flux[f] = cell.value() * missing[cell.col()] * open[f] / room[cell.col()];
         }
     return {{Side::dual, 0, p}, {Side::primal, n - 1, std::move(flux)}, report, compatibility};
+}
+
+DarcyFlow DarcySolver::mixed_flow(const Vector& source, const Vector& pressures,
+                                  const Vector& outflow) const {
+    const int n = complex_.dimension();
+    poisson_.check(source, pressures, -outflow);
+    auto flow = poisson_.mixed_->solve(volumes_.primal(n).cwiseProduct(source), pressures,
+                                       volumes_.primal(n - 1).cwiseProduct(outflow));
+    return {{Side::dual, 0, std::move(flow.values)},
+            {Side::primal, n - 1, std::move(flow.flux)},
+            std::move(flow.report),
+            flow.compatibility};
 }
 
 } // namespace polydec

@@ -8,7 +8,7 @@ namespace polydec {
 
 /// Pressure and flux of a flow through a porous medium.
 struct DarcyFlow {
-    Cochain pressure; ///< dual 0-form: at the circumcenters of the n-cells
+    Cochain pressure; ///< dual 0-form: at sites() of the n-cells
     Cochain flux;     ///< primal (n-1)-form: through the facets, as they are oriented
     SolveReport report;
     Compatibility compatibility;
@@ -29,7 +29,7 @@ public:
     DarcySolver(const CellComplex& complex, const HodgeStars& stars,
                 const PoissonOptions& options = {});
 
-    /// Places of cells and of facets: circumcenters.
+    /// Places of cells and of facets: circumcenters, or centroids as PoissonSolver tells.
     const Points& sites() const { return poisson_.sites(); }
     const Points& facet_sites() const { return poisson_.flux_sites(); }
 
@@ -40,6 +40,9 @@ public:
 private:
     DarcySolver(const CellComplex& complex, const CellVolumes& volumes, PoissonSolver poisson,
                 const BoundaryConditions& conditions);
+
+    DarcyFlow mixed_flow(const Vector& source, const Vector& pressures,
+                         const Vector& outflow) const;
 
     PoissonSolver poisson_;
     CellComplex complex_;

@@ -18,30 +18,6 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 
-/// Dual 0-forms are functions only where every facet separates at most two cells that agree on its
-/// sides.
-void check_two_sided(const CellComplex& complex, const FacetDuals& duals) {
-    const int n = complex.dimension();
-    const auto& counts = complex.coface_counts(n - 1);
-    const auto branching =
-        std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
-    if (branching != counts.end())
-        throw InvalidInput(fmt::format("{} cells meet at {}, so the flux through it is not a "
-                                       "difference of two values: solve "
-                                       "for primal 0-forms",
-                                       *branching,
-                                       duals.named(static_cast<Index>(branching - counts.begin()))),
-                           duals.place(static_cast<Index>(branching - counts.begin())));
-    const Vector sums = complex.boundary(n).cast<double>() * Vector::Ones(complex.size(n)).eval();
-    for (Index f = 0; f < sums.size(); ++f)
-        if (counts[f] == 2 && sums[f] != 0)
-            throw InvalidInput(fmt::format("the mesh is non-orientable, so dual 0-forms change "
-                                           "sign around it, at {}: solve "
-                                           "for primal 0-forms",
-                                           duals.named(f)),
-                               duals.place(f));
-}
-
 void check_fluxes_are_defined(const CellComplex& complex, const HodgeStars& stars,
                               const FacetDuals& duals) {
     const int n = complex.dimension();
@@ -77,20 +53,45 @@ void average_rows(SparseMatrix& matrix) {
 
 } // namespace
 
+void check_two_sided(const CellComplex& complex, const FacetDuals& duals) {
+    const int n = complex.dimension();
+    const auto& counts = complex.coface_counts(n - 1);
+    const auto branching =
+        std::find_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
+    if (branching != counts.end())
+        throw InvalidInput(fmt::format("{} cells meet at {}, so the flux through it is not a "
+                                       "difference of two values: solve "
+                                       "for primal 0-forms",
+                                       *branching,
+                                       duals.named(static_cast<Index>(branching - counts.begin()))),
+                           duals.place(static_cast<Index>(branching - counts.begin())));
+    const Vector sums = complex.boundary(n).cast<double>() * Vector::Ones(complex.size(n)).eval();
+    for (Index f = 0; f < sums.size(); ++f)
+        if (counts[f] == 2 && sums[f] != 0)
+            throw InvalidInput(fmt::format("the mesh is non-orientable, so dual 0-forms change "
+                                           "sign around it, at {}: solve "
+                                           "for primal 0-forms",
+                                           duals.named(f)),
+                               duals.place(f));
+}
+
 FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars) {
     const int facets = complex.dimension() - 1;
     const CellVolumes& volumes = stars.volumes();
-    stars[facets].require_diagonal();
-    return {volumes.dual(facets), volumes.terms(facets),
-            boundary_facets_without_dual(complex, volumes),
-            [star = stars[facets]](Index f) { return "facet " + star.numbers({f}); },
-            [star = stars[facets]](Index f) { return star.place({f}); }};
+    FacetDuals duals;
+    duals.named = [star = stars[facets]](Index f) { return "facet " + star.numbers({f}); };
+    duals.place = [star = stars[facets]](Index f) { return star.place({f}); };
+    if (stars[facets].is_diagonal()) {
+        duals.resistances = volumes.dual(facets);
+        duals.terms = volumes.terms(facets);
+        duals.missing = boundary_facets_without_dual(complex, volumes);
+    }
+    return duals;
 }
 
 FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
     const int n = mesh.dimension();
     FacetDuals duals = facet_duals(mesh.complex(), mesh.stars());
-    duals.missing = boundary_facets_without_dual(mesh);
     duals.named = [mesh, n](Index facet) {
         return fmt::format("facet {} (vertices {})", facet,
                            fmt::join(cell_vertices(mesh, n - 1, facet), ", "));
@@ -99,6 +100,9 @@ FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
         return Error::Place{
             .degree = n - 1, .cells = {facet}, .vertices = cell_vertices(mesh, n - 1, facet)};
     };
+    if (!mesh.stars()[n - 1].is_diagonal())
+        return duals;
+    duals.missing = boundary_facets_without_dual(mesh);
     if (conductivity.size() == 0)
         return duals;
     // piece by piece, as resistances in series add up

@@ -18,7 +18,7 @@ struct FacetDuals {
     std::function<Error::Place(Index)> place; ///< the same for programs
 };
 
-/// Those of any cells, of conductivity 1.
+/// Those of any cells, of conductivity 1; names alone where the star is a matrix.
 FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars);
 
 /// Those of a discretization: conductivity is kappa of each merged n-cell; empty: 1.
@@ -33,9 +33,14 @@ struct DualFluxes {
     SparseMatrix fix;        ///< boundary values to the values of fixed cells, cells x facets
 };
 
+/// Throws InvalidInput, naming a facet, if the cells are not coherently oriented or branch: dual
+/// 0-forms are functions only where every facet separates at most two cells that agree on its
+/// sides.
+void check_two_sided(const CellComplex& complex, const FacetDuals& duals);
+
 /// The fluxes of a dual 0-form: |f| over the resistance of f. Facets of the natural boundary
-/// conduct nothing. Throws InvalidInput, naming a facet, if the cells are not coherently oriented
-/// or branch, or if an interior resistance is zero.
+/// conduct nothing. Throws InvalidInput like check_two_sided, and, naming a facet, if an interior
+/// resistance is zero.
 DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, const FacetDuals& duals,
                        const CellMarks& essential);
 

@@ -7,6 +7,7 @@
 #include "dec/forms/laplacian.h"
 #include "dec/metric/dual_parts.h"
 #include "solvers/dual_fluxes.h"
+#include "solvers/mixed_poisson.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -73,7 +74,9 @@ Vector natural_facets(const CellComplex& complex, const CellMarks& essential) {
     return result;
 }
 
-void check_conductivity(const CellComplex& complex, const Vector& conductivity) {
+/// star is that which tells how cells conduct.
+void check_conductivity(const CellComplex& complex, const HodgeStar& star,
+                        const Vector& conductivity) {
     const int n = complex.dimension();
     if (conductivity.size() != 0 && conductivity.size() != complex.size(n))
         throw InvalidInput(fmt::format("{} conductivities are given: expected one for each of the "
@@ -85,6 +88,12 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
                                            "positive number",
                                            n, cell, conductivity[cell]),
                                {.degree = n, .cells = {cell}});
+    if (conductivity.size() != 0 && !star.is_diagonal())
+        throw InvalidInput(fmt::format("conductivities are given beside a star of {}-cells that is "
+                                       "a matrix, of which the cells' parts are not known: make "
+                                       "the star of them (material_star)",
+                                       star.degree()),
+                           {.degree = star.degree()});
 }
 
 /// What connects the unknowns, and what is known of it.
@@ -143,7 +152,6 @@ Stiffness stiffness(const CellComplex& complex, const HodgeStars& stars) {
 Stiffness stiffness(const Discretization& mesh, const Vector& conductivity) {
     if (conductivity.size() == 0)
         return stiffness(mesh.complex(), mesh.stars());
-    mesh.stars()[1].require_diagonal(); // parts of a matrix in cells are not known
     return by_weights(mesh.complex(), edge_weights(mesh, conductivity));
 }
 
@@ -179,13 +187,14 @@ SparseMatrix shares_of_vertices(const CellComplex& complex, const HodgeStars& st
 
 /// The equations, and where their data are.
 struct PoissonSolver::Problem {
-    Side side;
-    ConstrainedSystem system;
-    SparseMatrix mass;
-    Vector facet_weights;
-    SparseMatrix boundary_load, boundary_fix, flux_load;
-    Points sites, flux_sites;
-    std::string engine;
+    Side side = Side::primal;
+    ConstrainedSystem system = {};
+    SparseMatrix mass = {};
+    Vector facet_weights = {};
+    SparseMatrix boundary_load = {}, boundary_fix = {}, flux_load = {};
+    Points sites = {}, flux_sites = {};
+    std::string engine = {};
+    std::unique_ptr<MixedPoisson> mixed = nullptr; // in place of the system and of loads
 
     /// shares() are what vertices have of facets.
     template <class Shares>
@@ -219,6 +228,8 @@ struct PoissonSolver::Problem {
         const int n = complex.dimension();
         const auto essential = essential_cells(complex, options.boundary);
         const CellVolumes& volumes = stars.volumes();
+        if (!stars[n - 1].is_diagonal())
+            return mixed_dual(complex, stars, options, duals, essential[n - 1]);
         auto fluxes = dual_fluxes(complex, stars, duals, essential);
         const Vector areas = natural_facets(complex, essential).cwiseProduct(volumes.primal(n - 1));
         return {Side::dual,
@@ -235,17 +246,34 @@ struct PoissonSolver::Problem {
                 options.linear_solver};
     }
 
+    /// With fluxes as unknowns; flux_load are the areas through which they flow.
+    static Problem mixed_dual(const CellComplex& complex, const HodgeStars& stars,
+                              const PoissonOptions& options, const FacetDuals& duals,
+                              const std::vector<bool>& essential) {
+        const int n = complex.dimension();
+        check_two_sided(complex, duals);
+        stars[n].require_diagonal();
+        const CellVolumes& volumes = stars.volumes();
+        auto mixed =
+            std::make_unique<MixedPoisson>(complex, stars, essential, options.linear_solver);
+        return {.side = Side::dual,
+                .system = {.domain_dimension = n},
+                .mass = SparseMatrix(volumes.primal(n).asDiagonal()),
+                .flux_load = SparseMatrix(volumes.primal(n - 1).asDiagonal()),
+                .mixed = std::move(mixed)};
+    }
+
     static Problem of(const Discretization& mesh, const PoissonOptions& options) {
-        check_conductivity(mesh.complex(), options.conductivity);
+        const int flows = options.side == Side::primal ? 1 : mesh.dimension() - 1;
+        check_conductivity(mesh.complex(), mesh.stars()[flows], options.conductivity);
         Problem problem = options.side == Side::primal
                               ? primal(mesh.complex(), mesh.stars(), options,
                                        stiffness(mesh, options.conductivity),
                                        [&] { return shares_of_vertices(mesh); })
                               : dual(mesh.complex(), mesh.stars(), options,
                                      facet_duals(mesh, options.conductivity));
-        const int n = mesh.dimension();
-        problem.sites = cell_centers(mesh, options.side == Side::primal ? 0 : n);
-        problem.flux_sites = cell_centers(mesh, n - 1);
+        problem.sites = options.side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
+        problem.flux_sites = facet_sites(mesh);
         return problem;
     }
 
@@ -283,7 +311,25 @@ PoissonSolver::PoissonSolver(Problem problem)
       boundary_fix_(std::move(problem.boundary_fix)),
       fixed_load_(load_of_fixed(problem.system)),
       flux_load_(std::move(problem.flux_load)),
-      solver_(std::make_unique<ConstrainedSolver>(std::move(problem.system), problem.engine)) {}
+      mixed_(std::move(problem.mixed)) {
+    if (!mixed_)
+        solver_ = std::make_unique<ConstrainedSolver>(std::move(problem.system), problem.engine);
+}
+
+PoissonSolver::PoissonSolver(PoissonSolver&&) noexcept = default;
+PoissonSolver::~PoissonSolver() = default;
+
+void PoissonSolver::check(const DenseMatrix& f, const DenseMatrix& boundary_values,
+                          const DenseMatrix& normal_derivatives) const {
+    if (f.cols() != boundary_values.cols() || f.cols() != normal_derivatives.cols())
+        throw InvalidInput(fmt::format("{} right-hand sides, boundary data for {} and normal "
+                                       "derivatives for {} problems are given: expected as many",
+                                       f.cols(), boundary_values.cols(),
+                                       normal_derivatives.cols()));
+    check_values(f, sites_, "right-hand side");
+    check_values(boundary_values, boundary_sites(), "boundary data");
+    check_values(normal_derivatives, flux_sites_, "normal derivatives");
+}
 
 Solution<Vector> PoissonSolver::solve(const Vector& f, const Vector& boundary_values) const {
     return solve(f, boundary_values, Vector::Zero(flux_sites_.rows()));
@@ -304,14 +350,15 @@ Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
 Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
                                                const DenseMatrix& boundary_values,
                                                const DenseMatrix& normal_derivatives) const {
-    if (f.cols() != boundary_values.cols() || f.cols() != normal_derivatives.cols())
-        throw InvalidInput(fmt::format("{} right-hand sides, boundary data for {} and normal "
-                                       "derivatives for {} problems are given: expected as many",
-                                       f.cols(), boundary_values.cols(),
-                                       normal_derivatives.cols()));
-    check_values(f, sites_, "right-hand side");
-    check_values(boundary_values, boundary_sites(), "boundary data");
-    check_values(normal_derivatives, flux_sites_, "normal derivatives");
+    check(f, boundary_values, normal_derivatives);
+    if (mixed_) {
+        const DenseMatrix sources = mass_ * f, outflow = -(flux_load_ * normal_derivatives);
+        return by_columns(f, [&](Index j) {
+            auto flow = mixed_->solve(sources.col(j), boundary_values.col(j), outflow.col(j));
+            return Solution<Vector>{std::move(flow.values), std::move(flow.report),
+                                    flow.compatibility};
+        });
+    }
     const DenseMatrix load = boundary_load_ * boundary_values + flux_load_ * normal_derivatives;
     const DenseMatrix right_side = mass_ * f + load;
     const DenseMatrix fixed = boundary_fix_ * boundary_values;

@@ -17,6 +17,8 @@ struct PoissonOptions {
     Vector conductivity = {}; ///< kappa > 0 of each merged n-cell; empty: 1 everywhere
 };
 
+class MixedPoisson;
+
 /// Solves -div kappa grad u = f for primal 0-forms (values at vertices) or dual 0-forms (values at
 /// the cells' circumcenters), with kappa = 1 Delta u = f, with one factorization.
 ///
@@ -29,12 +31,17 @@ struct PoissonOptions {
 /// Primal, an edge connects its ends by the parts of its dual in the n-simplices around it, each
 /// times its conductivity, over the edge's length; on triangles these are linear finite elements,
 /// whatever was merged.
+///
+/// Dual, where star_(n-1) is a matrix, u and its fluxes are found together (see MixedPoisson): no
+/// facet needs a dual, and a linear u comes out exactly on every flat mesh by Galerkin's and hybrid
+/// stars. Values then stand at centroids where the star couples facets (see dual_sites).
+/// Conductivities of stars that are matrices belong to these (see material_star).
 /// An object is used by one thread at a time.
 class PoissonSolver {
 public:
     /// Throws InvalidInput, naming the facets, if dual 0-forms are asked for on a complex that is
     /// non-orientable or branching, or where an interior dual has no length, or if the conditions
-    /// do not fit the facets.
+    /// do not fit the facets; for conductivities beside a star that is a matrix.
     PoissonSolver(const Discretization& mesh, const PoissonOptions& options = {});
 
     /// On any cells with any stars, whose places are not known: tables of sites have no columns.
@@ -44,13 +51,17 @@ public:
     PoissonSolver(const CellComplex& complex, const HodgeStars& stars,
                   const PoissonOptions& options = {});
 
-    /// Where f has its values, one row of coordinates each: vertices or circumcenters of n-cells.
+    PoissonSolver(PoissonSolver&&) noexcept;
+    ~PoissonSolver();
+
+    /// Where f has its values, one row of coordinates each: vertices, or of n-cells circumcenters
+    /// or centroids.
     const Points& sites() const& { return sites_; }
     /// Where boundary values are asked for: vertices (those off the boundary do not matter), or
-    /// circumcenters of facets (those with two cofaces do not matter).
+    /// those of facets (those with two cofaces do not matter).
     const Points& boundary_sites() const& { return side_ == Side::primal ? sites_ : flux_sites_; }
-    /// Where normal derivatives are asked for: circumcenters of facets (only those with a natural
-    /// condition matter).
+    /// Where normal derivatives are asked for: circumcenters of facets, or their centroids where
+    /// the star is a matrix (only those with a natural condition matter).
     const Points& flux_sites() const& { return flux_sites_; }
     Points sites() && { return std::move(sites_); }
     Points boundary_sites() && { return boundary_sites(); }
@@ -69,12 +80,16 @@ public:
     Solution<DenseMatrix> solve_all(const DenseMatrix& f, const DenseMatrix& boundary_values,
                                     const DenseMatrix& normal_derivatives) const;
 
-    /// Of dual 0-forms: what flows through each facet per difference of the values beside it.
+    /// Of dual 0-forms: what flows through each facet per difference of the values beside it. Empty
+    /// where star_(n-1) is a matrix.
     const Vector& facet_weights() const { return facet_weights_; }
 
 private:
+    friend class DarcySolver;
     struct Problem;
     explicit PoissonSolver(Problem problem);
+    void check(const DenseMatrix& f, const DenseMatrix& boundary_values,
+               const DenseMatrix& normal_derivatives) const;
 
     Side side_;
     int degree_; // of the cells that values belong to
@@ -85,7 +100,8 @@ private:
     SparseMatrix boundary_fix_;  // boundary values to fixed unknowns
     SparseMatrix fixed_load_;    // fixed unknowns to right-hand side, for those that are not
     SparseMatrix flux_load_;     // normal derivatives to right-hand side
-    std::unique_ptr<ConstrainedSolver> solver_;
+    std::unique_ptr<ConstrainedSolver> solver_; // or,
+    std::unique_ptr<MixedPoisson> mixed_;       // where fluxes are unknowns too
 };
 
 } // namespace polydec

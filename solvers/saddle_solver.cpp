@@ -66,6 +66,7 @@ SaddleSolver::SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const s
     : scales_(scales_of(M, D)),
       A_(saddle(M, D, scales_, 0)),
       size_(static_cast<Index>(M.rows())),
+      domain_dimension_(domain_dimension),
       solver_(make_linear_solver(engine)) {
     if (!scales_.allFinite())
         throw InvalidInput("a matrix is given as inner products whose diagonal is not positive: "
@@ -87,22 +88,24 @@ SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g) const
     b << f, g;
     b = b.cwiseProduct(scales_);
     Vector y = Vector::Zero(b.size()), left = b;
-    const double norm = row_sum_norm(A_);
-    constexpr int most = 50;
-    constexpr double rounding = std::numeric_limits<double>::epsilon();
-    double error = b.isZero(0) ? 0 : 1, before = 2 * error;
-    for (int pass = 0; pass < most && error > rounding && error < 0.8 * before; ++pass) {
-        const Vector better = y + solver_->solve(left);
-        const Vector rest = b - A_ * better;
-        const double next = rest.lpNorm<Eigen::Infinity>() /
-                            (norm * better.lpNorm<Eigen::Infinity>() + b.lpNorm<Eigen::Infinity>());
-        before = error;
-        if (!(next < error))
+    // corrections shrink until they are rounding, at the latest that of the residual
+    constexpr int most = 100;
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    double before = std::numeric_limits<double>::infinity();
+    for (int pass = 0; pass < most && !left.isZero(0); ++pass) {
+        const Vector step = solver_->solve(left);
+        const double size = step.lpNorm<Eigen::Infinity>();
+        if (!(size < 0.9 * before))
             break;
-        error = next;
-        y = better;
-        left = rest;
+        y += step;
+        left = b - A_ * y;
+        before = size;
+        if (size <= rounding * y.lpNorm<Eigen::Infinity>())
+            break;
     }
+    const double scale =
+        row_sum_norm(A_) * y.lpNorm<Eigen::Infinity>() + b.lpNorm<Eigen::Infinity>();
+    const double error = scale > 0 ? left.lpNorm<Eigen::Infinity>() / scale : 0;
     SolveReport report = solver_->report();
     report.backward_error = error;
     report.residual = b.isZero(0) ? 0 : left.norm() / b.norm();

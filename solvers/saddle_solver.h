@@ -34,10 +34,13 @@ public:
     /// Throws SolverFailure if there is no such x: for a g that D does not give.
     Values solve(const Vector& f, const Vector& g) const;
 
+    int domain_dimension() const { return domain_dimension_; }
+
 private:
     Vector scales_;  // by which rows and columns are multiplied, so that diagonals are 1
     SparseMatrix A_; // so scaled, without the diagonal below M
     Index size_;     // of x
+    int domain_dimension_;
     std::unique_ptr<LinearSolver> solver_;
 };
 

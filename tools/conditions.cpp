@@ -24,7 +24,7 @@ std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh
         return BoundaryConditions{BoundaryCondition::natural};
     if (!essential_where_)
         return std::nullopt;
-    const Points sites = mesh.unit() * cell_centers(mesh, mesh.dimension() - 1);
+    const Points sites = mesh.unit() * facet_sites(mesh);
     BoundaryConditions result;
     for (const double value : essential_where_->at(sites))
         result.facets.push_back(value != 0 ? BoundaryCondition::essential

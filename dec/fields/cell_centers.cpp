@@ -5,9 +5,6 @@
 #include "dec/metric/cell_volumes.h"
 #include "dec/surfaces/places.h"
 
-#include <utility>
-#include <vector>
-
 namespace polydec {
 
 namespace {
@@ -34,37 +31,28 @@ Points mean_over_cells(const Discretization& mesh, int k, const Points& coordina
     return mean_over_cells(mesh.merging(), places, mesh.piece_volumes(), k);
 }
 
+/// Whether a star has an entry between two facets of a cell.
+bool couples_facets_of(const SparseMatrix& M, const IncidenceMatrix& faces, Index cell) {
+    using Face = IncidenceMatrix::InnerIterator;
+    for (Face f(faces, cell); f; ++f) {
+        SparseMatrix::InnerIterator entry(M, f.col()); // both are in ascending order
+        for (Face g(faces, cell); g; ++g) {
+            while (entry && entry.col() < g.col())
+                ++entry;
+            if (g.col() != f.col() && entry && entry.col() == g.col() && entry.value() != 0)
+                return true;
+        }
+    }
+    return false;
+}
+
 /// The coordinates of the centroids of k-simplices.
 Points middles(const Pieces& complex, int k) {
     cell_degree(complex, Side::primal, k);
     return Points::Constant(complex.size(k), k + 1, 1.0 / (k + 1));
 }
 
-/// Marks the k-cells that have a Galerkin star's n-cell beside them, or are one.
-std::vector<bool> beside_galerkin(const Discretization& mesh, int k) {
-    std::vector<bool> marks = mesh.chosen_stars().galerkin;
-    for (int j = mesh.dimension() - 1; j >= k; --j) {
-        std::vector<bool> of_faces(static_cast<std::size_t>(mesh.complex().size(j)), false);
-        for (Index cell = 0; cell < mesh.complex().size(j + 1); ++cell)
-            for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(j), cell); f; ++f)
-                if (marks[cell])
-                    of_faces[f.col()] = true;
-        marks = std::move(of_faces);
-    }
-    return marks;
-}
-
 } // namespace
-
-Points site_coordinates(const Discretization& mesh, int k) {
-    Points result = center_coordinates(mesh.pieces(), mesh.metric(), mesh.options().centers, k);
-    const auto marks = beside_galerkin(mesh, k);
-    for (Index cell = 0; cell < mesh.complex().size(k); ++cell)
-        for (IncidenceMatrix::InnerIterator piece(mesh.merging().diamond(k), cell); piece; ++piece)
-            if (marks[cell])
-                result.row(piece.col()).setConstant(1.0 / (k + 1));
-    return result;
-}
 
 Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
                     int k) {
@@ -78,7 +66,9 @@ Points cell_centers(const Discretization& discretization, int k) {
     cell_degree(discretization.complex(), Side::primal, k);
     if (discretization.points().cols() == 0)
         return Points(discretization.complex().size(k), 0);
-    return mean_over_cells(discretization, k, site_coordinates(discretization, k));
+    return mean_over_cells(discretization, k,
+                           center_coordinates(discretization.pieces(), discretization.metric(),
+                                              discretization.options().centers, k));
 }
 
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
@@ -92,6 +82,36 @@ Points cell_centroids(const Merging& merging, const Points& points, const CellVo
 Points cell_centroids(const Discretization& discretization, int k) {
     require_points(discretization.points().cols(), "a cell's centroid");
     return mean_over_cells(discretization, k, middles(discretization.pieces(), k));
+}
+
+Points site_coordinates(const Discretization& discretization) {
+    const int n = discretization.dimension();
+    Points result = center_coordinates(discretization.pieces(), discretization.metric(),
+                                       discretization.options().centers, n);
+    if (n == 0 || discretization.stars()[n - 1].is_diagonal())
+        return result;
+    const SparseMatrix M = discretization.stars()[n - 1].matrix();
+    const IncidenceMatrix& faces = discretization.complex().coboundary(n - 1);
+    const IncidenceMatrix& pieces = discretization.merging().diamond(n);
+    for (Index cell = 0; cell < faces.rows(); ++cell)
+        if (couples_facets_of(M, faces, cell))
+            for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
+                result.row(piece.col()).setConstant(1.0 / (n + 1));
+    return result;
+}
+
+Points dual_sites(const Discretization& discretization) {
+    const int n = discretization.dimension();
+    if (discretization.points().cols() == 0)
+        return cell_centers(discretization, n);
+    return mean_over_cells(discretization, n, site_coordinates(discretization));
+}
+
+Points facet_sites(const Discretization& discretization) {
+    const int n = discretization.dimension();
+    return discretization.stars()[n - 1].is_diagonal() || discretization.points().cols() == 0
+               ? cell_centers(discretization, n - 1)
+               : cell_centroids(discretization, n - 1);
 }
 
 } // namespace polydec

@@ -18,15 +18,23 @@ Points cell_centers(const Merging& merging, const Points& points, const CellVolu
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
                       int k);
 
-/// The same on the cells of a bundle, where cells with Galerkin's stars (see ChosenStars), and
-/// their faces, have their centroids for centers; centers where only lengths are known have as many
-/// rows without coordinates. After intrinsic flips they are places on the triangles of the input,
-/// where centers and centroids of the flipped ones are found on the surface; centers beyond its
-/// boundary go on as the corners of the last triangle lie.
+/// The same on the cells of a bundle; centers where only lengths are known have as many rows
+/// without coordinates. After intrinsic flips they are places on the triangles of the input, where
+/// centers and centroids of the flipped ones are found on the surface; centers beyond its boundary
+/// go on as the corners of the last triangle lie.
 Points cell_centers(const Discretization& discretization, int k);
 Points cell_centroids(const Discretization& discretization, int k);
 
-/// Barycentric coordinates of these centers in each k-piece: k + 1 in a row.
-Points site_coordinates(const Discretization& discretization, int k);
+/// Where values of dual 0-forms are, by the stars of a bundle: the centroids of the n-cells whose
+/// facets star_(n-1) couples, as Galerkin's does, and the centers of all others; so that a linear
+/// function, taken there, has the fluxes that the stars make of it. Throws like the above.
+Points dual_sites(const Discretization& discretization);
+
+/// The barycentric coordinates of these sites, or of the centers, in each n-piece: n + 1 in a row.
+Points site_coordinates(const Discretization& discretization);
+
+/// Where values on the boundary and through it are: the centroids of the (n-1)-cells where
+/// star_(n-1) is a matrix, else their centers.
+Points facet_sites(const Discretization& discretization);
 
 } // namespace polydec

@@ -177,7 +177,7 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
         const bool is_site = j == 0; // integrals over duals are those of the volumes
         return places.at(
             i,
-            is_site ? site_coordinates(mesh, i)
+            is_site ? site_coordinates(mesh)
                     : center_coordinates(mesh.pieces(), mesh.metric(), mesh.options().centers, i),
             mesh.points());
     };

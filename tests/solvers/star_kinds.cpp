@@ -162,8 +162,8 @@ TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
     const auto stars = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
     const Vector ones = Vector::Ones(mesh.complex().size(3));
     const std::string lacking = "a diagonal star of";
-    EXPECT_EQ(refusal([&] { PoissonSolver(stars, {.side = Side::dual}); }).find(lacking), 0U);
-    EXPECT_EQ(refusal([&] { PoissonSolver(stars, {.conductivity = ones}); }).find(lacking), 0U);
+    EXPECT_NE(refusal([&] { PoissonSolver(stars, {.conductivity = ones}); }).find("material_star"),
+              std::string::npos);
     EXPECT_EQ(refusal([&] { Leapfrog(stars, 1, 1e-3); }).find(lacking), 0U);
 }
 

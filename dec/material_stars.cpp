@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "dec/material_stars.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+#include "dec/metric/whitney.h"
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+SparseMatrix lifted(const Discretization& mesh, int k, const SparseMatrix& W) {
+    const SparseMatrix& S = mesh.lift()[k];
+    return SparseMatrix(S.transpose()) * W * S;
+}
+
+DenseMatrix inverse(const DenseMatrix& tensor, int n, Index cell) {
+    if (tensor.rows() == n && tensor.cols() == n && tensor.allFinite() &&
+        (tensor - tensor.transpose()).norm() <= 1e-12 * tensor.norm())
+        if (const Eigen::LLT<DenseMatrix> factors(tensor); factors.info() == Eigen::Success)
+            return factors.solve(DenseMatrix::Identity(n, n));
+    throw InvalidInput(fmt::format("the conductivity of {1}-cell {2} is a {3} x {4} matrix: "
+                                   "expected a symmetric positive definite one of {0} x {0}",
+                                   n, n, cell, tensor.rows(), tensor.cols()),
+                       {.degree = n, .cells = {cell}});
+}
+
+void check_in_place(const Discretization& mesh) {
+    if (!mesh.passage().is_identity() || mesh.points().cols() != mesh.dimension())
+        throw InvalidInput(fmt::format("conductivities that depend on the direction need a flat "
+                                       "mesh of {0}-cells in {0} coordinates, without flips: give "
+                                       "a number for each cell",
+                                       mesh.dimension()));
+}
+
+/// Inner products by G of the fluxes (x - a_i) / (n |t|) of a simplex, a_i its corners: those at
+/// the centroid g, and what the corners' second moments about it add.
+DenseMatrix flux_products(const Points& corners, const DenseMatrix& G, double volume) {
+    const auto n = static_cast<double>(corners.cols());
+    const DenseMatrix out = corners.rowwise() - corners.colwise().mean();
+    const double moments = (out * G * out.transpose()).trace() / ((n + 1) * (n + 2));
+    return (out * G * out.transpose() + DenseMatrix::Constant(out.rows(), out.rows(), moments)) /
+           (n * n * volume);
+}
+
+} // namespace
+
+SparseMatrix material_star(const Discretization& mesh, int k, const Vector& weights) {
+    const int n = mesh.dimension();
+    check_number("a star of degree", k, 0, n);
+    check_as_many(fmt::format("weights of {}-cells", n), weights.size(), mesh.complex().size(n));
+    for (Index cell = 0; cell < weights.size(); ++cell)
+        if (!(weights[cell] > 0 && std::isfinite(weights[cell])))
+            throw InvalidInput(fmt::format("the weight of {}-cell {} is {}: expected a positive "
+                                           "number",
+                                           n, cell, weights[cell]),
+                               {.degree = n, .cells = {cell}});
+    const auto& carriers = mesh.merging().carriers(n);
+    Vector of_pieces(carriers.size());
+    for (std::size_t t = 0; t < carriers.size(); ++t)
+        of_pieces[static_cast<Index>(t)] = weights[carriers[t].cell];
+    return lifted(mesh, k, whitney_mass(mesh.pieces(), mesh.metric(), k, of_pieces));
+}
+
+SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors) {
+    const int n = mesh.dimension();
+    check_in_place(mesh);
+    check_as_many(fmt::format("conductivities of {}-cells", n), std::ssize(tensors),
+                  mesh.complex().size(n));
+    const Pieces& K = mesh.pieces();
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    entries.reserve(K.size(n) * (n + 1) * (n + 1));
+    for (Index t = 0; t < K.size(n); ++t) {
+        const Index cell = mesh.merging().carriers(n)[t].cell;
+        Points corners(n + 1, n);
+        for (int i = 0; i <= n; ++i)
+            corners.row(i) = mesh.points().row(K.simplices(n)(t, i));
+        const DenseMatrix M = flux_products(corners, inverse(tensors[cell], n, cell),
+                                            mesh.piece_volumes().primal(n)[t]);
+        // face i, without corner i, has the sign (-1)^i where flux leaves
+        for (int i = 0; i <= n; ++i)
+            for (int j = 0; j <= n; ++j)
+                entries.emplace_back(K.face(n, t, i), K.face(n, t, j),
+                                     ((i + j) % 2 == 0 ? 1 : -1) * M(i, j));
+    }
+    SparseMatrix W(K.size(n - 1), K.size(n - 1));
+    W.setFromTriplets(entries.begin(), entries.end());
+    return lifted(mesh, n - 1, W);
+}
+
+} // namespace polydec

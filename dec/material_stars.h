@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// Galerkin's star of k-forms of a material: the inner products of Whitney forms, on merged cells
+/// by the lift, each n-cell's times its weight. size(k) x size(k), units those of the star. With
+/// the conductivity as the weight of 1-forms Laplace's equation of primal 0-forms becomes div kappa
+/// grad; with its inverse as that of (n-1)-forms, that of dual 0-forms and Darcy's:
+/// mesh.with_stars(mesh.stars().with(k, material_star(mesh, k, weights))).
+/// Throws InvalidInput, naming the cell, for a weight that is not positive, and for another number
+/// of them.
+SparseMatrix material_star(const Discretization& mesh, int k, const Vector& weights);
+
+/// The same of (n-1)-forms by a conductivity that depends on the direction: a symmetric positive
+/// definite n x n tensor for each n-cell, whose inverse is the weight.
+/// Source: Raviart, Thomas 1977.
+/// Throws InvalidInput, naming the cell, for other tensors, and unless the mesh is flat (n x n), in
+/// place (not flipped) and of known points.
+SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors);
+
+} // namespace polydec

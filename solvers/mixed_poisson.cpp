@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/mixed_poisson.h"
+
+#include "base/errors.h"
+#include "dec/forms/derivative.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+std::vector<Index> facets_of_unknown_flux(const CellComplex& complex,
+                                          const std::vector<bool>& essential) {
+    const auto& counts = complex.coface_counts(complex.dimension() - 1);
+    std::vector<Index> result;
+    for (Index f = 0; f < complex.size(complex.dimension() - 1); ++f)
+        if (counts[f] != 1 || essential[f])
+            result.push_back(f);
+    return result;
+}
+
+/// The columns of some facets: their values to those of all.
+SparseMatrix inclusion(const std::vector<Index>& facets, Index size) {
+    SparseMatrix result(size, static_cast<Index>(facets.size()));
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        entries.emplace_back(facets[i], i, 1.0);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+Vector outward_signs(const CellComplex& complex) {
+    const int n = complex.dimension();
+    Vector result = Vector::Zero(complex.size(n - 1));
+    for (Index cell = 0; cell < complex.size(n); ++cell)
+        for (IncidenceMatrix::InnerIterator f(complex.coboundary(n - 1), cell); f; ++f)
+            if (complex.coface_counts(n - 1)[f.col()] == 1)
+                result[f.col()] = f.value();
+    return result;
+}
+
+SaddleSolver saddle_solver(const SparseMatrix& M, const SparseMatrix& divergence,
+                           const std::vector<Index>& facets, const std::string& engine, int n) {
+    const SparseMatrix P = inclusion(facets, static_cast<Index>(M.rows()));
+    return {SparseMatrix(SparseMatrix(P.transpose()) * M * P), divergence * P, engine, n};
+}
+
+/// Cells are connected through facets of unknown flux, and tied by those of known values.
+FreeComponents components(const CellComplex& complex, const HodgeStars& stars,
+                          const std::vector<bool>& essential, const SparseMatrix& divergence,
+                          const std::vector<Index>& facets) {
+    const int n = complex.dimension();
+    const SparseMatrix sides =
+        SparseMatrix(divergence * inclusion(facets, complex.size(n - 1))).cwiseAbs();
+    std::vector<bool> tied(complex.size(n), false);
+    for (Index cell = 0; cell < complex.size(n); ++cell)
+        for (IncidenceMatrix::InnerIterator f(complex.coboundary(n - 1), cell); f; ++f)
+            if (essential[f.col()])
+                tied[cell] = true;
+    return {sides * SparseMatrix(sides.transpose()), std::vector<bool>(complex.size(n), false),
+            std::move(tied), stars.volumes().primal(n)};
+}
+
+void check_finite(const Vector& values, const char* what, int degree) {
+    for (Index i = 0; i < values.size(); ++i)
+        if (!std::isfinite(values[i]))
+            throw InvalidInput(
+                fmt::format("{} at {}-cell {} is {}: data times volumes leave the range of "
+                            "numbers there; divide all data by a power of two, and multiply the "
+                            "solution by it",
+                            what, degree, i, values[i]),
+                {.degree = degree, .cells = {i}});
+}
+
+} // namespace
+
+MixedPoisson::MixedPoisson(const CellComplex& complex, const HodgeStars& stars,
+                           const std::vector<bool>& essential, const std::string& engine)
+    : divergence_(derivative(complex, complex.dimension() - 1)),
+      M_(stars[complex.dimension() - 1].matrix()),
+      outward_(outward_signs(complex)),
+      essential_(essential),
+      unknown_(facets_of_unknown_flux(complex, essential)),
+      solver_(saddle_solver(M_, divergence_, unknown_, engine, complex.dimension())),
+      components_(components(complex, stars, essential, divergence_, unknown_)) {}
+
+MixedPoisson::Flow MixedPoisson::solve(const Vector& sources, const Vector& boundary_values,
+                                       const Vector& outflow) const {
+    Vector flux = outward_.cwiseProduct(outflow), given = Vector::Zero(outward_.size());
+    flux(unknown_).setZero();
+    for (Index f = 0; f < given.size(); ++f)
+        if (essential_[f])
+            given[f] = -outward_[f] * boundary_values[f];
+    const int n = solver_.domain_dimension();
+    const Vector drops = given - M_ * flux;
+    Vector left = sources - divergence_ * flux;
+    check_finite(drops, "the right-hand side of a flux", n - 1);
+    check_finite(left, "the right-hand side of the balance", n);
+    const Compatibility compatibility = components_.balance(left);
+    auto [x, c, report] = solver_.solve(drops(unknown_), left);
+    flux(unknown_) = x;
+    Vector values = -c;
+    components_.remove_means(values);
+    return {std::move(values), std::move(flux), std::move(report), compatibility};
+}
+
+} // namespace polydec
