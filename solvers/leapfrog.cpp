@@ -4,13 +4,16 @@
 #include "backends/registry.h"
 #include "base/checks.h"
 #include "base/errors.h"
+#include "base/random.h"
 #include "dec/advice.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
 #include "solvers/spectra/positive_mass.h"
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,16 +38,56 @@ void check_stars(const CellComplex& complex, const HodgeStars& stars, int k) {
                            stars[k + 1].place(negative));
 }
 
+/// The largest eigenvalue of star_k^-1 d^T star_(k+1) d by Lanczos' iteration in the inner product
+/// of star_k, which needs no root of it, with every basis vector made orthogonal to all before. To
+/// the last Ritz value is added how far the nearest eigenvalue may be from it.
+/// Source: Parlett, The Symmetric Eigenvalue Problem, 1998, sec. 15.11.
+double largest_eigenvalue(const SparseMatrix& d, const HodgeStar& star, const HodgeStar& upper) {
+    constexpr Index most = 400;
+    constexpr double tolerance = 1e-8;
+    const SparseMatrix d_transposed = d.transpose();
+    const Index size = star.size(), last = std::min(most, size);
+    DenseMatrix V(size, last), MV(size, last), T = DenseMatrix::Zero(last, last);
+    Vector next(size);
+    Noise(1).fill(next);
+    double norm = std::sqrt(next.dot(star * next));
+    for (Index j = 0; j < last; ++j) {
+        V.col(j) = next / norm;
+        MV.col(j) = star * Vector(V.col(j));
+        if (j > 0)
+            T(j, j - 1) = T(j - 1, j) = norm;
+        next = star.solve(d_transposed * (upper * Vector(d * V.col(j))));
+        T(j, j) = next.dot(MV.col(j));
+        for (int pass = 0; pass < 2; ++pass)
+            next -= V.leftCols(j + 1) * Vector(MV.leftCols(j + 1).transpose() * next);
+        norm = std::sqrt(std::max(0.0, next.dot(star * next)));
+
+        // an invariant subspace, or all there is
+        const bool is_whole = j + 1 == size || norm <= 1e-14 * T.cwiseAbs().maxCoeff();
+        if (j % 8 != 7 && j + 1 < last && !is_whole)
+            continue;
+        const Eigen::SelfAdjointEigenSolver<DenseMatrix> ritz(T.topLeftCorner(j + 1, j + 1));
+        const double value = ritz.eigenvalues()[j];
+        const double residual = norm * std::abs(ritz.eigenvectors()(j, j));
+        if (is_whole || residual <= tolerance * value)
+            return value + residual;
+    }
+    throw SolverFailure("the largest frequency of the waves could not be found: Lanczos' "
+                        "iteration did not converge");
+}
+
 } // namespace
 
 double stable_step(const CellComplex& complex, const HodgeStars& stars, int k) {
     check_stars(complex, stars, k);
     const SparseMatrix d = derivative(complex, k);
+    if (d.nonZeros() == 0)
+        return std::numeric_limits<double>::infinity();
+    if (!stars[k].is_diagonal() || !stars[k + 1].is_diagonal())
+        return 2 / std::sqrt(largest_eigenvalue(d, stars[k], stars[k + 1]));
     const SparseMatrix d_transposed = d.transpose();
     const Vector root = stars[k].diagonal().cwiseSqrt().cwiseInverse();
     const Vector upper = stars[k + 1].diagonal();
-    if (d.nonZeros() == 0)
-        return std::numeric_limits<double>::infinity();
     const SymmetricOperator A{complex.size(k), [&](const Vector& x, Vector& y) {
                                   const Vector curl = d * root.cwiseProduct(x);
                                   y = root.cwiseProduct(d_transposed * upper.cwiseProduct(curl));
@@ -57,7 +100,7 @@ double stable_step(const CellComplex& complex, const HodgeStars& stars, int k) {
 }
 
 Leapfrog::Leapfrog(const CellComplex& complex, const HodgeStars& stars, int k, double time_step)
-    : time_step_(time_step) {
+    : star_(stars[k]), upper_mass_(Operator::zero(0, 0)), time_step_(time_step) {
     const double limit = stable_step(complex, stars, k);
     if (!(time_step > 0 && time_step < limit))
         throw InvalidInput(fmt::format("a time step of {:.6g} is given: expected one above 0 and "
@@ -65,8 +108,9 @@ Leapfrog::Leapfrog(const CellComplex& complex, const HodgeStars& stars, int k, d
                                        time_step, limit));
     d_ = derivative(complex, k);
     d_transposed_ = d_.transpose();
-    mass_ = stars[k].diagonal();
-    upper_mass_ = stars[k + 1].diagonal();
+    if (star_.is_diagonal())
+        mass_ = star_.diagonal();
+    upper_mass_ = Operator::star(stars[k + 1]);
 }
 
 void Leapfrog::check_sizes(const Vector& E, const Vector& B) const {
@@ -77,14 +121,14 @@ void Leapfrog::check_sizes(const Vector& E, const Vector& B) const {
 void Leapfrog::step(Vector& E, Vector& B) const {
     check_sizes(E, B);
     B -= time_step_ * (d_ * E);
-    const Vector flow = d_transposed_ * upper_mass_.cwiseProduct(B);
-    E += time_step_ * flow.cwiseQuotient(mass_);
+    const Vector flow = d_transposed_ * (upper_mass_ * B);
+    E += time_step_ * (star_.is_diagonal() ? Vector(flow.cwiseQuotient(mass_)) : star_.solve(flow));
 }
 
 double Leapfrog::energy(const Vector& E, const Vector& B) const {
     check_sizes(E, B);
     const Vector next = B - time_step_ * (d_ * E);
-    return (E.dot(mass_.cwiseProduct(E)) + B.dot(upper_mass_.cwiseProduct(next))) / 2;
+    return (E.dot(star_ * E) + B.dot(upper_mass_ * next)) / 2;
 }
 
 } // namespace polydec

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/discretization.h"
+#include "dec/forms/operator.h"
 
 namespace polydec {
 
@@ -11,7 +12,8 @@ namespace polydec {
 /// edges and the magnetic flux through faces; on a merged Kuhn grid it is exactly the scheme of Yee
 /// 1966. For k = 0 it is the scalar wave equation in any dimension. On a complex relative to its
 /// boundary E vanishes there (a perfect conductor, a clamped membrane: Dirichlet for k = 0), else
-/// nothing flows out (Neumann).
+/// nothing flows out (Neumann). A star_k that is a matrix is factorized once, and each step solves
+/// with it.
 class Leapfrog {
 public:
     /// Throws InvalidInput if there is no degree k < n, if star_k is not positive or star_(k+1) has
@@ -34,11 +36,14 @@ private:
     void check_sizes(const Vector& E, const Vector& B) const;
 
     SparseMatrix d_, d_transposed_;
-    Vector mass_, upper_mass_;
+    HodgeStar star_;
+    Vector mass_; // its diagonal; empty if it is a matrix
+    Operator upper_mass_;
     double time_step_;
 };
 
 /// 2 / sqrt of the largest eigenvalue of delta d on k-forms: steps must be shorter. Units length.
+/// Where star_k or star_(k+1) is a matrix, by Lanczos' iteration in the inner product of star_k.
 /// Throws InvalidInput like Leapfrog; infinity if d is zero.
 double stable_step(const CellComplex& complex, const HodgeStars& stars, int k);
 inline double stable_step(const Discretization& mesh, int k) {

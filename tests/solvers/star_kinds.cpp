@@ -7,7 +7,6 @@
 #include "dec/forms/laplacian.h"
 #include "meshes/generate.h"
 #include "solvers/heat.h"
-#include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/families.h"
@@ -161,10 +160,8 @@ TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
     const auto mesh = discretize(shaken(kuhn(3, 2), 0.25, 3));
     const auto stars = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
     const Vector ones = Vector::Ones(mesh.complex().size(3));
-    const std::string lacking = "a diagonal star of";
     EXPECT_NE(refusal([&] { PoissonSolver(stars, {.conductivity = ones}); }).find("material_star"),
               std::string::npos);
-    EXPECT_EQ(refusal([&] { Leapfrog(stars, 1, 1e-3); }).find(lacking), 0U);
 }
 
 } // namespace

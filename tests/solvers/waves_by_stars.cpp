@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+//
+// Waves by stars that are no diagonal.
+#include "dec/fields/de_rham.h"
+#include "dec/forms/boundary_conditions.h"
+#include "dec/operators.h"
+#include "meshes/generate.h"
+#include "solvers/leapfrog.h"
+#include "tests/solvers/star_samples.h"
+#include "tests/support/glued.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+class WavesByStars : public OverMeshes {
+protected:
+    /// Calls law(mesh, k) for cells and simplices with stars of every kind and every degree that
+    /// has waves, where a star is a matrix and there are few cells.
+    template <class Law>
+    void for_all(Law law) const {
+        for (const auto& [title, mesh, chosen] : with_star_kinds(mesh_named(GetParam())))
+            for (int k = 0; k < mesh.dimension(); ++k) {
+                const auto& stars = mesh.stars();
+                if (derivative(mesh, k).nonZeros() == 0 || mesh.complex().size(k) > 300 ||
+                    (stars[k].is_diagonal() && stars[k + 1].is_diagonal()))
+                    continue;
+                SCOPED_TRACE(title + ", k = " + std::to_string(k));
+                law(mesh, k);
+            }
+    }
+
+    static Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> modes(const Discretization& mesh,
+                                                                       int k) {
+        const DenseMatrix d(derivative(mesh, k)), M(mesh.stars()[k].matrix());
+        const DenseMatrix A = d.transpose() * DenseMatrix(mesh.stars()[k + 1].matrix()) * d;
+        return Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix>(A, M);
+    }
+};
+
+TEST_P(WavesByStars, keep_their_energy) {
+    for_all([](const Discretization& mesh, int k) {
+        const Leapfrog waves(mesh, k, 0.9 * stable_step(mesh, k));
+        Vector E = random_vector(mesh.complex().size(k), 1),
+               B = random_vector(mesh.complex().size(k + 1), 2);
+        const double before = waves.energy(E, B);
+        EXPECT_GT(before, 0);
+        for (int i = 0; i < 200; ++i)
+            waves.step(E, B);
+        EXPECT_NEAR(waves.energy(E, B), before, 1e-11 * before);
+    });
+}
+
+/// Leapfrog steps turn an eigenform of eigenvalue lambda by the angle whose cosine is
+/// 1 - lambda dt^2 / 2.
+TEST_P(WavesByStars, swing_eigenforms_in_their_frequency_up_to_the_largest_step) {
+    for_all([](const Discretization& mesh, int k) {
+        const auto eigen = modes(mesh, k);
+        const Index last = static_cast<Index>(eigen.eigenvalues().size()) - 1;
+        const double largest = eigen.eigenvalues()[last], limit = stable_step(mesh, k);
+        EXPECT_NEAR(limit, 2 / std::sqrt(largest), 1e-6 * limit);
+        EXPECT_LE(limit, 2 / std::sqrt(largest) * (1 + 1e-9));
+        const double dt = 0.7 * limit;
+        const Leapfrog waves(mesh, k, dt);
+        for (const Index i : {last, last / 2}) {
+            const Vector form = eigen.eigenvectors().col(i);
+            Vector E = form, B = dt / 2 * (derivative(mesh, k) * form);
+            const double angle = std::acos(1 - eigen.eigenvalues()[i] * dt * dt / 2);
+            for (int j = 0; j < 10; ++j)
+                waves.step(E, B);
+            EXPECT_LE((E - std::cos(10 * angle) * form).norm(), 1e-8 * form.norm());
+            EXPECT_GT((E - std::cos(10 * angle + 1) * form).norm(), 1e-2 * form.norm());
+        }
+    });
+}
+
+POLYDEC_OVER_MESHES(WavesByStars);
+
+TEST(WavesByOtherStars, keep_another_energy) {
+    const auto mesh = discretize(shaken(kuhn(3, 2), 0.3, 3));
+    EXPECT_NE(refusal([&] { Leapfrog(mesh, 1, 1e-3); }), "accepted");
+    const auto by = [&](StarKind kind) { return mesh.with_stars(choose_stars(mesh, kind).stars); };
+    const auto galerkin = by(StarKind::galerkin), other = by(StarKind::barycentric);
+    const double dt = 0.5 * std::min(stable_step(galerkin, 1), stable_step(other, 1));
+    const Leapfrog waves(galerkin, 1, dt), twin(other, 1, dt);
+    Vector E = random_vector(mesh.complex().size(1), 1),
+           B = random_vector(mesh.complex().size(2), 2);
+    const double before = twin.energy(E, B);
+    for (int i = 0; i < 50; ++i)
+        waves.step(E, B);
+    EXPECT_GT(std::abs(twin.energy(E, B) - before), 1e-3 * before);
+    EXPECT_NE(refusal([&] {
+                  Leapfrog(galerkin, 1, 1.01 * stable_step(galerkin, 1));
+              }).find("beyond which waves grow"),
+              std::string::npos);
+}
+
+/// Frequencies of a conducting box that Galerkin's stars find on obtuse tets: pi sqrt 2, thrice.
+TEST(WavesByOtherStars, of_a_cavity_have_its_frequency) {
+    const auto mesh = discretize(shaken(kuhn(3, 4), 0.1, 3));
+    const auto relative = relative_to_boundary(mesh.complex());
+    const auto stars = relative_stars(relative, choose_stars(mesh, StarKind::galerkin).stars);
+    const double dt = 0.5 * stable_step(relative.complex, stars, 1);
+    const Leapfrog waves(relative.complex, stars, 1, dt);
+    // sin(pi x) sin(pi y) dz
+    const auto form = de_rham(
+        mesh, 1, circulation_form([](const Vector& x) {
+            return Vector(Eigen::Vector3d(0, 0, std::sin(M_PI * x[0]) * std::sin(M_PI * x[1])));
+        }));
+    const Vector start = relative.restrict(1, form.values);
+    Vector E = start, B = dt / 2 * (derivative(relative.complex, 1) * start);
+    double time = 0, before = 1;
+    const double square = start.dot(stars[1] * start);
+    while (time < 1) {
+        waves.step(E, B);
+        time += dt;
+        const double now = start.dot(stars[1] * E) / square;
+        if (now < 0) { // a quarter of the period
+            EXPECT_NEAR(time - dt * now / (now - before), 0.25 * std::sqrt(2.0), 0.02);
+            return;
+        }
+        before = now;
+    }
+    FAIL() << "no change of sign";
+}
+
+} // namespace
+} // namespace polydec::test
