@@ -68,7 +68,7 @@ public:
     explicit BadCells(const Discretization& mesh)
         : mesh_(mesh), bad_(static_cast<std::size_t>(mesh.complex().size(2)), false) {
         for (const int k : {0, 1})
-            parts_[k] = parts_of_products(mesh, k, mesh.options().centers);
+            parts_[k] = parts_of_products(mesh, k, mesh.centers());
         thirds_ = parts_of_products(mesh, 0, Centers::centroids());
         const HodgeStar edges = star(mesh.volumes(), 1);
         for (const auto& list : {edges.zeros(), edges.negatives()})

@@ -6,6 +6,7 @@
 #include "base/listed.h"
 #include "dec/choose_stars.h"
 #include "dec/merging/facet_defects.h"
+#include "dec/merging/flat_simplices.h"
 #include "dec/merging/lift.h"
 #include "dec/merging/merged_tags.h"
 #include "dec/merging/merged_volumes.h"
@@ -145,7 +146,36 @@ struct Given {
     Points isolated; // points of no cell
     Vector lengths;  // empty if there are points
     double unit;
+    FlatCellsKept flat = {};
 };
+
+/// Throws for cells without volume that are no pieces of others.
+void refuse_flat_cells(const Given& given, const Merging& merging) {
+    const auto& [complex, mesh, isolated, lengths, unit, flat] = given;
+    if (flat.rows.empty())
+        return;
+    const IncidenceMatrix& pieces = merging.diamond(complex.dimension());
+    std::vector<bool> are_alone(static_cast<std::size_t>(mesh.simplices.rows()), false);
+    for (Index t = 0; t < pieces.cols(); ++t) {
+        const Index cell = merging.carriers(complex.dimension())[t].cell;
+        are_alone[complex.input_row(t)] =
+            pieces.outerIndexPtr()[cell + 1] - pieces.outerIndexPtr()[cell] == 1;
+    }
+    FlatCellsKept alone;
+    for (std::size_t i = 0; i < flat.rows.size(); ++i)
+        if (are_alone[flat.rows[i]]) {
+            alone.rows.push_back(flat.rows[i]);
+            alone.numbers.push_back(flat.numbers[i]);
+        }
+    if (alone.rows.empty())
+        return;
+    Mesh by_number = mesh;
+    by_number.points = Points::Zero(complex.vertex_number(complex.size(0) - 1) + 1,
+                                    mesh.points.cols());
+    for (Index v = 0; v < complex.size(0); ++v)
+        by_number.points.row(complex.vertex_number(v)) = mesh.points.row(v);
+    refuse(by_number, alone);
+}
 
 /// What is measured: the simplices, or the triangles that flips make of them, and the volumes of
 /// both.
@@ -157,12 +187,15 @@ struct Measured {
 };
 
 Measured measure(Given& given, const DiscretizeOptions& options) {
-    auto& [complex, mesh, isolated, lengths, unit] = given;
+    auto& [complex, mesh, isolated, lengths, unit, flat] = given;
     const bool has_points = mesh.points.cols() > 0;
     if (options.delaunay == Delaunay::off) {
         const SimplexMetric metric =
             has_points ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths);
-        const auto volumes = dual_volumes(complex, metric, options.centers);
+        const auto volumes =
+            dual_volumes(complex, metric, options.centers,
+                         given.flat.rows.empty() ? FlatSimplices::refused
+                                                 : FlatSimplices::passed_over);
         return {Passage(complex), metric, volumes, volumes, Points()};
     }
     const Vector sides = has_points ? edge_lengths(complex, mesh.points) : lengths;
@@ -180,7 +213,7 @@ Measured measure(Given& given, const DiscretizeOptions& options) {
 }
 
 Discretization measured(Given given, DiscretizeOptions options, const Stage& stage) {
-    auto& [complex, mesh, isolated, lengths, unit] = given;
+    auto& [complex, mesh, isolated, lengths, unit, flat] = given;
     if (!options.centers.are_circumcenters()) {
         options.criterion = MergeCriterion::none;
         if (options.delaunay != Delaunay::off)
@@ -198,7 +231,12 @@ Discretization measured(Given given, DiscretizeOptions options, const Stage& sta
     begin(stage, "merge");
     const bool flips = !passage.is_identity();
     auto merged = merge_cospherical(passage.pieces(), metric, of_pieces, options, stays);
-    const auto volumes = merged_volumes(merged.merging, of_pieces);
+    refuse_flat_cells(given, merged.merging);
+    const auto volumes = merged_volumes(merged.merging, merged.volumes);
+    if (!merged.flat.empty())
+        of_input = merged.volumes; // alone, flat simplices have no duals
+    const auto centers =
+        merged.centers.are_circumcenters() ? options.centers : merged.centers;
     if (flips && !mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
     std::vector<Index> cell_tags, merged_facet_tags;
@@ -208,14 +246,23 @@ Discretization measured(Given given, DiscretizeOptions options, const Stage& sta
         merged_facet_tags = merged_tags(merged.merging, n - 1, facet_tags, mesh.warnings);
     }
     const Discretization result({std::move(mesh.points), std::move(points), std::move(passage),
-                                 std::move(merged.merging), of_input, of_pieces, volumes, options,
-                                 std::move(merged.degenerate), std::move(mesh.warnings),
+                                 std::move(merged.merging), of_input, merged.volumes, volumes,
+                                 options, std::move(merged.degenerate), std::move(mesh.warnings),
                                  std::move(cell_tags), std::move(lengths), unit,
-                                 std::move(isolated), std::move(merged_facet_tags)});
+                                 std::move(isolated), std::move(merged_facet_tags), centers,
+                                 std::move(merged.flat)});
     if (options.star == StarKind::circumcentric)
         return result;
     begin(stage, "stars");
     return result.with_stars(choose_stars(result, options.star));
+}
+
+/// Flips do away with them, and merging takes them for pieces of their neighbors' cells.
+bool can_do_with_flat_cells(const Mesh& mesh, const DiscretizeOptions& options) {
+    return options.delaunay != Delaunay::off ||
+           (options.criterion == MergeCriterion::dual_length &&
+            options.centers.are_circumcenters() &&
+            can_take_flat_simplices(mesh.dimension(), mesh.ambient_dimension()));
 }
 
 } // namespace
@@ -290,8 +337,10 @@ const std::vector<SparseMatrix>& Discretization::lift() const& {
 
 Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Stage& stage) {
     begin(stage, "complex");
-    const bool flips = options.delaunay != Delaunay::off;
-    mesh = tidy(std::move(mesh), flips ? CellsWithoutVolume::keep : CellsWithoutVolume::leave_out);
+    FlatCellsKept flat;
+    mesh = tidy(std::move(mesh), flat);
+    if (!flat.rows.empty() && !can_do_with_flat_cells(mesh, options))
+        refuse(mesh, flat);
     const double unit = unit_of_length(mesh);
     warn_of_unit(unit, mesh.warnings);
     if (unit != 1)
@@ -299,7 +348,10 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Sta
     const SimplicialComplex complex(mesh.simplices);
     Points isolated = isolated_points(complex, mesh.points);
     mesh.points = vertex_points(complex, mesh.points);
-    return measured({complex, std::move(mesh), std::move(isolated), {}, unit}, options, stage);
+    if (options.delaunay != Delaunay::off)
+        flat = {};
+    return measured({complex, std::move(mesh), std::move(isolated), {}, unit, std::move(flat)},
+                    options, stage);
 }
 
 Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options,

@@ -30,8 +30,8 @@ public:
         Points points;       ///< of those of the pieces, if edges were flipped
         Passage passage;     ///< from the simplices of the input to the pieces
         Merging merging;     ///< of the pieces
-        CellVolumes input_volumes; ///< of the simplices
-        CellVolumes piece_volumes; ///< of the pieces: the same, unless edges were flipped
+        CellVolumes input_volumes; ///< of the simplices by themselves, unless some are flat
+        CellVolumes piece_volumes; ///< of the pieces, with duals between their centers
         CellVolumes volumes;       ///< of the merged cells
         DiscretizeOptions options = {};
         DegenerateFacets degenerate = {}; ///< of the pieces; found anew without marks
@@ -41,6 +41,8 @@ public:
         double unit = 1;
         Points isolated = {};
         std::vector<Index> facet_tags = {};
+        Centers centers = options.centers;
+        std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others, or empty
     };
 
     /// Throws InvalidInput unless volumes, tags and points are those of as many cells and vertices,
@@ -88,6 +90,15 @@ public:
     /// asked for, once for all copies.
     const std::vector<SparseMatrix>& lift() const&;
     std::vector<SparseMatrix> lift() && { return lift(); }
+
+    /// Between which centers the duals of the pieces are: options().centers, but where cells have
+    /// been merged in R^n circumcenters in one place for all pieces of a cell.
+    const Centers& centers() const& { return parts_->centers; }
+    Centers centers() && { return centers(); }
+
+    /// Whether an n-piece is so flat that nothing can be told of a field from its corners, but part
+    /// of a cell with others, which tell (see flat_simplices).
+    bool is_flat(Index piece) const { return !parts_->flat.empty() && parts_->flat[piece]; }
 
     /// The simplices that were given, and the way from them to the pieces.
     const Passage& passage() const& { return parts_->passage; }

@@ -190,35 +190,26 @@ std::string remedy(const Mesh& mesh, Index cell) {
         middle, place(mesh, middle), longest.a, longest.b);
 }
 
-void leave_out_flat_cells(Sieve& sieve, CellsWithoutVolume others_may) {
+/// Leaves out those that bind no neighbors together; the others are returned.
+FlatCellsKept leave_out_flat_cells(Sieve& sieve) {
     const FlatCells flat = find_flat_cells(sieve.mesh);
-    if (flat.stuck.empty() || others_may == CellsWithoutVolume::keep)
-        return leave_out(sieve, flat.removable, fmt::format("without {}", measure(sieve.mesh)));
+    FlatCellsKept kept;
+    for (const Index row : flat.stuck) {
+        const auto before = std::lower_bound(flat.removable.begin(), flat.removable.end(), row);
+        kept.rows.push_back(row - static_cast<Index>(before - flat.removable.begin()));
+        kept.numbers.push_back(sieve.numbers[row]);
+    }
+    leave_out(sieve, flat.removable, fmt::format("without {}", measure(sieve.mesh)));
+    return kept;
+}
 
-    const Index first = flat.stuck.front();
-    std::string others;
-    if (flat.stuck.size() > 1)
-        others = fmt::format("\n{} more like it: {}.", flat.stuck.size() - 1,
-                             listed({flat.stuck.begin() + 1, flat.stuck.end()}, [&](Index cell) {
-                                 return fmt::format("{} ({})", sieve.numbers[cell],
-                                                    vertices_of(sieve.mesh, cell));
-                             }));
-    std::vector<Index> named;
-    for (const Index cell : flat.stuck)
-        named.push_back(sieve.numbers[cell]);
-    const auto corners = sieve.mesh.simplices.row(first);
-    throw InvalidInput(
-        fmt::format("cell {} (vertices {}) has no {}, and without it its neighbors would come "
-                    "apart.\n{}{}{}",
-                    sieve.numbers[first], vertices_of(sieve.mesh, first), measure(sieve.mesh),
-                    remedy(sieve.mesh, first),
-                    sieve.mesh.dimension() == 2
-                        ? " Intrinsic flips can do with such cells (DiscretizeOptions::delaunay)."
-                        : "",
-                    others),
-        {.degree = sieve.mesh.dimension(),
-         .cells = named,
-         .vertices = {corners.begin(), corners.end()}});
+FlatCellsKept sift(Sieve& sieve) {
+    check_input(sieve.mesh);
+    sieve.numbers.resize(static_cast<std::size_t>(sieve.mesh.simplices.rows()));
+    std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
+    leave_out(sieve, with_repeated_corner(sieve.mesh.simplices), "with a repeated corner");
+    leave_out(sieve, duplicates(sieve.mesh.simplices), "on the vertices of an earlier one");
+    return leave_out_flat_cells(sieve);
 }
 
 } // namespace
@@ -239,19 +230,46 @@ void warn_of_isolated_vertices(Mesh& mesh) {
             listed(isolated, [](Index v) { return fmt::format("{}", v); })));
 }
 
+void refuse(const Mesh& mesh, const FlatCellsKept& cells) {
+    const Index first = cells.rows.front();
+    const auto& numbers = cells.numbers;
+    std::vector<Index> places(numbers.size());
+    std::iota(places.begin(), places.end(), 0);
+    std::string others;
+    if (numbers.size() > 1)
+        others = fmt::format("\n{} more like it: {}.", numbers.size() - 1,
+                             listed({places.begin() + 1, places.end()}, [&](Index i) {
+                                 return fmt::format("{} ({})", numbers[i],
+                                                    vertices_of(mesh, cells.rows[i]));
+                             }));
+    const auto corners = mesh.simplices.row(first);
+    throw InvalidInput(
+        fmt::format("cell {} (vertices {}) has no {}, and without it its neighbors would come "
+                    "apart.\n{}{}{}",
+                    numbers.front(), vertices_of(mesh, first), measure(mesh), remedy(mesh, first),
+                    mesh.dimension() == 2
+                        ? " Intrinsic flips can do with such cells (DiscretizeOptions::delaunay)."
+                        : "",
+                    others),
+        {.degree = mesh.dimension(),
+         .cells = numbers,
+         .vertices = {corners.begin(), corners.end()}});
+}
+
 Mesh tidy(Mesh mesh, CellsWithoutVolume flat) {
+    FlatCellsKept kept;
+    mesh = tidy(std::move(mesh), kept);
+    if (!kept.rows.empty() && flat == CellsWithoutVolume::leave_out)
+        refuse(mesh, kept);
+    return mesh;
+}
+
+Mesh tidy(Mesh mesh, FlatCellsKept& kept) {
     if (mesh.simplices.size() == 0)
         throw InvalidInput("no cells of positive volume are left");
     const auto warnings_before = static_cast<std::ptrdiff_t>(mesh.warnings.size());
-    check_input(mesh);
-
     Sieve sieve{std::move(mesh), {}};
-    sieve.numbers.resize(static_cast<std::size_t>(sieve.mesh.simplices.rows()));
-    std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
-    leave_out(sieve, with_repeated_corner(sieve.mesh.simplices), "with a repeated corner");
-    leave_out(sieve, duplicates(sieve.mesh.simplices), "on the vertices of an earlier one");
-    leave_out_flat_cells(sieve, flat);
-
+    kept = sift(sieve);
     if (sieve.mesh.simplices.rows() == 0) {
         const auto& warnings = sieve.mesh.warnings;
         throw InvalidInput(

@@ -3,6 +3,8 @@
 
 #include "meshes/mesh.h"
 
+#include <vector>
+
 namespace polydec {
 
 /// What becomes of cells without volume.
@@ -24,6 +26,18 @@ enum class CellsWithoutVolume {
 /// that are not finite, vertex numbers out of range, n > N, tags of another number than the cells;
 /// for facets with tags that are none (check_facet_tags); and if nothing is left.
 Mesh tidy(Mesh mesh, CellsWithoutVolume flat = CellsWithoutVolume::leave_out);
+
+/// Cells without volume that are kept.
+struct FlatCellsKept {
+    std::vector<Index> rows;    ///< of the tidied mesh, ascending
+    std::vector<Index> numbers; ///< in the given one
+};
+
+/// The same, keeping cells without volume, and telling which.
+Mesh tidy(Mesh mesh, FlatCellsKept& kept);
+
+/// Throws the InvalidInput for these cells of the tidied mesh that tidy throws if it keeps none.
+[[noreturn]] void refuse(const Mesh& mesh, const FlatCellsKept& cells);
 
 /// Names in the mesh's warnings the vertices that belong to no cell. Of the points only their
 /// number matters.

@@ -108,7 +108,7 @@ FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
     // piece by piece, as resistances in series add up
     const auto& volumes = mesh.piece_volumes();
     const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.metric(), volumes, n - 1, n, mesh.options().centers);
+        dual_parts(mesh.pieces(), mesh.metric(), volumes, n - 1, n, mesh.centers());
     const SparseMatrix pieces = mesh.merging().diamond(n).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
     const SparseMatrix facets = mesh.merging().diamond(n - 1).cast<double>().cwiseAbs();

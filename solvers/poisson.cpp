@@ -115,7 +115,7 @@ Vector edge_weights(const Discretization& mesh, const Vector& conductivity) {
     const auto& volumes = mesh.piece_volumes();
     const int n = mesh.dimension();
     const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.metric(), volumes, 1, n, mesh.options().centers);
+        dual_parts(mesh.pieces(), mesh.metric(), volumes, 1, n, mesh.centers());
     const SparseMatrix pieces = mesh.merging().diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging().diamond(1).cast<double>().cwiseAbs();
     const Vector of_pieces = pieces.transpose() * conductivity;
@@ -161,7 +161,7 @@ SparseMatrix shares_of_vertices(const Discretization& mesh) {
     const int n = mesh.dimension();
     const SparseMatrix parts =
         dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 0, n - 1,
-                   mesh.stars()[1].is_diagonal() ? mesh.options().centers : Centers::centroids());
+                   mesh.stars()[1].is_diagonal() ? mesh.centers() : Centers::centroids());
     const SparseMatrix pieces = mesh.merging().diamond(n - 1).cast<double>().cwiseAbs();
     return SparseMatrix(pieces * parts).transpose();
 }

@@ -68,7 +68,7 @@ Points cell_centers(const Discretization& discretization, int k) {
         return Points(discretization.complex().size(k), 0);
     return mean_over_cells(discretization, k,
                            center_coordinates(discretization.pieces(), discretization.metric(),
-                                              discretization.options().centers, k));
+                                              discretization.centers(), k));
 }
 
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
@@ -87,7 +87,7 @@ Points cell_centroids(const Discretization& discretization, int k) {
 Points site_coordinates(const Discretization& discretization) {
     const int n = discretization.dimension();
     Points result = center_coordinates(discretization.pieces(), discretization.metric(),
-                                       discretization.options().centers, n);
+                                       discretization.centers(), n);
     if (n == 0 || discretization.stars()[n - 1].is_diagonal())
         return result;
     const SparseMatrix M = discretization.stars()[n - 1].matrix();

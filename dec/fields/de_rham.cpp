@@ -178,7 +178,7 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
         return places.at(
             i,
             is_site ? site_coordinates(mesh)
-                    : center_coordinates(mesh.pieces(), mesh.metric(), mesh.options().centers, i),
+                    : center_coordinates(mesh.pieces(), mesh.metric(), mesh.centers(), i),
             mesh.points());
     };
     return on_cells(

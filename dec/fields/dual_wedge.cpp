@@ -192,7 +192,7 @@ Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& 
     };
     const int j = a.degree + b.degree;
     const Vector values = product_of_stars(mesh.pieces(), mesh.metric(), mesh.piece_volumes(),
-                                           lifted(a), lifted(b), mesh.options().centers);
+                                           lifted(a), lifted(b), mesh.centers());
     return on_cells(mesh, {Side::dual, j, values});
 }
 

@@ -50,7 +50,7 @@ Points means(const Pieces& complex, const Points& field, int k) {
 
 /// Vectors at vertices, continued linearly to the centers of the k-pieces.
 Points at_centers(const Discretization& mesh, const Places& places, const Points& field, int k) {
-    const auto& centers = mesh.options().centers;
+    const auto& centers = mesh.centers();
     return places.at(k, center_coordinates(mesh.pieces(), mesh.metric(), centers, k), field);
 }
 
@@ -84,7 +84,7 @@ void check_dual_volumes(const Discretization& mesh) {
 Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     check_dual_volumes(mesh);
     const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1,
-                                          mesh.dimension(), mesh.options().centers);
+                                          mesh.dimension(), mesh.centers());
     const DenseMatrix sums = parts.transpose() * DenseMatrix(copied_to_pieces(mesh, field));
     Vector result = sums.cwiseProduct(edge_vectors(mesh.pieces(), mesh.points())).rowwise().sum();
 

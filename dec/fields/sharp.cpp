@@ -89,7 +89,7 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
 SparseMatrix edge_weights(const Discretization& mesh) {
     const int n = mesh.dimension();
     const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1, n,
-                                          mesh.options().centers);
+                                          mesh.centers());
     const SparseMatrix cells = mesh.merging().diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging().diamond(1).cast<double>().cwiseAbs();
     // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
@@ -107,7 +107,7 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
     const auto& K = mesh.input();
     const int n = mesh.dimension();
     const Points parts =
-        parts_of_duals(K, mesh.input_metric(), mesh.input_volumes(), 0, n, mesh.options().centers);
+        parts_of_duals(K, mesh.input_metric(), mesh.input_volumes(), 0, n, mesh.centers());
     const Vector a = lifted(mesh, form).values;
     Points at_cells = Points::Zero(K.size(0), mesh.points().cols());
     for (Index t = 0; t < K.size(n); ++t) {

@@ -116,7 +116,7 @@ Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
     return on_cells(mesh, weights == WedgeWeights::uniform
                               ? wedge(K, x, y)
                               : circumcentric_wedge(K, mesh.metric(), mesh.piece_volumes(), x, y,
-                                                    mesh.options().centers));
+                                                    mesh.centers()));
 }
 
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b) {

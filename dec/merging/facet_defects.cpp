@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/facet_defects.h"
 
+#include "dec/merging/flat_simplices.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/rounding.h"
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace polydec {
 
@@ -24,16 +26,27 @@ Vector apex_angles(const Pieces& complex, const SimplexMetric& metric, const Cel
     return angles;
 }
 
-/// Least height n |t| / |f| of the n-simplices over each facet.
-Vector least_heights(const Pieces& complex, const CellVolumes& volumes) {
+/// Least height n |t| / |f| of the n-simplices over each facet that are not flat.
+Vector least_heights(const Pieces& complex, const CellVolumes& volumes,
+                     const std::vector<bool>& flat) {
     const int n = complex.dimension();
     Vector heights = Vector::Constant(complex.size(n - 1), std::numeric_limits<double>::infinity());
     for (Index t = 0; t < complex.size(n); ++t)
-        for (int i = 0; i <= n; ++i) {
+        for (int i = 0; i <= n && (flat.empty() || !flat[t]); ++i) {
             const Index f = complex.face(n, t, i);
             heights[f] = std::min(heights[f], n * volumes.primal(n)[t] / volumes.primal(n - 1)[f]);
         }
     return heights;
+}
+
+/// Which facets flat simplices have.
+std::vector<bool> facets_of(const Pieces& complex, const std::vector<bool>& flat) {
+    const int n = complex.dimension();
+    std::vector<bool> marks(static_cast<std::size_t>(complex.size(n - 1)), false);
+    for (std::size_t t = 0; t < flat.size(); ++t)
+        for (int i = 0; i <= n && flat[t]; ++i)
+            marks[complex.face(n, static_cast<Index>(t), i)] = true;
+    return marks;
 }
 
 } // namespace
@@ -50,7 +63,8 @@ void for_each_height(const Pieces& complex, const SimplexMetric& metric, const C
     SimplexLayout layout(complex, metric);
     Circumsphere sphere;
     for (Index t = 0; t < complex.size(n); ++t) {
-        sphere.look_at(layout, n, t);
+        if (!sphere.look_at(layout.at(n, t)))
+            continue;
         for (int i = 0; i <= n; ++i) {
             const Index f = complex.face(n, t, i);
             const double height = sphere.height(i, volumes.primal(n - 1)[f]);
@@ -65,7 +79,12 @@ FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
     const bool by_angles = options.criterion == MergeCriterion::angle;
     const Vector &dual = volumes.dual(n - 1), &terms = volumes.terms(n - 1);
     const Vector radii = circumradii(complex, metric, n - 1);
-    FacetDefects result{dual.cwiseAbs(), 2 * radii, least_heights(complex, volumes), {}};
+    std::vector<bool> flat;
+    if (!by_angles)
+        flat = flat_simplices(complex, metric, volumes);
+    const auto of_flat = facets_of(complex, flat);
+    FacetDefects result{
+        dual.cwiseAbs(), 2 * radii, least_heights(complex, volumes, flat), {}, std::move(flat)};
     if (by_angles) {
         result.defect = apex_angles(complex, metric, volumes, radii);
         result.scale.setOnes();
@@ -78,8 +97,8 @@ FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
         defect = by_angles ? std::abs(defect - cofaces[f] * std::numbers::pi / 2)
                            : std::max(0.0, defect - rounding_of(terms[f]));
         marks[f] = by_angles ? radii[f] > 0 && defect <= options.tolerance
-                             : is_degenerate(dual[f], terms[f], result.scale[f], result.height[f],
-                                             options.tolerance);
+                             : !of_flat[f] && is_degenerate(dual[f], terms[f], result.scale[f],
+                                                            result.height[f], options.tolerance);
         if (marks[f])
             ++(cofaces[f] == 1 ? boundary : cofaces[f] == 2 ? interior : branching);
     }

@@ -12,8 +12,10 @@ namespace polydec {
 struct FacetDefects {
     Vector defect; ///< |V(f)| (length) beyond rounding, or the angle's distance from pi (radians)
     Vector scale;  ///< what the tolerance multiplies: l(f), or 1
-    Vector height; ///< least height of an n-simplex over the facet; length
-    DegenerateFacets degenerate; ///< defect within tolerance * scale, and see is_degenerate
+    Vector height; ///< least height of an n-simplex over the facet, that is not flat; length
+    DegenerateFacets degenerate; ///< defect within tolerance * scale, and see is_degenerate; none
+                                 ///< at flat simplices
+    std::vector<bool> flat;      ///< see flat_simplices; none by angles
 
     double ratio(Index facet) const { return defect[facet] / scale[facet]; }
 };
@@ -23,7 +25,7 @@ struct FacetDefects {
 /// each other as their facets, stay layers. A facet without extent has no such dual.
 bool is_degenerate(double dual, double terms, double l, double height, double tolerance);
 
-/// Calls take(f, height, terms) for every facet f of every n-simplex: how far the circumcenter of
+/// Calls take(f, height, terms) for every facet f of every n-simplex that has a volume: how far the circumcenter of
 /// the simplex lies from that of the facet, positive towards the simplex, and to what the error of
 /// that is in proportion.
 void for_each_height(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,

@@ -4,14 +4,16 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "complex/disjoint_sets.h"
+#include "dec/merging/absorb_flat.h"
 #include "dec/merging/facet_defects.h"
+#include "dec/merging/mean_spheres.h"
 #include "dec/merging/straightness.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/circumcentric_volumes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,12 +38,26 @@ struct Classes {
     std::vector<double> spread;
 };
 
+/// What the cells of highest dimension are made of.
+struct TopCells {
+    std::vector<bool> removed; // facets
+    std::vector<Index> roots;  // of n-simplices: one of the same cell
+    bool exact;                // no more than rounding was removed
+};
+
 /// Which facets vanish: those joined in ascending defect while the classes stay tight, and those
 /// that then lie inside a class and are degenerate enough themselves.
 class FacetChoice {
 public:
-    FacetChoice(const Pieces& complex, const FacetDefects& defects, double tolerance)
-        : complex_(complex), defects_(defects), limit_(spread_limit * tolerance) {
+    FacetChoice(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
+                const FacetDefects& defects, double tolerance)
+        : complex_(complex),
+          metric_(metric),
+          volumes_(volumes),
+          defects_(defects),
+          tolerance_(tolerance),
+          is_in_space_(metric.ambient_dimension() == complex.dimension()),
+          limit_(spread_limit * tolerance) {
         const int n = complex.dimension();
         const auto& counts = complex.coface_counts(n - 1);
         sides_.resize(complex.size(n - 1), {-1, -1});
@@ -55,7 +71,7 @@ public:
         arrange_candidates();
     }
 
-    std::vector<bool> removed(const std::vector<bool>& kept) const {
+    TopCells cells(const std::vector<bool>& kept) const {
         Classes classes(complex_.size(complex_.dimension()));
         for (std::size_t i = 0; i < exact_; ++i)
             if (const Index f = candidates_[i]; !kept[f])
@@ -69,27 +85,65 @@ public:
             join_tied(tied, classes, place);
         }
 
-        std::vector<bool> result(sides_.size(), false);
-        for (std::size_t f = 0; f < sides_.size(); ++f)
-            result[f] =
-                sides_[f][1] >= 0 && !kept[f] && defects_.defect[f] <= limit_ * defects_.scale[f] &&
-                classes.sets.find(sides_[f][0]).element == classes.sets.find(sides_[f][1]).element;
-        return result;
+        if (!defects_.flat.empty())
+            absorb_flat(complex_, *metric_.points(), volumes_, defects_.flat, free_sides(kept),
+                        defects_.scale, tolerance_, classes.sets);
+        return read_off(classes.sets, kept);
+    }
+
+    /// Where the cells have their centers.
+    Centers centers(const TopCells& cells) const {
+        if (!is_in_space_ || cells.exact)
+            return {};
+        MeanSpheres spheres(complex_, *metric_.points(), volumes_, defects_.flat);
+        spheres.gather(cells.roots);
+        return spheres.shared_centers();
     }
 
 private:
     void arrange_candidates();
+    Sides free_sides(const std::vector<bool>& kept) const;
+    TopCells read_off(DisjointSets& classes, const std::vector<bool>& kept) const;
     void join_tied(const std::vector<Index>& tied, Classes& classes,
                    std::vector<Index>& place) const;
 
     const Pieces& complex_;
+    SimplexMetric metric_;
+    const CellVolumes& volumes_;
     const FacetDefects& defects_;
+    double tolerance_;
+    bool is_in_space_; // the simplices are of its dimension
     double limit_;
-    std::vector<std::array<Index, 2>> sides_; // cofaces of facets with two, -1 otherwise
+    Sides sides_;
     std::vector<Index> candidates_;           // in groups of ascending relative defect
     std::size_t exact_ = 0;                   // of these have none, and add nothing to a class
     std::vector<std::size_t> group_begins_;   // of candidates whose defects tie, and the end
 };
+
+Sides FacetChoice::free_sides(const std::vector<bool>& kept) const {
+    Sides free = sides_;
+    for (std::size_t f = 0; f < free.size(); ++f)
+        if (kept[f])
+            free[f] = {-1, -1};
+    return free;
+}
+
+/// In space all goes that lies between two pieces of a class.
+TopCells FacetChoice::read_off(DisjointSets& classes, const std::vector<bool>& kept) const {
+    TopCells cells{std::vector<bool>(sides_.size(), false), {}, true};
+    for (Index t = 0; t < complex_.size(complex_.dimension()); ++t)
+        cells.roots.push_back(classes.find(t).element);
+    for (std::size_t f = 0; f < sides_.size(); ++f) {
+        const auto& [a, b] = sides_[f];
+        if (b < 0 || kept[f] || cells.roots[a] != cells.roots[b] ||
+            !(is_in_space_ || defects_.defect[f] <= limit_ * defects_.scale[f]))
+            continue;
+        cells.removed[f] = true;
+        const auto& flat = defects_.flat;
+        cells.exact &= defects_.defect[f] == 0 && (flat.empty() || (!flat[a] && !flat[b]));
+    }
+    return cells;
+}
 
 /// Most candidates are exact, and most of the others tie with the best: only the rest is sorted.
 void FacetChoice::arrange_candidates() {
@@ -179,6 +233,21 @@ void keep_worst(const std::vector<InadmissibleBlock>& blocks, const FacetDefects
     }
 }
 
+/// Marks the flat n-simplices beside a removed facet; empty where none is.
+std::vector<bool> flat_in_cells(const Pieces& complex, const std::vector<bool>& removed,
+                                std::vector<bool> flat) {
+    const int n = complex.dimension();
+    for (std::size_t t = 0; t < flat.size(); ++t) {
+        bool any = false;
+        for (int i = 0; i <= n; ++i)
+            any = any || removed[complex.face(n, static_cast<Index>(t), i)];
+        flat[t] = flat[t] && any;
+    }
+    if (std::find(flat.begin(), flat.end(), true) == flat.end())
+        flat.clear();
+    return flat;
+}
+
 } // namespace
 
 CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric,
@@ -194,28 +263,36 @@ CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric
         check_as_many("marks of facets", static_cast<Index>(stays.size()), complex.size(n - 1));
     const auto defects = facet_defects(complex, metric, volumes, options);
     if (options.criterion == MergeCriterion::none)
-        return {unmerged(std::move(complex)), defects.degenerate, 0};
+        return {unmerged(std::move(complex)), defects.degenerate, 0, {}, volumes};
 
     Kept kept;
     for (int k = 0; k < n; ++k)
         kept.emplace_back(complex.size(k), false);
     if (!stays.empty())
         kept[n - 1] = stays;
-    const FacetChoice choice(complex, defects, options.tolerance);
-    StraightnessTest test(complex, metric, volumes, options.tolerance);
-    const auto straight = [&](int k, Index s, Index f, Index g) {
-        return !kept[k - 1][s] && test(k, s, f, g);
-    };
+    const FacetChoice choice(complex, metric, volumes, defects, options.tolerance);
 
     // every round keeps at least one more simplex, so this ends
     for (int rounds = 0;; ++rounds) {
-        const auto removed = choice.removed(kept[n - 1]);
+        const auto cells = choice.cells(kept[n - 1]);
+        const auto& removed = cells.removed;
         if (std::find(removed.begin(), removed.end(), true) == removed.end())
-            return {unmerged(std::move(complex)), defects.degenerate, rounds};
+            return {unmerged(std::move(complex)), defects.degenerate, rounds, {}, volumes};
+        const Centers centers = choice.centers(cells);
+        const CellVolumes of_pieces =
+            centers.are_circumcenters() ? volumes : dual_volumes(complex, metric, centers);
+        StraightnessTest test(complex, metric, of_pieces, spread_limit * options.tolerance,
+                              options.tolerance);
+        const auto straight = [&](int k, Index s, Index f, Index g) {
+            return !kept[k - 1][s] && test(k, s, f, g);
+        };
         const auto blocks = join_blocks(complex, removed, straight);
         const auto inadmissible = inadmissible_blocks(complex, blocks);
-        if (inadmissible.empty())
-            return {Merging(std::move(complex), blocks), defects.degenerate, rounds};
+        if (inadmissible.empty()) {
+            auto absorbed = flat_in_cells(complex, removed, defects.flat);
+            return {Merging(std::move(complex), blocks), defects.degenerate, rounds, centers,
+                    of_pieces, std::move(absorbed)};
+        }
         keep_worst(inadmissible, defects, n, kept);
     }
 }

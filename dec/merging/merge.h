@@ -3,6 +3,7 @@
 
 #include "complex/merging.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/centers.h"
 #include "dec/metric/simplex_metric.h"
 
 namespace polydec {
@@ -36,6 +37,9 @@ struct CosphericalMerging {
     Merging merging;
     DegenerateFacets degenerate;
     int rounds = 0; ///< how often a class of facets that made no proper cell was split up again
+    Centers centers = {};     ///< circumcenters, those of a cell's pieces in one place
+    CellVolumes volumes = {}; ///< of the pieces, with duals between these
+    std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others; may be empty
 };
 
 /// Merges n-simplices across facets whose dual is degenerate, then downwards their faces wherever
@@ -45,6 +49,11 @@ struct CosphericalMerging {
 /// Since near-cospherical is not transitive, unions are made in ascending defect, equal ones
 /// together or not at all, and refused when the accumulated defect passes 10 tolerances; and every
 /// merged cell is checked to be a ball. So the result does not depend on the order of the input.
+///
+/// Flat simplices have no circumcenter of meaning: in solids in space they become pieces of a
+/// neighbor on whose sphere they lie (see absorb_flat); others, and those in other dimensions, stay
+/// cells. In R^n all that lies between two pieces of a cell goes, and their duals have one center.
+///
 /// `stays` may mark facets that are to stay whatever their duals, one entry for each.
 /// volumes are those of `complex`. Time O(incidences + f log f), f the number of degenerate facets.
 /// Throws InvalidInput for a tolerance that is negative or not finite, and for another number of

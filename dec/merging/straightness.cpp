@@ -11,11 +11,13 @@
 namespace polydec {
 
 StraightnessTest::StraightnessTest(const Pieces& complex, const SimplexMetric& metric,
-                                   const CellVolumes& volumes, double tolerance)
+                                   const CellVolumes& volumes, double tolerance,
+                                   double angle)
     : complex_(complex),
       metric_(metric),
       volumes_(volumes),
       tolerance_(tolerance),
+      angle_(angle),
       layout_(complex, metric) {
     if (metric.ambient_dimension() == complex.dimension())
         must_be_coplanar_ = boundary_cells(complex);
@@ -66,7 +68,7 @@ bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
         return true;
     const Altitude up = altitude(k, s, f, a.apex), down = altitude(k, s, g, b.apex);
     const double angle_rounding = rounding_of(terms) / lower;
-    return (up.direction + down.direction).norm() <= tolerance_ + angle_rounding;
+    return (up.direction + down.direction).norm() <= angle_ + angle_rounding;
 }
 
 } // namespace polydec

@@ -8,14 +8,14 @@ namespace polydec {
 
 /// Decides whether two k-simplices f and g are one flat piece across their common (k-1)-face s:
 /// their circumcenters coincide, also against their heights over s, their duals agree, and, where s
-/// lies on the boundary of a flat complex (N = n), they lie in one k-plane. Inside, the first two
+/// lies on the boundary of a flat complex (N = n), they lie in one k-plane, but for an angle. Inside, the first two
 /// imply the third; on a curved complex, and where only lengths are known, there is no such plane
 /// and none is asked for.
 class StraightnessTest {
 public:
     /// Keeps references, those of the metric too: they must outlive the test.
     StraightnessTest(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
-                     double tolerance);
+                     double tolerance, double angle);
 
     bool operator()(int k, Index s, Index f, Index g);
 
@@ -39,7 +39,7 @@ private:
     const Pieces& complex_;
     SimplexMetric metric_;
     const CellVolumes& volumes_;
-    double tolerance_;
+    double tolerance_, angle_;
     SimplexLayout layout_;
     Circumsphere sphere_;                             // looks at one simplex after the other
     std::vector<std::vector<bool>> must_be_coplanar_; // by degree of s

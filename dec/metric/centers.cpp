@@ -34,7 +34,33 @@ Centers::Centers(std::vector<Points> coordinates) : kind_(Kind::given) {
     given_ = std::make_shared<const std::vector<Points>>(std::move(coordinates));
 }
 
+Centers Centers::of_cells(Points moments, Points terms) {
+    check_as_many("rows of terms", terms.rows(), moments.rows());
+    check_as_many("terms of a center", terms.cols(), 4);
+    if (!moments.allFinite() || !terms.allFinite())
+        throw InvalidInput("a moment of a shared center is not a finite number");
+    Centers result;
+    result.kind_ = Kind::of_cells;
+    result.given_ = std::make_shared<const std::vector<Points>>(
+        std::vector<Points>{std::move(moments), std::move(terms)});
+    return result;
+}
+
+double Centers::shared_coordinate(Index s, int i) const {
+    const auto moments = given_->front().row(s);
+    constexpr double rounding = 1e-12;
+    const double sum = moments.sum();
+    return std::abs(sum) > rounding * moments.cwiseAbs().sum()
+               ? moments[i] / sum
+               : 1.0 / static_cast<double>(moments.size());
+}
+
 void Centers::check_fit(const Pieces& complex) const {
+    if (kind_ == Kind::of_cells) {
+        check_as_many("moments of a center", given_->front().cols(), complex.dimension() + 1);
+        check_as_many("shared centers of n-simplices", given_->front().rows(),
+                      complex.size(complex.dimension()));
+    }
     if (kind_ != Kind::given)
         return;
     check_as_many("degrees of centers", static_cast<Index>(given_->size()),
@@ -52,7 +78,8 @@ Points center_coordinates(const Pieces& complex, const SimplexMetric& metric,
     Circumsphere sphere;
     Points result(complex.size(k), k + 1);
     for (Index s = 0; s < complex.size(k); ++s) {
-        sphere.look_at(layout, k, s);
+        if (!centers.know(k))
+            sphere.look_at(layout, k, s);
         for (int i = 0; i <= k; ++i)
             result(s, i) = centers.coordinate(k, s, i, sphere);
     }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -135,12 +136,18 @@ struct Sums {
     Terms uncertain, rounded;
 };
 
+/// A volume below all that rounding leaves of the last digits of the corners.
+double least_volume(const Corners& corners) {
+    const auto k = static_cast<double>(corners.vertices.size()) - 1;
+    return std::numeric_limits<double>::epsilon() / 64 * std::pow(largest_extent(corners), k);
+}
+
 /// From the top down: what a k-simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
 /// barycentric coordinate * k |t| / |s|; the division by |s| comes last. With it go the sizes of
 /// what cancels, in h(s, t) and in V(t). An error of |t| is one of V(t) / |t| too. Spheres are
 /// looked at many at once, and their heights added one after the other.
 void hand_down(const Pieces& complex, const SimplexMetric& metric, const Centers& centers, int k,
-               Sums& sums) {
+               FlatSimplices flat, Sums& sums) {
     const int n = complex.dimension();
     const Simplices& simplices = complex.simplices(k);
     const Points* const points = metric.points(); // asked once, not for every simplex
@@ -156,20 +163,27 @@ void hand_down(const Pieces& complex, const SimplexMetric& metric, const Centers
         for (Index t = first; t < last; ++t) {
             const Corners corners =
                 points ? Corners{*points, vertices(simplices, t)} : layout.at(k, t);
-            if (!sphere.look_at(corners) || !is_moderate(sphere.volume()))
+            const bool has_volume = sphere.look_at(corners);
+            const bool may_be_flat =
+                k == n && (centers.know(k) || flat == FlatSimplices::passed_over);
+            primal[t] = has_volume || !may_be_flat ? sphere.volume() : least_volume(corners);
+            if (!is_moderate(primal[t]))
                 refuse(complex, metric, k, t);
-            primal[t] = sphere.volume();
             if (k < n)
                 sums.divide(k, t, n);
-            rounded[t] += sphere.rounding().growth * std::abs(dual[t]);
-            const double weight = k * primal[t];
-            const auto uncertainty = centers.terms(sphere.uncertainty());
-            const auto rounding = centers.terms(sphere.rounding());
+            rounded[t] += (has_volume ? sphere.rounding().growth : 1) * std::abs(dual[t]);
+            if (!has_volume && !centers.know(k)) {
+                share = std::fill_n(share, k + 1, Share{});
+                continue;
+            }
+            const auto uncertainty = centers.uncertainty(k, t, sphere);
+            const auto rounding = centers.rounding(k, t, sphere);
+            const double own = centers.know(k) ? 0 : rounded[t];
             for (int i = k; i >= 0; --i) {
-                const double height = centers.coordinate(k, t, i, sphere) * weight;
-                *share++ = {height * dual[t],
-                            Terms::share(uncertainty, dual[t], uncertain[t], height),
-                            Terms::share(rounding, dual[t], rounded[t], height)};
+                const double moment = centers.moment(k, t, i, sphere);
+                *share++ = {moment * dual[t],
+                            Terms::share(uncertainty, dual[t], uncertain[t], moment),
+                            Terms::share(rounding, dual[t], own, moment)};
             }
         }
     };
@@ -200,14 +214,14 @@ CellVolumes circumcentric_volumes(const Pieces& complex, const SimplexMetric& me
     return dual_volumes(complex, metric, Centers());
 }
 
-CellVolumes dual_volumes(const Pieces& complex, const SimplexMetric& metric,
-                         const Centers& centers) {
+CellVolumes dual_volumes(const Pieces& complex, const SimplexMetric& metric, const Centers& centers,
+                         FlatSimplices flat) {
     check_metric(complex, metric);
     centers.check_fit(complex);
     const int n = complex.dimension();
     Sums sums(complex);
     for (int k = n; k >= 1; --k)
-        hand_down(complex, metric, centers, k, sums);
+        hand_down(complex, metric, centers, k, flat, sums);
     for (Index v = 0; v < complex.size(0); ++v)
         sums.divide(0, v, n);
     sums.uncertain.products[n].setOnes();

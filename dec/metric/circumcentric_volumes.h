@@ -18,8 +18,15 @@ namespace polydec {
 /// triangle inequality, in higher dimension edges whose products are not positive definite).
 CellVolumes circumcentric_volumes(const Pieces& complex, const SimplexMetric& metric);
 
+/// What becomes of n-simplices without volume.
+enum class FlatSimplices {
+    refused,
+    passed_over, ///< they have no part in any dual, and a volume that cannot be told from none
+};
+
 /// The same with duals between other centers. Throws likewise, and for centers of other simplices.
-CellVolumes dual_volumes(const Pieces& complex, const SimplexMetric& metric,
-                         const Centers& centers);
+/// Where centers know the heights in n-simplices, these may have no volume, too.
+CellVolumes dual_volumes(const Pieces& complex, const SimplexMetric& metric, const Centers& centers,
+                         FlatSimplices flat = FlatSimplices::refused);
 
 } // namespace polydec

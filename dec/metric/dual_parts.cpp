@@ -53,7 +53,8 @@ Points parts_of_duals(const Pieces& complex, const SimplexMetric& metric,
         std::vector<double> heights(static_cast<std::size_t>(j) + 1);
         Points next = Points::Zero(complex.size(j), steps.back().face + 1);
         for (Index t = 0; t < complex.size(j); ++t) {
-            sphere.look_at(layout, j, t);
+            if (!centers.know(j))
+                sphere.look_at(layout, j, t);
             for (int i = 0; i <= j; ++i)
                 heights[i] =
                     centers.height(j, t, i, sphere, volumes.primal(j - 1)[complex.face(j, t, i)]);

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merging/absorb_flat.h"
+
+#include "dec/merging/flat_simplices.h"
+#include "dec/merging/mean_spheres.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// What classes of ordinary simplices may take.
+class Absorption {
+public:
+    Absorption(const Pieces& complex, const Points& points, const CellVolumes& volumes,
+               const std::vector<bool>& flat, const Sides& sides, const Vector& sizes,
+               double tolerance, DisjointSets& classes)
+        : complex_(complex),
+          points_(points),
+          volumes_(volumes),
+          flat_(flat),
+          sides_(sides),
+          sizes_(sizes),
+          tolerance_(tolerance),
+          classes_(classes),
+          taken_(flat.size(), false),
+          shortest_(shortest_edges(complex, volumes)),
+          spheres_(complex, points, volumes, flat) {
+        for (Index t = 0; t < complex.size(complex.dimension()); ++t)
+            if (flat[t])
+                simplices_.push_back(t);
+    }
+
+    void run() {
+        do
+            find_candidates();
+        while (unite_cut_classes());
+        hand_over();
+    }
+
+private:
+    int n() const { return complex_.dimension(); }
+
+    /// The n-simplex behind facet i of t; -1 if there is none, or the facet has to stay.
+    Index behind(Index t, int i) const {
+        const auto& [a, b] = sides_[complex_.face(n(), t, i)];
+        return b < 0 ? -1 : a == t ? b : a;
+    }
+
+    bool lies_on(Index t, Index root) const {
+        constexpr double rounding = 1e3 * std::numeric_limits<double>::epsilon();
+        double edge = std::numeric_limits<double>::infinity(), distance = 0;
+        for (const Index v : complex_.simplices(n()).row(t)) {
+            edge = std::min(edge, shortest_[v]);
+            distance = std::max(distance, spheres_.distance(root, v));
+        }
+        return distance <= tolerance_ * edge + rounding * spheres_.radius(root);
+    }
+
+    void find_candidates();
+    bool unite_cut_classes();
+    bool are_near(Index t, Index root, Index other) const;
+    void hand_over();
+    void hand_over_to(Index root, const std::vector<Index>& simplices);
+    std::vector<Index> in_order_of_space() const;
+
+    const Pieces& complex_;
+    const Points& points_;
+    const CellVolumes& volumes_;
+    const std::vector<bool>& flat_;
+    const Sides& sides_;
+    const Vector& sizes_;
+    double tolerance_;
+    DisjointSets& classes_;
+    std::vector<bool> taken_;
+    Vector shortest_;
+    MeanSpheres spheres_;
+    std::vector<Index> simplices_;                   // the flat ones
+    std::vector<Index> roots_;                       // of all
+    std::map<Index, std::vector<Index>> candidates_; // roots, by flat simplex
+};
+
+/// The classes beside a flat simplex that it lies on, and those of flat neighbors.
+void Absorption::find_candidates() {
+    roots_.resize(flat_.size());
+    for (std::size_t t = 0; t < roots_.size(); ++t)
+        roots_[t] = classes_.find(static_cast<Index>(t)).element;
+    spheres_.gather(roots_);
+    candidates_.clear();
+    std::vector<std::pair<Index, Index>> found;
+    const auto offer = [&](Index t, Index root) {
+        auto& known = candidates_[t];
+        if (std::find(known.begin(), known.end(), root) == known.end() && lies_on(t, root)) {
+            known.push_back(root);
+            found.emplace_back(t, root);
+        }
+    };
+    for (const Index t : simplices_)
+        for (int i = 0; i <= n(); ++i)
+            if (const Index other = behind(t, i); other >= 0 && !flat_[other])
+                offer(t, roots_[other]);
+    while (!found.empty()) {
+        const auto [t, root] = found.back();
+        found.pop_back();
+        for (int i = 0; i <= n(); ++i)
+            if (const Index other = behind(t, i); other >= 0 && flat_[other])
+                offer(other, root);
+    }
+}
+
+/// Whether the centers of two classes are as near to each other as those across a degenerate facet.
+bool Absorption::are_near(Index t, Index root, Index other) const {
+    constexpr double thin = 0.1; // of a height
+    double reach = std::numeric_limits<double>::infinity();
+    bool has_neighbor = false;
+    for (int i = 0; i <= n(); ++i) {
+        const Index f = complex_.face(n(), t, i);
+        reach = std::min(reach, tolerance_ * sizes_[f]);
+        if (const Index s = behind(t, i); s >= 0 && !flat_[s]) {
+            has_neighbor = true;
+            reach = std::min(reach, thin * n() * volumes_.primal(n())[s] /
+                                        volumes_.primal(n() - 1)[f]);
+        }
+    }
+    return has_neighbor && spheres_.between(root, other) <= reach;
+}
+
+bool Absorption::unite_cut_classes() {
+    bool any = false;
+    for (const auto& [t, roots] : candidates_)
+        for (std::size_t i = 0; i < roots.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (are_near(t, roots[i], roots[j])) {
+                    classes_.join(roots[i], roots[j]);
+                    any = true;
+                }
+    return any;
+}
+
+/// All candidates, by the ascending places of their corners.
+std::vector<Index> Absorption::in_order_of_space() const {
+    const auto before = [this](Index v, Index w) {
+        const auto a = points_.row(v), b = points_.row(w);
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    };
+    std::map<Index, std::vector<Index>> corners;
+    for (const auto& [t, roots] : candidates_)
+        for (const Index root : roots)
+            corners[root];
+    for (std::size_t t = 0; t < roots_.size(); ++t)
+        if (const auto found = corners.find(roots_[t]); found != corners.end())
+            for (const Index v : complex_.simplices(n()).row(static_cast<Index>(t)))
+                found->second.push_back(v);
+    std::vector<Index> order;
+    for (auto& [root, list] : corners) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+        std::sort(list.begin(), list.end(), before);
+        order.push_back(root);
+    }
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+        const auto &first = corners.at(a), &second = corners.at(b);
+        return std::lexicographical_compare(first.begin(), first.end(), second.begin(),
+                                            second.end(), before);
+    });
+    return order;
+}
+
+/// To one class after the other what is left of its candidates and hangs together with it.
+void Absorption::hand_over() {
+    std::map<Index, std::vector<Index>> by_root;
+    for (const auto& [t, roots] : candidates_)
+        for (const Index root : roots)
+            by_root[root].push_back(t);
+    for (const Index root : in_order_of_space())
+        hand_over_to(root, by_root[root]);
+}
+
+void Absorption::hand_over_to(Index root, const std::vector<Index>& simplices) {
+    std::vector<Index> front;
+    const auto take = [&](Index t) {
+        if (taken_[t] || !std::binary_search(simplices.begin(), simplices.end(), t))
+            return;
+        taken_[t] = true;
+        classes_.join(t, root);
+        front.push_back(t);
+    };
+    std::vector<Index> beside;
+    for (const Index t : simplices)
+        for (int i = 0; i <= n(); ++i)
+            if (const Index other = behind(t, i);
+                other >= 0 && !flat_[other] && roots_[other] == root)
+                beside.push_back(t);
+    for (const Index t : beside)
+        take(t);
+    while (!front.empty()) {
+        const Index t = front.back();
+        front.pop_back();
+        for (int i = 0; i <= n(); ++i)
+            if (const Index other = behind(t, i); other >= 0 && flat_[other])
+                take(other);
+    }
+}
+
+} // namespace
+
+void absorb_flat(const Pieces& complex, const Points& points, const CellVolumes& volumes,
+                 const std::vector<bool>& flat, const Sides& sides, const Vector& sizes,
+                 double tolerance, DisjointSets& classes) {
+    Absorption(complex, points, volumes, flat, sides, sizes, tolerance, classes).run();
+}
+
+} // namespace polydec

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merging/mean_spheres.h"
+
+#include "dec/metric/exterior_product.h"
+#include "dec/metric/simplex_geometry.h"
+
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+MeanSpheres::MeanSpheres(const Pieces& complex, const Points& points, const CellVolumes& volumes,
+                         const std::vector<bool>& flat)
+    : complex_(complex), points_(points), volumes_(volumes), flat_(flat) {
+    const int n = complex.dimension();
+    const Index size = complex.size(n);
+    own_ = Points::Zero(size, n);
+    moments_ = Points::Zero(size, n + 1);
+    terms_ = Points::Zero(size, 4);
+    SimplexLayout layout(complex, points);
+    Circumsphere sphere;
+    for (Index t = 0; t < size; ++t) {
+        const auto corners = layout.at(n, t);
+        if (!sphere.look_at(corners))
+            continue; // has no part in any dual unless it shares its center
+        for (int i = 0; i <= n; ++i) {
+            own_.row(t) += sphere.barycentric(i) *
+                           (points.row(corners.vertices[i]) - points.row(corners.vertices[0]));
+            moments_(t, i) = sphere.barycentric(i) * (n * sphere.volume());
+        }
+        const auto &uncertainty = sphere.uncertainty(), &rounding = sphere.rounding();
+        terms_.row(t) << uncertainty.growth, uncertainty.shift, rounding.growth, rounding.shift;
+    }
+}
+
+Eigen::RowVectorXd MeanSpheres::away(Index root, Index v) const {
+    return points_.row(v) - points_.row(complex_.simplices(complex_.dimension())(root, 0)) -
+           centers_.row(root);
+}
+
+void MeanSpheres::gather(const std::vector<Index>& roots) {
+    const int n = complex_.dimension();
+    const Index size = complex_.size(n);
+    const auto& simplices = complex_.simplices(n);
+    const Vector& volumes = volumes_.primal(n);
+    roots_ = roots;
+    centers_ = Points::Zero(size, n);
+    counts_.assign(static_cast<std::size_t>(size), 0);
+    Vector weights = Vector::Zero(size);
+    for (Index t = 0; t < size; ++t) {
+        const Index root = roots[t];
+        ++counts_[root];
+        if (is_flat(t))
+            continue;
+        weights[root] += volumes[t];
+        centers_.row(root) += volumes[t] * (points_.row(simplices(t, 0)) -
+                                            points_.row(simplices(root, 0)) + own_.row(t));
+    }
+    for (Index t = 0; t < size; ++t)
+        if (weights[t] > 0)
+            centers_.row(t) /= weights[t];
+    radii_ = Vector::Zero(size);
+    for (Index t = 0; t < size; ++t)
+        if (!is_flat(t))
+            for (const Index v : simplices.row(t))
+                radii_[roots[t]] +=
+                    volumes[t] / (n + 1) * away(roots[t], v).squaredNorm() / weights[roots[t]];
+    radii_ = radii_.cwiseSqrt();
+}
+
+double MeanSpheres::distance(Index root, Index v) const {
+    const double r = radii_[root];
+    return std::abs(away(root, v).norm() - r) * (away(root, v).norm() + r) / (2 * r);
+}
+
+double MeanSpheres::between(Index root, Index other) const {
+    return (away(root, complex_.simplices(complex_.dimension())(other, 0)) + centers_.row(other))
+        .norm();
+}
+
+/// The corners of an n-simplex without one of them, and n times the volume of what it spans with a
+/// point, positive on the side to which edges in this order and the point are oriented.
+class MeanSpheres::Facet {
+public:
+    Facet(const MeanSpheres& spheres, const ExteriorProduct& product, Index t, int omitted)
+        : spheres_(spheres) {
+        const int n = spheres.complex_.dimension();
+        const auto corners = vertices(spheres.complex_.simplices(n), t);
+        corner_ = corners[omitted == 0 ? 1 : 0];
+        DenseMatrix edges(n - 1, n);
+        int row = 0;
+        for (int i = 0; i <= n; ++i)
+            if (i != omitted && corners[i] != corner_)
+                edges.row(row++) = spheres.points_.row(corners[i]) - spheres.points_.row(corner_);
+        const Vector minors = product(edges);
+        normal_.resize(n);
+        for (int c = 0; c < n; ++c) // without axis c: the subsets come in the opposite order
+            normal_[c] = (c % 2 == 0 ? 1 : -1) * minors[n - 1 - c] / std::tgamma(double(n));
+    }
+
+    double to_vertex(Index v) const {
+        return normal_.dot(spheres_.points_.row(v) - spheres_.points_.row(corner_));
+    }
+    double to_center(Index root) const { return -normal_.dot(spheres_.away(root, corner_)); }
+
+private:
+    const MeanSpheres& spheres_;
+    Index corner_;
+    Eigen::RowVectorXd normal_; // as long as the facet's volume
+};
+
+Centers MeanSpheres::shared_centers() const {
+    const int n = complex_.dimension();
+    const Index size = complex_.size(n);
+    const Vector& volumes = volumes_.primal(n);
+    const ExteriorProduct product(n, n - 1);
+
+    // on which side of their facets simplices lie, against their orientation: as most of a class
+    std::vector<double> sides(static_cast<std::size_t>(size), 0), of_class = sides;
+    Vector weights = Vector::Zero(size);
+    Points terms = Points::Zero(size, terms_.cols());
+    for (Index t = 0; t < size; ++t) {
+        const Index root = roots_[t];
+        if (counts_[root] == 1 || is_flat(t))
+            continue;
+        const Facet facet(*this, product, t, 0);
+        sides[t] = std::copysign(complex_.sign(n, t, 0),
+                                 complex_.sign(n, t, 0) *
+                                     facet.to_vertex(complex_.simplices(n)(t, 0)));
+        of_class[root] += sides[t] * volumes[t];
+        weights[root] += volumes[t];
+        terms.row(root) += volumes[t] * terms_.row(t);
+    }
+    Points moments = moments_;
+    for (Index t = 0; t < size; ++t) {
+        const Index root = roots_[t];
+        if (counts_[root] == 1)
+            continue;
+        const double side = is_flat(t) ? std::copysign(1, of_class[root]) : sides[t];
+        for (int i = 0; i <= n; ++i)
+            moments(t, i) = side * complex_.sign(n, t, i) *
+                            Facet(*this, product, t, i).to_center(root);
+    }
+    for (Index t = 0; t < size; ++t)
+        if (counts_[t] > 1)
+            terms.row(t) /= weights[t];
+    Points terms_of_simplices = terms_;
+    for (Index t = 0; t < size; ++t)
+        if (counts_[roots_[t]] > 1)
+            terms_of_simplices.row(t) = terms.row(roots_[t]);
+    return Centers::of_cells(std::move(moments), std::move(terms_of_simplices));
+}
+
+} // namespace polydec

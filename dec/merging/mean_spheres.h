@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/metric/cell_volumes.h"
+#include "dec/metric/centers.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// The spheres of classes of n-simplices in R^n: about the mean of their circumcenters, weighted
+/// by volume; flat simplices do not count. A class goes by one of its members, its root.
+class MeanSpheres {
+public:
+    /// `flat` is empty or has a mark for each n-simplex. Keeps references, which must outlive it.
+    MeanSpheres(const Pieces& complex, const Points& points, const CellVolumes& volumes,
+                const std::vector<bool>& flat);
+
+    /// Takes the mean over other classes: roots[t] is that of n-simplex t.
+    void gather(const std::vector<Index>& roots);
+
+    /// How far vertex v is from the sphere of a class: | |v - c|^2 - r^2 | / 2r; length.
+    double distance(Index root, Index v) const;
+
+    /// Distance of the centers of two classes.
+    double between(Index root, Index other) const;
+
+    double radius(Index root) const { return radii_[root]; }
+
+    /// One center for each class of several simplices, its mean; others keep their own. On which
+    /// side of a facet a flat simplex lies is told by the orientation that it shares with its
+    /// neighbors, since it has no inside. So the heights over a facet between two simplices of a
+    /// class cancel exactly.
+    Centers shared_centers() const;
+
+private:
+    bool is_flat(Index t) const { return !flat_.empty() && flat_[t]; }
+    class Facet;
+    Eigen::RowVectorXd away(Index root, Index v) const;
+
+    const Pieces& complex_;
+    const Points& points_;
+    const CellVolumes& volumes_;
+    const std::vector<bool>& flat_;
+    Points own_;     // circumcenter of each simplex, from its first corner
+    Points moments_; // of its own circumcenter, see Centers
+    Points terms_;
+    std::vector<Index> roots_;
+    Points centers_; // of each root, from its first corner
+    Vector radii_;
+    std::vector<Index> counts_; // of simplices
+};
+
+} // namespace polydec
