@@ -331,7 +331,7 @@ Discretization Discretization::with_stars(const ChosenStars& chosen) const {
 const std::vector<SparseMatrix>& Discretization::lift() const& {
     const std::lock_guard lock(lift_->making);
     if (lift_->matrices.empty())
-        lift_->matrices = commuting_lift(merging(), metric(), piece_volumes());
+        lift_->matrices = commuting_lift(merging(), metric(), piece_volumes(), parts_->flat);
     return lift_->matrices;
 }
 

@@ -78,12 +78,14 @@ Index position(std::span<const Index> ascending, Index item) {
 
 class Lift {
 public:
-    Lift(const Merging& merging, const SimplexMetric& metric, const CellVolumes& volumes)
+    Lift(const Merging& merging, const SimplexMetric& metric, const CellVolumes& volumes,
+         const std::vector<bool>& flat)
         : merging_(merging),
           K_(merging.pieces()),
           P_(merging.merged()),
           metric_(metric),
           volumes_(volumes),
+          flat_(flat),
           inside_(K_.dimension() + 1) {
         const int n = K_.dimension();
         for (int k = 0; k <= n; ++k)
@@ -113,6 +115,11 @@ private:
     std::vector<Index> columns(int m, Index F, int j) const;
     DenseMatrix least_energy(int m, Index F, int j, DenseMatrix x,
                              const std::vector<Index>& cells) const;
+    void equate_densities(int m, Index F, const std::vector<Index>& cells, DenseMatrix& D,
+                          DenseMatrix& x) const;
+    bool is_flat(int m, Index piece) const {
+        return m == K_.dimension() && !flat_.empty() && flat_[piece];
+    }
 
     bool is_inside(int m, Index F, int j, Index s) const {
         const auto& carrier = merging_.carriers(j)[s];
@@ -124,6 +131,7 @@ private:
     const CellComplex& P_;
     SimplexMetric metric_;
     const CellVolumes& volumes_;
+    const std::vector<bool>& flat_;
     std::vector<std::vector<Groups>> inside_; // inside_[m][j]
     std::vector<RowStore> rows_;              // of S_k
 };
@@ -212,12 +220,17 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
             if (is_inside(m, F, j - 1, static_cast<Index>(s.col())))
                 D(i, position(free, s.col())) = s.value();
 
+    if (j == K_.dimension() - 1 && !flat_.empty())
+        equate_densities(m, F, cells, D, x);
+
     // W_ii and the force W_ii x + W_ib x_b, gathered over the pieces of F
     DenseMatrix W = DenseMatrix::Zero(unknown.size(), unknown.size());
     DenseMatrix force = DenseMatrix::Zero(unknown.size(), cells.size());
     SimplexFaces faces_of_pieces(K_, m, j);
     SimplexLayout layout(K_, metric_);
     for (const Index piece : inside_[m][m][F]) {
+        if (is_flat(m, piece))
+            continue;
         const Corners corners = layout.at(m, piece);
         const DenseMatrix mass = whitney_mass(corners.points, corners.vertices, j);
         const auto& faces = faces_of_pieces.of(piece);
@@ -238,17 +251,73 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
             }
         }
     }
+    if (D.cols() == 0)
+        return x;
     const DenseMatrix energy = D.transpose() * W * D;
     x -= D * energy.completeOrthogonalDecomposition().solve(D.transpose() * force);
     return x;
 }
 
+/// Adds D y to x, such that on each flat piece of F the values of its facets are those of one
+/// normal density, as far as can be; D is left with the freedom that there still is.
+void Lift::equate_densities(int m, Index F, const std::vector<Index>& cells, DenseMatrix& D,
+                            DenseMatrix& x) const {
+    const auto unknown = inside_[m][m - 1][F];
+    const ExteriorProduct product(m, m - 1);
+    std::vector<Vector> rows, right_sides;
+    for (const Index piece : inside_[m][m][F]) {
+        if (!is_flat(m, piece))
+            continue;
+        Points normals(m + 1, m);
+        int largest = 0;
+        for (int i = 0; i <= m; ++i) {
+            normals.row(i) = area_vector(product, *metric_.points(), K_, K_.face(m, piece, i));
+            if (normals.row(i).norm() > normals.row(largest).norm())
+                largest = i;
+        }
+        const Vector shares =
+            normals * normals.row(largest).transpose() / normals.row(largest).squaredNorm();
+        for (int i = 0; i <= m; ++i) { // value at facet i = share times value at the largest
+            if (i == largest)
+                continue;
+            Vector& row = rows.emplace_back(Vector::Zero(std::ssize(unknown)));
+            Vector& right_side = right_sides.emplace_back(Vector::Zero(std::ssize(cells)));
+            const auto add = [&](Index facet, double factor) {
+                if (is_inside(m, F, m - 1, facet))
+                    row[position(unknown, facet)] += factor;
+                else
+                    rows_[m - 1].visit(facet, [&](Index E, double value) {
+                        right_side[position(cells, E)] -= factor * value;
+                    });
+            };
+            add(K_.face(m, piece, i), 1);
+            add(K_.face(m, piece, largest), -shares[i]);
+        }
+    }
+    if (rows.empty())
+        return;
+    DenseMatrix A(rows.size(), unknown.size()), b(rows.size(), cells.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        A.row(static_cast<Index>(i)) = rows[i].transpose();
+        b.row(static_cast<Index>(i)) = right_sides[i].transpose();
+    }
+    // flat pieces upon each other say the same but for their height
+    constexpr double height = 1e-2;
+    Eigen::CompleteOrthogonalDecomposition<DenseMatrix> solver;
+    solver.setThreshold(height);
+    solver.compute(A * D);
+    x += D * solver.solve(b - A * x);
+    const DenseMatrix basis = DenseMatrix(solver.matrixZ().transpose());
+    D = D * (solver.colsPermutation() * basis.rightCols(D.cols() - solver.rank()));
+}
+
 } // namespace
 
 std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
-                                         const CellVolumes& volumes) {
+                                         const CellVolumes& volumes,
+                                         const std::vector<bool>& flat) {
     check_fit(merging.pieces(), volumes);
-    const Lift lift(merging, metric, volumes);
+    const Lift lift(merging, metric, volumes, flat);
     std::vector<SparseMatrix> result;
     for (int k = 0; k <= merging.pieces().dimension(); ++k)
         result.push_back(lift.matrix(k));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/mean_spheres.h"
 
-#include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <cmath>
@@ -78,42 +77,15 @@ double MeanSpheres::between(Index root, Index other) const {
         .norm();
 }
 
-/// The corners of an n-simplex without one of them, and n times the volume of what it spans with a
-/// point, positive on the side to which edges in this order and the point are oriented.
-class MeanSpheres::Facet {
-public:
-    Facet(const MeanSpheres& spheres, const ExteriorProduct& product, Index t, int omitted)
-        : spheres_(spheres) {
-        const int n = spheres.complex_.dimension();
-        const auto corners = vertices(spheres.complex_.simplices(n), t);
-        corner_ = corners[omitted == 0 ? 1 : 0];
-        DenseMatrix edges(n - 1, n);
-        int row = 0;
-        for (int i = 0; i <= n; ++i)
-            if (i != omitted && corners[i] != corner_)
-                edges.row(row++) = spheres.points_.row(corners[i]) - spheres.points_.row(corner_);
-        const Vector minors = product(edges);
-        normal_.resize(n);
-        for (int c = 0; c < n; ++c) // without axis c: the subsets come in the opposite order
-            normal_[c] = (c % 2 == 0 ? 1 : -1) * minors[n - 1 - c] / std::tgamma(double(n));
-    }
-
-    double to_vertex(Index v) const {
-        return normal_.dot(spheres_.points_.row(v) - spheres_.points_.row(corner_));
-    }
-    double to_center(Index root) const { return -normal_.dot(spheres_.away(root, corner_)); }
-
-private:
-    const MeanSpheres& spheres_;
-    Index corner_;
-    Eigen::RowVectorXd normal_; // as long as the facet's volume
-};
-
 Centers MeanSpheres::shared_centers() const {
     const int n = complex_.dimension();
     const Index size = complex_.size(n);
     const Vector& volumes = volumes_.primal(n);
+    const auto& simplices = complex_.simplices(n);
     const ExteriorProduct product(n, n - 1);
+    const auto normal = [&](Index t, int i) {
+        return area_vector(product, points_, complex_, complex_.face(n, t, i));
+    };
 
     // on which side of their facets simplices lie, against their orientation: as most of a class
     std::vector<double> sides(static_cast<std::size_t>(size), 0), of_class = sides;
@@ -123,10 +95,9 @@ Centers MeanSpheres::shared_centers() const {
         const Index root = roots_[t];
         if (counts_[root] == 1 || is_flat(t))
             continue;
-        const Facet facet(*this, product, t, 0);
-        sides[t] = std::copysign(complex_.sign(n, t, 0),
-                                 complex_.sign(n, t, 0) *
-                                     facet.to_vertex(complex_.simplices(n)(t, 0)));
+        const Eigen::RowVectorXd inwards =
+            points_.row(simplices(t, 0)) - points_.row(simplices(t, 1));
+        sides[t] = std::copysign(1, complex_.sign(n, t, 0) * normal(t, 0).dot(inwards));
         of_class[root] += sides[t] * volumes[t];
         weights[root] += volumes[t];
         terms.row(root) += volumes[t] * terms_.row(t);
@@ -138,8 +109,8 @@ Centers MeanSpheres::shared_centers() const {
             continue;
         const double side = is_flat(t) ? std::copysign(1, of_class[root]) : sides[t];
         for (int i = 0; i <= n; ++i)
-            moments(t, i) = side * complex_.sign(n, t, i) *
-                            Facet(*this, product, t, i).to_center(root);
+            moments(t, i) = -side * complex_.sign(n, t, i) *
+                            normal(t, i).dot(away(root, simplices(t, i == 0 ? 1 : 0)));
     }
     for (Index t = 0; t < size; ++t)
         if (counts_[t] > 1)

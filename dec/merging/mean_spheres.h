@@ -35,7 +35,6 @@ public:
 
 private:
     bool is_flat(Index t) const { return !flat_.empty() && flat_[t]; }
-    class Facet;
     Eigen::RowVectorXd away(Index root, Index v) const;
 
     const Pieces& complex_;

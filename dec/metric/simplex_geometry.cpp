@@ -5,6 +5,8 @@
 
 #include <Eigen/QR>
 
+#include <cmath>
+
 namespace polydec {
 
 Index face_at(const Pieces& complex, int m, Index t, std::span<const int> positions) {
@@ -25,6 +27,20 @@ DenseMatrix edge_vectors(const Pieces& complex, const Points& points) {
         vectors.row(e) =
             orientation(complex, 1, e) * (points.row(edges(e, 1)) - points.row(edges(e, 0)));
     return vectors;
+}
+
+Eigen::RowVectorXd area_vector(const ExteriorProduct& product, const Points& points,
+                               const Pieces& complex, Index facet) {
+    const auto n = static_cast<int>(points.cols());
+    const auto corners = vertices(complex.simplices(n - 1), facet);
+    DenseMatrix edges(n - 1, n);
+    for (int i = 1; i < n; ++i)
+        edges.row(i - 1) = points.row(corners[i]) - points.row(corners[0]);
+    const Vector minors = product(edges);
+    Eigen::RowVectorXd normal(n);
+    for (int c = 0; c < n; ++c) // minor n-1-c lacks axis c
+        normal[c] = ((n - 1 - c) % 2 == 0 ? 1 : -1) * minors[n - 1 - c] / std::tgamma(double(n));
+    return normal;
 }
 
 DenseMatrix barycentric_gradients(const Points& points, std::span<const Index> vertices) {

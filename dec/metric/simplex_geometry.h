@@ -2,6 +2,7 @@
 #pragma once
 
 #include "complex/pieces.h"
+#include "dec/metric/exterior_product.h"
 
 #include <span>
 
@@ -22,6 +23,12 @@ inline double orientation(const Pieces& complex, int k, Index s) {
 
 /// The edges as vectors from tail to head, as they are oriented: size(1) x N.
 DenseMatrix edge_vectors(const Pieces& complex, const Points& points);
+
+/// The normal of an (n-1)-simplex in R^n that makes a basis of positive orientation with its edges
+/// before it, as long as its volume. Not for points of another dimension; product is that of n-1
+/// vectors.
+Eigen::RowVectorXd area_vector(const ExteriorProduct& product, const Points& points,
+                               const Pieces& complex, Index facet);
 
 /// Gradients of the barycentric coordinates of an m-simplex, in its plane: (m+1) x N.
 DenseMatrix barycentric_gradients(const Points& points, std::span<const Index> vertices);
