@@ -85,6 +85,7 @@
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "meshes/mesh.h"
+#include "meshes/peel.h"
 #include "meshes/rearrange.h"
 #include "meshes/tetrahedralize.h"
 #include "meshes/tidy.h"

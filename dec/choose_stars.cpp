@@ -24,7 +24,8 @@ Vector ones_on(const Discretization& mesh, const Cells& cells) {
     const auto& carriers = mesh.merging().carriers(mesh.dimension());
     Vector weights(carriers.size());
     for (std::size_t t = 0; t < carriers.size(); ++t)
-        weights[static_cast<Index>(t)] = cells[carriers[t].cell] ? 1 : 0;
+        weights[static_cast<Index>(t)] =
+            cells[carriers[t].cell] && !mesh.is_flat(static_cast<Index>(t)) ? 1 : 0;
     return weights;
 }
 

@@ -132,6 +132,29 @@ IntrinsicDelaunay flipped(const SimplicialComplex& complex, Vector lengths,
                               {.boundary = boundary, .tolerance = options.tolerance});
 }
 
+/// Flat cells that have stayed alone mean that corners are off their sphere by about the tolerance.
+void warn_of_jitter(const CosphericalMerging& merged, const SimplexMetric& metric,
+                    const CellVolumes& volumes, const MergeOptions& options,
+                    std::vector<std::string>& warnings) {
+    const Pieces& pieces = merged.merging.pieces();
+    auto alone = flat_simplices(pieces, metric, volumes);
+    for (std::size_t t = 0; t < merged.flat.size(); ++t)
+        alone[t] = alone[t] && !merged.flat[t];
+    const auto flat = std::count(alone.begin(), alone.end(), true);
+    if (flat == 0 || options.criterion != MergeCriterion::dual_length)
+        return;
+    const double wider = 10 * options.tolerance;
+    const auto at = facet_defects(pieces, metric, volumes, options).degenerate;
+    const auto nearly =
+        facet_defects(pieces, metric, volumes, {options.criterion, wider}).degenerate;
+    if (nearly.interior > at.interior)
+        warnings.push_back(fmt::format(
+            "{} flat cell{} on no neighbor's sphere within the tolerance, and the duals of {} "
+            "facets are within a factor 10 of it: if corners are meant to be cospherical, try "
+            "the tolerance {:.0e}",
+            flat, flat == 1 ? " lies" : "s lie", nearly.interior - at.interior, wider));
+}
+
 using Stage = std::function<void(std::string_view)>;
 
 void begin(const Stage& stage, std::string_view what) {
@@ -170,8 +193,8 @@ void refuse_flat_cells(const Given& given, const Merging& merging) {
     if (alone.rows.empty())
         return;
     Mesh by_number = mesh;
-    by_number.points = Points::Zero(complex.vertex_number(complex.size(0) - 1) + 1,
-                                    mesh.points.cols());
+    by_number.points =
+        Points::Zero(complex.vertex_number(complex.size(0) - 1) + 1, mesh.points.cols());
     for (Index v = 0; v < complex.size(0); ++v)
         by_number.points.row(complex.vertex_number(v)) = mesh.points.row(v);
     refuse(by_number, alone);
@@ -192,10 +215,9 @@ Measured measure(Given& given, const DiscretizeOptions& options) {
     if (options.delaunay == Delaunay::off) {
         const SimplexMetric metric =
             has_points ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths);
-        const auto volumes =
-            dual_volumes(complex, metric, options.centers,
-                         given.flat.rows.empty() ? FlatSimplices::refused
-                                                 : FlatSimplices::passed_over);
+        const auto volumes = dual_volumes(complex, metric, options.centers,
+                                          given.flat.rows.empty() ? FlatSimplices::refused
+                                                                  : FlatSimplices::passed_over);
         return {Passage(complex), metric, volumes, volumes, Points()};
     }
     const Vector sides = has_points ? edge_lengths(complex, mesh.points) : lengths;
@@ -232,11 +254,11 @@ Discretization measured(Given given, DiscretizeOptions options, const Stage& sta
     const bool flips = !passage.is_identity();
     auto merged = merge_cospherical(passage.pieces(), metric, of_pieces, options, stays);
     refuse_flat_cells(given, merged.merging);
+    warn_of_jitter(merged, metric, of_pieces, options, mesh.warnings);
     const auto volumes = merged_volumes(merged.merging, merged.volumes);
     if (!merged.flat.empty())
         of_input = merged.volumes; // alone, flat simplices have no duals
-    const auto centers =
-        merged.centers.are_circumcenters() ? options.centers : merged.centers;
+    const auto centers = merged.centers.are_circumcenters() ? options.centers : merged.centers;
     if (flips && !mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
     std::vector<Index> cell_tags, merged_facet_tags;

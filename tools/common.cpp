@@ -7,6 +7,7 @@
 #include "examples/paper/console.h"
 #include "io/meshes/length_file.h"
 #include "io/meshes/read_mesh.h"
+#include "meshes/peel.h"
 #include "tools/messages.h"
 #include "tools/options.h"
 
@@ -74,6 +75,8 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
         ->check(CLI::IsMember({"circumcenters", "centroids"}));
     auto* groups = command.add_flag("--keep-groups", arguments.keep_groups,
                                     "merge no cells of different physical groups");
+    command.add_flag("--peel", arguments.peel,
+                     "leave out flat cells on the boundary of a solid first");
     command
         .add_flag("--delaunay{flips}", arguments.delaunay,
                   "flip edges of a surface first, so that no dual is negative;\n"
@@ -137,7 +140,10 @@ Discretization load(const MeshArguments& arguments, Log& log) {
     auto result = computed_on(arguments.mesh, [&] {
         return is_length_file(arguments.mesh)
                    ? discretize_checked(arguments, read_lengths(arguments.mesh), options, stage)
-                   : discretize_checked(arguments, read_mesh(arguments.mesh), options, stage);
+                   : discretize_checked(arguments,
+                                        arguments.peel ? peeled(read_mesh(arguments.mesh))
+                                                       : read_mesh(arguments.mesh),
+                                        options, stage);
     });
     log.timing.end();
     for (const auto& warning : result.warnings())

@@ -21,6 +21,7 @@ struct MeshArguments {
     std::optional<double> angle_tolerance;
     bool merge = true;
     bool keep_groups = false;
+    bool peel = false;
     std::string centers = "circumcenters";
     std::string delaunay; ///< empty, flips or split-boundary
     std::string star = name(StarKind::circumcentric);

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/exterior_product.h"
@@ -175,11 +176,13 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
     const Places places(mesh.passage(), mesh.points());
     const auto centers_of = [&](int i) {
         const bool is_site = j == 0; // integrals over duals are those of the volumes
-        return places.at(
-            i,
+        const Points coordinates =
             is_site ? site_coordinates(mesh)
-                    : center_coordinates(mesh.pieces(), mesh.metric(), mesh.centers(), i),
-            mesh.points());
+                    : center_coordinates(mesh.pieces(), mesh.metric(), mesh.centers(), i);
+        Points rows = places.at(i, coordinates, mesh.points());
+        if (i == mesh.dimension())
+            fill_flat_pieces(mesh, rows);
+        return rows;
     };
     return on_cells(
         mesh, {Side::dual, j, DualIntegrals(mesh.pieces(), N, k, integral, centers_of).all()});

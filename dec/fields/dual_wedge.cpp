@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/dual_wedge.h"
 
+#include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
 #include "dec/metric/dual_parts.h"
@@ -187,6 +188,7 @@ Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const Cel
 
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
     check_factors(mesh.complex(), Side::dual, a, b);
+    refuse_flat_pieces(mesh, "the product of dual forms");
     const auto lifted = [&](const Cochain& form) {
         return on_pieces(mesh, without_star(mesh.complex(), mesh.volumes(), form));
     };

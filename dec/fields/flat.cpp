@@ -2,6 +2,7 @@
 #include "dec/fields/flat.h"
 
 #include "base/errors.h"
+#include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
 #include "dec/metric/centers.h"
@@ -50,8 +51,11 @@ Points means(const Pieces& complex, const Points& field, int k) {
 
 /// Vectors at vertices, continued linearly to the centers of the k-pieces.
 Points at_centers(const Discretization& mesh, const Places& places, const Points& field, int k) {
-    const auto& centers = mesh.centers();
-    return places.at(k, center_coordinates(mesh.pieces(), mesh.metric(), centers, k), field);
+    const Points coordinates = center_coordinates(mesh.pieces(), mesh.metric(), mesh.centers(), k);
+    Points rows = places.at(k, coordinates, field);
+    if (k == mesh.dimension())
+        fill_flat_pieces(mesh, rows);
+    return rows;
 }
 
 /// The vectors of the merged n-cells, copied to their pieces.

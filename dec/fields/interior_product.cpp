@@ -123,10 +123,9 @@ Vector top_volumes(const Pieces& complex, const Points& points) {
     Circumsphere sphere(points);
     Vector volumes(complex.size(n));
     for (Index t = 0; t < complex.size(n); ++t) {
-        if (!sphere.look_at(vertices(complex.simplices(n), t)))
-            throw InvalidInput(fmt::format("the {}-simplex {} has no volume: remove it", n, t),
-                               {.degree = n, .cells = {t}});
-        volumes[t] = sphere.volume();
+        // one without volume has no weight but where it is alone
+        const bool has_volume = sphere.look_at(vertices(complex.simplices(n), t));
+        volumes[t] = has_volume ? sphere.volume() : std::numeric_limits<double>::min();
     }
     return volumes;
 }

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
 #include "dec/metric/dual_parts.h"
@@ -59,6 +60,17 @@ DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vecto
     return result;
 }
 
+/// The mean of these in the other pieces of their cells, for flat pieces; empty without any.
+Points gradients_in_flat_pieces(const Discretization& mesh, const Vector& a) {
+    if (!has_flat_pieces(mesh))
+        return {};
+    Points rows(mesh.pieces().size(mesh.dimension()), mesh.points().cols());
+    for (Index t = 0; t < rows.rows(); ++t)
+        rows.row(t) = gradients_seen_from_vertices(mesh, a, t).colwise().mean();
+    fill_flat_pieces(mesh, rows);
+    return rows;
+}
+
 constexpr double rounding = 1e-12;
 
 /// An orthonormal basis of the mean tangent space of n-simplices, as columns: the n eigenvectors of
@@ -88,8 +100,8 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
 /// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.
 SparseMatrix edge_weights(const Discretization& mesh) {
     const int n = mesh.dimension();
-    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1, n,
-                                          mesh.centers());
+    const SparseMatrix parts =
+        dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1, n, mesh.centers());
     const SparseMatrix cells = mesh.merging().diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging().diamond(1).cast<double>().cwiseAbs();
     // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
@@ -106,12 +118,17 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
     check_dual_cells(mesh);
     const auto& K = mesh.input();
     const int n = mesh.dimension();
-    const Points parts =
-        parts_of_duals(K, mesh.input_metric(), mesh.input_volumes(), 0, n, mesh.centers());
+    // of the simplices by themselves, unless some are flat
+    const bool own = !mesh.passage().is_identity() || !has_flat_pieces(mesh);
+    const Points parts = parts_of_duals(K, mesh.input_metric(), mesh.input_volumes(), 0, n,
+                                        own ? mesh.options().centers : mesh.centers());
     const Vector a = lifted(mesh, form).values;
+    const Points in_flat = gradients_in_flat_pieces(mesh, a);
     Points at_cells = Points::Zero(K.size(0), mesh.points().cols());
     for (Index t = 0; t < K.size(n); ++t) {
-        const DenseMatrix seen = gradients_seen_from_vertices(mesh, a, t);
+        DenseMatrix seen = gradients_seen_from_vertices(mesh, a, t);
+        if (mesh.is_flat(t))
+            seen = in_flat.row(t).replicate(n + 1, 1);
         for (int i = 0; i <= n; ++i) {
             const Index v = face_at(K, n, t, std::array{i});
             at_cells.row(v) += parts(t, i) / mesh.input_volumes().dual(0)[v] * seen.row(i);

@@ -2,6 +2,7 @@
 #include "dec/fields/wedge.h"
 
 #include "base/errors.h"
+#include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/permutation_sign.h"
@@ -111,6 +112,8 @@ Cochain circumcentric_wedge(const Pieces& complex, const SimplexMetric& metric,
 Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
               WedgeWeights weights) {
     check_factors(mesh.complex(), Side::primal, a, b);
+    if (weights != WedgeWeights::uniform)
+        refuse_flat_pieces(mesh, "the product weighted by parts of duals");
     const auto& K = mesh.pieces();
     const Cochain x = on_pieces(mesh, a), y = on_pieces(mesh, b);
     return on_cells(mesh, weights == WedgeWeights::uniform

@@ -2,6 +2,7 @@
 #include "dec/fields/whitney_interpolation.h"
 
 #include "base/errors.h"
+#include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_geometry.h"
@@ -109,11 +110,19 @@ DenseMatrix whitney_at_centroids(const Pieces& complex, const Points& points, co
 
 Vector whitney_form(const Discretization& mesh, const Cochain& form, Index top,
                     const Vector& barycentric) {
+    if (mesh.passage().is_identity() && top >= 0 && top < mesh.pieces().size(mesh.dimension()) &&
+        mesh.is_flat(top)) {
+        check_place(mesh.input(), top, barycentric);
+        return whitney_at_centroids(mesh, form).row(top).transpose();
+    }
     return whitney_form(mesh.input(), mesh.input_points(), lifted(mesh, form), top, barycentric);
 }
 
 DenseMatrix whitney_at_centroids(const Discretization& mesh, const Cochain& form) {
-    return whitney_at_centroids(mesh.input(), mesh.input_points(), lifted(mesh, form));
+    Points rows = whitney_at_centroids(mesh.input(), mesh.input_points(), lifted(mesh, form));
+    if (mesh.passage().is_identity())
+        fill_flat_pieces(mesh, rows);
+    return rows;
 }
 
 } // namespace polydec

@@ -122,8 +122,8 @@ bool Absorption::are_near(Index t, Index root, Index other) const {
         reach = std::min(reach, tolerance_ * sizes_[f]);
         if (const Index s = behind(t, i); s >= 0 && !flat_[s]) {
             has_neighbor = true;
-            reach = std::min(reach, thin * n() * volumes_.primal(n())[s] /
-                                        volumes_.primal(n() - 1)[f]);
+            reach =
+                std::min(reach, thin * n() * volumes_.primal(n())[s] / volumes_.primal(n() - 1)[f]);
         }
     }
     return has_neighbor && spheres_.between(root, other) <= reach;

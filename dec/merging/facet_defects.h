@@ -25,9 +25,9 @@ struct FacetDefects {
 /// each other as their facets, stay layers. A facet without extent has no such dual.
 bool is_degenerate(double dual, double terms, double l, double height, double tolerance);
 
-/// Calls take(f, height, terms) for every facet f of every n-simplex that has a volume: how far the circumcenter of
-/// the simplex lies from that of the facet, positive towards the simplex, and to what the error of
-/// that is in proportion.
+/// Calls take(f, height, terms) for every facet f of every n-simplex that has a volume: how far the
+/// circumcenter of the simplex lies from that of the facet, positive towards the simplex, and to
+/// what the error of that is in proportion.
 void for_each_height(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
                      const std::function<void(Index, double, double)>& take);
 

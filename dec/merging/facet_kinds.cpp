@@ -32,7 +32,7 @@ FacetKinds facet_kinds(const Pieces& complex, const SimplexMetric& metric,
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         if (complex.coface_counts(n - 1)[f] != 2)
             continue;
-        if (degenerate[f])
+        if (degenerate[f] || volumes.dual(n - 1)[f] == 0) // flat ones have their cell's center
             ++kinds.cospherical;
         else if (volumes.dual(n - 1)[f] < 0)
             ++kinds.non_delaunay;

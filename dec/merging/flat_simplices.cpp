@@ -12,8 +12,7 @@ bool can_take_flat_simplices(int dimension, Index ambient_dimension) {
 }
 
 Vector shortest_edges(const Pieces& complex, const CellVolumes& volumes) {
-    Vector shortest =
-        Vector::Constant(complex.size(0), std::numeric_limits<double>::infinity());
+    Vector shortest = Vector::Constant(complex.size(0), std::numeric_limits<double>::infinity());
     for (Index e = 0; e < complex.size(1); ++e)
         for (const Index v : complex.simplices(1).row(e))
             shortest[v] = std::min(shortest[v], volumes.primal(1)[e]);

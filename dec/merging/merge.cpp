@@ -115,9 +115,9 @@ private:
     bool is_in_space_; // the simplices are of its dimension
     double limit_;
     Sides sides_;
-    std::vector<Index> candidates_;           // in groups of ascending relative defect
-    std::size_t exact_ = 0;                   // of these have none, and add nothing to a class
-    std::vector<std::size_t> group_begins_;   // of candidates whose defects tie, and the end
+    std::vector<Index> candidates_;         // in groups of ascending relative defect
+    std::size_t exact_ = 0;                 // of these have none, and add nothing to a class
+    std::vector<std::size_t> group_begins_; // of candidates whose defects tie, and the end
 };
 
 Sides FacetChoice::free_sides(const std::vector<bool>& kept) const {
@@ -290,8 +290,12 @@ CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric
         const auto inadmissible = inadmissible_blocks(complex, blocks);
         if (inadmissible.empty()) {
             auto absorbed = flat_in_cells(complex, removed, defects.flat);
-            return {Merging(std::move(complex), blocks), defects.degenerate, rounds, centers,
-                    of_pieces, std::move(absorbed)};
+            return {Merging(std::move(complex), blocks),
+                    defects.degenerate,
+                    rounds,
+                    centers,
+                    of_pieces,
+                    std::move(absorbed)};
         }
         keep_worst(inadmissible, defects, n, kept);
     }

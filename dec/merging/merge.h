@@ -37,8 +37,8 @@ struct CosphericalMerging {
     Merging merging;
     DegenerateFacets degenerate;
     int rounds = 0; ///< how often a class of facets that made no proper cell was split up again
-    Centers centers = {};     ///< circumcenters, those of a cell's pieces in one place
-    CellVolumes volumes = {}; ///< of the pieces, with duals between these
+    Centers centers = {};        ///< circumcenters, those of a cell's pieces in one place
+    CellVolumes volumes = {};    ///< of the pieces, with duals between these
     std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others; may be empty
 };
 

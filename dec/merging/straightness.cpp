@@ -11,8 +11,7 @@
 namespace polydec {
 
 StraightnessTest::StraightnessTest(const Pieces& complex, const SimplexMetric& metric,
-                                   const CellVolumes& volumes, double tolerance,
-                                   double angle)
+                                   const CellVolumes& volumes, double tolerance, double angle)
     : complex_(complex),
       metric_(metric),
       volumes_(volumes),

@@ -8,9 +8,9 @@ namespace polydec {
 
 /// Decides whether two k-simplices f and g are one flat piece across their common (k-1)-face s:
 /// their circumcenters coincide, also against their heights over s, their duals agree, and, where s
-/// lies on the boundary of a flat complex (N = n), they lie in one k-plane, but for an angle. Inside, the first two
-/// imply the third; on a curved complex, and where only lengths are known, there is no such plane
-/// and none is asked for.
+/// lies on the boundary of a flat complex (N = n), they lie in one k-plane, but for an angle.
+/// Inside, the first two imply the third; on a curved complex, and where only lengths are known,
+/// there is no such plane and none is asked for.
 class StraightnessTest {
 public:
     /// Keeps references, those of the metric too: they must outlive the test.

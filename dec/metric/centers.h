@@ -56,7 +56,7 @@ public:
     /// Coordinate of the center of k-simplex s at corner i, the sphere having looked at s. Of an
     /// n-simplex without volume that shares its center those of the centroid: none weighs it.
     double coordinate(int k, Index s, int i, const Circumsphere& sphere) const {
-        return know(k)                      ? shared_coordinate(s, i)
+        return know(k)                    ? shared_coordinate(s, i)
                : kind_ == Kind::centroids ? 1.0 / (k + 1)
                : kind_ == Kind::given     ? (*given_)[k](s, i)
                                           : sphere.barycentric(i);
