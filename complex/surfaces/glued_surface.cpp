@@ -68,12 +68,13 @@ bool GluedSurface::accepts(const Pieces& surface) {
     return std::all_of(counts.begin(), counts.end(), [](auto count) { return count <= 2; });
 }
 
-GluedSurface::GluedSurface(const Pieces& surface) : vertices_(surface.size(0)) {
+Triangles::Triangles(const Pieces& surface) {
     if (surface.dimension() != dimension)
         throw InvalidInput(fmt::format("a complex of dimension {} is given: only surfaces can be "
                                        "glued from triangles",
                                        surface.dimension()));
-    check_edges(surface);
+    vertices_ = surface.size(0);
+    edges_ = surface.size(1);
     const Index triangles = surface.size(2);
     sides_.resize(std::size_t(triangles) * 3);
     tails_.resize(sides_.size());
@@ -92,16 +93,20 @@ GluedSurface::GluedSurface(const Pieces& surface) : vertices_(surface.size(0)) {
             tails_[h] = a, tails_[h + 1] = c, tails_[h + 2] = b;
         }
     }
-    halfedges_ = pair_halfedges(sides_, surface.size(1));
+}
+
+GluedSurface::GluedSurface(const Pieces& surface) : Triangles(surface) {
+    check_edges(surface);
+    halfedges_ = pair_halfedges(sides_, edges_);
 }
 
 GluedSurface::GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangles) {
-    const Index edges = count_edges(triangles);
+    edges_ = count_edges(triangles);
     for (const auto& sides : triangles)
         sides_.insert(sides_.end(), sides.begin(), sides.end());
-    halfedges_ = pair_halfedges(sides_, edges);
+    halfedges_ = pair_halfedges(sides_, edges_);
     DisjointSets corners(static_cast<Index>(sides_.size()));
-    for (Index e = 0; e < edges; ++e) {
+    for (Index e = 0; e < edges_; ++e) {
         const auto& [h, g] = halfedges_[e];
         if (h < 0)
             throw InvalidInput(fmt::format("no triangle has edge {}: number the edges from 0 "
@@ -180,6 +185,7 @@ void GluedSurface::split_boundary(Index edge) {
     tails_.resize(tails_.size() + 3);
     set(n, {mj, ij.sign}, m), set(n + 1, jk, j), set(n + 2, {mk, -1}, k);
     set(h1, {mk, 1}, m);
+    edges_ += 2;
     halfedges_.push_back({n, -1});
     halfedges_.push_back({h1, n + 2});
 }

@@ -9,16 +9,14 @@
 
 namespace polydec {
 
-/// A surface of triangles glued along their edges, two at most at each: a Delta-complex. Unlike
-/// those of a simplicial complex its edges may be loops, several may join the same vertices, a
-/// triangle may be glued to itself, and the surface may be one-sided. It knows no lengths.
+/// Triangles, any number of them at an edge: what heat on a surface needs, also where it branches.
 ///
 /// Half-edge 3 t + i runs along triangle t from its corner i to the next one. Every edge has a
 /// direction; the sign of a half-edge tells whether it runs along its edge (1) or against it (-1).
 /// What is asked for by number is read in the innermost loops, so numbers are not checked.
-class GluedSurface {
+class Triangles {
 public:
-    /// One side of a triangle: which edge it is glued to, and the sign of the half-edge.
+    /// One side of a triangle: which edge it lies at, and the sign of the half-edge.
     struct SignedEdge {
         Index edge;
         std::int8_t sign;
@@ -26,6 +24,38 @@ public:
 
     static constexpr int dimension = 2;
 
+    /// Those of pieces; vertices, edges and triangles keep their numbers and orientations. Linear
+    /// time. Throws InvalidInput if the dimension is not 2.
+    explicit Triangles(const Pieces& surface);
+
+    Index vertices() const { return vertices_; }
+    Index edges() const { return edges_; }
+    Index triangles() const { return static_cast<Index>(sides_.size() / 3); }
+
+    static Index triangle(Index halfedge) { return halfedge / 3; }
+    static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+    static Index previous(Index halfedge) {
+        return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1;
+    }
+
+    Index tail(Index halfedge) const { return tails_[halfedge]; }
+    Index head(Index halfedge) const { return tails_[next(halfedge)]; }
+    Index edge(Index halfedge) const { return sides_[halfedge].edge; }
+    int sign(Index halfedge) const { return sides_[halfedge].sign; }
+
+protected:
+    Triangles() = default;
+
+    std::vector<SignedEdge> sides_; // of half-edges
+    std::vector<Index> tails_;      // of half-edges
+    Index vertices_ = 0, edges_ = 0;
+};
+
+/// A surface of triangles glued along their edges, two at most at each: a Delta-complex. Unlike
+/// those of a simplicial complex its edges may be loops, several may join the same vertices, a
+/// triangle may be glued to itself, and the surface may be one-sided. It knows no lengths.
+class GluedSurface : public Triangles {
+public:
     /// Whether triangles of these pieces can be glued: two at most meet at each edge.
     static bool accepts(const Pieces& surface);
 
@@ -40,21 +70,6 @@ public:
     /// Throws InvalidInput, naming the edge, if it has no side or more than two, and for signs
     /// other than 1 and -1.
     explicit GluedSurface(const std::vector<std::array<SignedEdge, 3>>& triangles);
-
-    Index vertices() const { return vertices_; }
-    Index edges() const { return static_cast<Index>(halfedges_.size()); }
-    Index triangles() const { return static_cast<Index>(sides_.size() / 3); }
-
-    static Index triangle(Index halfedge) { return halfedge / 3; }
-    static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
-    static Index previous(Index halfedge) {
-        return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1;
-    }
-
-    Index tail(Index halfedge) const { return tails_[halfedge]; }
-    Index head(Index halfedge) const { return tails_[next(halfedge)]; }
-    Index edge(Index halfedge) const { return sides_[halfedge].edge; }
-    int sign(Index halfedge) const { return sides_[halfedge].sign; }
 
     /// The half-edges of an edge; the second is -1 on the boundary.
     const std::array<Index, 2>& halfedges(Index edge) const { return halfedges_[edge]; }
@@ -105,10 +120,7 @@ public:
 private:
     void set(Index halfedge, SignedEdge side, Index tail);
 
-    std::vector<SignedEdge> sides_;               // of half-edges
-    std::vector<Index> tails_;                    // of half-edges
     std::vector<std::array<Index, 2>> halfedges_; // of edges
-    Index vertices_ = 0;
 };
 
 /// The corners of the triangles, as top simplices of a simplicial complex.

@@ -11,19 +11,30 @@
 
 namespace polydec {
 
-void check_lengths(const GluedSurface& surface, const Vector& lengths) {
+namespace {
+
+[[noreturn]] void refuse_length(const Triangles& surface, Index edge, double length) {
+    Index h = 0;
+    while (surface.edge(h) != edge)
+        ++h;
+    const bool along = surface.sign(h) > 0;
+    const Index first = along ? surface.tail(h) : surface.head(h);
+    const Index last = along ? surface.head(h) : surface.tail(h);
+    throw InvalidInput(fmt::format("edge {} from vertex {} to {} has length {}: expected a "
+                                   "positive number",
+                                   edge, first, last, length),
+                       {.degree = 1, .cells = {edge}, .vertices = {first, last}});
+}
+
+} // namespace
+
+void check_lengths(const Triangles& surface, const Vector& lengths) {
     if (lengths.size() != surface.edges())
         throw InvalidInput(fmt::format("{} lengths are given for {} edges: expected one for each",
                                        lengths.size(), surface.edges()));
     for (Index e = 0; e < surface.edges(); ++e)
         if (!(lengths[e] > 0 && std::isfinite(lengths[e])))
-            throw InvalidInput(fmt::format("edge {} from vertex {} to {} has length {}: expected a "
-                                           "positive number",
-                                           e, surface.first_vertex(e), surface.last_vertex(e),
-                                           lengths[e]),
-                               {.degree = 1,
-                                .cells = {e},
-                                .vertices = {surface.first_vertex(e), surface.last_vertex(e)}});
+            refuse_length(surface, e, lengths[e]);
     for (Index t = 0; t < surface.triangles(); ++t) {
         const auto [a, b, c] = side_lengths(surface, lengths, t);
         const double longest = std::max({a, b, c});
@@ -40,7 +51,7 @@ void check_lengths(const GluedSurface& surface, const Vector& lengths) {
     }
 }
 
-std::array<double, 3> side_lengths(const GluedSurface& surface, const Vector& lengths,
+std::array<double, 3> side_lengths(const Triangles& surface, const Vector& lengths,
                                    Index triangle) {
     return {lengths[surface.edge(3 * triangle)], lengths[surface.edge(3 * triangle + 1)],
             lengths[surface.edge(3 * triangle + 2)]};

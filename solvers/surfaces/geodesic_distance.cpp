@@ -16,7 +16,7 @@ namespace polydec {
 namespace {
 
 /// The cotangent Laplacian with the pins at 0.
-ConstrainedSystem poisson_system(const GluedSurface& surface, const SurfaceMetric& metric,
+ConstrainedSystem poisson_system(const Triangles& surface, const SurfaceMetric& metric,
                                  std::span<const Index> pins) {
     const auto n = static_cast<std::size_t>(surface.vertices());
     ConstrainedSystem system{
@@ -41,7 +41,7 @@ Eigen::Vector3d levels(const Eigen::Vector3d& u) {
 }
 
 /// The corners of a triangle in the plane, the first at 0 and the second on the first axis.
-std::array<Eigen::Vector2d, 3> layout(const GluedSurface& surface, const SurfaceMetric& metric,
+std::array<Eigen::Vector2d, 3> layout(const Triangles& surface, const SurfaceMetric& metric,
                                       Index t) {
     const double length = metric.lengths[surface.edge(3 * t)];
     const double height = 2 * metric.areas[t] / length;
@@ -50,7 +50,7 @@ std::array<Eigen::Vector2d, 3> layout(const GluedSurface& surface, const Surface
 }
 
 /// For every vertex, the integral of X . grad(hat function), X the unit vectors against grad u.
-Vector against_gradient(const GluedSurface& surface, const SurfaceMetric& metric, const Vector& u) {
+Vector against_gradient(const Triangles& surface, const SurfaceMetric& metric, const Vector& u) {
     Vector b = Vector::Zero(surface.vertices());
     for (Index t = 0; t < surface.triangles(); ++t) {
         const auto corners = layout(surface, metric, t);
@@ -74,7 +74,7 @@ Vector against_gradient(const GluedSurface& surface, const SurfaceMetric& metric
 
 /// Marks the vertices opposite to an edge between two sources: away from such an edge the distance
 /// grows evenly.
-std::vector<bool> beside_source_edges(const GluedSurface& surface,
+std::vector<bool> beside_source_edges(const Triangles& surface,
                                       const std::vector<bool>& is_source) {
     std::vector<bool> marks(is_source.size(), false);
     for (Index h = 0; h < 3 * surface.triangles(); ++h)
@@ -87,19 +87,20 @@ std::vector<bool> beside_source_edges(const GluedSurface& surface,
 /// that stands alone the distance has a kink, of which a function that is linear on triangles knows
 /// nothing, so that all its other values are off by the same. Its neighbors tell by how much: their
 /// distances are the lengths of the edges to it.
-Vector shifts(const GluedSurface& surface, const SurfaceMetric& metric,
-              std::span<const Index> sources, const Vector& distance) {
+Vector shifts(const Triangles& surface, const SurfaceMetric& metric, std::span<const Index> sources,
+              const Vector& distance) {
     constexpr double far = std::numeric_limits<double>::infinity();
     std::vector<bool> is_source(std::size_t(surface.vertices()), false);
     for (const Index v : sources)
         is_source[v] = true;
     Vector known = Vector::Constant(surface.vertices(), far);
-    for (Index e = 0; e < surface.edges(); ++e) {
-        const Index a = surface.first_vertex(e), b = surface.last_vertex(e);
+    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
+        const Index a = surface.tail(h), b = surface.head(h);
+        const double length = metric.lengths[surface.edge(h)];
         if (is_source[a])
-            known[b] = std::min(known[b], metric.lengths[e]);
+            known[b] = std::min(known[b], length);
         if (is_source[b])
-            known[a] = std::min(known[a], metric.lengths[e]);
+            known[a] = std::min(known[a], length);
     }
     const auto beside = beside_source_edges(surface, is_source);
     Vector sum = Vector::Zero(metric.mean_lengths.size()), count = sum;
@@ -114,14 +115,14 @@ Vector shifts(const GluedSurface& surface, const SurfaceMetric& metric,
 } // namespace
 
 struct GeodesicDistance::Parts {
-    GluedSurface surface;
+    Triangles surface;
     SurfaceMetric metric;
     std::string engine;
     HeatStep step;
     std::optional<ConstrainedSolver> poisson;
     bool is_for_single_sources = false; // the pins of the last one
 
-    Parts(const GluedSurface& surface_, const Vector& lengths, const GeodesicOptions& options)
+    Parts(const Triangles& surface_, const Vector& lengths, const GeodesicOptions& options)
         : surface(surface_),
           metric(surface_metric(surface, lengths)),
           engine(options.linear_solver),
@@ -163,7 +164,7 @@ struct GeodesicDistance::Parts {
     }
 };
 
-GeodesicDistance::GeodesicDistance(const GluedSurface& surface, const Vector& lengths,
+GeodesicDistance::GeodesicDistance(const Triangles& surface, const Vector& lengths,
                                    const GeodesicOptions& options) {
     check_time_scale(options.time_scale);
     parts_ = std::make_unique<Parts>(surface, lengths, options);
@@ -171,8 +172,8 @@ GeodesicDistance::GeodesicDistance(const GluedSurface& surface, const Vector& le
 
 GeodesicDistance::GeodesicDistance(const Discretization& discretization,
                                    const GeodesicOptions& options)
-    : GeodesicDistance(GluedSurface(discretization.pieces()),
-                       discretization.piece_volumes().primal(1), options) {}
+    : GeodesicDistance(Triangles(discretization.pieces()), discretization.piece_volumes().primal(1),
+                       options) {}
 
 GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;
 GeodesicDistance::~GeodesicDistance() = default;
@@ -192,7 +193,7 @@ Distance GeodesicDistance::to(std::span<const Index> sources) const {
     return {metric.unit * distance.cwiseMax(0), raised};
 }
 
-Vector geodesic_distance(const GluedSurface& surface, const Vector& lengths,
+Vector geodesic_distance(const Triangles& surface, const Vector& lengths,
                          std::span<const Index> sources, const GeodesicOptions& options) {
     return GeodesicDistance(surface, lengths, options).to(sources).values;
 }

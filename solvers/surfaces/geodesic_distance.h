@@ -23,8 +23,9 @@ struct Distance {
 /// Distance along a surface by the heat method. Heat flows from the sources for a short time; the
 /// gradient of its logarithm, made a unit vector in every triangle, points towards them; the
 /// distance is the function that is 0 at the sources and whose gradient fits the opposite best. The
-/// surface may be bounded, one-sided and of several components. Two factorizations serve all calls
-/// with one source on each component; several there cost one for each call.
+/// surface may be bounded, one-sided, of several components, and branch: each triangle has a plane
+/// of its own, so any number of them may meet at an edge. Two factorizations serve all calls with
+/// one source on each component; several there cost one for each call.
 ///
 /// Where the time is so short that the heat far away is too faint for its digits to be trusted, it
 /// flows longer, on that component and for that call. With a direct engine this begins at some 500
@@ -36,10 +37,10 @@ public:
     /// A length for every edge. Throws InvalidInput, naming edge or triangle, for lengths that are
     /// none of triangles with area, and unless the time scale is from 1e-6 to 1e6; SolverFailure if
     /// the engine cannot factorize.
-    GeodesicDistance(const GluedSurface& surface, const Vector& lengths,
+    GeodesicDistance(const Triangles& surface, const Vector& lengths,
                      const GeodesicOptions& options = {});
     /// On the surface of a bundle, after intrinsic flips on the flipped triangles.
-    /// Throws InvalidInput too if it is no surface or three triangles meet at an edge.
+    /// Throws InvalidInput too if it is no surface.
     GeodesicDistance(const Discretization& discretization, const GeodesicOptions& options = {});
     GeodesicDistance(GeodesicDistance&&) noexcept;
     ~GeodesicDistance();
@@ -56,12 +57,12 @@ private:
 };
 
 /// The distance by a solver made for it.
-Vector geodesic_distance(const GluedSurface& surface, const Vector& lengths,
+Vector geodesic_distance(const Triangles& surface, const Vector& lengths,
                          std::span<const Index> sources, const GeodesicOptions& options = {});
 
 /// The distance on the surface of a bundle, of the 0-cells of complex() from those given; after
 /// intrinsic flips on the flipped triangles, where it is more accurate if the input's are bad.
-/// Throws InvalidInput too if the bundle is no surface or three triangles meet at an edge.
+/// Throws InvalidInput too if the bundle is no surface.
 Vector geodesic_distance(const Discretization& discretization, std::span<const Index> sources,
                          const GeodesicOptions& options = {});
 

@@ -11,7 +11,7 @@
 
 namespace polydec {
 
-HeatStep::HeatStep(const GluedSurface& surface, const SurfaceMetric& metric, const Vector& times,
+HeatStep::HeatStep(const Triangles& surface, const SurfaceMetric& metric, const Vector& times,
                    const std::string& engine)
     : times_(times), solver_(make_linear_solver(engine)) {
     SparseMatrix A(surface.vertices(), surface.vertices());

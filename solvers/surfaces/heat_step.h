@@ -10,7 +10,7 @@ namespace polydec {
 /// for each component.
 class HeatStep {
 public:
-    HeatStep(const GluedSurface& surface, const SurfaceMetric& metric, const Vector& times,
+    HeatStep(const Triangles& surface, const SurfaceMetric& metric, const Vector& times,
              const std::string& engine);
 
     /// A column per right-hand side.

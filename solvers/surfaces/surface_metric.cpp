@@ -14,10 +14,13 @@ namespace polydec {
 
 namespace {
 
-void find_components(const GluedSurface& surface, SurfaceMetric& metric) {
+void find_components(const Triangles& surface, SurfaceMetric& metric) {
     DisjointSets sets(surface.vertices());
-    for (Index e = 0; e < surface.edges(); ++e)
-        sets.join(surface.first_vertex(e), surface.last_vertex(e));
+    std::vector<Index> vertex_of_edge(std::size_t(surface.edges()), 0);
+    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
+        sets.join(surface.tail(h), surface.head(h));
+        vertex_of_edge[surface.edge(h)] = surface.tail(h);
+    }
     std::vector<Index> number(std::size_t(surface.vertices()), -1);
     Index count = 0;
     for (Index v = 0; v < surface.vertices(); ++v) {
@@ -29,7 +32,7 @@ void find_components(const GluedSurface& surface, SurfaceMetric& metric) {
     Vector edges = Vector::Zero(count);
     metric.mean_lengths = Vector::Zero(count);
     for (Index e = 0; e < surface.edges(); ++e) {
-        const Index c = metric.component[surface.first_vertex(e)];
+        const Index c = metric.component[vertex_of_edge[e]];
         metric.mean_lengths[c] += metric.lengths[e];
         edges[c] += 1;
     }
@@ -38,7 +41,7 @@ void find_components(const GluedSurface& surface, SurfaceMetric& metric) {
 
 } // namespace
 
-SurfaceMetric surface_metric(const GluedSurface& surface, const Vector& lengths) {
+SurfaceMetric surface_metric(const Triangles& surface, const Vector& lengths) {
     check_lengths(surface, lengths);
     if (surface.triangles() == 0)
         throw InvalidInput("the surface has no triangles: expected one at least");
@@ -63,7 +66,7 @@ SurfaceMetric surface_metric(const GluedSurface& surface, const Vector& lengths)
     return metric;
 }
 
-void check_sources(const GluedSurface& surface, const SurfaceMetric& metric,
+void check_sources(const Triangles& surface, const SurfaceMetric& metric,
                    std::span<const Index> sources) {
     std::vector<bool> reached(std::size_t(metric.mean_lengths.size()), false);
     for (const Index v : sources) {
@@ -88,7 +91,7 @@ void check_time_scale(double time_scale) {
             fmt::format("a time scale of {} is given: expected one from 1e-6 to 1e6", time_scale));
 }
 
-std::string explained(const GluedSurface& surface, const SurfaceMetric& metric,
+std::string explained(const Triangles& surface, const SurfaceMetric& metric,
                       const std::string& failure) {
     Eigen::Index sharpest = 0;
     metric.cotangents.cwiseAbs().maxCoeff(&sharpest);
@@ -100,7 +103,7 @@ std::string explained(const GluedSurface& surface, const SurfaceMetric& metric,
                        h / 3);
 }
 
-SparseMatrix surface_laplacian(const GluedSurface& surface, const SurfaceMetric& metric,
+SparseMatrix surface_laplacian(const Triangles& surface, const SurfaceMetric& metric,
                                const Vector& factors) {
     std::vector<Eigen::Triplet<double, Index>> entries;
     entries.reserve(12 * std::size_t(surface.triangles()));

@@ -13,8 +13,8 @@ namespace polydec {
 
 class LinearSolver;
 
-/// What heat on a glued surface needs of its metric. Lengths are in a unit near the longest edge,
-/// so that nothing here overflows or gets lost, whatever unit the user has.
+/// What heat on a surface needs of its metric, also where it branches. Lengths are in a unit near
+/// the longest edge, so that nothing here overflows or gets lost, whatever unit the user has.
 struct SurfaceMetric {
     double unit;                  ///< a power of 2
     Vector lengths;               ///< of edges
@@ -26,22 +26,22 @@ struct SurfaceMetric {
 };
 
 /// Throws InvalidInput, naming edge or triangle, for lengths that are none of triangles with area.
-SurfaceMetric surface_metric(const GluedSurface& surface, const Vector& lengths);
+SurfaceMetric surface_metric(const Triangles& surface, const Vector& lengths);
 
 /// Throws InvalidInput for vertices that the surface has not, and if a component has none of them.
-void check_sources(const GluedSurface& surface, const SurfaceMetric& metric,
+void check_sources(const Triangles& surface, const SurfaceMetric& metric,
                    std::span<const Index> sources);
 
 /// Throws InvalidInput unless it is from 1e-6 to 1e6.
 void check_time_scale(double time_scale);
 
 /// What an engine says of its failure, and the angle that is probably its cause.
-std::string explained(const GluedSurface& surface, const SurfaceMetric& metric,
+std::string explained(const Triangles& surface, const SurfaceMetric& metric,
                       const std::string& failure);
 
 /// The result of a call, whose failures are explained.
 template <class Call>
-auto explaining_failure(const GluedSurface& surface, const SurfaceMetric& metric, Call call) {
+auto explaining_failure(const Triangles& surface, const SurfaceMetric& metric, Call call) {
     try {
         return call();
     } catch (const OutOfMemory&) {
@@ -54,7 +54,7 @@ auto explaining_failure(const GluedSurface& surface, const SurfaceMetric& metric
 
 /// The cotangent Laplacian, positive semidefinite, with the part of each component multiplied by
 /// its factor.
-SparseMatrix surface_laplacian(const GluedSurface& surface, const SurfaceMetric& metric,
+SparseMatrix surface_laplacian(const Triangles& surface, const SurfaceMetric& metric,
                                const Vector& factors);
 
 } // namespace polydec

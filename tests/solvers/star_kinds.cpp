@@ -113,6 +113,43 @@ TEST(HeatByStars, refuses_what_would_need_the_inverse_of_a_matrix) {
               std::string::npos);
 }
 
+/// What inverts a matrix acts by solving and has no sparse matrix, and so no diagonal; all else has
+/// both.
+TEST(OperatorsByStars, have_a_matrix_and_a_diagonal_where_no_matrix_is_inverted) {
+    for (const Mesh& input : {shaken(grid(4, 4), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3)}) {
+        const auto mesh = discretize(input);
+        const auto& complex = mesh.complex();
+        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const int n = mesh.dimension();
+        for (int k = 0; k <= n; ++k) {
+            const Vector x = random_vector(complex.size(k), 1);
+            for (const auto& [A, inverts] :
+                 {std::pair{symmetric_laplacian(complex, stars, k), k > 0},
+                  std::pair{laplacian(complex, stars, k), true},
+                  std::pair{Operator::star(stars[k]), false},
+                  std::pair{dual_laplacian(complex, stars, n - k), true}}) {
+                const Vector y = A * x;
+                EXPECT_TRUE(y.allFinite());
+                if (inverts) {
+                    const std::string name = "inverts the star of";
+                    EXPECT_NE(refusal([&A = A] { A.matrix(); }).find(name), std::string::npos);
+                    EXPECT_NE(refusal([&A = A] { A.diagonal(); }).find(name), std::string::npos);
+                    continue;
+                }
+                EXPECT_LE(relative_difference(y, Vector(A.matrix() * x)), 1e-13) << "k = " << k;
+                EXPECT_LE(relative_difference(A.diagonal(), Vector(A.matrix().diagonal())), 1e-13);
+            }
+            // columns of the operator, which is dense
+            const Operator A = symmetric_laplacian(complex, stars, k);
+            DenseMatrix columns(complex.size(k), complex.size(k));
+            for (Index i = 0; i < columns.cols(); ++i)
+                columns.col(i) = A * Vector::Unit(columns.cols(), i);
+            EXPECT_LE((columns - columns.transpose()).norm(), 1e-11 * columns.norm());
+            EXPECT_GT((columns + columns.transpose()).norm(), columns.norm());
+        }
+    }
+}
+
 /// The outward unit normals of the facets of tets, as they are.
 Points outward_normals(const Discretization& mesh) {
     const Pieces& K = mesh.pieces();
