@@ -13,9 +13,11 @@ bool can_take_flat_simplices(int dimension, Index ambient_dimension) {
 
 Vector shortest_edges(const Pieces& complex, const CellVolumes& volumes) {
     Vector shortest = Vector::Constant(complex.size(0), std::numeric_limits<double>::infinity());
-    for (Index e = 0; e < complex.size(1); ++e)
-        for (const Index v : complex.simplices(1).row(e))
-            shortest[v] = std::min(shortest[v], volumes.primal(1)[e]);
+    const Simplices& edges = complex.simplices(1);
+    const Vector& lengths = volumes.primal(1);
+    for (Index e = 0; e < lengths.size(); ++e)
+        for (int i = 0; i <= 1; ++i)
+            shortest[edges(e, i)] = std::min(shortest[edges(e, i)], lengths[e]);
     return shortest;
 }
 
@@ -26,16 +28,19 @@ std::vector<bool> flat_simplices(const Pieces& complex, const SimplexMetric& met
     if (!can_take_flat_simplices(n, metric.ambient_dimension()) || !complex.orientable())
         return {};
     const Vector shortest = shortest_edges(complex, volumes);
+    const Simplices& simplices = complex.simplices(n);
+    const FaceTable faces = complex.faces(n);
+    const Vector &tops = volumes.primal(n), &facets = volumes.primal(n - 1);
     std::vector<bool> flat;
-    for (Index t = 0; t < complex.size(n); ++t) {
+    for (Index t = 0; t < tops.size(); ++t) {
         double edge = std::numeric_limits<double>::infinity(), facet = 0;
         for (int i = 0; i <= n; ++i) {
-            edge = std::min(edge, shortest[complex.simplices(n)(t, i)]);
-            facet = std::max(facet, volumes.primal(n - 1)[complex.face(n, t, i)]);
+            edge = std::min(edge, shortest[simplices(t, i)]);
+            facet = std::max(facet, facets[faces(t, i)]);
         }
-        if (n * volumes.primal(n)[t] > low * edge * facet)
+        if (n * tops[t] > low * edge * facet)
             continue;
-        flat.resize(static_cast<std::size_t>(complex.size(n)), false);
+        flat.resize(static_cast<std::size_t>(tops.size()), false);
         flat[t] = true;
     }
     return flat;

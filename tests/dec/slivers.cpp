@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+#include "base/random.h"
+#include "dec/choose_stars.h"
+#include "dec/fields/sharp.h"
+#include "dec/fields/transfer.h"
+#include "dec/fields/whitney_interpolation.h"
+#include "dec/forms/star.h"
+#include "dec/merging/facet_defects.h"
+#include "dec/merging/flat_simplices.h"
+#include "dec/merging/lift.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "meshes/delaunay.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "tests/support/hand_made.h"
+#include "tests/support/refusal.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace polydec::test {
+namespace {
+
+using Sizes = std::vector<Index>;
+
+Sizes sizes(const CellComplex& complex) {
+    Sizes result;
+    for (int k = 0; k <= complex.dimension(); ++k)
+        result.push_back(complex.size(k));
+    return result;
+}
+
+/// Cells of m^3 cubes.
+Sizes cubes(Index m) {
+    const Index p = m + 1;
+    return {p * p * p, 3 * m * p * p, 3 * m * m * p, m * m * m};
+}
+
+/// Delaunay tetrahedra of the points of m^3 cubes of edge 1/m, each moved by at most jitter / m
+/// along what of the boundary it lies on.
+Mesh delaunay_grid(int m, double jitter, std::uint64_t seed = 1) {
+    const auto fixed = [m](int i) { return i == 0 || i == m; };
+    std::vector<std::array<int, 3>> places;
+    for (int i = 0; i <= m; ++i)
+        for (int j = 0; j <= m; ++j)
+            for (int k = 0; k <= m; ++k)
+                places.push_back({i, j, k});
+    std::stable_partition(places.begin(), places.end(), [&](const std::array<int, 3>& place) {
+        return fixed(place[0]) && fixed(place[1]) && fixed(place[2]);
+    });
+    Points points(places.size(), 3), noise = points;
+    Noise(static_cast<std::uint32_t>(seed)).fill(noise.reshaped());
+    for (Index v = 0; v < points.rows(); ++v)
+        for (int axis = 0; axis < 3; ++axis)
+            points(v, axis) =
+                (places[v][axis] + (fixed(places[v][axis]) ? 0 : 2 * jitter * noise(v, axis))) / m;
+    return delaunay_in_cube(points, 1.0 / m, seed);
+}
+
+/// m^3 cubes of edge 1, each cut into five tetrahedra in one of the two ways: at random, with flat
+/// ones on the squares that are cut differently on both sides, or so that they fit.
+Mesh five_to_a_cube(int m, bool fitting = false) {
+    const int p = m + 1;
+    const auto number = [p](int i, int j, int k) { return Index((i * p + j) * p + k); };
+    Points points(p * p * p, 3);
+    for (int i = 0; i < p; ++i)
+        for (int j = 0; j < p; ++j)
+            for (int k = 0; k < p; ++k)
+                points.row(number(i, j, k)) << i, j, k;
+    Vector noise(m * m * m);
+    Noise(5).fill(noise);
+    const auto way = [&](int i, int j, int k) {
+        return fitting ? (i + j + k) % 2 : int(noise[(i * m + j) * m + k] > 0);
+    };
+    const auto is_odd = [](int a) { return ((a ^ a >> 1 ^ a >> 2) & 1) != 0; };
+    std::vector<std::array<Index, 4>> cells;
+    for (int i = 0; i < m; ++i)
+        for (int j = 0; j < m; ++j)
+            for (int k = 0; k < m; ++k) {
+                const auto corner = [&](int a) {
+                    return number(i + (a & 1), j + (a >> 1 & 1), k + (a >> 2 & 1));
+                };
+                std::vector<Index> inner;
+                for (int a = 0; a < 8; ++a)
+                    if (is_odd(a) == (way(i, j, k) == 1))
+                        inner.push_back(corner(a));
+                    else
+                        cells.push_back({corner(a), corner(a ^ 1), corner(a ^ 2), corner(a ^ 4)});
+                cells.push_back({inner[0], inner[1], inner[2], inner[3]});
+                const std::array<int, 3> place{i, j, k};
+                for (int axis = 0; axis < 3; ++axis) {
+                    std::array<int, 3> next = place;
+                    if (++next[axis] == m || way(i, j, k) != way(next[0], next[1], next[2]))
+                        continue; // nothing behind, or the same diagonal
+                    std::vector<Index> square;
+                    for (int a = 0; a < 8; ++a)
+                        if ((a >> axis & 1) == 1)
+                            square.push_back(corner(a));
+                    cells.push_back({square[0], square[1], square[2], square[3]});
+                }
+            }
+    Simplices simplices(cells.size(), 4);
+    for (Index t = 0; t < simplices.rows(); ++t)
+        for (int i = 0; i < 4; ++i)
+            simplices(t, i) = cells[t][i];
+    return {points, simplices, {}};
+}
+
+Index count_flat(const Discretization& mesh) {
+    Index count = 0;
+    for (Index t = 0; t < mesh.pieces().size(mesh.dimension()); ++t)
+        count += mesh.is_flat(t);
+    return count;
+}
+
+/// The largest distance of duals of cubes of edge h from those of exact ones, 1, 1/2, 1/4 or 1/8.
+double off_cubes(const Discretization& mesh, double h) {
+    double worst = 0;
+    for (int k = 0; k <= 3; ++k)
+        for (const double dual : mesh.volumes().dual(k)) {
+            double least = 1;
+            for (const double exact : {1.0, 0.5, 0.25, 0.125})
+                least = std::min(least, std::abs(dual / std::pow(h, 3 - k) - exact));
+            worst = std::max(worst, least);
+        }
+    return worst;
+}
+
+double largest(const SparseMatrix& matrix) {
+    return matrix.nonZeros() == 0 ? 0 : matrix.coeffs().cwiseAbs().maxCoeff();
+}
+
+/// The integrals over the k-pieces of a constant form: dx_axis, or the one that is its star.
+Vector constant(const Discretization& mesh, int k, int axis) {
+    const auto& simplices = mesh.pieces().simplices(k);
+    Vector values(simplices.rows());
+    for (Index s = 0; s < values.size(); ++s) {
+        const auto edge = [&](int i) {
+            return Eigen::Vector3d(mesh.points().row(simplices(s, i)) -
+                                   mesh.points().row(simplices(s, 0)));
+        };
+        values[s] = k == 1 ? edge(1)[axis] : edge(1).cross(edge(2))[axis] / 2;
+    }
+    return values;
+}
+
+/// How far the lifts are from giving constant forms back.
+double off_constants(const Discretization& mesh, const std::vector<SparseMatrix>& lift) {
+    double worst = 0;
+    for (const int k : {1, 2})
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vector exact = constant(mesh, k, axis);
+            const Vector cells = mesh.merging().diamond(k).cast<double>() * exact;
+            worst = std::max(worst, (lift[k] * cells - exact).cwiseAbs().maxCoeff());
+        }
+    return worst;
+}
+
+/// Eigenvalues of Laplacians: of primal 0-forms, and of dual ones that vanish on the boundary.
+std::array<Vector, 2> eigenvalues(const Discretization& mesh) {
+    const auto spectrum = [](const DenseMatrix& A, const Vector& M) -> Vector {
+        return Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix>(A, M.asDiagonal(),
+                                                                     Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    };
+    const auto& W = mesh.volumes();
+    const auto d = [&](int k) { return DenseMatrix(mesh.complex().coboundary(k).cast<double>()); };
+    const Vector edges = W.dual(1).cwiseQuotient(W.primal(1));
+    const Vector faces = W.primal(2).cwiseQuotient(W.dual(2));
+    return {spectrum(d(0).transpose() * edges.asDiagonal() * d(0), W.dual(0)),
+            spectrum(d(2) * faces.asDiagonal() * d(2).transpose(), W.primal(3))};
+}
+
+constexpr std::array jitters{0.0, 1e-12, 1e-8, 1e-6, 1e-5, 3e-5};
+
+TEST(Slivers, of_jittered_points_become_pieces_of_cubes) {
+    for (const int m : {3, 5})
+        for (const double jitter : jitters) {
+            const auto mesh = discretize(delaunay_grid(m, jitter));
+            EXPECT_EQ(sizes(mesh.complex()), cubes(m)) << jitter;
+            EXPECT_LE(off_cubes(mesh, 1.0 / m), 5 * jitter + 1e-14) << jitter;
+            if (jitter > 1e-7) {
+                EXPECT_GT(count_flat(mesh), 10) << jitter;
+            }
+        }
+}
+
+TEST(Slivers, without_any_volume_become_pieces_of_cubes) {
+    for (const int m : {2, 3, 4}) {
+        const auto mesh = discretize(five_to_a_cube(m));
+        EXPECT_EQ(sizes(mesh.complex()), cubes(m));
+        EXPECT_EQ(count_flat(mesh), mesh.pieces().size(3) - 5 * m * m * m);
+        EXPECT_GT(count_flat(mesh), 0);
+        EXPECT_LE(off_cubes(mesh, 1), 1e-14);
+    }
+}
+
+TEST(Slivers, leave_the_laws_of_duals) {
+    for (const double jitter : jitters) {
+        const auto mesh = discretize(delaunay_grid(4, jitter));
+        for (int k = 0; k <= 3; ++k) {
+            const double sum = mesh.volumes().primal(k).dot(mesh.volumes().dual(k));
+            const double binomial = k == 0 || k == 3 ? 1 : 3;
+            EXPECT_NEAR(sum, binomial, k == 2 ? 1e-13 : 5 * jitter + 1e-13) << k << ' ' << jitter;
+        }
+    }
+}
+
+TEST(Slivers, leave_no_dual_at_all_to_what_is_removed) {
+    for (const double jitter : {1e-8, 1e-5}) {
+        const auto mesh = discretize(delaunay_grid(3, jitter));
+        for (Index f = 0; f < mesh.pieces().size(2); ++f)
+            if (mesh.merging().carriers(2)[f].dimension == 3) {
+                EXPECT_EQ(mesh.piece_volumes().dual(2)[f], 0);
+            }
+    }
+}
+
+TEST(SliversBroken, by_their_own_circumcenters_would_stay) {
+    const auto mesh = discretize(delaunay_grid(3, 1e-5));
+    const auto own = circumcentric_volumes(mesh.input(), mesh.metric());
+    Index far = 0;
+    for (Index t = 0; t < mesh.pieces().size(3); ++t)
+        for (int i = 0; i <= 3 && mesh.is_flat(t); ++i)
+            far += std::abs(own.dual(2)[mesh.pieces().face(3, t, i)]) > 1e-2;
+    EXPECT_GT(far, 10);
+}
+
+TEST(SliversBroken, by_jitter_above_the_tolerance_would_not_be_cubes) {
+    EXPECT_NE(sizes(discretize(delaunay_grid(3, 1e-3)).complex()), cubes(3));
+    EXPECT_EQ(sizes(discretize(delaunay_grid(3, 3e-4), {.tolerance = 1e-3}).complex()), cubes(3));
+}
+
+TEST(Slivers, leave_the_spectra_of_cubes) {
+    const auto exact = eigenvalues(discretize(kuhn(3, 4)));
+    for (const double jitter : jitters) {
+        const auto found = eigenvalues(discretize(delaunay_grid(4, jitter)));
+        for (int side = 0; side < 2; ++side)
+            for (Index i = 0; i < exact[side].size(); ++i)
+                EXPECT_NEAR(found[side][i], exact[side][i],
+                            (5 * jitter + 1e-12) * (exact[side][i] + 1))
+                    << jitter;
+    }
+}
+
+TEST(Slivers, do_not_depend_on_numbers) {
+    const auto sorted = [](Vector values) {
+        std::sort(values.begin(), values.end());
+        return values;
+    };
+    for (const Mesh& mesh : {delaunay_grid(3, 1e-8), delaunay_grid(3, 1e-5), five_to_a_cube(3)}) {
+        const auto one = discretize(mesh);
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            const auto other = discretize(shuffled(mesh, seed).mesh);
+            ASSERT_EQ(sizes(other.complex()), sizes(one.complex()));
+            EXPECT_EQ(count_flat(other), count_flat(one));
+            for (int k = 0; k <= 3; ++k)
+                EXPECT_LE((sorted(other.volumes().dual(k)) - sorted(one.volumes().dual(k)))
+                              .cwiseAbs()
+                              .maxCoeff(),
+                          1e-13);
+        }
+    }
+}
+
+TEST(Slivers, leave_the_lift_a_cochain_map_exact_for_constants) {
+    for (const double jitter : {0.0, 1e-12, 1e-8, 1e-6, 1e-5}) {
+        for (const Mesh& given :
+             {delaunay_grid(3, jitter), perturbed(five_to_a_cube(3), jitter, 1)}) {
+            const auto mesh = discretize(given);
+            ASSERT_EQ(sizes(mesh.complex()), cubes(3));
+            const auto& S = mesh.lift();
+            for (int k = 0; k < 3; ++k) {
+                const SparseMatrix d = mesh.pieces().coboundary(k).cast<double>() * S[k];
+                const SparseMatrix d_P = S[k + 1] * mesh.complex().coboundary(k).cast<double>();
+                EXPECT_LE(largest(d - d_P), 1e-13) << k << ' ' << jitter;
+            }
+            EXPECT_LE(off_constants(mesh, S), 5 * jitter + 1e-12) << jitter;
+        }
+    }
+}
+
+TEST(SliversBroken, taken_for_ordinary_pieces_would_spoil_the_lift) {
+    for (const double jitter : {0.0, 1e-8}) {
+        const auto mesh = discretize(perturbed(five_to_a_cube(3), jitter, 1));
+        const auto lift = commuting_lift(mesh.merging(), mesh.metric(), mesh.piece_volumes());
+        EXPECT_GT(off_constants(mesh, lift), 0.1) << jitter;
+    }
+}
+
+TEST(Slivers, leave_fields_and_stars_exact_for_constants) {
+    for (const double jitter : {0.0, 1e-8, 1e-5}) {
+        const auto mesh = discretize(perturbed(five_to_a_cube(3), jitter, 1));
+        const double tolerance = 50 * jitter + 1e-11;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Cochain form{Side::primal, 1,
+                               mesh.merging().diamond(1).cast<double>() * constant(mesh, 1, axis)};
+            for (const DenseMatrix& field :
+                 {sharp_pp(mesh, form), sharp_pd(mesh, form), whitney_at_centroids(mesh, form)}) {
+                const Eigen::RowVector3d exact = Eigen::RowVector3d::Unit(axis);
+                EXPECT_LE((field.rowwise() - exact).cwiseAbs().maxCoeff(), tolerance) << jitter;
+            }
+            const auto galerkin = choose_stars(mesh, StarKind::galerkin);
+            EXPECT_NEAR(form.values.dot(galerkin.stars[1] * form.values), 27, 27 * tolerance);
+        }
+    }
+}
+
+TEST(Slivers, are_refused_where_they_lie_on_no_sphere) {
+    // four points of a plane on no circle, between two pairs of tetrahedra
+    const Mesh mesh =
+        made_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 2, 0}, {0.4, 0.4, 1}, {0.4, 0.4, -1}},
+                {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 1, 3, 5}, {1, 2, 3, 5}, {0, 1, 2, 3}});
+    EXPECT_EQ(refusal([&] { discretize(mesh); }),
+              "cell 4 (vertices 0 1 2 3) has no volume, and without it its neighbors would come "
+              "apart.\nIts vertices lie in one plane: move one of them, or exchange the cell and "
+              "its neighbors for others.");
+    EXPECT_NE(refusal([] {
+                  discretize(five_to_a_cube(2), {.criterion = MergeCriterion::none});
+              }).find("has no volume"),
+              std::string::npos);
+}
+
+TEST(FlatSimplices, are_none_in_thin_layers) {
+    for (const double thickness : {1e-2, 1e-4, 1e-6}) {
+        Mesh mesh = five_to_a_cube(3, true);
+        mesh.points.col(2) *= thickness;
+        const auto thin = discretize(mesh);
+        EXPECT_EQ(sizes(thin.complex()), cubes(3)) << thickness;
+        EXPECT_TRUE(flat_simplices(thin.pieces(), thin.metric(), thin.piece_volumes()).empty());
+    }
+}
+
+TEST(FlatSimplices, near_the_tolerance_are_told) {
+    const auto mesh = discretize(delaunay_grid(4, 3e-4));
+    bool told = false;
+    for (const auto& warning : mesh.warnings())
+        told = told || warning.find("try the tolerance 1e-03") != std::string::npos;
+    EXPECT_TRUE(told);
+}
+
+} // namespace
+} // namespace polydec::test
