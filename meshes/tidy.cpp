@@ -222,12 +222,16 @@ void warn_of_isolated_vertices(Mesh& mesh) {
     for (Index v = 0; v < mesh.points.rows(); ++v)
         if (!used[v])
             isolated.push_back(v);
-    if (!isolated.empty())
-        mesh.warnings.push_back(fmt::format(
-            "{} belong{} to no cell, left out of all counts: {}",
-            isolated.size() == 1 ? "1 vertex" : fmt::format("{} vertices", isolated.size()),
-            isolated.size() == 1 ? "s" : "",
-            listed(isolated, [](Index v) { return fmt::format("{}", v); })));
+    if (isolated.empty())
+        return;
+    auto warning = fmt::format(
+        "{} belong{} to no cell, left out of all counts: {}",
+        isolated.size() == 1 ? "1 vertex" : fmt::format("{} vertices", isolated.size()),
+        isolated.size() == 1 ? "s" : "",
+        listed(isolated, [](Index v) { return fmt::format("{}", v); }));
+    auto& warnings = mesh.warnings; // which tell so already if the mesh was tidied before
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+        warnings.push_back(std::move(warning));
 }
 
 void refuse(const Mesh& mesh, const FlatCellsKept& cells) {

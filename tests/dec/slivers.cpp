@@ -201,6 +201,40 @@ TEST(Slivers, without_any_volume_become_pieces_of_cubes) {
     }
 }
 
+/// Two prisms over hexagons, one on the other, cut from opposite corners: their common hexagon is a
+/// fan around its corner 0 from above, around its corner 1 from below, with flat cells upon each
+/// other between.
+Mesh prisms() {
+    std::vector<std::vector<double>> points;
+    for (int level = 0; level < 3; ++level)
+        for (int i = 0; i < 6; ++i)
+            points.push_back({std::cos(i * M_PI / 3), std::sin(i * M_PI / 3), double(level)});
+    std::vector<std::vector<Index>> cells{{6, 7, 8, 9}, {6, 7, 9, 10}, {6, 7, 10, 11}};
+    const auto cut = [&](Index middle, Index far, Index fan) { // from corner 0 of the far hexagon
+        for (Index i = 1; i < 5; ++i)
+            cells.push_back(
+                {far, middle + fan, middle + (fan + i) % 6, middle + (fan + i + 1) % 6});
+        for (Index i = 1; i < 5; ++i) { // the sides away from it
+            cells.push_back({far, middle + i, middle + i + 1, far + i});
+            cells.push_back({far, middle + i + 1, far + i, far + i + 1});
+        }
+    };
+    cut(6, 12, 0);
+    cut(6, 0, 1);
+    return made_of(points, cells);
+}
+
+TEST(Slivers, upon_each_other_become_pieces_of_prisms) {
+    for (const double jitter : {0.0, 1e-12, 1e-8, 1e-5}) {
+        const auto mesh = discretize(perturbed(prisms(), jitter, 1));
+        EXPECT_EQ(sizes(mesh.complex()), (Sizes{18, 30, 15, 2})) << jitter;
+        EXPECT_EQ(count_flat(mesh), 3);
+        EXPECT_LE(off_constants(mesh, mesh.lift()), 20 * jitter + 1e-12) << jitter;
+        const Vector sums = mesh.volumes().primal(2).cwiseProduct(mesh.volumes().dual(2));
+        EXPECT_NEAR(sums.sum() / (3 * mesh.volumes().primal(3).sum()), 1, 5 * jitter + 1e-13);
+    }
+}
+
 TEST(Slivers, leave_the_laws_of_duals) {
     for (const double jitter : jitters) {
         const auto mesh = discretize(delaunay_grid(4, jitter));
