@@ -4,6 +4,7 @@
 #include "backends/linear_solver.h"
 #include "dec/conditioned_complex.h"
 #include "dec/forms/cochain.h"
+#include "dec/forms/operator.h"
 
 #include <memory>
 #include <string>
@@ -25,7 +26,8 @@ struct HeatOptions {
 /// The heat equation du/dt = -Delta u for primal or dual forms of any degree, with one
 /// factorization for all steps. Without conditions given, those hold that need nothing done about
 /// the boundary (see built_in_conditions): for 0-forms nothing flows through the boundary (Neumann)
-/// if they are primal; values are 0 on it (Dirichlet) if they are dual.
+/// if they are primal; values are 0 on it (Dirichlet) if they are dual. Where star_(k-1) is a
+/// matrix, whose inverse is dense, each step solves for the codifferential beside the form.
 class HeatSolver {
 public:
     /// Throws InvalidInput if there is no such degree, the mass of these forms is not positive or a
@@ -56,8 +58,10 @@ private:
     std::vector<Index> kept_; // the cells whose values are not fixed at 0
     Side side_;
     int degree_;
-    double explicit_part_; // of the time step
-    SparseMatrix stiffness_;
+    double explicit_part_;   // of the time step
+    SparseMatrix stiffness_; // or,
+    Operator applied_;       // where that is dense
+    Index unknowns_;         // solved for in a step
     HodgeStar mass_;
     std::unique_ptr<LinearSolver> solver_;
 };
