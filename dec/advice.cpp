@@ -14,13 +14,13 @@ namespace polydec {
 
 const char* option(Remedy remedy) {
     constexpr std::array options{"", "DiscretizeOptions::delaunay", "Delaunay::flips_and_splits",
-                                 "Centers::centroids()"};
+                                 "StarKind::automatic"};
     return options[static_cast<std::size_t>(remedy)];
 }
 
 DiscretizeOptions with(Remedy remedy, DiscretizeOptions options) {
-    if (remedy == Remedy::centroids)
-        options.centers = Centers::centroids();
+    if (remedy == Remedy::stars)
+        options.star = StarKind::automatic;
     if (remedy != Remedy::flips && remedy != Remedy::splits)
         return options;
     if (options.criterion == MergeCriterion::angle)
@@ -32,8 +32,11 @@ DiscretizeOptions with(Remedy remedy, DiscretizeOptions options) {
 
 Remedy remedy(const Discretization& discretization) {
     const auto& options = discretization.options();
+    if (discretization.chosen_stars().kind != StarKind::circumcentric ||
+        !options.centers.are_circumcenters())
+        return Remedy::none;
     if (!GluedSurface::accepts(discretization.input()))
-        return options.centers.are_circumcenters() ? Remedy::centroids : Remedy::none;
+        return Remedy::stars;
     return options.delaunay == Delaunay::off     ? Remedy::flips
            : options.delaunay == Delaunay::flips ? Remedy::splits
                                                  : Remedy::none;
@@ -58,7 +61,7 @@ std::vector<Advice> advice(const Discretization& discretization) {
     // flips are of edges inside, and splits of those on the boundary
     const auto& cofaces = discretization.complex().coface_counts(k);
     const auto boundary = std::count_if(negative.begin(), negative.end(), [&](Index cell) {
-        return next != Remedy::centroids && k == facets && cofaces[cell] == 1;
+        return next != Remedy::stars && k == facets && cofaces[cell] == 1;
     });
     const auto inside = static_cast<Index>(negative.size()) - static_cast<Index>(boundary);
     std::vector<Advice> list;
@@ -69,12 +72,12 @@ std::vector<Advice> advice(const Discretization& discretization) {
     return list;
 }
 
-std::string nearer_to_delaunay(int dimension) {
-    const std::string wish = "a mesh that is nearer to Delaunay there";
+std::string positive_stars(int dimension) {
+    const std::string stars =
+        fmt::format("stars that are positive on every mesh ({})", option(Remedy::stars));
     if (dimension != GluedSurface::dimension)
-        return wish;
-    return fmt::format("{}: on a manifold intrinsic flips make it so ({})", wish,
-                       option(Remedy::splits));
+        return stars;
+    return fmt::format("{}, or on a manifold intrinsic flips ({})", stars, option(Remedy::splits));
 }
 
 } // namespace polydec

@@ -8,12 +8,12 @@
 
 namespace polydec {
 
-/// What makes negative duals positive: an option of discretize.
+/// What helps against negative duals: an option of discretize.
 enum class Remedy {
     none,
-    flips,     ///< Delaunay::flips: of edges between two triangles
-    splits,    ///< Delaunay::flips_and_splits: of boundary edges too
-    centroids, ///< Centers::centroids(): on every mesh, but less exact everywhere
+    flips,  ///< Delaunay::flips: of edges between two triangles
+    splits, ///< Delaunay::flips_and_splits: of boundary edges too
+    stars,  ///< StarKind::automatic: stars that are positive whatever the duals are
 };
 
 /// The option by its name in C++: "DiscretizeOptions::delaunay"; empty for none.
@@ -24,10 +24,10 @@ const char* option(Remedy remedy);
 DiscretizeOptions with(Remedy remedy, DiscretizeOptions options);
 
 /// The first remedy that is not taken yet: flips, then splits, for a surface with two triangles at
-/// an edge at most; centroids for other meshes. None where all is taken.
+/// an edge at most; stars for other meshes. None where all is taken, or other stars or centers are.
 Remedy remedy(const Discretization& discretization);
 
-/// Cells of one degree with a negative dual, and what makes those positive.
+/// Cells of one degree with a negative dual, and what helps.
 struct Advice {
     int degree = 0;
     Index cells = 0;
@@ -44,8 +44,8 @@ std::string in_words(const Advice& advice, int dimension);
 /// angle to the boundary; splits are advised then, and end it.
 std::vector<Advice> advice(const Discretization& discretization);
 
-/// "a mesh that is nearer to Delaunay there", and how to come by one: for refusals of what knows
-/// volumes alone.
-std::string nearer_to_delaunay(int dimension);
+/// "stars that are positive on every mesh (StarKind::automatic)", and what else there is: for
+/// refusals of what knows volumes alone.
+std::string positive_stars(int dimension);
 
 } // namespace polydec

@@ -224,11 +224,11 @@ void warn_of_isolated_vertices(Mesh& mesh) {
             isolated.push_back(v);
     if (isolated.empty())
         return;
-    auto warning = fmt::format(
-        "{} belong{} to no cell, left out of all counts: {}",
-        isolated.size() == 1 ? "1 vertex" : fmt::format("{} vertices", isolated.size()),
-        isolated.size() == 1 ? "s" : "",
-        listed(isolated, [](Index v) { return fmt::format("{}", v); }));
+    auto warning =
+        fmt::format("{} belong{} to no cell, left out of all counts: {}",
+                    isolated.size() == 1 ? "1 vertex" : fmt::format("{} vertices", isolated.size()),
+                    isolated.size() == 1 ? "s" : "",
+                    listed(isolated, [](Index v) { return fmt::format("{}", v); }));
     auto& warnings = mesh.warnings; // which tell so already if the mesh was tidied before
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
         warnings.push_back(std::move(warning));

@@ -34,7 +34,7 @@ void check_stars(const CellComplex& complex, const HodgeStars& stars, int k) {
                                        "{}: waves would grow without bound; take {}",
                                        negative.size(), k + 1,
                                        stars[k + 1].numbers({negative.front()}),
-                                       nearer_to_delaunay(stars.dimension())),
+                                       positive_stars(stars.dimension())),
                            stars[k + 1].place(negative));
 }
 

@@ -5,6 +5,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/gram.h"
 #include "dec/forms/laplacian.h"
+#include "dec/material_stars.h"
 #include "dec/metric/dual_parts.h"
 #include "solvers/dual_fluxes.h"
 #include "solvers/mixed_poisson.h"
@@ -74,9 +75,7 @@ Vector natural_facets(const CellComplex& complex, const CellMarks& essential) {
     return result;
 }
 
-/// star is that which tells how cells conduct.
-void check_conductivity(const CellComplex& complex, const HodgeStar& star,
-                        const Vector& conductivity) {
+void check_conductivity(const CellComplex& complex, const Vector& conductivity) {
     const int n = complex.dimension();
     if (conductivity.size() != 0 && conductivity.size() != complex.size(n))
         throw InvalidInput(fmt::format("{} conductivities are given: expected one for each of the "
@@ -88,12 +87,20 @@ void check_conductivity(const CellComplex& complex, const HodgeStar& star,
                                            "positive number",
                                            n, cell, conductivity[cell]),
                                {.degree = n, .cells = {cell}});
-    if (conductivity.size() != 0 && !star.is_diagonal())
-        throw InvalidInput(fmt::format("conductivities are given beside a star of {}-cells that is "
-                                       "a matrix, of which the cells' parts are not known: make "
-                                       "the star of them (material_star)",
-                                       star.degree()),
-                           {.degree = star.degree()});
+}
+
+/// The mesh with the star of flows that belongs to a conductivity, where that is a matrix.
+Discretization with_material(const Discretization& mesh, Side side, int flows,
+                             const Vector& conductivity) {
+    if (mesh.chosen_stars().kind == StarKind::own)
+        throw InvalidInput(fmt::format("conductivities are given beside a star of {}-cells of your "
+                                       "own that is a matrix, of which the cells' parts are not "
+                                       "known: make the star of them (material_star)",
+                                       flows),
+                           {.degree = flows});
+    const Vector weights =
+        side == Side::primal ? conductivity : Vector(conductivity.cwiseInverse());
+    return mesh.with_stars(mesh.stars().with(flows, material_star(mesh, flows, weights)));
 }
 
 /// What connects the unknowns, and what is known of it.
@@ -265,7 +272,12 @@ struct PoissonSolver::Problem {
 
     static Problem of(const Discretization& mesh, const PoissonOptions& options) {
         const int flows = options.side == Side::primal ? 1 : mesh.dimension() - 1;
-        check_conductivity(mesh.complex(), mesh.stars()[flows], options.conductivity);
+        check_conductivity(mesh.complex(), options.conductivity);
+        if (options.conductivity.size() != 0 && !mesh.stars()[flows].is_diagonal()) {
+            PoissonOptions others = options;
+            others.conductivity = {};
+            return of(with_material(mesh, options.side, flows, options.conductivity), others);
+        }
         Problem problem = options.side == Side::primal
                               ? primal(mesh.complex(), mesh.stars(), options,
                                        stiffness(mesh, options.conductivity),

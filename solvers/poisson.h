@@ -35,13 +35,13 @@ class MixedPoisson;
 /// Dual, where star_(n-1) is a matrix, u and its fluxes are found together (see MixedPoisson): no
 /// facet needs a dual, and a linear u comes out exactly on every flat mesh by Galerkin's and hybrid
 /// stars. Values then stand at centroids where the star couples facets (see dual_sites).
-/// Conductivities of stars that are matrices belong to these (see material_star).
+/// Conductivities make Galerkin's stars of the material then (see material_star).
 /// An object is used by one thread at a time.
 class PoissonSolver {
 public:
     /// Throws InvalidInput, naming the facets, if dual 0-forms are asked for on a complex that is
     /// non-orientable or branching, or where an interior dual has no length, or if the conditions
-    /// do not fit the facets; for conductivities beside a star that is a matrix.
+    /// do not fit the facets; for conductivities beside a star of one's own that is a matrix.
     PoissonSolver(const Discretization& mesh, const PoissonOptions& options = {});
 
     /// On any cells with any stars, whose places are not known: tables of sites have no columns.

@@ -108,7 +108,7 @@ SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g) const
     const double error = scale > 0 ? left.lpNorm<Eigen::Infinity>() / scale : 0;
     SolveReport report = solver_->report();
     report.backward_error = error;
-    report.residual = b.isZero(0) ? 0 : left.norm() / b.norm();
+    report.residual = b.isZero(0) ? 0 : left.stableNorm() / b.stableNorm();
     constexpr double limit = 1e-10;
     if (!(error <= limit))
         throw SolverFailure(fmt::format("{}: the solution of a mixed problem is not to be trusted: "

@@ -84,6 +84,12 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
         ->check(CLI::IsMember({"flips", "split-boundary"}))
         ->excludes(angle)
         ->excludes(groups);
+    add_common_options(command, arguments.tell);
+    command.add_flag("--timing", arguments.tell.timing, "tell the seconds each stage took");
+}
+
+void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind) {
+    arguments.star = name(kind);
     std::set<std::string> kinds;
     for (const StarKind kind : star_kinds)
         kinds.insert(name(kind));
@@ -96,8 +102,6 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
                     "circumcentric, hybrid and galerkin that is positive here")
         ->capture_default_str()
         ->check(CLI::IsMember(kinds));
-    add_common_options(command, arguments.tell);
-    command.add_flag("--timing", arguments.tell.timing, "tell the seconds each stage took");
 }
 
 CLI::Option* add_side(CLI::App& command, Side& side) {

@@ -23,13 +23,16 @@ struct MeshArguments {
     bool keep_groups = false;
     bool peel = false;
     std::string centers = "circumcenters";
-    std::string delaunay; ///< empty, flips or split-boundary
-    std::string star = name(StarKind::circumcentric);
+    std::string delaunay;                             ///< empty, flips or split-boundary
+    std::string star = name(StarKind::circumcentric); ///< see add_star
     TellOptions tell;
 };
 
 /// Adds MESH and the options of MeshArguments to a subcommand.
 void add_mesh_arguments(CLI::App& command, MeshArguments& arguments);
+
+/// The option --star, with this kind as the default.
+void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind);
 
 /// The option --side primal|dual.
 CLI::Option* add_side(CLI::App& command, Side& side);

@@ -119,12 +119,10 @@ double percent_of_pairs(const Diagnosis& facts) {
     return 100.0 * facts.merged_pairs.simplices / triangles;
 }
 
-/// Centroids make results less exact everywhere, so they are not advised in passing.
-std::vector<std::string> flip_advice(const Diagnosis& facts) {
+std::vector<std::string> advice_in_words(const Diagnosis& facts) {
     std::vector<std::string> list;
     for (const auto& advice : facts.advice)
-        if (advice.remedy != Remedy::centroids)
-            list.push_back(told(in_words(advice, facts.dimension)));
+        list.push_back(told(in_words(advice, facts.dimension)));
     return list;
 }
 
@@ -163,7 +161,7 @@ void write(JsonWriter& json, const Diagnosis& facts) {
             json.member("faces", facts.merged_pairs.simplices);
             json.member("percent", percent_of_pairs(facts));
         });
-    json.member("advice", flip_advice(facts));
+    json.member("advice", advice_in_words(facts));
 }
 
 std::string shown(const std::optional<double>& number, int digits) {
@@ -309,7 +307,7 @@ struct Info : Answer {
         write_stars(text, facts);
         write_laplacians(text, facts);
         write_operators(text, facts);
-        for (const auto& advice : flip_advice(facts))
+        for (const auto& advice : advice_in_words(facts))
             text("{}\n", advice);
     }
 };

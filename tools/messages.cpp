@@ -19,6 +19,7 @@ struct Wording {
 constexpr std::array options{
     Wording{"DiscretizeOptions::delaunay", "--delaunay"},
     Wording{"Delaunay::flips_and_splits", "--delaunay=split-boundary"},
+    Wording{"StarKind::automatic", "--star automatic"},
     Wording{"set_memory_limit", "--max-memory"},
 };
 

@@ -46,6 +46,9 @@ struct Solved : Answer {
     SolveReport report;
     Index free_components = 0;
     std::optional<Errors> errors;
+    ChosenStars stars;
+
+    explicit Solved(const ChosenStars& chosen) : stars(chosen) {}
 
     void write(JsonWriter& json) const override {
         json.member("side", name(side));
@@ -64,12 +67,13 @@ struct Solved : Answer {
                 json.member("l2", errors->l2);
                 json.member("max", errors->max);
             });
+        write_member(json, stars);
     }
 
     void write(Text& text) const override {
         text("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n", name(side), boundary,
              unknowns);
-        text("  {}\n", conditions);
+        text("  {}\n  {}\n", conditions, in_words(stars));
         text("  solution from {:.10g} to {:.10g}\n", min, max);
         text("  residual {:.2e} with {} (tried: {})\n", residual, report.engine,
              fmt::join(report.tried, "; "));
@@ -79,9 +83,10 @@ struct Solved : Answer {
     }
 };
 
-Solved describe(const Arguments& arguments, const Solution<Vector>& solution) {
+Solved describe(const Discretization& mesh, const Arguments& arguments,
+                const Solution<Vector>& solution) {
     const auto& [u, report, compatibility] = solution;
-    Solved answer;
+    Solved answer(mesh.chosen_stars());
     answer.side = arguments.poisson.side;
     answer.boundary = arguments.conditions.natural                   ? "natural"
                       : arguments.conditions.essential_where.empty() ? "dirichlet"
@@ -96,8 +101,8 @@ Solved describe(const Arguments& arguments, const Solution<Vector>& solution) {
 }
 
 Errors errors(const Discretization& mesh, Side side, const Vector& difference) {
-    const Vector& volumes =
-        side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(mesh.dimension());
+    const Vector& volumes = side == Side::primal ? mesh.stars().volumes().dual(0)
+                                                 : mesh.volumes().primal(mesh.dimension());
     // squares of the differences of a solution of extreme size would be no numbers
     const double largest = difference.cwiseAbs().maxCoeff();
     const double size = largest > 0 ? std::exp2(std::ilogb(largest)) : 1;
@@ -196,7 +201,7 @@ void run(Arguments arguments) {
     else
         warn_of_negative_duals(mesh, mesh.dimension() - 1,
                                fmt::format("{}; compare with --side primal", spoiled), log);
-    Solved answer = describe(arguments, solution);
+    Solved answer = describe(mesh, arguments, solution);
     answer.conditions = known(mesh, arguments);
     if (data.exact)
         answer.errors = errors(mesh, arguments.poisson.side,
@@ -214,6 +219,7 @@ void add_poisson(CLI::App& app) {
     auto* command = app.add_subcommand("poisson", "solves Delta u = f, Delta = -div grad");
     const auto arguments = std::make_shared<Arguments>();
     add_mesh_arguments(*command, arguments->mesh);
+    add_star(*command, arguments->mesh, StarKind::automatic);
     add_side(*command, arguments->poisson.side)->required();
     command->add_option("--rhs", arguments->rhs, "f: an expression in x, y, z, or a file")
         ->required();

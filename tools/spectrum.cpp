@@ -174,8 +174,8 @@ void add_spectrum(CLI::App& app) {
     auto* command = app.add_subcommand(
         "spectrum", "smallest eigenpairs of the Laplace-de Rham operator, certified");
     const auto arguments = std::make_shared<Arguments>();
-    arguments->mesh.star = name(StarKind::automatic);
     add_mesh_arguments(*command, arguments->mesh);
+    add_star(*command, arguments->mesh, StarKind::automatic);
     add_side(*command, arguments->spectrum.side)->required();
     command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();
     command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")

@@ -54,7 +54,8 @@ HodgeStar::HodgeStar(const CellVolumes& volumes, int k, SparseMatrix matrix)
     : HodgeStar(volumes, k) {
     check_symmetric(matrix, k, size());
     matrix_ = std::make_shared<Matrix>();
-    matrix_->entries = std::make_shared<const SparseMatrix>(std::move(matrix));
+    matrix_->entries = std::make_shared<const SparseMatrix>(
+        0.5 * (matrix + SparseMatrix(matrix.transpose()))); // without rounding across the diagonal
 }
 
 void HodgeStar::check(const Vector& values) const {

@@ -20,9 +20,9 @@ public:
     /// The diagonal star. Throws InvalidInput for another degree than 0..n.
     HodgeStar(const CellVolumes& volumes, int k);
 
-    /// A matrix in its place, whose entries must be finite and symmetric: size(k) x size(k); that
-    /// it is positive definite is seen when it is first solved with. Throws InvalidInput, naming
-    /// the shape or the entry.
+    /// A matrix in its place, whose entries must be finite and symmetric but for rounding, which is
+    /// taken out of it: size(k) x size(k); that it is positive definite is seen when it is first
+    /// solved with. Throws InvalidInput, naming the shape or the entry.
     HodgeStar(const CellVolumes& volumes, int k, SparseMatrix matrix);
 
     /// n and k.

@@ -25,6 +25,9 @@ namespace {
 /// Rounds of asking for missing copies before giving up; each finds at least one.
 constexpr int patience = 60;
 
+/// Rounds that find nothing, each from another start, before giving up.
+constexpr int most_in_vain = 3;
+
 /// From so many on blocks pay: their steps cost less, and Spectra's orthogonalization outgrows all.
 constexpr Index many = 20;
 
@@ -87,6 +90,7 @@ struct CertifiedEigensolver::State {
     double shift = 0; // below every eigenvalue that is not found
     bool factorized = false;
     bool smoothed = false; // with this shift
+    int in_vain = 0;       // rounds in a row that found nothing
     Random random{20};
 
     FoundPairs pairs;
@@ -145,7 +149,8 @@ Index CertifiedEigensolver::State::ask(Index count) {
         pairs.project_out(Y);
     };
     EigenOptions eigen_options;
-    eigen_options.max_restarts = 300;
+    eigen_options.max_restarts = in_vain == 0 ? 300 : 60;
+    eigen_options.tolerance *= std::pow(100.0, std::min(in_vain, 2)); // enclosures tell the rest
     eigen_options.start.resize(size());
     for (double& entry : eigen_options.start)
         entry = random.fraction() - 0.5;
@@ -342,10 +347,12 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     Index wanted = least + std::max<Index>(3, least / 10);
     if (!s.factorized)
         s.set_shift(s.lowest_shift(wanted), Definiteness::positive);
-    for (int round = 0; round < patience; ++round) {
+    s.in_vain = 0;
+    for (int round = 0; round < patience && s.in_vain < most_in_vain; ++round) {
         if (s.found() < std::min(wanted, s.size())) {
             const Index asked = std::min(wanted, s.size()) - s.found();
             const Index came = s.ask(asked);
+            s.in_vain = came == 0 ? s.in_vain + 1 : 0;
             if (came < asked && s.found() < count) {
                 s.move_shift(wanted);
                 continue;
@@ -371,9 +378,11 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
                     largest_cluster, count));
         }
     }
-    throw SolverFailure(fmt::format("{} eigenvalues asked for, {} found and the proof that none is "
-                                    "missing not reached in {} rounds; ask for fewer",
-                                    count, s.found(), patience));
+    throw SolverFailure(fmt::format(
+        "{} eigenvalues asked for, {} found, and the proof that none is missing is not reached: "
+        "rounding hides the others, or there are too many close to each other; improve cells of "
+        "extreme shape, or ask for fewer",
+        count, s.found()));
 }
 
 } // namespace polydec

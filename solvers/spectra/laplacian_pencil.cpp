@@ -61,7 +61,7 @@ GramPart lower_part(const CellComplex& complex, const HodgeStars& stars, int k) 
     if (stars[k].is_diagonal())
         return inverse_part(boundary * star, stars[k - 1]);
     GramPart part = has_positive_diagonal(stars[k - 1])
-                        ? GramPart{boundary * star, InverseWeights{stars[k - 1].matrix()}}
+                        ? GramPart{boundary * star, InverseWeights{stars[k - 1].diagonal()}}
                         : inverse_part(boundary * star, stars[k - 1]);
     part.F_error = sum_errors(boundary, star);
     return part;

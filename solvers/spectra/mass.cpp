@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/spectra/mass.h"
 
-#include "backends/linear/counting_factor.h"
-#include "base/errors.h"
-
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
-#include <fmt/format.h>
+#include "backends/linear/cholesky_root.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,25 +57,10 @@ private:
     Vector root_;
 };
 
-using ColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
-using Cholesky =
-    CountingFactor<Eigen::SimplicialLLT<ColumnMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>>>;
-
-/// P M P^T = L L^T, R = L^T P.
 class MatrixMass final : public Mass {
 public:
     explicit MatrixMass(const SparseMatrix& matrix)
-        : Mass(matrix.diagonal(), 0), matrix_(matrix), absolute_(matrix.cwiseAbs()) {
-        cholesky_.analyzePattern(matrix);
-        if (!cholesky_.fits())
-            throw SolverFailure(
-                fmt::format("the root of a {} x {} mass has more than 2^31 - 1 entries; take a "
-                            "diagonal star, or a smaller mesh",
-                            size(), size()));
-        cholesky_.factorize(matrix);
-        if (cholesky_.info() != Eigen::Success)
-            throw InvalidInput(
-                "a mass is not positive definite: an inner product of forms is expected");
+        : Mass(matrix.diagonal(), 0), matrix_(matrix), absolute_(matrix.cwiseAbs()), root_(matrix) {
         dominance_ = least_eigenvalue();
     }
 
@@ -97,7 +77,7 @@ public:
     LongVector solve(const LongVector& z, Vector& error) const override {
         LongVector x = LongVector::Zero(size()), rest = z;
         for (int step = 0; step < refinements; ++step) {
-            x += Vector(cholesky_.solve(rest.cast<double>())).cast<long double>();
+            x += root_.solve(rest.cast<double>()).cast<long double>();
             rest = z - times(x);
         }
         const Vector sizes =
@@ -106,17 +86,13 @@ public:
         return x;
     }
 
-    DenseMatrix root(const DenseMatrix& X) const override {
-        return cholesky_.matrixU() * (cholesky_.permutationP() * X);
-    }
-    DenseMatrix unroot(const DenseMatrix& X) const override {
-        return cholesky_.permutationPinv() * DenseMatrix(cholesky_.matrixU().solve(X));
-    }
+    DenseMatrix root(const DenseMatrix& X) const override { return root_.times(X); }
+    DenseMatrix unroot(const DenseMatrix& X) const override { return root_.inverse_times(X); }
     DenseMatrix transposed_root(const DenseMatrix& X) const override {
-        return cholesky_.permutationPinv() * DenseMatrix(cholesky_.matrixL() * X);
+        return root_.transposed_times(X);
     }
     Vector transposed_unroot(const LongVector& x) const override {
-        return cholesky_.matrixL().solve(cholesky_.permutationP() * Vector(x.cast<double>()));
+        return root_.inverse_transposed_times(x.cast<double>());
     }
 
     long double inverse_square(const LongVector& x) const override {
@@ -145,7 +121,7 @@ private:
             probe[i] = std::sin(1.0 + i);
         for (int step = 0; step < steps; ++step) {
             probe.normalize();
-            probe = scale.cwiseProduct(Vector(cholesky_.solve(scale.cwiseProduct(probe))));
+            probe = scale.cwiseProduct(root_.solve(scale.cwiseProduct(probe)));
         }
         return std::min(1.0, room / probe.norm());
     }
@@ -153,7 +129,7 @@ private:
     static constexpr int refinements = 3;
 
     SparseMatrix matrix_, absolute_;
-    Cholesky cholesky_;
+    CholeskyRoot root_;
     double longest_row_ = static_cast<double>(longest_row(matrix_) + 1);
 };
 
@@ -175,6 +151,17 @@ long double Mass::inverse_square_bound(const Vector& sizes) const {
     for (Index i = 0; i < size(); ++i)
         sum += static_cast<long double>(sizes[i]) * sizes[i] / diagonal_[i];
     return sum / dominance_;
+}
+
+Vector diagonal(const Weights& weights) {
+    const auto* W = std::get_if<SparseMatrix>(&weights);
+    return W ? Vector(W->diagonal()) : std::get<Vector>(weights);
+}
+
+Weights congruent(const Weights& weights, const Vector& D) {
+    if (const auto* W = std::get_if<SparseMatrix>(&weights))
+        return SparseMatrix(D.asDiagonal() * *W * D.asDiagonal());
+    return Vector(std::get<Vector>(weights).cwiseProduct(D).cwiseProduct(D));
 }
 
 std::unique_ptr<const Mass> make_mass(const Weights& weights) {

@@ -60,6 +60,12 @@ protected:
     double dominance_;
 };
 
+/// The numbers, or the diagonal of the matrix.
+Vector diagonal(const Weights& weights);
+
+/// D W D, D a diagonal.
+Weights congruent(const Weights& W, const Vector& D);
+
 /// Throws InvalidInput for numbers that are not positive and matrices that are not positive
 /// definite; SolverFailure if the root of one takes more memory than there is.
 std::unique_ptr<const Mass> make_mass(const Weights& weights);

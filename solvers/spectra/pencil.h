@@ -11,16 +11,17 @@ namespace polydec {
 /// Numbers, one for each entry, or a symmetric positive definite matrix.
 using Weights = std::variant<Vector, SparseMatrix>;
 
-/// The inverse of such a matrix, which would be dense.
+/// The inverse of such weights, kept apart: that of a matrix would be dense, and numbers between
+/// many cells would couple all of them.
 struct InverseWeights {
-    SparseMatrix W;
+    Weights W;
 };
 
 /// A part F^T W F of a symmetric matrix.
 struct GramPart {
     SparseMatrix F;
     /// One number of any sign for each row of F, or a positive definite matrix, or, in one part of
-    /// a pencil at most, the inverse of one.
+    /// a pencil at most, the inverse of one or of positive numbers.
     std::variant<Vector, SparseMatrix, InverseWeights> weights;
     Vector uncertainty = {};   ///< each number is known to within so much; empty: exactly
     SparseMatrix F_error = {}; ///< each entry of F is, at the same places; 0 x 0: exactly

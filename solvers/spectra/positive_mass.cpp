@@ -19,7 +19,7 @@ void check_positive_mass(const HodgeStar& star, Side side, int degree) {
                     "dual 0-forms, whose mass are the volumes of the cells, or {}",
                     name(side), degree, bad.size(), star.size(), star.degree(),
                     negative.empty() ? "zero" : "negative", star.numbers(bad),
-                    nearer_to_delaunay(star.dimension())),
+                    positive_stars(star.dimension())),
         star.place(bad));
 }
 

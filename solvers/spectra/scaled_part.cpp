@@ -28,11 +28,6 @@ bool has_exact_products(const SparseMatrix& A) {
     return true;
 }
 
-/// D W D.
-SparseMatrix congruent(const SparseMatrix& W, const Vector& D) {
-    return D.asDiagonal() * W * D.asDiagonal();
-}
-
 /// One number for each row, known to within some uncertainty.
 class NumbersPart final : public ScaledPart {
 public:
@@ -110,8 +105,7 @@ private:
 
 class InversePart final : public ScaledPart {
 public:
-    InversePart(const GramPart& part, const SparseMatrix& W, const Vector& rows,
-                const Vector& columns)
+    InversePart(const GramPart& part, const Weights& W, const Vector& rows, const Vector& columns)
         : ScaledPart(part, rows, columns), mass_(make_mass(congruent(W, rows))) {}
 
     const Mass* inverse_of() const override { return mass_.get(); }
@@ -122,8 +116,13 @@ protected:
         image.energy += static_cast<double>(mass_->inverse_square_bound(sizes));
         Vector rest;
         LongVector result = mass_->solve(y, rest);
-        image.lost += static_cast<double>(std::sqrt(mass_->inverse_square_bound(rest + error)));
-        error.setZero();
+        rest += error;
+        if (mass_->is_diagonal()) {
+            error = rest.cwiseQuotient(mass_->diagonal());
+        } else {
+            image.lost += static_cast<double>(std::sqrt(mass_->inverse_square_bound(rest)));
+            error.setZero();
+        }
         return result;
     }
 
@@ -228,8 +227,8 @@ std::unique_ptr<ScaledPart> make_scaled_part(const GramPart& part, const Vector&
         return std::make_unique<NumbersPart>(part, *numbers, powers_of_two(*numbers, 1), columns);
     if (const auto* W = std::get_if<SparseMatrix>(&part.weights))
         return std::make_unique<MatrixPart>(part, *W, powers_of_two(W->diagonal(), 1), columns);
-    const SparseMatrix& W = std::get<InverseWeights>(part.weights).W;
-    return std::make_unique<InversePart>(part, W, powers_of_two(W.diagonal(), -1), columns);
+    const Weights& W = std::get<InverseWeights>(part.weights).W;
+    return std::make_unique<InversePart>(part, W, powers_of_two(diagonal(W), -1), columns);
 }
 
 } // namespace polydec

@@ -29,26 +29,24 @@ void check_symmetric(const SparseMatrix& A, const char* name) {
             fmt::format("{}: a symmetric matrix {} of finite numbers is expected", what, name));
 }
 
-void check_mass(const Weights& mass) {
-    const auto* matrix = std::get_if<SparseMatrix>(&mass);
-    if (matrix)
-        check_symmetric(*matrix, "M");
-    const Vector M = matrix ? Vector(matrix->diagonal()) : std::get<Vector>(mass);
-    for (Index i = 0; i < M.size(); ++i)
-        if (!(M[i] > 0) || !std::isfinite(M[i]))
-            throw InvalidInput(
-                fmt::format("{}: entry {} of M is {}, expected a positive number", what, i, M[i]));
-}
-
-Eigen::Index rows(const Weights& weights) {
-    return std::visit([](const auto& W) { return W.rows(); }, weights);
+/// Throws unless entries, or those of the diagonal, are positive; `name` says of what.
+void check_weights(const Weights& weights, const char* name) {
+    if (const auto* matrix = std::get_if<SparseMatrix>(&weights))
+        check_symmetric(*matrix, name);
+    const Vector numbers = diagonal(weights);
+    for (Index i = 0; i < numbers.size(); ++i)
+        if (!(numbers[i] > 0) || !std::isfinite(numbers[i]))
+            throw InvalidInput(fmt::format("{}: entry {} of {} is {}, expected a positive number",
+                                           what, i, name, numbers[i]));
 }
 
 void check_part(const GramPart& part, Eigen::Index size) {
     const auto* numbers = std::get_if<Vector>(&part.weights);
+    const auto* matrix = std::get_if<SparseMatrix>(&part.weights);
     const auto* inverse = std::get_if<InverseWeights>(&part.weights);
-    const SparseMatrix* W = inverse ? &inverse->W : std::get_if<SparseMatrix>(&part.weights);
-    const auto count = numbers ? numbers->size() : W->rows();
+    const auto count = numbers  ? numbers->size()
+                       : matrix ? matrix->rows()
+                                : diagonal(inverse->W).size();
     const bool fits =
         part.F.cols() == size && part.F.rows() == count &&
         (part.uncertainty.size() == 0 || (numbers && part.uncertainty.size() == count)) &&
@@ -59,8 +57,8 @@ void check_part(const GramPart& part, Eigen::Index size) {
                                        "and {} uncertainties; M has {} entries",
                                        what, part.F.rows(), part.F.cols(), count,
                                        part.uncertainty.size(), size));
-    if (W)
-        check_symmetric(*W, "W");
+    if (matrix || inverse)
+        check_weights(inverse ? inverse->W : Weights(*matrix), "W");
     if ((numbers && !numbers->allFinite()) || !is_finite(part.F) || !is_finite(part.F_error))
         throw InvalidInput(fmt::format("{}: a number of a part F^T W F is not finite", what));
     if (!part.uncertainty.allFinite() || (part.uncertainty.array() < 0).any())
@@ -70,7 +68,7 @@ void check_part(const GramPart& part, Eigen::Index size) {
 }
 
 void check(const Pencil& pencil) {
-    const auto size = rows(pencil.M);
+    const auto size = diagonal(pencil.M).size();
     const auto& C = pencil.C;
     const bool has_C = C.size() > 0 || pencil.parts.empty();
     if (size == 0 || (has_C && (C.rows() != C.cols() || C.rows() != size)))
@@ -83,7 +81,7 @@ void check(const Pencil& pencil) {
         throw InvalidInput(
             fmt::format("{}: M is known to within {} of itself, expected a share from 0 to 1", what,
                         pencil.mass_uncertainty));
-    check_mass(pencil.M);
+    check_weights(pencil.M, "M");
     std::ptrdiff_t inverses = 0;
     for (const GramPart& part : pencil.parts) {
         check_part(part, size);
@@ -118,14 +116,8 @@ SparseMatrix blocks(const SparseMatrix& A, const SparseMatrix& B, const SparseMa
 ScaledPencil::ScaledPencil(const Pencil& pencil)
     : mass_share_(pencil.mass_uncertainty / (1 - pencil.mass_uncertainty)) {
     check(pencil);
-    if (const auto* M = std::get_if<SparseMatrix>(&pencil.M)) {
-        columns_ = powers_of_two(M->diagonal(), -1);
-        mass_ = make_mass(SparseMatrix(columns_.asDiagonal() * *M * columns_.asDiagonal()));
-    } else {
-        const Vector& numbers = std::get<Vector>(pencil.M);
-        columns_ = powers_of_two(numbers, -1);
-        mass_ = make_mass(Vector(numbers.cwiseProduct(columns_).cwiseProduct(columns_)));
-    }
+    columns_ = powers_of_two(diagonal(pencil.M), -1);
+    mass_ = make_mass(congruent(pencil.M, columns_));
     if (pencil.C.size() > 0)
         C_ = columns_.asDiagonal() * pencil.C * columns_.asDiagonal();
     for (const GramPart& part : pencil.parts)

@@ -301,18 +301,18 @@ TEST_P(DiagnosisOf, is_found_wrong_by_any_fact_that_is) {
     EXPECT_EQ(broken([](auto& told) { told.laplacians.pop_back(); }), "laplacians");
 }
 
-/// Of all degrees.
-std::size_t negative_duals(const Discretization& mesh) {
+/// Entries of stars of all degrees.
+std::size_t negatives(const Discretization& mesh) {
     std::size_t count = 0;
     for (int k = 0; k <= mesh.dimension(); ++k)
-        count += star(mesh.volumes(), k).negatives().size();
+        count += mesh.stars()[k].negatives().size();
     return count;
 }
 
-TEST_P(DiagnosisOf, advises_where_duals_are_negative_what_makes_them_positive) {
+TEST_P(DiagnosisOf, advises_where_duals_are_negative_what_makes_stars_positive) {
     auto bundle = discretize(given());
     auto list = diagnose(bundle).advice;
-    EXPECT_EQ(list.empty(), negative_duals(bundle) == 0);
+    EXPECT_EQ(list.empty(), negatives(bundle) == 0);
     // flips may turn a triangle's obtuse angle to the boundary, and then splits are advised
     for (int step = 0; step < 2 && !list.empty(); ++step) {
         // who does nothing is told the same again
@@ -323,7 +323,7 @@ TEST_P(DiagnosisOf, advises_where_duals_are_negative_what_makes_them_positive) {
         for (const auto& advice : list)
             EXPECT_TRUE(advice.on_boundary && advice.remedy == Remedy::splits);
     }
-    EXPECT_EQ(negative_duals(bundle), 0U);
+    EXPECT_EQ(negatives(bundle), 0U);
     EXPECT_TRUE(list.empty());
 }
 
@@ -349,7 +349,8 @@ TEST(Advice, names_the_option_for_edges_inside_for_the_boundary_and_for_what_can
     EXPECT_EQ(words(triangle, {.delaunay = Delaunay::flips_and_splits}), Words{});
     const auto three = made_of({{0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}, {1, 0, 0.5}, {1, 0, -0.5}},
                                {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
-    EXPECT_EQ(words(three), Words{"1 negative dual edge: add Centers::centroids()"});
+    EXPECT_EQ(words(three), Words{"1 negative dual edge: add StarKind::automatic"});
+    EXPECT_EQ(words(three, {.star = StarKind::automatic}), Words{});
     EXPECT_EQ(words(three, {.centers = Centers::centroids()}), Words{});
 }
 
@@ -359,8 +360,8 @@ TEST(Advice, gives_options_that_discretize_takes) {
     const DiscretizeOptions angle{.criterion = MergeCriterion::angle, .tolerance = 1e-3};
     for (const auto& options : {angle, DiscretizeOptions{.materials = Materials::keep_apart},
                                 DiscretizeOptions{.centers = Centers::centroids()}})
-        for (const auto remedy : {Remedy::flips, Remedy::splits, Remedy::centroids}) {
-            EXPECT_EQ(negative_duals(discretize(mesh, with(remedy, options))), 0U);
+        for (const auto remedy : {Remedy::flips, Remedy::splits, Remedy::stars}) {
+            EXPECT_EQ(negatives(discretize(mesh, with(remedy, options))), 0U);
         }
 }
 

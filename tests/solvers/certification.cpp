@@ -236,13 +236,11 @@ TEST(SpectrumRefuses, degrees_that_there_are_not) {
 TEST(SpectrumRefuses, masses_that_are_not_positive) {
     const std::string advice =
         "\nspectra and decompositions need a positive mass: take dual 0-forms, whose mass are the "
-        "volumes of the cells, or a mesh that is nearer to Delaunay there";
+        "volumes of the cells, or stars that are positive on every mesh (StarKind::automatic)";
     EXPECT_EQ(refusal("star_negative", {.count = 2}),
               "the mass of primal 0-forms is not positive: the duals of 1 of 7 0-cells have "
               "negative volume (cells 0)" +
-                  advice +
-                  ": on a manifold intrinsic flips make it so ("
-                  "Delaunay::flips_and_splits)");
+                  advice + ", or on a manifold intrinsic flips (Delaunay::flips_and_splits)");
     EXPECT_EQ(refusal("fcc1", {.degree = 2, .count = 2}),
               "the mass of primal 2-forms is not positive: the duals of 24 of 56 2-cells have zero "
               "volume (cells 0, 1, 2, 5, 7, ..)" +

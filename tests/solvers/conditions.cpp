@@ -288,8 +288,9 @@ TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
     EXPECT_NE(edge, negative[0]);
     EXPECT_EQ(refusal([&] { stable_step(inside.complex, volumes, 0); }),
               "the duals of 1 1-cells are negative, the first is cell " + std::to_string(edge) +
-                  ": waves would grow without bound; take a mesh that is nearer to Delaunay there: "
-                  "on a manifold intrinsic flips make it so (Delaunay::flips_and_splits)");
+                  ": waves would grow without bound; take stars that are positive on every mesh "
+                  "(StarKind::automatic), or on a manifold intrinsic flips "
+                  "(Delaunay::flips_and_splits)");
 }
 
 /// Whether the mesh has a spectrum on these forms: it is refused or comes out.

@@ -5,6 +5,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "solvers/heat.h"
 #include "solvers/poisson.h"
@@ -201,6 +202,26 @@ TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
     EXPECT_LE(by(StarKind::galerkin), 1e-11);
     EXPECT_LE(by(StarKind::automatic), 1e-11);
     EXPECT_GT(by(StarKind::barycentric), 1e-3);
+}
+
+TEST(PoissonByStars, makes_the_star_of_conductivities) {
+    const auto mesh = discretize(shaken(kuhn(3, 2), 0.25, 3), {.star = StarKind::automatic});
+    ASSERT_EQ(mesh.chosen_stars().kind, StarKind::galerkin);
+    Vector kappa(mesh.complex().size(3));
+    for (Index cell = 0; cell < kappa.size(); ++cell)
+        kappa[cell] = 1 + cell % 3;
+    for (const Side side : {Side::primal, Side::dual}) {
+        const int k = side == Side::primal ? 1 : 2;
+        const Vector weights = side == Side::primal ? kappa : Vector(kappa.cwiseInverse());
+        const auto own = mesh.with_stars(mesh.stars().with(k, material_star(mesh, k, weights)));
+        const auto solve = [&](const Discretization& given, const Vector& conductivity) -> Vector {
+            const PoissonSolver solver(given, {.side = side, .conductivity = conductivity});
+            return solver.solve(Vector::Ones(solver.sites().rows()), solver.boundary_sites().col(0))
+                .values;
+        };
+        EXPECT_EQ(solve(mesh, kappa), solve(own, {}));
+        EXPECT_GT(relative_difference(solve(mesh, kappa), solve(mesh, {})), 1e-5);
+    }
 }
 
 TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {

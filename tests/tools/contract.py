@@ -10,6 +10,7 @@ import unittest
 import command
 from command import TestCase, golden, run
 
+PLAIN = ("--star", "circumcentric")
 SUBCOMMANDS = ("info", "operators", "merge", "spectrum", "poisson", "generate", "reproduce",
                "backends")
 
@@ -58,12 +59,14 @@ class Json(TestCase):
         self.write("kite.off", f"OFF\n4 2 0\n{kite}{faces}")
         self.write("both.off", f"OFF\n7 3 0\n{kite}{small}{faces}3 4 5 6\n")
         for name, count in (("kite.off", 2), ("both.off", 2), ("both.off", 3)):
-            answer = self.ask("spectrum", name, "--side", "dual", "--degree", 0, "--count", count)
+            answer = self.ask("spectrum", name, *PLAIN, "--side", "dual", "--degree", 0, "--count",
+                              count)
             self.assertLess(answer["eigenvalues"][0], -0.2)
             self.assertEqual(answer["warnings"], [
                 "1 of the eigenvalues is negative and spurious: 1 cell next to these forms has a "
                 "negative dual (the mesh is not Delaunay there); add --delaunay"])
-        warnings = self.ask("poisson", "kite.off", "--side", "dual", "--rhs", "1")["warnings"]
+        warnings = self.ask("poisson", "kite.off", *PLAIN, "--side", "dual", "--rhs",
+                            "1")["warnings"]
         self.assertEqual(warnings, [
             "1 of the 1-cells has a negative dual (the mesh is not Delaunay there): the solution "
             "may be far off there; compare with --side primal; add --delaunay"])
@@ -132,7 +135,8 @@ class Json(TestCase):
                         a, b, middle = 11 * i + j, 11 * i + j + 11, 121 + 10 * i + j
                         for c, d in ((a, b), (b, b + 1), (b + 1, a + 1), (a + 1, a)):
                             file.write(f"3 {c} {d} {middle}\n")
-            answer = self.ask("spectrum", squares, "--side", "dual", "--degree", 0, "--count", 1)
+            answer = self.ask("spectrum", squares, *PLAIN, "--side", "dual", "--degree", 0,
+                              "--count", 1)
             self.assertAlmostEqual(answer["eigenvalues"][0], 19.5774, delta=1e-4)
             self.assertEqual(answer["warnings"], [])
             told = self.ask("info", squares)["laplacians"]
@@ -187,7 +191,7 @@ class Json(TestCase):
     def test_timing(self):
         arguments = {"info": (), "spectrum": ("--side", "primal", "--degree", 0, "--count", 2),
                      "poisson": ("--side", "primal", "--rhs", "1")}
-        stages = {"read", "complex", "volumes", "merge", "operators", "solve", "write"}
+        stages = {"read", "complex", "volumes", "merge", "stars", "operators", "solve", "write"}
         for name, more in arguments.items():
             plain = self.ask(name, golden("uv8.off"), *more)
             timed = self.ask(name, golden("uv8.off"), *more, "--timing")
@@ -305,8 +309,8 @@ class Usage(TestCase):
 
     def test_a_system_that_no_engine_solves_is_code_3(self):
         mesh = self.almost_squares(30, 3e-12)
-        message = self.fail_with(3, "poisson", mesh, "--side", "dual", "--rhs", "1", "--no-merge",
-                                 "--json")
+        message = self.fail_with(3, "poisson", mesh, *PLAIN, "--side", "dual", "--rhs", "1",
+                                 "--no-merge", "--json")
         self.assertIn("no engine solves", message)
 
     def almost_squares(self, N, defect):

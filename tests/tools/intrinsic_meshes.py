@@ -30,7 +30,7 @@ TRIANGLES_FOR_SPECTRA = 8000
 TRIANGLES_FOR_LAPLACIANS = 1600
 TRIANGLES_WITHOUT_FLIPS = 60000
 
-POSITIVE = "intrinsic flips make it so (--delaunay=split-boundary"
+POSITIVE = "or on a manifold intrinsic flips (--delaunay=split-boundary"
 SPURIOUS = "negative and spurious"
 
 
@@ -150,8 +150,8 @@ class Spectra(TestCase):
     """Laplace-de Rham operators of all degrees on both sides."""
 
     def spectrum(self, path, side, degree, count, *more):
-        return command.run("spectrum", path, "--side", side, "--degree", degree, "--count", count,
-                           "--json", *more, folder=self.folder)
+        return command.run("spectrum", path, "--star", "circumcentric", "--side", side, "--degree",
+                           degree, "--count", count, "--json", *more, folder=self.folder)
 
     def is_refused(self, path, side, degree):
         """Whether it is, or has negative eigenvalues; the text says what helps."""
@@ -299,8 +299,12 @@ class Advice(TestCase):
             self.assertTrue(text.endswith("\n94 negative dual edges: add --delaunay\n"), text)
 
     def test_nothing_is_advised_where_nothing_helps(self):
-        for name in ("branching.off", "kuhn3.nsc", "bcc2.nsc", "uv8.off"):
+        for name in ("branching.off", "kuhn3.nsc", "uv8.off"):
             self.assertEqual(self.ask("info", golden(name))["advice"], [])
+
+    def test_solids_are_told_of_stars(self):
+        self.assertEqual(self.ask("info", golden("bcc2.nsc"))["advice"],
+                         ["24 negative dual edges: add --star automatic"])
 
 
 class Options(TestCase):

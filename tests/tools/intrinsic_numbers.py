@@ -74,7 +74,8 @@ class GoldenNumbers(TestCase):
                 if side == "primal" or closed:
                     with self.subTest(os.path.basename(path), side=side):
                         answer = self.ask("spectrum", path, "--side", side, "--degree", 0,
-                                          "--count", len(wanted[known]), *self.EXACTLY)
+                                          "--star", "circumcentric", "--count",
+                                          len(wanted[known]), *self.EXACTLY)
                         self.assertEqual([(x, y) for x, y in zip(answer["eigenvalues"],
                                           wanted[known], strict=True) if differs(x, y, 1e-7, 1e-7)],
                                          [])

@@ -15,6 +15,7 @@ from mesh_laws import (differences, inclusion_flaws, kernel_flaws, mesh_files, p
 SECONDS = 300
 COUNT = 4
 LINEAR = "1+2*x-3*y+z/2"
+STAR = ("--star", "circumcentric")  # the one that is refused
 
 # Where meshes of others are not Delaunay: degrees of primal forms whose mass is not positive, and
 # whether primal n-forms get spurious negative eigenvalues.
@@ -33,7 +34,7 @@ NOT_DELAUNAY = {
 COSPHERICAL = {"beam-tet.vtk", "hand.mesh", "test_mesh_3d.msh"}
 
 ADVICE = ("\nspectra and decompositions need a positive mass: take dual 0-forms, whose mass are "
-          "the volumes of the cells, or a mesh that is nearer to Delaunay there")
+          "the volumes of the cells, or stars that are positive on every mesh (--star automatic)")
 FILE = r"polydec: [^:]+: "
 MASS = re.compile(FILE + r"the mass of (primal|dual) (\d)-forms is not positive: the duals of "
                   r"(\d+) of (\d+) (\d)-cells have (negative|zero) volume \(cells? \d[^)]*\)"
@@ -107,8 +108,8 @@ class Tetrahedra(TestCase):
             self.assertGreater(answer["max"], 0)
 
     def spectrum(self, mesh, side, degree):
-        return command.run("spectrum", mesh, "--side", side, "--degree", degree, "--count", COUNT,
-                           "--json", folder=self.folder, seconds=SECONDS)
+        return command.run("spectrum", mesh, *STAR, "--side", side, "--degree", degree, "--count",
+                           COUNT, "--json", folder=self.folder, seconds=SECONDS)
 
     def check_spectra(self, mesh, info):
         """{degree of primal forms: eigenvalues, None where refused}; the dual side says the same,
@@ -203,6 +204,7 @@ class Others(Tetrahedra):
         self.check_merging(path, info)
         spectra = self.check_spectra(path, info)
         self.assertEqual(tuple(k for k in spectra if spectra[k] is None), refused)
+        self.check_any(path, info)
         self.check_linear(path)
         exactly = ("--tolerance", "1e-10")
         self.check_sums(path, self.check_info(path, *exactly), *exactly)
@@ -210,6 +212,21 @@ class Others(Tetrahedra):
         self.assertEqual((unmerged["cells"]["merged"], unmerged["betti"]),
                          (info["cells"]["input"], info["betti"]))
         self.assertAlmostEqual(unmerged["volume"] / info["volume"], 1, delta=1e-14)
+
+    def check_any(self, path, info):
+        """Without --star every mesh has spectra of every degree, whose zeros are counted by its
+        Betti numbers."""
+        if info["cells"]["merged"][1] > 5000:
+            return
+        for k, betti in enumerate(info["betti"]["merged"]):
+            found = self.ask("spectrum", path, "--side", "primal", "--degree", k, "--count",
+                             betti + 2, seconds=SECONDS)
+            self.assertTrue(found["certificate"]["complete"])
+            zeros = sum(abs(value) <= radius
+                        for value, radius in zip(found["eigenvalues"], found["radii"]))
+            self.assertEqual(zeros, betti)
+            self.assertGreaterEqual(min(map(float.__add__, found["eigenvalues"], found["radii"])),
+                                    0)
 
     def check_linear(self, path):
         """Exact to rounding where cells are merged that lie on one sphere up to rounding; stars
@@ -222,7 +239,7 @@ class Others(Tetrahedra):
             self.assertLess(self.error_of_linear(path, "dual", "--no-merge"), 1e-11)
             return
         message = self.fail_with(2, "poisson", path, "--side", "dual", "--rhs", 1, "--no-merge",
-                                 "--json", seconds=SECONDS)
+                                 "--json", *STAR, seconds=SECONDS)
         self.assertRegex(message, "^" + NO_FLUX.pattern + "$")
 
 
@@ -274,7 +291,8 @@ class Lattices(Tetrahedra):
 
     def test_unmerged_cubes_have_duals_of_no_length(self):
         mesh = self.make("kuhn", 2)
-        message = self.fail_with(2, "poisson", mesh, "--side", "dual", "--rhs", 1, "--no-merge")
+        message = self.fail_with(2, "poisson", mesh, "--side", "dual", "--rhs", 1, "--no-merge",
+                                 *STAR)
         self.assertRegex(message, "^" + NO_FLUX.pattern + "$")
 
 
@@ -328,15 +346,27 @@ class Orientation(Tetrahedra):
 
 
 class Flat(Tetrahedra):
-    """A flat cell between others is refused by its number and vertices, until it has volume."""
+    """A flat cell between others is refused by its number and vertices, until it has volume or lies
+    on their sphere."""
     CELLS = [[0, 1, 2, 4], [0, 2, 3, 4], [0, 1, 2, 3], [1, 0, 3, 5], [2, 1, 3, 5]]
     MESSAGE = ("cell 2 (vertices 0 1 2 3) has no volume, and without it its neighbors "
                "would come apart.\nIts vertices lie in one plane: move one of them, or exchange "
                "the cell and its neighbors for others.")
 
     def make(self, height):
-        points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, height], [.5, .5, 1], [.5, .5, -1]]
+        return self.with_corner([-.3, 1, height])
+
+    def with_corner(self, corner):
+        points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], corner, [.5, .5, 1], [.5, .5, -1]]
         return mesh_files(points, self.CELLS)
+
+    def test_a_flat_cell_on_the_sphere_of_its_neighbors_is_a_piece_of_theirs(self):
+        self.write("a.nsc", self.with_corner([0, 1, 0])["a.nsc"])
+        info = self.ask("info", "a.nsc")
+        self.assertEqual((info["cells"]["input"][3], info["cells"]["merged"][3]), (5, 2))
+        self.assertAlmostEqual(info["volume"], 2 / 3, delta=1e-14)
+        self.assertEqual(self.fail_with(2, "info", "a.nsc", "--no-merge"),
+                         f"polydec: a.nsc: {self.MESSAGE}")
 
     def test_flat_cells_are_refused_in_every_format_by_every_command(self):
         for name, text in self.make(0).items():
@@ -355,7 +385,7 @@ class Flat(Tetrahedra):
 
     def test_cells_that_are_almost_flat_are_none(self):
         for height in (1e-2, 1e-4, 1e-8):
-            self.write("a.nsc", self.make(height)["a.nsc"])
+            self.write("a.nsc", self.with_corner([0, 1, height])["a.nsc"])
             info = self.check_info("a.nsc")
             self.assertAlmostEqual(info["volume"], 2 / 3 + height / 3, delta=1e-13)
             self.assertLess(self.error_of_linear("a.nsc", "primal"), 1e-12)

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// Automatic stars on every mesh below the folder of test data that is not large: spectra, Hodge
+// decomposition and heat of 1-forms, which circumcentric stars refuse on most of them.
+#include "base/errors.h"
+#include "complex/homology.h"
+#include "dec/choose_stars.h"
+#include "io/meshes/read_mesh.h"
+#include "solvers/heat.h"
+#include "solvers/hodge.h"
+#include "solvers/spectra/spectrum.h"
+#include "tests/io/support.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+namespace polydec::test {
+namespace {
+
+constexpr Index most_edges = 10000;
+constexpr Index most_harmonic = 60;
+
+std::optional<Discretization> made_ready(const std::filesystem::path& path, StarKind kind) {
+    try {
+        return discretize(read_mesh(path), {.star = kind});
+    } catch (const Error&) {
+        return std::nullopt; // what cannot be read is another test's
+    }
+}
+
+/// Calls check(mesh) for every mesh that is read; how many these are.
+template <class Check>
+int for_each_mesh(Check check) {
+    int meshes = 0;
+    for (const char* folder : {"cad", "planar", "poly", "surface", "table2", "tet"})
+        for (const auto& path : tests::test_data(folder)) {
+            if (std::filesystem::file_size(path) > 2000000)
+                continue;
+            const auto mesh = made_ready(path, StarKind::automatic);
+            if (!mesh || mesh->dimension() < 2 || mesh->complex().size(1) > most_edges)
+                continue;
+            SCOPED_TRACE(path.filename().string());
+            check(*mesh);
+            ++meshes;
+        }
+    return meshes;
+}
+
+TEST(AnyMesh, has_certified_spectra_with_as_many_zeros_as_harmonic_forms) {
+    int refused = 0;
+    const int meshes = for_each_mesh([&](const Discretization& mesh) {
+        const Index harmonic = betti_numbers(mesh.complex())[1];
+        if (harmonic > most_harmonic)
+            return;
+        const auto found = spectrum(mesh, {.degree = 1, .count = harmonic + 2});
+        EXPECT_TRUE(found.certificate.complete);
+        for (Index i = 0; i < found.eigenvalues.size(); ++i)
+            EXPECT_EQ(std::abs(found.eigenvalues[i]) <= found.radii[i], i < harmonic) << i;
+        const auto circumcentric = mesh.with_stars(mesh.volumes());
+        refused += refusal([&] { spectrum(circumcentric, {.degree = 1}); }) != "accepted" ? 1 : 0;
+    });
+    if (meshes > 0) {
+        EXPECT_GT(2 * refused, meshes); // by circumcentric stars
+    }
+}
+
+TEST(AnyMesh, has_orthogonal_decompositions_and_heat_that_does_not_grow) {
+    for_each_mesh([](const Discretization& mesh) {
+        const HodgeStar star = mesh.stars()[1];
+        const Vector w = random_vector(star.size(), 1);
+        const double all = w.dot(star * w);
+        const auto parts = hodge_decomposition(mesh, {Side::primal, 1, w});
+        const auto product = [&](const Cochain& a, const Cochain& b) {
+            return std::abs(a.values.dot(star * b.values)) / all;
+        };
+        EXPECT_LE(product(parts.exact, parts.coexact), 1e-10);
+        EXPECT_LE(product(parts.exact, parts.harmonic), 1e-10);
+        EXPECT_LE(product(parts.coexact, parts.harmonic), 1e-10);
+        const double step = std::pow(mesh.volumes().primal(1).mean(), 2);
+        const HeatSolver heat(mesh, Side::primal, 1, {.time_step = step});
+        const Vector later = heat.step({Side::primal, 1, w}).values;
+        EXPECT_LE(later.dot(star * later), all * (1 + 1e-12));
+    });
+}
+
+} // namespace
+} // namespace polydec::test
