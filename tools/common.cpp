@@ -91,8 +91,8 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
 void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind) {
     arguments.star = name(kind);
     std::set<std::string> kinds;
-    for (const StarKind kind : star_kinds)
-        kinds.insert(name(kind));
+    for (const StarKind known : star_kinds)
+        kinds.insert(name(known));
     command
         .add_option("--star", arguments.star,
                     "inner products of forms: circumcentric (dual over primal volume),\n"
