@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/whitney.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/mean_spheres.h"
 
+#include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <cmath>

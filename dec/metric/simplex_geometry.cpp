@@ -2,6 +2,7 @@
 #include "dec/metric/simplex_geometry.h"
 
 #include "base/checks.h"
+#include "dec/metric/exterior_product.h"
 
 #include <Eigen/QR>
 

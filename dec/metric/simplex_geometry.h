@@ -2,11 +2,12 @@
 #pragma once
 
 #include "complex/pieces.h"
-#include "dec/metric/exterior_product.h"
 
 #include <span>
 
 namespace polydec {
+
+class ExteriorProduct;
 
 /// The corners of a simplex, a row of the table.
 inline std::span<const Index> vertices(const Simplices& simplices, Index s) {

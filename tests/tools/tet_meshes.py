@@ -345,52 +345,6 @@ class Orientation(Tetrahedra):
                     + " ".join(map(str, self.cells[7][::-1])) + ")"])
 
 
-class Flat(Tetrahedra):
-    """A flat cell between others is refused by its number and vertices, until it has volume or lies
-    on their sphere."""
-    CELLS = [[0, 1, 2, 4], [0, 2, 3, 4], [0, 1, 2, 3], [1, 0, 3, 5], [2, 1, 3, 5]]
-    MESSAGE = ("cell 2 (vertices 0 1 2 3) has no volume, and without it its neighbors "
-               "would come apart.\nIts vertices lie in one plane: move one of them, or exchange "
-               "the cell and its neighbors for others.")
-
-    def make(self, height):
-        return self.with_corner([-.3, 1, height])
-
-    def with_corner(self, corner):
-        points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], corner, [.5, .5, 1], [.5, .5, -1]]
-        return mesh_files(points, self.CELLS)
-
-    def test_a_flat_cell_on_the_sphere_of_its_neighbors_is_a_piece_of_theirs(self):
-        self.write("a.nsc", self.with_corner([0, 1, 0])["a.nsc"])
-        info = self.ask("info", "a.nsc")
-        self.assertEqual((info["cells"]["input"][3], info["cells"]["merged"][3]), (5, 2))
-        self.assertAlmostEqual(info["volume"], 2 / 3, delta=1e-14)
-        self.assertEqual(self.fail_with(2, "info", "a.nsc", "--no-merge"),
-                         f"polydec: a.nsc: {self.MESSAGE}")
-
-    def test_flat_cells_are_refused_in_every_format_by_every_command(self):
-        for name, text in self.make(0).items():
-            self.write(name, text)
-        for name in ("a.nsc", "a.mesh", "a.msh", "a.vtk", "a.node", "a.ele"):
-            for arguments in (("info", name), ("info", name, "--no-merge"),
-                              ("merge", name, "-o", "b.vtu"),
-                              ("poisson", name, "--side", "dual", "--rhs", 1),
-                              ("spectrum", name, "--side", "primal", "--degree", 0, "--count", 1),
-                              ("operators", name, "--out", "operators")):
-                with self.subTest(arguments):
-                    self.assertEqual(self.fail_with(2, *arguments),
-                                     f"polydec: {name}: {self.MESSAGE}")
-        self.assertNotIn("b.vtu", os.listdir(self.folder))
-        self.assertNotIn("operators", os.listdir(self.folder))
-
-    def test_cells_that_are_almost_flat_are_none(self):
-        for height in (1e-2, 1e-4, 1e-8):
-            self.write("a.nsc", self.with_corner([0, 1, height])["a.nsc"])
-            info = self.check_info("a.nsc")
-            self.assertAlmostEqual(info["volume"], 2 / 3 + height / 3, delta=1e-13)
-            self.assertLess(self.error_of_linear("a.nsc", "primal"), 1e-12)
-
-
 class Twins(unittest.TestCase):
     """Each law fails where it has to."""
     INFO = {"betti": {"input": [1, 0], "merged": [1, 0]}, "euler": {"input": 1, "merged": 1},
