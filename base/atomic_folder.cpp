@@ -22,7 +22,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-Path resolved(const Path& target) {
+Path resolved_folder(const Path& target) {
     std::error_code error;
     auto result =
         std::filesystem::weakly_canonical(std::filesystem::absolute(target, error), error);
@@ -91,7 +91,7 @@ void check_replaceable(const Path& target, const AtomicFolder::IsOurs& is_ours) 
 }
 
 AtomicFolder::AtomicFolder(const Path& target, const IsOurs& is_ours)
-    : target_(target), final_(resolved(target)), is_ours_(is_ours) {
+    : target_(target), final_(resolved_folder(target)), is_ours_(is_ours) {
     check_replaceable(final_, is_ours_);
     if (!temporary_.has_place() || !displaced_.has_place())
         throw IoError(fmt::format("cannot write {}: {} files are being written already; write "

@@ -6,3 +6,24 @@ function(polydec_compile_options target)
         target_compile_options(${target} PRIVATE -Werror)
     endif()
 endfunction()
+
+# Compiles the files of each folder together, which takes half the time: what they read is read
+# once. Their anonymous namespaces become one, so that names there differ within a folder.
+function(polydec_compile_by_folder target)
+    if(NOT POLYDEC_COMPILE_BY_FOLDER)
+        return()
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    # of types in anonymous namespaces, which may be members in a file but not in what it reads
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
+    foreach(source IN LISTS sources)
+        cmake_path(ABSOLUTE_PATH source NORMALIZE)
+        cmake_path(GET source PARENT_PATH folder)
+        file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+        string(MAKE_C_IDENTIFIER ${folder} group)
+        set_source_files_properties(${source} TARGET_DIRECTORY ${target}
+            PROPERTIES UNITY_GROUP ${group})
+    endforeach()
+endfunction()

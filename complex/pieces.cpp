@@ -14,9 +14,9 @@ namespace polydec {
 
 namespace {
 
-using Faces = std::vector<Simplices>; // of degree k at k; none of degree 0
+using SimplicesByDegree = std::vector<Simplices>; // of degree k at k; none of degree 0
 
-void check_tables(const Faces& faces, const std::vector<std::int8_t>& orientations,
+void check_tables(const SimplicesByDegree& faces, const std::vector<std::int8_t>& orientations,
                   const std::vector<Index>& vertices) {
     if (faces.size() < 2)
         throw InvalidInput("pieces need the faces of at least the 1-simplices");
@@ -49,7 +49,7 @@ void check_tables(const Faces& faces, const std::vector<std::int8_t>& orientatio
 }
 
 /// Face j of face i is face i of face j + 1, for i <= j: the same corners are lacking.
-void check_order(const Faces& faces) {
+void check_order(const SimplicesByDegree& faces) {
     for (std::size_t k = 2; k < faces.size(); ++k)
         for (Eigen::Index s = 0; s < faces[k].rows(); ++s)
             for (std::size_t j = 0; j < k; ++j)
@@ -65,8 +65,8 @@ void check_order(const Faces& faces) {
 
 /// The corners of each simplex: all but the last are those of the face without it, the last is that
 /// of the face without the first.
-Faces corners_of(const Faces& faces, Index vertices) {
-    Faces corners(faces.size());
+SimplicesByDegree corners_of(const SimplicesByDegree& faces, Index vertices) {
+    SimplicesByDegree corners(faces.size());
     corners[0] = Column<Index>::LinSpaced(vertices, 0, vertices - 1);
     for (std::size_t k = 1; k < faces.size(); ++k) {
         const auto width = static_cast<Eigen::Index>(k);

@@ -155,9 +155,9 @@ void warn_of_jitter(const CosphericalMerging& merged, const SimplexMetric& metri
             flat, flat == 1 ? " lies" : "s lie", nearly.interior - at.interior, wider));
 }
 
-using Stage = std::function<void(std::string_view)>;
+using Progress = std::function<void(std::string_view)>;
 
-void begin(const Stage& stage, std::string_view what) {
+void begin(const Progress& stage, std::string_view what) {
     if (stage)
         stage(what);
 }
@@ -234,7 +234,7 @@ Measured measure(Given& given, const DiscretizeOptions& options) {
     return {std::move(passage), metric, of_input, of_pieces, std::move(points)};
 }
 
-Discretization measured(Given given, DiscretizeOptions options, const Stage& stage) {
+Discretization measured(Given given, DiscretizeOptions options, const Progress& stage) {
     auto& [complex, mesh, isolated, lengths, unit, flat] = given;
     if (!options.centers.are_circumcenters()) {
         options.criterion = MergeCriterion::none;
@@ -356,7 +356,7 @@ const std::vector<SparseMatrix>& Discretization::lift() const& {
     return lift_->matrices;
 }
 
-Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Stage& stage) {
+Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Progress& stage) {
     begin(stage, "complex");
     FlatCellsKept flat;
     mesh = tidy(std::move(mesh), flat);
@@ -376,7 +376,7 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Sta
 }
 
 Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options,
-                          const Stage& stage) {
+                          const Progress& stage) {
     begin(stage, "complex");
     check(mesh);
     const SimplicialComplex complex(mesh.simplices);

@@ -25,7 +25,8 @@ using Real = long double;
 using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, most_dimensions + 1,
                                  most_dimensions + 1>;
 using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, most_dimensions + 1, 1>;
-using Corners = std::array<Index, most_dimensions + 1>; // of a simplex, nobody behind the last
+using SimplexCorners =
+    std::array<Index, most_dimensions + 1>; // of a simplex, nobody behind the last
 
 class Triangulation {
 public:
@@ -34,7 +35,7 @@ public:
         : points_(points), heights_(std::move(heights)), n_(static_cast<int>(points.cols())) {
         const Mesh cube = kuhn(n_, 1);
         for (Index c = 0; c < cube.simplices.rows(); ++c) {
-            Corners corners = none();
+            SimplexCorners corners = none();
             for (int i = 0; i <= n_; ++i)
                 corners[i] = cube.simplices(c, i);
             add_cell(corners);
@@ -63,7 +64,7 @@ public:
     Simplices cells() const {
         Simplices result(static_cast<Eigen::Index>(cells_.size() - unused_.size()), n_ + 1);
         Eigen::Index row = 0;
-        for (const Corners& corners : cells_)
+        for (const SimplexCorners& corners : cells_)
             if (corners[0] != nobody) {
                 for (int i = 0; i <= n_; ++i)
                     result(row, i) = corners[i];
@@ -75,20 +76,20 @@ public:
 private:
     /// A facet around the cavity, with the new vertex at its apex.
     struct Base {
-        Corners corners;
+        SimplexCorners corners;
         int apex;
         Index outside;
         int back; ///< place of the facet in the cell outside
     };
     /// A facet of a new cell, known by its corners.
     struct NewFacet {
-        Corners corners; ///< ascending
+        SimplexCorners corners; ///< ascending
         Index cell;
         int opposite;
     };
 
-    static Corners none() {
-        Corners result;
+    static SimplexCorners none() {
+        SimplexCorners result;
         result.fill(nobody);
         return result;
     }
@@ -97,7 +98,7 @@ private:
         return (points_.row(to) - points_.row(from)).cast<Real>().transpose();
     }
 
-    Index add_cell(const Corners& corners) {
+    Index add_cell(const SimplexCorners& corners) {
         if (unused_.empty()) {
             unused_.push_back(static_cast<Index>(cells_.size()));
             cells_.emplace_back();
@@ -118,7 +119,7 @@ private:
         for (const Index c : new_cells_)
             for (int i = 0; i <= n_; ++i)
                 if (neighbors_[c][i] == nobody) {
-                    Corners corners = cells_[c];
+                    SimplexCorners corners = cells_[c];
                     corners[i] = nobody;
                     std::sort(corners.begin(), corners.end());
                     new_facets_.push_back({corners, c, i});
@@ -142,7 +143,7 @@ private:
     Index cell_with(Index p) const {
         Index c = last_;
         for (std::size_t steps = 0; steps <= cells_.size(); ++steps) {
-            const Corners& corners = cells_[c];
+            const SimplexCorners& corners = cells_[c];
             RealMatrix edges(n_, n_);
             for (int i = 1; i <= n_; ++i)
                 edges.col(i - 1) = edge(corners[0], corners[i]);
@@ -214,8 +215,8 @@ private:
     const Points& points_;
     Vector heights_;
     int n_;
-    std::vector<Corners> cells_, neighbors_; // neighbor i misses corner i
-    std::vector<Index> unused_;              // places for new cells
+    std::vector<SimplexCorners> cells_, neighbors_; // neighbor i misses corner i
+    std::vector<Index> unused_;                     // places for new cells
     std::vector<char> in_cavity_;
     std::vector<Index> cavity_, new_cells_;
     std::vector<Base> bases_;

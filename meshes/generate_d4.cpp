@@ -14,7 +14,7 @@ namespace {
 
 using Place = std::array<Index, 4>; // in half cubes, or steps between two places
 
-constexpr Index nobody = -1;
+constexpr Index no_vertex = -1;
 
 bool is_even(const Place& p) {
     return (p[0] + p[1] + p[2] + p[3]) % 2 == 0;
@@ -43,7 +43,7 @@ public:
             sizes_[k] = 2 * cells[k] + 1;
         numbers_.reserve(static_cast<std::size_t>(sizes_[0]) * sizes_[1] * sizes_[2] * sizes_[3]);
         for_each_place(sizes_, [&](const Place& p) {
-            numbers_.push_back(is_even(p) ? static_cast<Index>(places_.size()) : nobody);
+            numbers_.push_back(is_even(p) ? static_cast<Index>(places_.size()) : no_vertex);
             if (is_even(p))
                 places_.push_back(p);
         });
@@ -52,12 +52,12 @@ public:
     const Place& sizes() const { return sizes_; }
     const std::vector<Place>& places() const { return places_; }
 
-    /// The vertex there, nobody outside the box.
+    /// The vertex there, no_vertex outside the box.
     Index vertex(const Place& p) const {
         std::size_t number = 0;
         for (int k = 0; k < 4; ++k) {
             if (p[k] < 0 || p[k] >= sizes_[k])
-                return nobody;
+                return no_vertex;
             number = number * sizes_[k] + p[k];
         }
         return numbers_[number];
@@ -76,7 +76,7 @@ using Diagonal = std::pair<Place, Place>;
 void add_16_cell(Mesh& mesh, Eigen::Index& next, const Lattice& lattice,
                  std::array<Diagonal, 4> diagonals) {
     const auto lies_inside = [&](const Diagonal& d) {
-        return lattice.vertex(d.first) != nobody && lattice.vertex(d.second) != nobody;
+        return lattice.vertex(d.first) != no_vertex && lattice.vertex(d.second) != no_vertex;
     };
     for (auto& diagonal : diagonals)
         if (lies_inside(diagonal)) {
@@ -91,7 +91,7 @@ void add_16_cell(Mesh& mesh, Eigen::Index& next, const Lattice& lattice,
         Eigen::Matrix4d edges;
         bool is_inside = true;
         for (int c = 0; c < 5; ++c)
-            is_inside = is_inside && lattice.vertex(corners[c]) != nobody;
+            is_inside = is_inside && lattice.vertex(corners[c]) != no_vertex;
         if (!is_inside)
             continue;
         for (int c = 1; c < 5; ++c)

@@ -150,14 +150,14 @@ std::vector<Index> duplicates(const Simplices& cells) {
     return result;
 }
 
-struct Edge {
+struct MeasuredEdge {
     Index a, b; // vertices, a < b
     double length;
 };
 
 /// All edges of a cell by ascending length.
-std::vector<Edge> edges_of(const Mesh& mesh, Index cell) {
-    std::vector<Edge> result;
+std::vector<MeasuredEdge> edges_of(const Mesh& mesh, Index cell) {
+    std::vector<MeasuredEdge> result;
     const auto vertices = mesh.simplices.row(cell);
     for (Index i = 0; i < vertices.size(); ++i)
         for (Index j = i + 1; j < vertices.size(); ++j) {
@@ -165,15 +165,16 @@ std::vector<Edge> edges_of(const Mesh& mesh, Index cell) {
             const double half = (0.5 * mesh.points.row(a) - 0.5 * mesh.points.row(b)).stableNorm();
             result.push_back({std::min(a, b), std::max(a, b), half});
         }
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Edge& e, const Edge& f) { return e.length < f.length; });
+    std::stable_sort(
+        result.begin(), result.end(),
+        [](const MeasuredEdge& e, const MeasuredEdge& f) { return e.length < f.length; });
     return result;
 }
 
 /// Why a cell is flat, and what to do about it.
 std::string remedy(const Mesh& mesh, Index cell) {
-    const std::vector<Edge> edges = edges_of(mesh, cell);
-    const Edge &shortest = edges.front(), &longest = edges.back();
+    const std::vector<MeasuredEdge> edges = edges_of(mesh, cell);
+    const MeasuredEdge &shortest = edges.front(), &longest = edges.back();
     if (shortest.length <= 1e-12 * longest.length)
         return fmt::format("Its vertices {} and {} are at the same point {}: join them, that is, "
                            "use one number for both.",
@@ -234,6 +235,19 @@ void warn_of_isolated_vertices(Mesh& mesh) {
         warnings.push_back(std::move(warning));
 }
 
+namespace {
+
+/// What else there is for cells without volume.
+const char* other_remedy(const Mesh& mesh) {
+    if (mesh.dimension() == 2)
+        return " Intrinsic flips can do with such cells (DiscretizeOptions::delaunay).";
+    return mesh.ambient_dimension() == mesh.dimension()
+               ? " Flat cells on the boundary can be peeled off (peeled(mesh))."
+               : "";
+}
+
+} // namespace
+
 void refuse(const Mesh& mesh, const FlatCellsKept& cells) {
     const Index first = cells.rows.front();
     const auto& numbers = cells.numbers;
@@ -251,10 +265,7 @@ void refuse(const Mesh& mesh, const FlatCellsKept& cells) {
         fmt::format("cell {} (vertices {}) has no {}, and without it its neighbors would come "
                     "apart.\n{}{}{}",
                     numbers.front(), vertices_of(mesh, first), measure(mesh), remedy(mesh, first),
-                    mesh.dimension() == 2
-                        ? " Intrinsic flips can do with such cells (DiscretizeOptions::delaunay)."
-                        : "",
-                    others),
+                    other_remedy(mesh), others),
         {.degree = mesh.dimension(),
          .cells = numbers,
          .vertices = {corners.begin(), corners.end()}});

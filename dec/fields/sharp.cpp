@@ -71,7 +71,7 @@ Points gradients_in_flat_pieces(const Discretization& mesh, const Vector& a) {
     return rows;
 }
 
-constexpr double rounding = 1e-12;
+constexpr double rank_tolerance = 1e-12;
 
 /// An orthonormal basis of the mean tangent space of n-simplices, as columns: the n eigenvectors of
 /// largest eigenvalue of the mean of the projections onto their planes. Fewer where all corners lie
@@ -94,7 +94,7 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
     }
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(sum);
     const Vector largest = solver.eigenvalues().tail(n);
-    return solver.eigenvectors().rightCols((largest.array() > rounding * largest.sum()).count());
+    return solver.eigenvectors().rightCols((largest.array() > rank_tolerance * largest.sum()).count());
 }
 
 /// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.
@@ -155,7 +155,7 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
 
         const DenseMatrix T = mean_tangents(mesh, cell);
         Eigen::FullPivLU<DenseMatrix> solver(T.transpose() * M * T);
-        if (!solver.setThreshold(rounding).isInvertible())
+        if (!solver.setThreshold(rank_tolerance).isInvertible())
             throw InvalidInput(
                 fmt::format("the vector at merged cell {} (vertices {}) is not determined by its "
                             "edges, whose weights cancel: move its vertices",

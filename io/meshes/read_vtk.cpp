@@ -16,23 +16,23 @@ namespace polydec {
 
 namespace {
 
-using TypeName = std::pair<std::string_view, NumberType>;
+using NamedType = std::pair<std::string_view, NumberType>;
 
 /// A vtkIdType is written with 32 bits, whatever it has in memory.
-constexpr std::array type_names{TypeName{"char", NumberType::int8},
-                                TypeName{"signed_char", NumberType::int8},
-                                TypeName{"unsigned_char", NumberType::uint8},
-                                TypeName{"short", NumberType::int16},
-                                TypeName{"unsigned_short", NumberType::uint16},
-                                TypeName{"int", NumberType::int32},
-                                TypeName{"unsigned_int", NumberType::uint32},
-                                TypeName{"long", NumberType::int64},
-                                TypeName{"unsigned_long", NumberType::uint64},
-                                TypeName{"vtktypeint64", NumberType::int64},
-                                TypeName{"vtktypeuint64", NumberType::uint64},
-                                TypeName{"vtkidtype", NumberType::int32},
-                                TypeName{"float", NumberType::float32},
-                                TypeName{"double", NumberType::float64}};
+constexpr std::array named_types{NamedType{"char", NumberType::int8},
+                                 NamedType{"signed_char", NumberType::int8},
+                                 NamedType{"unsigned_char", NumberType::uint8},
+                                 NamedType{"short", NumberType::int16},
+                                 NamedType{"unsigned_short", NumberType::uint16},
+                                 NamedType{"int", NumberType::int32},
+                                 NamedType{"unsigned_int", NumberType::uint32},
+                                 NamedType{"long", NumberType::int64},
+                                 NamedType{"unsigned_long", NumberType::uint64},
+                                 NamedType{"vtktypeint64", NumberType::int64},
+                                 NamedType{"vtktypeuint64", NumberType::uint64},
+                                 NamedType{"vtkidtype", NumberType::int32},
+                                 NamedType{"float", NumberType::float32},
+                                 NamedType{"double", NumberType::float64}};
 
 /// Keywords may be written in any case.
 std::string lower(std::string_view word) {
@@ -144,9 +144,10 @@ private:
 
     std::optional<NumberType> type_of(std::string_view word) const {
         const auto name = lower(word);
-        const auto found = std::find_if(type_names.begin(), type_names.end(),
-                                        [&name](const TypeName& one) { return name == one.first; });
-        return found == type_names.end() ? std::nullopt : std::optional(found->second);
+        const auto found =
+            std::find_if(named_types.begin(), named_types.end(),
+                         [&name](const NamedType& one) { return name == one.first; });
+        return found == named_types.end() ? std::nullopt : std::optional(found->second);
     }
 
     NumberType read_type() {

@@ -22,7 +22,7 @@ using Corners = std::span<const Index>;
 /// How the corners of a cell become simplices or polygons.
 enum class Shape { as_it_is, pixel, edges, strip };
 
-struct Kind {
+struct CellKind {
     int type;
     int dimension;
     std::size_t least_corners, most_corners;
@@ -30,13 +30,13 @@ struct Kind {
 };
 
 constexpr std::size_t any_number = 1U << 31U;
-constexpr std::array kinds{
-    Kind{0, 0, 0, any_number, Shape::as_it_is}, // an empty cell
-    Kind{1, 0, 1, 1, Shape::as_it_is},          Kind{2, 0, 0, any_number, Shape::as_it_is},
-    Kind{3, 1, 2, 2, Shape::as_it_is},          Kind{4, 1, 2, any_number, Shape::edges},
-    Kind{5, 2, 3, 3, Shape::as_it_is},          Kind{6, 2, 3, any_number, Shape::strip},
-    Kind{7, 2, 0, any_number, Shape::as_it_is}, Kind{8, 2, 4, 4, Shape::pixel},
-    Kind{9, 2, 4, 4, Shape::as_it_is},          Kind{10, 3, 4, 4, Shape::as_it_is},
+constexpr std::array cell_kinds{
+    CellKind{0, 0, 0, any_number, Shape::as_it_is}, // an empty cell
+    CellKind{1, 0, 1, 1, Shape::as_it_is},          CellKind{2, 0, 0, any_number, Shape::as_it_is},
+    CellKind{3, 1, 2, 2, Shape::as_it_is},          CellKind{4, 1, 2, any_number, Shape::edges},
+    CellKind{5, 2, 3, 3, Shape::as_it_is},          CellKind{6, 2, 3, any_number, Shape::strip},
+    CellKind{7, 2, 0, any_number, Shape::as_it_is}, CellKind{8, 2, 4, 4, Shape::pixel},
+    CellKind{9, 2, 4, 4, Shape::as_it_is},          CellKind{10, 3, 4, 4, Shape::as_it_is},
 };
 
 /// What to do about cells that are not read.
@@ -138,9 +138,9 @@ private:
         return begin + corners;
     }
 
-    const Kind& kind_of(std::size_t cell) const {
+    const CellKind& kind_of(std::size_t cell) const {
         const double type = arrays_.types[cell];
-        for (const auto& kind : kinds)
+        for (const auto& kind : cell_kinds)
             if (kind.type == type)
                 return kind;
         for (const auto& refusal : refusals) {
@@ -165,7 +165,7 @@ private:
         return static_cast<Index>(value);
     }
 
-    void add(const Kind& kind, Index tag) {
+    void add(const CellKind& kind, Index tag) {
         const Corners corners = corners_;
         switch (kind.shape) {
         case Shape::as_it_is:

@@ -19,7 +19,7 @@ namespace {
 constexpr double relative_gap = 1e-6;
 
 /// What a radius may be at most of its value, or of the distance to the next ones.
-constexpr double largest_share = 1e-6;
+constexpr double largest_radius_share = 1e-6;
 
 /// Smaller radii than this share are not striven for.
 constexpr double fine_share = 1e-9;
@@ -182,7 +182,7 @@ std::vector<Index> rough_values(const FoundPairs& pairs, const ScaledPencil& pen
                 "cells that are very much smaller or flatter than others",
                 i, pencil.eigenvalue(pairs.values()[i]), pencil.eigenvalue(pairs.radii()[i]),
                 pencil.eigenvalue(pencil.norm())));
-        if (!pairs.is_accurate(i, largest_share))
+        if (!pairs.is_accurate(i, largest_radius_share))
             rough.push_back(i);
     }
     return rough;

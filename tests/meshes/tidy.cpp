@@ -185,7 +185,7 @@ TEST(Tidy, refuses_an_inner_sliver_in_space) {
         }),
         "cell 1 (vertices 0 1 2 3) has no volume, and without it its neighbors would come "
         "apart.\nIts vertices lie in one plane: move one of them, or exchange the cell and its "
-        "neighbors for others.");
+        "neighbors for others. Flat cells on the boundary can be peeled off (peeled(mesh)).");
 }
 
 TEST(Tidy, judges_flatness_by_shape_not_by_size) {
