@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "dec/metric/whitney.h"
+#include "dec/galerkin_mass.h"
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
@@ -13,11 +13,6 @@
 namespace polydec {
 
 namespace {
-
-SparseMatrix lifted(const Discretization& mesh, int k, const SparseMatrix& W) {
-    const SparseMatrix& S = mesh.lift()[k];
-    return SparseMatrix(S.transpose()) * W * S;
-}
 
 DenseMatrix inverse(const DenseMatrix& tensor, int n, Index cell) {
     if (tensor.rows() == n && tensor.cols() == n && tensor.allFinite() &&
@@ -50,21 +45,20 @@ DenseMatrix flux_products(const Points& corners, const DenseMatrix& G, double vo
 
 } // namespace
 
+void check_cell_weights(const char* what, const Vector& weights, int n) {
+    for (Index cell = 0; cell < weights.size(); ++cell)
+        if (!(weights[cell] > 0 && std::isfinite(weights[cell])))
+            throw InvalidInput(fmt::format("the {} of {}-cell {} is {}: expected a positive number",
+                                           what, n, cell, weights[cell]),
+                               {.degree = n, .cells = {cell}});
+}
+
 SparseMatrix material_star(const Discretization& mesh, int k, const Vector& weights) {
     const int n = mesh.dimension();
     check_number("a star of degree", k, 0, n);
     check_as_many(fmt::format("weights of {}-cells", n), weights.size(), mesh.complex().size(n));
-    for (Index cell = 0; cell < weights.size(); ++cell)
-        if (!(weights[cell] > 0 && std::isfinite(weights[cell])))
-            throw InvalidInput(fmt::format("the weight of {}-cell {} is {}: expected a positive "
-                                           "number",
-                                           n, cell, weights[cell]),
-                               {.degree = n, .cells = {cell}});
-    const auto& carriers = mesh.merging().carriers(n);
-    Vector of_pieces(carriers.size());
-    for (std::size_t t = 0; t < carriers.size(); ++t)
-        of_pieces[static_cast<Index>(t)] = weights[carriers[t].cell];
-    return lifted(mesh, k, whitney_mass(mesh.pieces(), mesh.metric(), k, of_pieces));
+    check_cell_weights("weight", weights, n);
+    return galerkin_mass(mesh, k, weights);
 }
 
 SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors) {
@@ -76,6 +70,8 @@ SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMa
     std::vector<Eigen::Triplet<double, Index>> entries;
     entries.reserve(K.size(n) * (n + 1) * (n + 1));
     for (Index t = 0; t < K.size(n); ++t) {
+        if (mesh.is_flat(t))
+            continue;
         const Index cell = mesh.merging().carriers(n)[t].cell;
         Points corners(n + 1, n);
         for (int i = 0; i <= n; ++i)

@@ -23,4 +23,8 @@ SparseMatrix material_star(const Discretization& mesh, int k, const Vector& weig
 /// place (not flipped) and of known points.
 SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors);
 
+/// Throws InvalidInput, naming the n-cell and what is given for it, such as "conductivity", unless
+/// all are positive and finite.
+void check_cell_weights(const char* what, const Vector& weights, int n);
+
 } // namespace polydec

@@ -2,12 +2,15 @@
 #include "solvers/heat.h"
 
 #include "backends/registry.h"
+#include "base/block_matrix.h"
 #include "base/errors.h"
 #include "dec/conditioned_complex.h"
 #include "dec/forms/laplacian.h"
 #include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace polydec {
 
@@ -20,30 +23,14 @@ RelativeComplex absolute(const CellComplex& complex) {
 /// M_k + t d^T M_(k+1) d, and beside it t times d^T M_k and, negative, M_(k-1): of a form and its
 /// codifferential. Quasi-definite, so that it has factors in every order.
 SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars, int k, double t) {
-    SparseMatrix A = stars[k].matrix();
+    const Operator mass = Operator::star(stars[k]);
+    const Operator below = Operator::derivative(complex, k - 1).transposed();
+    Operator A = mass;
     if (k < complex.dimension()) {
         const Operator d = Operator::derivative(complex, k);
-        A += t * (d.transposed() * Operator::star(stars[k + 1]) * d).matrix();
+        A = A + t * (d.transposed() * Operator::star(stars[k + 1]) * d);
     }
-    const Operator below = Operator::derivative(complex, k - 1).transposed();
-    const SparseMatrix B = t * (below * Operator::star(stars[k])).matrix();
-    const SparseMatrix M = t * stars[k - 1].matrix();
-    const auto size = static_cast<Index>(A.rows());
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    for (Index i = 0; i < size; ++i)
-        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
-            entries.emplace_back(i, entry.col(), entry.value());
-    for (Index i = 0; i < B.rows(); ++i) {
-        for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry) {
-            entries.emplace_back(size + i, entry.col(), entry.value());
-            entries.emplace_back(entry.col(), size + i, entry.value());
-        }
-        for (SparseMatrix::InnerIterator entry(M, i); entry; ++entry)
-            entries.emplace_back(size + i, size + entry.col(), -entry.value());
-    }
-    SparseMatrix result(size + B.rows(), size + B.rows());
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
+    return block_matrix(A, t * (below * mass), -t * Operator::star(stars[k - 1]));
 }
 
 } // namespace
@@ -68,7 +55,7 @@ HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space
     : complex_(whole),
       side_(side),
       degree_(degree),
-      applied_(Operator::zero(0, 0)),
+      stiffness_(Operator::zero(0, 0)),
       mass_(space.stars[cell_degree(whole, side, degree)]) {
     const CellComplex& complex = space.relative.complex;
     const HodgeStars& stars = space.stars;
@@ -82,25 +69,20 @@ HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space
     const double implicit_part = implicit ? options.time_step : options.time_step / 2;
     explicit_part_ = options.time_step - implicit_part;
     solver_ = make_linear_solver(options.linear_solver);
-    applied_ = symmetric_laplacian(complex, stars, k);
-    unknowns_ = mass_.size();
-    if (k > 0 && !stars[k - 1].is_diagonal()) {
-        unknowns_ += stars[k - 1].size();
-        solver_->factorize(mixed_step(complex, stars, k, implicit_part),
-                           {.symmetry = Symmetry::symmetric,
-                            .domain_dimension = complex.dimension(),
-                            .many_solves = true});
-        return;
+    stiffness_ = symmetric_laplacian(complex, stars, k);
+    SparseMatrix A;
+    MatrixFacts facts{.symmetry = Symmetry::symmetric,
+                      .domain_dimension = complex.dimension(),
+                      .many_solves = true};
+    if (k > 0 && !stars[k - 1].is_diagonal())
+        A = mixed_step(complex, stars, k, implicit_part);
+    else {
+        A = Operator::star(mass_) + implicit_part * stiffness_;
+        if (laplacian_definiteness(stars, k) == Definiteness::semidefinite)
+            facts.definiteness = Definiteness::positive;
     }
-    stiffness_ = applied_;
-    SparseMatrix A = mass_.matrix();
-    A += implicit_part * stiffness_;
-    const bool definite = laplacian_definiteness(stars, k) == Definiteness::semidefinite;
-    solver_->factorize(
-        A, {.symmetry = Symmetry::symmetric,
-            .definiteness = definite ? Definiteness::positive : Definiteness::indefinite,
-            .domain_dimension = complex.dimension(),
-            .many_solves = true});
+    unknowns_ = static_cast<Index>(A.rows());
+    solver_->factorize(A, facts);
 }
 
 Cochain HeatSolver::step(const Cochain& form) const {
@@ -112,12 +94,9 @@ Cochain HeatSolver::step(const Cochain& form) const {
     const bool primal = side_ == Side::primal;
     const Vector values = form.values(kept_);
     const Vector w = primal ? values : mass_.solve(values);
-    const bool is_mixed = unknowns_ > mass_.size();
     Vector right_side = mass_ * w;
-    if (!is_mixed)
+    if (explicit_part_ > 0)
         right_side -= explicit_part_ * (stiffness_ * w);
-    else if (explicit_part_ > 0)
-        right_side -= explicit_part_ * (applied_ * w);
     right_side.conservativeResizeLike(Vector::Zero(unknowns_));
     const Vector next = solver_->solve(right_side).head(w.size());
     Vector result = Vector::Zero(form.values.size());

@@ -58,10 +58,9 @@ private:
     std::vector<Index> kept_; // the cells whose values are not fixed at 0
     Side side_;
     int degree_;
-    double explicit_part_;   // of the time step
-    SparseMatrix stiffness_; // or,
-    Operator applied_;       // where that is dense
-    Index unknowns_;         // solved for in a step
+    double explicit_part_; // of the time step
+    Operator stiffness_;
+    Index unknowns_; // solved for in a step
     HodgeStar mass_;
     std::unique_ptr<LinearSolver> solver_;
 };

@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
+#include "dec/forms/operator.h"
 #include "solvers/saddle_solver.h"
 #include "solvers/spectra/positive_mass.h"
 
@@ -39,42 +40,24 @@ Vector spread(const Vector& values, const std::vector<Index>& cells, Index size)
     return whole;
 }
 
-/// 1, or the power of 4 that brings the largest of the numbers near 1 if they are extreme.
-double unit_of(const Vector& masses) {
+/// 1, or the power of 4 that brings the largest entry near 1 if they are extreme.
+double unit_of(const Vector& diagonal) {
     constexpr int harmless = 200;
-    const int exponent = masses.size() > 0 ? std::ilogb(masses.maxCoeff()) : 0;
+    const int exponent = diagonal.size() > 0 ? std::ilogb(diagonal.maxCoeff()) : 0;
     return std::abs(exponent) <= harmless ? 1 : std::ldexp(1.0, exponent - (exponent & 1));
 }
 
 /// The star of the forms over a unit, a power of 4 by which squares of its entries are numbers.
-class Mass {
-public:
-    explicit Mass(const HodgeStar& star) : star_(star) {
-        const Vector diagonal = star.is_diagonal() ? star.diagonal() : star.matrix().diagonal();
-        unit = unit_of(diagonal);
-        if (star.is_diagonal())
-            diagonal_ = diagonal / unit;
-    }
+struct ScaledStar {
+    double unit;
+    SparseMatrix matrix;
+    Operator inverse;
 
-    bool is_diagonal() const { return star_.is_diagonal(); }
-    const Vector& diagonal() const { return diagonal_; }
-    SparseMatrix matrix() const { return star_.matrix() / unit; }
-
-    Vector operator*(const Vector& x) const {
-        return is_diagonal() ? Vector(diagonal_.cwiseProduct(x)) : Vector(star_ * x / unit);
-    }
-    Vector solve(const Vector& x) const {
-        return is_diagonal() ? Vector(x.cwiseQuotient(diagonal_)) : unit * star_.solve(x);
-    }
-    double square(const Vector& x) const {
-        return is_diagonal() ? diagonal_.dot(x.cwiseAbs2()) : x.dot(*this * x);
-    }
-
-    double unit = 1;
-
-private:
-    HodgeStar star_;
-    Vector diagonal_; // over the unit; empty if the star is a matrix
+    explicit ScaledStar(const HodgeStar& star)
+        : unit(unit_of(Operator::star(star).diagonal())),
+          matrix(Operator::star(star).matrix() / unit),
+          inverse(star.is_diagonal() ? Operator::weights(matrix.diagonal().cwiseInverse())
+                                     : unit * Operator::inverse_star(star)) {}
 };
 
 /// The part of a form in some space, orthogonal in the inner product, and its potential.
@@ -150,21 +133,20 @@ private:
 };
 
 /// Makes the columns orthonormal in an inner product, by Gram and Schmidt twice.
-void orthonormalize(DenseMatrix& columns, const Mass& mass) {
+void orthonormalize(DenseMatrix& columns, const SparseMatrix& M) {
     for (Index i = 0; i < columns.cols(); ++i) {
         for (int pass = 0; pass < 2; ++pass) {
-            const Vector products =
-                columns.leftCols(i).transpose() * (mass * Vector(columns.col(i)));
+            const Vector products = columns.leftCols(i).transpose() * (M * columns.col(i));
             columns.col(i) -= columns.leftCols(i) * products;
         }
-        columns.col(i) /= std::sqrt(mass.square(columns.col(i)));
+        columns.col(i) /= std::sqrt(columns.col(i).dot(M * columns.col(i)));
     }
 }
 
 } // namespace
 
 struct HodgeSolver::Parts {
-    Mass mass;
+    ScaledStar star;
     std::unique_ptr<Projection> exact = nullptr, coexact = nullptr;
 };
 
@@ -173,29 +155,24 @@ HodgeSolver::HodgeSolver(const CellComplex& complex, const HodgeStars& stars, Si
     : complex_(complex), side_(side), degree_(degree), k_(cell_degree(complex, side, degree)) {
     check_fit(complex, stars);
     check_positive_mass(stars[k_], side, degree);
-    parts_ = std::make_unique<Parts>(Parts{Mass(stars[k_])});
-    auto& [mass, exact, coexact] = *parts_;
+    parts_ = std::make_unique<Parts>(Parts{ScaledStar(stars[k_])});
+    auto& [star, exact, coexact] = *parts_;
     const int n = complex.dimension();
-    const auto faces = k_ > 0 ? regular_minor(complex, k_ - 1).columns : std::vector<Index>{};
-    const SparseMatrix below = rows_of(transposed(derivative(complex, k_ - 1)), faces);
     const auto least_squares = [&](SparseMatrix D, SparseMatrix weighted,
                                    const std::vector<Index>& cells, int degree_of_potential) {
         return std::make_unique<LeastSquares>(std::move(D), std::move(weighted), cells,
                                               complex.size(degree_of_potential), engine, n);
     };
-    if (mass.is_diagonal()) {
-        const Vector& weights = mass.diagonal();
+    const auto faces = k_ > 0 ? regular_minor(complex, k_ - 1).columns : std::vector<Index>{};
+    const SparseMatrix below = rows_of(transposed(derivative(complex, k_ - 1)), faces);
+    exact = least_squares(transposed(below), below * star.matrix, faces, k_ - 1);
+    if (stars[k_].is_diagonal()) {
         const auto cofaces = regular_minor(complex, k_).rows;
         const SparseMatrix above = rows_of(derivative(complex, k_), cofaces);
-        const SparseMatrix inverted = weights.cwiseInverse().asDiagonal() * transposed(above);
-        exact = least_squares(transposed(below), below * weights.asDiagonal(), faces, k_ - 1);
-        coexact =
-            least_squares(inverted, transposed(inverted) * weights.asDiagonal(), cofaces, k_ + 1);
+        coexact = least_squares(star.inverse.matrix() * transposed(above), above, cofaces, k_ + 1);
     } else {
-        stars[k_].solve(Vector::Zero(stars[k_].size())); // refuses what is not definite
-        const SparseMatrix M = mass.matrix();
-        exact = least_squares(transposed(below), below * M, faces, k_ - 1);
-        coexact = std::make_unique<ByMultipliers>(derivative(complex, k_), M, engine, n);
+        star.inverse* Vector::Zero(star.inverse.cols()); // refuses what is not definite
+        coexact = std::make_unique<ByMultipliers>(derivative(complex, k_), star.matrix, engine, n);
     }
 }
 
@@ -209,8 +186,8 @@ HodgeParts HodgeSolver::decompose(const Cochain& form) const {
                                        name(form.side), form.degree, name(side_), degree_));
     const int n = complex_.dimension();
     const bool primal = side_ == Side::primal;
-    const auto& [mass, exact, coexact] = *parts_;
-    const Vector w = primal ? form.values : mass.solve(form.values);
+    const auto& [star, exact, coexact] = *parts_;
+    const Vector w = primal ? form.values : star.inverse * form.values;
 
     const auto [potential, da] = exact->of(w);
     const auto [c, delta] = coexact->of(w);
@@ -218,38 +195,36 @@ HodgeParts HodgeSolver::decompose(const Cochain& form) const {
     const double dual_sign = k_ % 2 == 0 ? -1 : 1;
     const double star_star = k_ * (n - k_) % 2 == 0 ? 1 : -1;
     const Vector copotential = dual_sign * c;
-    // in the mass over the unit, a dual form is as if w were the unit times as large, and then c is
+    // by the star over the unit, a dual form is as if w were the unit times as large, and then c is
     // what it should be; of a primal one c lacks the unit
     if (primal)
         return {{side_, degree_, da},
                 {side_, degree_, delta},
                 {side_, degree_, w - da - delta},
                 {Side::primal, k_ - 1, potential},
-                {Side::dual, n - k_ - 1, mass.unit * copotential}};
-    return {{side_, degree_, mass * delta},
-            {side_, degree_, mass * da},
-            {side_, degree_, mass * (w - da - delta)},
+                {Side::dual, n - k_ - 1, star.unit * copotential}};
+    return {{side_, degree_, star.matrix * delta},
+            {side_, degree_, star.matrix * da},
+            {side_, degree_, star.matrix * (w - da - delta)},
             {Side::dual, n - k_ - 1, copotential},
-            {Side::primal, k_ - 1, star_star * potential / mass.unit}};
+            {Side::primal, k_ - 1, star_star * potential / star.unit}};
 }
 
 DenseMatrix HodgeSolver::harmonic_forms() const {
-    const auto& [mass, exact, coexact] = *parts_;
+    const auto& [star, exact, coexact] = *parts_;
     // a cycle, read as a form through the inverse star, is coclosed
     const SparseMatrix generators = homology_generators(complex_, k_);
     DenseMatrix forms(generators);
     for (Index i = 0; i < forms.cols(); ++i) {
-        const Vector w = mass.solve(forms.col(i));
+        const Vector w = star.inverse * Vector(forms.col(i));
         forms.col(i) = w - coexact->of(w).form;
     }
-    orthonormalize(forms, mass);
-    // so far of norm 1 in the mass over the unit
-    const double root = std::sqrt(mass.unit);
+    orthonormalize(forms, star.matrix);
+    // so far of norm 1 by the star over the unit
+    const double root = std::sqrt(star.unit);
     if (side_ == Side::primal)
         return forms / root;
-    for (Index i = 0; i < forms.cols(); ++i)
-        forms.col(i) = root * (mass * Vector(forms.col(i)));
-    return forms;
+    return root * (star.matrix * forms);
 }
 
 HodgeParts hodge_decomposition(const CellComplex& complex, const HodgeStars& stars,

@@ -35,16 +35,14 @@ public:
 private:
     void check_sizes(const Vector& E, const Vector& B) const;
 
-    SparseMatrix d_, d_transposed_;
-    HodgeStar star_;
-    Vector mass_; // its diagonal; empty if it is a matrix
-    Operator upper_mass_;
     double time_step_;
+    Operator d_, mass_, upper_mass_;
+    Operator acceleration_; // of E by B
 };
 
 /// 2 / sqrt of the largest eigenvalue of delta d on k-forms: steps must be shorter. Units length.
-/// Where star_k or star_(k+1) is a matrix, by Lanczos' iteration in the inner product of star_k.
-/// Throws InvalidInput like Leapfrog; infinity if d is zero.
+/// Throws InvalidInput like Leapfrog, SolverFailure if the root of a star_k that is a matrix takes
+/// more memory than there is; infinity if d is zero.
 double stable_step(const CellComplex& complex, const HodgeStars& stars, int k);
 inline double stable_step(const Discretization& mesh, int k) {
     return stable_step(mesh.complex(), mesh.stars(), k);

@@ -65,18 +65,19 @@ FreeComponents components(const CellComplex& complex, const HodgeStars& stars,
             std::move(tied), stars.volumes().primal(n)};
 }
 
-void check_finite(const Vector& values, const char* what, int degree) {
-    for (Index i = 0; i < values.size(); ++i)
-        if (!std::isfinite(values[i]))
-            throw InvalidInput(
-                fmt::format("{} at {}-cell {} is {}: data times volumes leave the range of "
-                            "numbers there; divide all data by a power of two, and multiply the "
-                            "solution by it",
-                            what, degree, i, values[i]),
-                {.degree = degree, .cells = {i}});
-}
-
 } // namespace
+
+void check_loads(const char* what, const DenseMatrix& loads, int degree) {
+    for (Index j = 0; j < loads.cols(); ++j)
+        for (Index i = 0; i < loads.rows(); ++i)
+            if (!std::isfinite(loads(i, j)))
+                throw InvalidInput(
+                    fmt::format("{} at {}-cell {} is {}: data times volumes leave the range of "
+                                "numbers there; divide all data by a power of two, and multiply "
+                                "the solution by it",
+                                what, degree, i, loads(i, j)),
+                    {.degree = degree, .cells = {i}});
+}
 
 MixedPoisson::MixedPoisson(const CellComplex& complex, const HodgeStars& stars,
                            const std::vector<bool>& essential, const std::string& engine)
@@ -98,8 +99,8 @@ MixedPoisson::Flow MixedPoisson::solve(const Vector& sources, const Vector& boun
     const int n = solver_.domain_dimension();
     const Vector drops = given - M_ * flux;
     Vector left = sources - divergence_ * flux;
-    check_finite(drops, "the right-hand side of a flux", n - 1);
-    check_finite(left, "the right-hand side of the balance", n);
+    check_loads("the right-hand side of a flux", drops, n - 1);
+    check_loads("the right-hand side of the balance", left, n);
     const Compatibility compatibility = components_.balance(left);
     auto [x, c, report] = solver_.solve(drops(unknown_), left);
     flux(unknown_) = x;

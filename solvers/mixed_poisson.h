@@ -43,4 +43,8 @@ private:
     FreeComponents components_;
 };
 
+/// Throws InvalidInput, naming the cell, where a right-hand side, that of cells of a degree, is no
+/// number: data are, but their products with volumes and weights need not be.
+void check_loads(const char* what, const DenseMatrix& loads, int degree);
+
 } // namespace polydec

@@ -42,20 +42,6 @@ void check_values(const DenseMatrix& values, const Points& sites, const char* wh
                 throw InvalidInput(fmt::format("{}: value {} is {}", what, i, values(i, j)));
 }
 
-/// The data are numbers, but their products with volumes and weights need not be.
-void check_loads(const DenseMatrix& loads, int degree) {
-    for (Index j = 0; j < loads.cols(); ++j)
-        for (Index i = 0; i < loads.rows(); ++i)
-            if (!std::isfinite(loads(i, j)))
-                throw InvalidInput(
-                    fmt::format("the right-hand side of the system at {}-cell {} is {}: data times "
-                                "volumes leave the range of numbers there; divide the right-hand "
-                                "side, boundary data and normal derivatives by a power of two, and "
-                                "multiply the solution by it",
-                                degree, i, loads(i, j)),
-                    {.degree = degree, .cells = {i}});
-}
-
 /// What fixed unknowns take away from the right-hand sides of the others.
 SparseMatrix load_of_fixed(const ConstrainedSystem& system) {
     SparseMatrix result = system.A;
@@ -81,12 +67,7 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
         throw InvalidInput(fmt::format("{} conductivities are given: expected one for each of the "
                                        "{} {}-cells, or none",
                                        conductivity.size(), complex.size(n), n));
-    for (Index cell = 0; cell < conductivity.size(); ++cell)
-        if (!(conductivity[cell] > 0 && std::isfinite(conductivity[cell])))
-            throw InvalidInput(fmt::format("the conductivity of {}-cell {} is {}: expected a "
-                                           "positive number",
-                                           n, cell, conductivity[cell]),
-                               {.degree = n, .cells = {cell}});
+    check_cell_weights("conductivity", conductivity, n);
 }
 
 /// The mesh with the star of flows that belongs to a conductivity, where that is a matrix.
@@ -374,8 +355,9 @@ Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
     const DenseMatrix load = boundary_load_ * boundary_values + flux_load_ * normal_derivatives;
     const DenseMatrix right_side = mass_ * f + load;
     const DenseMatrix fixed = boundary_fix_ * boundary_values;
-    check_loads(right_side, degree_);
-    check_loads(right_side - fixed_load_ * fixed, degree_);
+    constexpr auto what = "the right-hand side of the system";
+    check_loads(what, right_side, degree_);
+    check_loads(what, right_side - fixed_load_ * fixed, degree_);
     return solver_->solve_all(right_side, fixed);
 }
 

@@ -2,6 +2,7 @@
 #include "solvers/saddle_solver.h"
 
 #include "backends/registry.h"
+#include "base/block_matrix.h"
 #include "base/checks.h"
 #include "base/errors.h"
 #include "base/row_sum_norm.h"
@@ -38,24 +39,15 @@ Vector scales_of(const SparseMatrix& M, const SparseMatrix& D) {
 /// M above, D below, D^T beside, scaled; `diagonal` below M.
 SparseMatrix saddle(const SparseMatrix& M, const SparseMatrix& D, const Vector& scales,
                     double diagonal) {
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    entries.reserve(M.nonZeros() + 2 * D.nonZeros() + D.rows());
-    const auto size = static_cast<Index>(M.rows());
-    for (Index i = 0; i < size; ++i)
-        for (SparseMatrix::InnerIterator entry(M, i); entry; ++entry)
-            entries.emplace_back(i, entry.col(), scales[i] * scales[entry.col()] * entry.value());
-    for (Index row = 0; row < D.rows(); ++row) {
-        const Index i = size + row;
-        for (SparseMatrix::InnerIterator entry(D, row); entry; ++entry) {
-            const double value = scales[i] * scales[entry.col()] * entry.value();
-            entries.emplace_back(i, entry.col(), value);
-            entries.emplace_back(entry.col(), i, value);
-        }
-        if (diagonal != 0)
-            entries.emplace_back(i, i, diagonal);
+    SparseMatrix lower(D.rows(), D.rows());
+    if (diagonal != 0) {
+        lower.setIdentity();
+        lower.coeffs() = diagonal / scales.tail(D.rows()).array().square();
     }
-    SparseMatrix result(scales.size(), scales.size());
-    result.setFromTriplets(entries.begin(), entries.end());
+    SparseMatrix result = block_matrix(M, D, lower);
+    for (Index i = 0; i < result.rows(); ++i)
+        for (SparseMatrix::InnerIterator entry(result, i); entry; ++entry)
+            entry.valueRef() *= scales[i] * scales[entry.col()];
     return result;
 }
 

@@ -2,39 +2,73 @@
 #include "dec/metric/whitney.h"
 
 #include "base/checks.h"
+#include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 namespace polydec {
 
 namespace {
 
-double volume(const DenseMatrix& gradients) {
-    // the gradients of all but one vertex span the dual lattice of the edges; the determinant of
-    // their products would lose twice the digits that a flat simplex costs
-    const auto m = gradients.rows() - 1;
-    const DenseMatrix dual_edges = gradients.bottomRows(m).transpose();
-    const double cell = dual_edges.householderQr().matrixQR().diagonal().prod();
-    return 1 / (std::abs(cell) * std::tgamma(double(m) + 1));
-}
+/// Mass matrices of the j-forms of m-simplices.
+class WhitneyMass {
+public:
+    WhitneyMass(int m, int j) : m_(m), j_(j), faces_(subsets(m + 1, j + 1)), wedge_(m, j) {}
 
-/// Determinant of the products of gradients in I without its p-th and J without its q-th.
-double minor_determinant(const DenseMatrix& products, const std::vector<int>& I, std::size_t p,
-                         const std::vector<int>& J, std::size_t q) {
-    const auto j = static_cast<Index>(I.size()) - 1;
-    DenseMatrix minor(j, j);
-    for (Index a = 0; a < j; ++a)
-        for (Index b = 0; b < j; ++b)
-            minor(a, b) = products(I[a < Index(p) ? a : a + 1], J[b < Index(q) ? b : b + 1]);
-    return j == 0 ? 1.0 : minor.determinant();
-}
+    /// At vertex v the form of a face has a value, the wedge of the gradients of the other
+    /// vertices, and is linear between; integrals of products of barycentric coordinates, v = w or
+    /// not, are as 2 to 1. Squares of values, not of products of gradients: flat simplices cost no
+    /// more digits than they must.
+    DenseMatrix operator()(const Points& points, std::span<const Index> vertices) const {
+        // in coordinates of the simplex's own space; those of all but one vertex span the dual
+        // lattice of the edges
+        const DenseMatrix given = barycentric_gradients(points, vertices).transpose();
+        const Eigen::HouseholderQR<DenseMatrix> qr(given.rightCols(m_));
+        const DenseMatrix gradients = (qr.householderQ().adjoint() * given).topRows(m_).transpose();
+        const double volume =
+            1 / (std::abs(qr.matrixQR().diagonal().prod()) * std::tgamma(m_ + 1.0));
+        const auto size = static_cast<Index>(faces_.size());
+        DenseMatrix mass = DenseMatrix::Zero(size, size);
+        DenseMatrix sum = DenseMatrix::Zero(size, wedge_.size());
+        for (int v = 0; v <= m_; ++v) {
+            const DenseMatrix values = values_at(v, gradients);
+            mass.selfadjointView<Eigen::Lower>().rankUpdate(values);
+            sum += values;
+        }
+        mass.selfadjointView<Eigen::Lower>().rankUpdate(sum);
+        const double factorial = std::tgamma(j_ + 1.0);
+        const double weight = factorial * factorial * volume / ((m_ + 1.0) * (m_ + 2.0));
+        return weight * DenseMatrix(mass.selfadjointView<Eigen::Lower>());
+    }
+
+private:
+    /// Of each face, over j!.
+    DenseMatrix values_at(int v, const DenseMatrix& gradients) const {
+        DenseMatrix values = DenseMatrix::Zero(static_cast<Index>(faces_.size()), wedge_.size());
+        for (std::size_t a = 0; a < faces_.size(); ++a) {
+            const auto place = std::find(faces_[a].begin(), faces_[a].end(), v);
+            if (place == faces_[a].end())
+                continue;
+            std::vector<int> others = faces_[a];
+            const auto p = place - faces_[a].begin();
+            others.erase(others.begin() + p);
+            values.row(static_cast<Index>(a)) =
+                (p % 2 == 0 ? 1 : -1) * wedge_(gradients(others, Eigen::all)).transpose();
+        }
+        return values;
+    }
+
+    int m_, j_;
+    std::vector<std::vector<int>> faces_;
+    ExteriorProduct wedge_;
+};
 
 } // namespace
 
@@ -44,25 +78,7 @@ DenseMatrix whitney_mass(const Points& points, std::span<const Index> vertices, 
     check_number("a simplex between points, of dimension", m, 0, points.cols());
     for (const Index v : vertices)
         check_number("the point", v, 0, points.rows() - 1);
-    const DenseMatrix gradients = barycentric_gradients(points, vertices);
-    const DenseMatrix products = gradients * gradients.transpose();
-    const double factorial = std::tgamma(j + 1.0);
-    const double weight = factorial * factorial * volume(gradients) / ((m + 1.0) * (m + 2.0));
-
-    const auto faces = subsets(m + 1, j + 1);
-    DenseMatrix mass(faces.size(), faces.size());
-    for (std::size_t a = 0; a < faces.size(); ++a)
-        for (std::size_t b = 0; b < faces.size(); ++b) {
-            double sum = 0;
-            for (std::size_t p = 0; p < faces[a].size(); ++p)
-                for (std::size_t q = 0; q < faces[b].size(); ++q) {
-                    const double sign = (p + q) % 2 == 0 ? 1 : -1;
-                    const double moment = faces[a][p] == faces[b][q] ? 2 : 1;
-                    sum += sign * moment * minor_determinant(products, faces[a], p, faces[b], q);
-                }
-            mass(a, b) = weight * sum;
-        }
-    return mass;
+    return WhitneyMass(m, j)(points, vertices);
 }
 
 SparseMatrix whitney_mass(const Pieces& complex, const SimplexMetric& metric, int k,
@@ -73,11 +89,12 @@ SparseMatrix whitney_mass(const Pieces& complex, const SimplexMetric& metric, in
     std::vector<Eigen::Triplet<double, Index>> entries;
     SimplexFaces faces(complex, n, k);
     SimplexLayout layout(complex, metric);
+    const WhitneyMass of_simplex(n, k);
     for (Index t = 0; t < complex.size(n); ++t) {
         if (weights[t] == 0)
             continue;
         const Corners corners = layout.at(n, t);
-        const DenseMatrix mass = weights[t] * whitney_mass(corners.points, corners.vertices, k);
+        const DenseMatrix mass = weights[t] * of_simplex(corners.points, corners.vertices);
         const auto& of_t = faces.of(t);
         for (std::size_t a = 0; a < of_t.size(); ++a)
             for (std::size_t b = 0; b < of_t.size(); ++b)

@@ -14,14 +14,10 @@ namespace {
 
 /// The largest share of an entry of star_k that is uncertain; below 1, or it would not be positive.
 /// Matrices are taken as they are given.
-double largest_share(const HodgeStar& star) {
+double mass_share(const HodgeStar& star) {
     if (!star.is_diagonal())
         return 0;
     return std::min(star.uncertainty().cwiseQuotient(star.diagonal()).maxCoeff(), 0.5);
-}
-
-Weights weights(const HodgeStar& star) {
-    return star.is_diagonal() ? Weights(star.diagonal()) : Weights(star.matrix());
 }
 
 /// d_k^T star_(k+1) d_k.
@@ -69,8 +65,12 @@ GramPart lower_part(const CellComplex& complex, const HodgeStars& stars, int k) 
 
 } // namespace
 
+Weights weights(const HodgeStar& star) {
+    return star.is_diagonal() ? Weights(star.diagonal()) : Weights(star.matrix());
+}
+
 Pencil laplacian_pencil(const CellComplex& complex, const HodgeStars& stars, int k) {
-    Pencil pencil{.M = weights(stars[k]), .mass_uncertainty = largest_share(stars[k])};
+    Pencil pencil{.M = weights(stars[k]), .mass_uncertainty = mass_share(stars[k])};
     if (k < complex.dimension())
         pencil.parts.push_back(upper_part(complex, stars, k));
     if (k > 0)
@@ -81,13 +81,13 @@ Pencil laplacian_pencil(const CellComplex& complex, const HodgeStars& stars, int
 Pencil dual_function_pencil(const CellComplex& complex, const HodgeStars& stars, int n) {
     return {.parts = {inverse_part(derivative(complex, n - 1).transpose(), stars[n - 1])},
             .M = stars[n].inverse(),
-            .mass_uncertainty = largest_share(stars[n])};
+            .mass_uncertainty = mass_share(stars[n])};
 }
 
 Pencil coexact_pencil(const CellComplex& complex, const HodgeStars& stars, int k) {
     return {.parts = {upper_part(complex, stars, k)},
             .M = weights(stars[k]),
-            .mass_uncertainty = largest_share(stars[k])};
+            .mass_uncertainty = mass_share(stars[k])};
 }
 
 } // namespace polydec

@@ -7,6 +7,9 @@
 
 namespace polydec {
 
+/// The entries of its diagonal, or the matrix that it is.
+Weights weights(const HodgeStar& star);
+
 /// star_k Delta_k x = lambda star_k x on primal k-forms by its parts. Their uncertainties are what
 /// computing has done at most to diagonal stars (CellVolumes::rounding); points, and stars that are
 /// matrices, are taken as exact. An uncertain mass moves each eigenvalue by that share of it: true

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/spectra/scaled_pencil.h"
 
+#include "base/block_matrix.h"
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "base/row_sum_norm.h"
@@ -92,25 +93,6 @@ void check(const Pencil& pencil) {
             fmt::format("{}: {} parts have inverse weights, expected one at most", what, inverses));
 }
 
-/// Block by block: [A B; B^T D].
-SparseMatrix blocks(const SparseMatrix& A, const SparseMatrix& B, const SparseMatrix& D) {
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    entries.reserve(static_cast<std::size_t>(A.nonZeros() + 2 * B.nonZeros() + D.nonZeros()));
-    const auto first = static_cast<Index>(A.rows());
-    for (const auto* block : {&A, &B, &D})
-        for (Index i = 0; i < block->rows(); ++i)
-            for (SparseMatrix::InnerIterator entry(*block, i); entry; ++entry) {
-                const auto row = i + (block == &D ? first : 0);
-                const auto column = static_cast<Index>(entry.col()) + (block == &A ? 0 : first);
-                entries.emplace_back(row, column, entry.value());
-                if (block == &B)
-                    entries.emplace_back(column, row, entry.value());
-            }
-    SparseMatrix result(A.rows() + D.rows(), A.rows() + D.rows());
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-}
-
 } // namespace
 
 ScaledPencil::ScaledPencil(const Pencil& pencil)
@@ -177,8 +159,8 @@ void ScaledPencil::assemble() {
     }
     const auto hidden = static_cast<Index>(W.rows());
     matrices_.emplace(
-        blocks(-W, F, A),
-        blocks(SparseMatrix(hidden, hidden), SparseMatrix(hidden, size()), mass_->matrix()),
+        block_matrix(-W, F.transpose(), A),
+        block_matrix(SparseMatrix(hidden, hidden), SparseMatrix(size(), hidden), mass_->matrix()),
         hidden);
 }
 

@@ -128,19 +128,11 @@ struct GeodesicDistance::Parts {
           engine(options.linear_solver),
           step(surface, metric, options.time_scale * metric.mean_lengths.cwiseAbs2(), engine) {}
 
-    Vector heat(std::span<const Index> sources) {
+    Vector heat(std::span<const Index> sources) const {
         Vector b = Vector::Zero(surface.vertices());
         for (const Index v : sources)
             b[v] = 1;
-        Vector u = step(b);
-        Vector times = step.longer(metric, u);
-        for (Vector last = step.times(); times != last;) {
-            HeatStep longer(surface, metric, times, engine);
-            u = longer(b);
-            last = times;
-            times = longer.longer(metric, u);
-        }
-        return u;
+        return step.from(surface, metric, b).u;
     }
 
     /// The function that is 0 at the sources and fits b elsewhere. If they are one on each

@@ -13,7 +13,7 @@ namespace polydec {
 
 HeatStep::HeatStep(const Triangles& surface, const SurfaceMetric& metric, const Vector& times,
                    const std::string& engine)
-    : times_(times), solver_(make_linear_solver(engine)) {
+    : times_(times), engine_(engine), solver_(make_linear_solver(engine)) {
     SparseMatrix A(surface.vertices(), surface.vertices());
     A.setIdentity();
     A = metric.vertex_areas.asDiagonal() * A;
@@ -24,13 +24,25 @@ HeatStep::HeatStep(const Triangles& surface, const SurfaceMetric& metric, const 
                            .many_solves = true});
 }
 
-DenseMatrix HeatStep::operator()(const DenseMatrix& b) {
+DenseMatrix HeatStep::operator()(const DenseMatrix& b) const {
     DenseMatrix u = solver_->solve(b);
     if (!u.allFinite())
         throw SolverFailure(fmt::format("{} gives heat that is not finite: the triangles are too "
                                         "badly shaped",
                                         solver_->report().engine));
     return u;
+}
+
+HeatFlow HeatStep::from(const Triangles& surface, const SurfaceMetric& metric,
+                        const DenseMatrix& b) const {
+    HeatFlow flow{(*this)(b), times_};
+    Vector times = longer(metric, flow.u.col(0));
+    while (times != flow.times) {
+        const HeatStep step(surface, metric, times, engine_);
+        flow = {step(b), times};
+        times = step.longer(metric, flow.u.col(0));
+    }
+    return flow;
 }
 
 Vector HeatStep::longer(const SurfaceMetric& metric, const Vector& u) const {

@@ -4,7 +4,16 @@
 #include "backends/linear_solver.h"
 #include "solvers/surfaces/surface_metric.h"
 
+#include <memory>
+#include <string>
+
 namespace polydec {
+
+/// Heat, a column per right-hand side, and for which times it has flowed on the components.
+struct HeatFlow {
+    DenseMatrix u;
+    Vector times;
+};
 
 /// One step of backward Euler for the heat equation, for functions: (M + t L) u = b, with times t
 /// for each component.
@@ -14,16 +23,21 @@ public:
              const std::string& engine);
 
     /// A column per right-hand side.
-    DenseMatrix operator()(const DenseMatrix& b);
-
-    /// The times, longer on the components where u, a first column that the step gave for heat of
-    /// size 1 at the sources, is too faint at some vertex for its digits to be trusted.
-    Vector longer(const SurfaceMetric& metric, const Vector& u) const;
+    DenseMatrix operator()(const DenseMatrix& b) const;
 
     const Vector& times() const { return times_; }
 
+    /// The step from b, a column per right-hand side, the first of them heat of size 1 at sources:
+    /// for longer times on the components where that would be too faint at some vertex for its
+    /// digits to be trusted.
+    HeatFlow from(const Triangles& surface, const SurfaceMetric& metric,
+                  const DenseMatrix& b) const;
+
 private:
+    Vector longer(const SurfaceMetric& metric, const Vector& u) const;
+
     Vector times_;
+    std::string engine_; // as it was asked for
     std::unique_ptr<LinearSolver> solver_;
 };
 

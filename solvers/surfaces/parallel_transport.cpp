@@ -66,22 +66,6 @@ Definiteness definiteness(const GluedSurface& surface, const SurfaceMetric& metr
     return Definiteness::positive;
 }
 
-/// A step of heat for functions and one for vectors, for the same times.
-struct Steps {
-    HeatStep functions;
-    std::unique_ptr<LinearSolver> vectors;
-
-    Steps(const GluedSurface& surface, const SurfaceMetric& metric, const TangentFrames& frames,
-          const Vector& times, const std::string& engine)
-        : functions(surface, metric, times, engine), vectors(make_linear_solver(engine)) {
-        vectors->factorize(vector_heat_matrix(surface, metric, frames, times),
-                           {.symmetry = Symmetry::symmetric,
-                            .definiteness = definiteness(surface, metric),
-                            .domain_dimension = 2,
-                            .many_solves = true});
-    }
-};
-
 /// What flows in a step: in the columns of functions, heat 1 from every source and heat of the size
 /// of the vector there; and the vectors.
 struct Heat {
@@ -118,39 +102,41 @@ struct ParallelTransport::Parts {
     SurfaceMetric metric;
     TangentFrames frames;
     std::string engine;
-    Steps steps;
+    HeatStep functions;
+    std::unique_ptr<LinearSolver> vectors;
 
     Parts(const GluedSurface& surface_, const Vector& lengths, const TransportOptions& options)
         : surface(surface_),
           metric(surface_metric(surface, lengths)),
           frames(tangent_frames(surface, lengths)),
           engine(options.linear_solver),
-          steps(made_for(options.time_scale * metric.mean_lengths.cwiseAbs2())) {}
+          functions(surface, metric, options.time_scale * metric.mean_lengths.cwiseAbs2(), engine),
+          vectors(step_of_vectors(functions.times())) {}
 
-    Steps made_for(const Vector& times) const { return {surface, metric, frames, times, engine}; }
+    std::unique_ptr<LinearSolver> step_of_vectors(const Vector& times) const {
+        auto solver = make_linear_solver(engine);
+        solver->factorize(vector_heat_matrix(surface, metric, frames, times),
+                          {.symmetry = Symmetry::symmetric,
+                           .definiteness = definiteness(surface, metric),
+                           .domain_dimension = 2,
+                           .many_solves = true});
+        return solver;
+    }
 
     /// From vectors of size 1 at most at the sources.
-    Heat heat(std::span<const Index> sources, const TangentVectors& vectors) {
-        DenseMatrix functions = DenseMatrix::Zero(surface.vertices(), 2);
+    Heat heat(std::span<const Index> sources, const TangentVectors& at_sources) const {
+        DenseMatrix sizes = DenseMatrix::Zero(surface.vertices(), 2);
         Vector blocks = Vector::Zero(2 * Eigen::Index(surface.vertices()));
         for (std::size_t s = 0; s < sources.size(); ++s) {
-            const Complex vector = vectors[static_cast<Eigen::Index>(s)];
-            functions.row(sources[s]) << 1, std::abs(vector);
+            const Complex vector = at_sources[static_cast<Eigen::Index>(s)];
+            sizes.row(sources[s]) << 1, std::abs(vector);
             blocks[2 * Eigen::Index(sources[s])] = vector.real();
             blocks[2 * Eigen::Index(sources[s]) + 1] = vector.imag();
         }
-        Heat result{steps.functions(functions), {}};
-        Vector times = steps.functions.longer(metric, result.functions.col(0));
-        if (times == steps.functions.times())
-            return {result.functions, steps.vectors->solve(blocks)};
-        while (true) {
-            Steps longer = made_for(times);
-            result.functions = longer.functions(functions);
-            const Vector next = longer.functions.longer(metric, result.functions.col(0));
-            if (next == times)
-                return {result.functions, longer.vectors->solve(blocks)};
-            times = next;
-        }
+        HeatFlow flow = functions.from(surface, metric, sizes);
+        const bool as_long = flow.times == functions.times();
+        return {std::move(flow.u),
+                as_long ? vectors->solve(blocks) : step_of_vectors(flow.times)->solve(blocks)};
     }
 };
 

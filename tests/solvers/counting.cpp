@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "dec/discretization.h"
 #include "meshes/generate.h"
 #include "solvers/spectra/certified_eigensolver.h"
 #include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/inertia.h"
+#include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/scaled_pencil.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/hand_made.h"
@@ -46,6 +48,27 @@ TEST(Inertia, of_graded_matrices_is_that_of_their_small_entries) {
     EXPECT_EQ(counter.below(1.5, 0.5), Index{1});
     EXPECT_EQ(counter.below(2.5, 0.5), Index{2});
     EXPECT_EQ(counter.below(2e20, 1e20), Index{3});
+}
+
+/// Two triangles of height 1e-6 on both sides of an edge, and one of ordinary shape. Their
+/// densities have the eigenvalues -3999988.000052, -1.600000000016e-5 and 15.999984000096, by 60
+/// digits.
+TEST(Inertia, of_three_triangles_counts_small_eigenvalues_beside_a_huge_one) {
+    const auto mesh = discretize(made_of({{0, 0}, {1, 0}, {0.5, -1e-6}, {0.5, 1e-6}, {0.5, -1}},
+                                         {{0, 1, 3}, {0, 1, 2}, {0, 2, 4}}),
+                                 {.criterion = MergeCriterion::none});
+    const ScaledPencil pencil(laplacian_pencil(mesh.complex(), mesh.stars(), 2));
+    const double unit = pencil.eigenvalue(1);
+    InertiaCounter counter(pencil.matrices(), "auto", 2, pencil.doubt());
+    const auto below = [&](double shift, double gap) {
+        return counter.below(shift / unit, gap / unit);
+    };
+    EXPECT_EQ(below(-1e7, 6e6), Index{0});
+    EXPECT_EQ(below(-1, 0.9), Index{1});
+    EXPECT_EQ(below(-1e-6, 1e-5), Index{2});
+    EXPECT_EQ(below(1e-6, 1e-5), Index{2});
+    EXPECT_EQ(below(1, 0.9), Index{2});
+    EXPECT_EQ(below(17, 0.9), Index{3});
 }
 
 /// Seen from a shift below -9e7, zero and the values behind it are one.

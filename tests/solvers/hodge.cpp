@@ -6,9 +6,9 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/derivative.h"
-#include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
+#include "tests/solvers/hodge_laws.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -26,8 +26,6 @@ bool positive(const CellVolumes& volumes, int k) {
     return star(volumes, k).zeros().empty() && star(volumes, k).negatives().empty();
 }
 
-constexpr double rounding = 1e-10;
-
 class HodgeParted : public OverMeshes {
 protected:
     /// Calls law(complex, volumes, k) for K, P and P relative to its boundary and every degree
@@ -36,83 +34,30 @@ protected:
     void for_positive(Law law) const {
         for (const auto& m : both(mesh()))
             for (int k = 0; k <= mesh().n(); ++k)
-                if (positive(m.volumes, k))
+                if (positive(m.volumes, k)) {
+                    SCOPED_TRACE("k = " + std::to_string(k));
                     law(m.complex, m.volumes, k);
+                }
         const auto relative = relative_to_boundary(mesh().P());
         const auto volumes = relative_volumes(relative, mesh().volumes);
         for (int k = 0; k <= mesh().n(); ++k)
-            if (relative.complex.size(k) > 0 && positive(volumes, k))
+            if (relative.complex.size(k) > 0 && positive(volumes, k)) {
+                SCOPED_TRACE("relative to the boundary, k = " + std::to_string(k));
                 law(relative.complex, volumes, k);
+            }
     }
 };
 
 TEST_P(HodgeParted, forms_are_sums_of_orthogonal_parts_with_their_potentials) {
-    const int n = mesh().n();
-    for_positive([&](const CellComplex& complex, const CellVolumes& volumes, int k) {
-        for (const Side side : {Side::primal, Side::dual}) {
-            const int degree = side == Side::primal ? k : n - k;
-            const Cochain w{side, degree, random_vector(complex.size(k), 1)};
-            const auto parts = hodge_decomposition(complex, volumes, w);
-            const double square = inner_product(complex, volumes, w, w);
-            const auto product = [&](const Cochain& a, const Cochain& b) {
-                return std::abs(inner_product(complex, volumes, a, b)) / square;
-            };
-            SCOPED_TRACE(std::string(name(side)) + " " + std::to_string(degree));
-            EXPECT_LE(product(parts.exact, parts.coexact), rounding);
-            EXPECT_LE(product(parts.exact, parts.harmonic), rounding);
-            EXPECT_LE(product(parts.coexact, parts.harmonic), rounding);
-            EXPECT_LE(relative_difference((parts.exact + parts.coexact + parts.harmonic).values,
-                                          w.values),
-                      rounding);
-
-            const double size = w.values.norm();
-            if (degree > 0) {
-                EXPECT_LE((d(complex, parts.potential).values - parts.exact.values).norm(),
-                          rounding * size);
-            }
-            if (degree < n) {
-                const Vector expected = star(complex, volumes, parts.coexact).values;
-                EXPECT_LE((d(complex, parts.copotential).values - expected).norm(),
-                          rounding * (star(complex, volumes, w).values.norm()));
-            }
-        }
-    });
+    for_positive(expect_orthogonal_parts);
 }
 
 TEST_P(HodgeParted, harmonic_forms_are_as_many_as_betti_numbers_say_closed_and_coclosed) {
-    const int n = mesh().n();
-    for_positive([&](const CellComplex& complex, const CellVolumes& volumes, int k) {
-        const DenseMatrix H = harmonic_forms(complex, volumes, Side::primal, k);
-        ASSERT_EQ(H.cols(), betti_numbers(complex)[k]) << "k = " << k;
-        if (H.cols() == 0)
-            return;
-        const Vector mass = star(volumes, k).diagonal();
-        const DenseMatrix gram = H.transpose() * mass.asDiagonal() * H;
-        EXPECT_LE((gram - DenseMatrix::Identity(H.cols(), H.cols())).cwiseAbs().maxCoeff(),
-                  rounding);
-        const DenseMatrix below = SparseMatrix(derivative(complex, k - 1).transpose()) *
-                                  DenseMatrix(mass.asDiagonal() * H);
-        EXPECT_LE(below.norm(), rounding * DenseMatrix(mass.asDiagonal() * H).norm());
-        if (k < n) {
-            EXPECT_LE(DenseMatrix(derivative(complex, k) * H).norm(), rounding * H.norm());
-        }
-    });
+    for_positive(expect_harmonic_forms);
 }
 
-TEST_P(HodgeParted, exact_forms_have_no_other_part_and_harmonic_ones_stay) {
-    for_positive([&](const CellComplex& complex, const CellVolumes& volumes, int k) {
-        HodgeSolver solver(complex, volumes, Side::primal, k);
-        if (k > 0) {
-            const Vector da = derivative(complex, k - 1) * random_vector(complex.size(k - 1), 2);
-            const auto parts = solver.decompose({Side::primal, k, da});
-            EXPECT_LE((parts.exact.values - da).norm(), rounding * da.norm());
-        }
-        const DenseMatrix H = solver.harmonic_forms();
-        for (Index i = 0; i < H.cols(); ++i) {
-            const auto parts = solver.decompose({Side::primal, k, H.col(i)});
-            EXPECT_LE((parts.harmonic.values - H.col(i)).norm(), rounding * H.col(i).norm());
-        }
-    });
+TEST_P(HodgeParted, exact_and_coexact_forms_have_no_other_part) {
+    for_positive(expect_parts_stay);
 }
 
 /// The volumes of the same cells measured in another unit.

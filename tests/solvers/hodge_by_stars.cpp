@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Hodge decompositions and harmonic forms by stars that are no diagonal.
-#include "complex/homology.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
 #include "solvers/hodge.h"
+#include "tests/solvers/hodge_laws.h"
 #include "tests/solvers/star_samples.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
@@ -44,72 +44,15 @@ protected:
 };
 
 TEST_P(HodgeByStars, parts_are_orthogonal_and_have_their_potentials) {
-    for_all([](const CellComplex& complex, const HodgeStars& stars, int k) {
-        const int n = complex.dimension();
-        for (const Side side : {Side::primal, Side::dual}) {
-            const int degree = side == Side::primal ? k : n - k;
-            const Cochain w{side, degree, random_vector(complex.size(k), 1)};
-            const auto parts = hodge_decomposition(complex, stars, w);
-            const double square = inner_product(complex, stars, w, w);
-            const auto product = [&](const Cochain& a, const Cochain& b) {
-                return std::abs(inner_product(complex, stars, a, b)) / square;
-            };
-            EXPECT_LE(product(parts.exact, parts.coexact), rounding);
-            EXPECT_LE(product(parts.exact, parts.harmonic), rounding);
-            EXPECT_LE(product(parts.coexact, parts.harmonic), rounding);
-            EXPECT_LE(relative_difference((parts.exact + parts.coexact + parts.harmonic).values,
-                                          w.values),
-                      rounding);
-            if (degree > 0) {
-                EXPECT_LE((d(complex, parts.potential).values - parts.exact.values).norm(),
-                          rounding * w.values.norm());
-            }
-            if (degree < n) {
-                const Vector expected = star(complex, stars, parts.coexact).values;
-                EXPECT_LE((d(complex, parts.copotential).values - expected).norm(),
-                          rounding * star(complex, stars, w).values.norm());
-            }
-        }
-    });
+    for_all(expect_orthogonal_parts);
 }
 
 TEST_P(HodgeByStars, harmonic_forms_are_as_many_as_betti_numbers_say) {
-    for_all([](const CellComplex& complex, const HodgeStars& stars, int k) {
-        const int n = complex.dimension();
-        const HodgeStar star = stars[k];
-        const DenseMatrix H = harmonic_forms(complex, stars, Side::primal, k);
-        ASSERT_EQ(H.cols(), betti_numbers(complex)[k]);
-        EXPECT_EQ(harmonic_forms(complex, stars, Side::dual, n - k).cols(), H.cols());
-        const HodgeSolver solver(complex, stars, Side::primal, k);
-        const DenseMatrix masses = star.matrix() * H;
-        EXPECT_LE((H.transpose() * masses - DenseMatrix::Identity(H.cols(), H.cols())).norm(),
-                  rounding * static_cast<double>(H.cols()));
-        for (Index i = 0; i < H.cols(); ++i) {
-            const Vector flux = derivative(complex, k - 1).transpose() * Vector(masses.col(i));
-            EXPECT_LE(flux.norm(), rounding * masses.col(i).norm());
-            EXPECT_LE((derivative(complex, k) * Vector(H.col(i))).norm(),
-                      rounding * H.col(i).norm());
-            const auto parts = solver.decompose({Side::primal, k, H.col(i)});
-            EXPECT_LE((parts.harmonic.values - H.col(i)).norm(), rounding * H.col(i).norm());
-        }
-    });
+    for_all(expect_harmonic_forms);
 }
 
 TEST_P(HodgeByStars, exact_and_coexact_forms_have_no_other_part) {
-    for_all([](const CellComplex& complex, const HodgeStars& stars, int k) {
-        const HodgeSolver solver(complex, stars, Side::primal, k);
-        if (k > 0) {
-            const Vector da = derivative(complex, k - 1) * random_vector(complex.size(k - 1), 2);
-            const auto parts = solver.decompose({Side::primal, k, da});
-            EXPECT_LE((parts.exact.values - da).norm(), rounding * da.norm());
-        }
-        if (k < complex.dimension()) {
-            const Vector delta =
-                codifferential(complex, stars, k + 1) * random_vector(complex.size(k + 1), 3);
-            const auto parts = solver.decompose({Side::primal, k, delta});
-            EXPECT_LE((parts.coexact.values - delta).norm(), rounding * delta.norm());
-        }
-    });
+    for_all(expect_parts_stay);
 }
 
 POLYDEC_OVER_MESHES(HodgeByStars);

@@ -29,8 +29,8 @@ double error_of_linear_solution(const Mesh& input, Side side,
 TEST(ThinLayers, keep_linear_functions_on_both_sides) {
     for (const Side side : {Side::primal, Side::dual})
         for (const double thickness : {1e-3, 1e-4, 1e-5, 1e-6}) {
-            EXPECT_LE(error_of_linear_solution(layers(2, 10, thickness), side), 1e-9) << thickness;
-            EXPECT_LE(error_of_linear_solution(layers(3, 5, thickness), side), 1e-9) << thickness;
+            EXPECT_LE(error_of_linear_solution(layers(2, 10, thickness), side), 1e-12) << thickness;
+            EXPECT_LE(error_of_linear_solution(layers(3, 5, thickness), side), 1e-12) << thickness;
         }
 }
 
@@ -39,14 +39,14 @@ TEST(ThinLayers, keep_linear_functions_after_flips_as_far_as_lengths_know_their_
         for (const double thickness : {1e-3, 1e-4})
             EXPECT_LE(error_of_linear_solution(layers(2, 10, thickness), side,
                                                {.delaunay = Delaunay::flips}),
-                      1e-9)
+                      1e-12)
                 << thickness;
 }
 
 TEST(ThinLayers, keep_linear_functions_where_boxes_grow) {
     for (const Side side : {Side::primal, Side::dual}) {
-        EXPECT_LE(error_of_linear_solution(graded(2, 10, 1e5), side), 1e-9);
-        EXPECT_LE(error_of_linear_solution(graded(3, 6, 3e4), side), 1e-9);
+        EXPECT_LE(error_of_linear_solution(graded(2, 10, 1e5), side), 1e-12);
+        EXPECT_LE(error_of_linear_solution(graded(3, 6, 3e4), side), 1e-12);
     }
 }
 

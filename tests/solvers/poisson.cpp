@@ -297,9 +297,8 @@ TEST(PoissonSolverRefuses, data_that_are_no_numbers_or_too_few) {
 }
 
 TEST(PoissonSolverRefuses, data_that_overflow_with_the_volumes) {
-    const std::string advice = ": data times volumes leave the range of numbers there; divide the "
-                               "right-hand side, boundary data and normal derivatives by a power "
-                               "of two, and multiply the solution by it";
+    const std::string advice = ": data times volumes leave the range of numbers there; divide all "
+                               "data by a power of two, and multiply the solution by it";
     const auto mesh = discretize(grid(2, 2));
     for (const Side side : {Side::primal, Side::dual}) {
         PoissonSolver solver(mesh, {.side = side});

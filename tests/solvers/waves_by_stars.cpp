@@ -65,7 +65,7 @@ TEST_P(WavesByStars, swing_eigenforms_in_their_frequency_up_to_the_largest_step)
         const auto eigen = modes(mesh, k);
         const Index last = static_cast<Index>(eigen.eigenvalues().size()) - 1;
         const double largest = eigen.eigenvalues()[last], limit = stable_step(mesh, k);
-        EXPECT_NEAR(limit, 2 / std::sqrt(largest), 1e-4 * limit);
+        EXPECT_NEAR(limit, 2 / std::sqrt(largest), 1e-6 * limit);
         EXPECT_LE(limit, 2 / std::sqrt(largest) * (1 + 1e-9));
         const double dt = 0.7 * limit;
         const Leapfrog waves(mesh, k, dt);
