@@ -5,12 +5,15 @@
 #include "base/unfinished.h"
 #include "examples/paper/console.h"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <iterator>
 #include <new>
+#include <pthread.h>
 #include <unistd.h>
 
 namespace polydec {
@@ -30,8 +33,21 @@ int fail(ExitCode code, const char* text) noexcept {
     return code;
 }
 
-// The handler is gone once it is called, so that the signal, given again, ends the program.
+pthread_t main_thread;
+
+void watch(int signal) noexcept;
+
+// The handler is gone once it is called, so that the signal, given again, ends the program. What is
+// unfinished is the main thread's: in another one, the handler would remove it while it is made,
+// and where that thread holds signals back.
 extern "C" void end_by(int signal) {
+    const auto *begin = std::begin(ending_signals), *end = std::end(ending_signals);
+    if (std::find(begin, end, signal) != end &&
+        ::pthread_equal(::pthread_self(), main_thread) == 0) {
+        watch(signal);
+        ::pthread_kill(main_thread, signal);
+        return;
+    }
     remove_unfinished();
     ::raise(signal);
 }
@@ -56,6 +72,7 @@ void watch_signals() noexcept {
     other.ss_size = sizeof stack;
     ::sigaltstack(&other, nullptr);
 
+    main_thread = ::pthread_self();
     for (const int signal : ending_signals)
         watch(signal);
     for (const int signal : {SIGABRT, SIGALRM, SIGBUS, SIGFPE, SIGILL, SIGPROF, SIGSEGV, SIGSYS,
