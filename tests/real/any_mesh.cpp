@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Automatic stars on every mesh below the folder of test data that is not large: spectra, Hodge
-// decomposition and heat of 1-forms, which circumcentric stars refuse on most of them.
+// Automatic stars on meshes that are made with negative duals, and on every one below the folder of
+// test data that is not large: spectra, Hodge decomposition and heat of 1-forms, which
+// circumcentric stars refuse on most of them.
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/choose_stars.h"
+#include "dec/well_defined.h"
 #include "io/meshes/read_mesh.h"
 #include "solvers/heat.h"
 #include "solvers/hodge.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/io/support.h"
+#include "tests/real/samples.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
@@ -25,23 +28,31 @@ namespace {
 constexpr Index most_edges = 10000;
 constexpr Index most_harmonic = 60;
 
-std::optional<Discretization> made_ready(const std::filesystem::path& path, StarKind kind) {
+const DiscretizeOptions automatic{.star = StarKind::automatic};
+
+std::optional<Discretization> made_ready(const std::filesystem::path& path) {
     try {
-        return discretize(read_mesh(path), {.star = kind});
+        return discretize(read_mesh(path), automatic);
     } catch (const Error&) {
         return std::nullopt; // what cannot be read is another test's
     }
 }
 
-/// Calls check(mesh) for every mesh that is read; how many these are.
+/// Calls check(mesh) for every mesh that is made, and every file that is read; how many these are.
 template <class Check>
 int for_each_mesh(Check check) {
     int meshes = 0;
+    for (const int n : {2, 3})
+        for (const auto& name : samples(n)) {
+            SCOPED_TRACE(name);
+            check(discretize(mesh_of(name), automatic));
+            ++meshes;
+        }
     for (const char* folder : {"cad", "planar", "poly", "surface", "table2", "tet"})
         for (const auto& path : tests::test_data(folder)) {
             if (std::filesystem::file_size(path) > 2000000)
                 continue;
-            const auto mesh = made_ready(path, StarKind::automatic);
+            const auto mesh = made_ready(path);
             if (!mesh || mesh->dimension() < 2 || mesh->complex().size(1) > most_edges)
                 continue;
             SCOPED_TRACE(path.filename().string());
@@ -64,9 +75,33 @@ TEST(AnyMesh, has_certified_spectra_with_as_many_zeros_as_harmonic_forms) {
         const auto circumcentric = mesh.with_stars(mesh.volumes());
         refused += refusal([&] { spectrum(circumcentric, {.degree = 1}); }) != "accepted" ? 1 : 0;
     });
-    if (meshes > 0) {
-        EXPECT_GT(2 * refused, meshes); // by circumcentric stars
-    }
+    EXPECT_GT(2 * refused, meshes); // by circumcentric stars
+}
+
+/// What info says of each degree and side.
+TEST(AnyMesh, has_the_spectra_that_verdicts_promise) {
+    int refused = 0;
+    for (const int n : {2, 3})
+        for (const auto& sample : samples(n)) {
+            const auto plain = discretize(mesh_of(sample));
+            for (const StarKind kind :
+                 {StarKind::circumcentric, StarKind::galerkin, StarKind::automatic}) {
+                const auto mesh = plain.with_stars(choose_stars(plain, kind));
+                for (const Side side : {Side::primal, Side::dual})
+                    for (const auto& verdict : spectrum_verdicts(mesh, side)) {
+                        const int k = verdict.cell_degree;
+                        const int degree = side == Side::primal ? k : n - k;
+                        const auto said = refusal(
+                            [&] { spectrum(mesh, {.side = side, .degree = degree, .count = 1}); });
+                        EXPECT_EQ(said == "accepted", verdict.exists)
+                            << sample << ", " << name(kind) << ' ' << degree << ": " << said;
+                        refused += kind == StarKind::circumcentric && !verdict.exists;
+                        EXPECT_TRUE(verdict.reason.empty() || kind == StarKind::circumcentric)
+                            << sample << ", " << name(kind) << ": " << verdict.reason;
+                    }
+            }
+        }
+    EXPECT_GE(refused, 20); // 1-forms, and 2-forms of solids
 }
 
 TEST(AnyMesh, has_orthogonal_decompositions_and_heat_that_does_not_grow) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Duals between centroids on every mesh that lies below the folder of test data.
+// Duals between centroids on meshes that are made with negative duals between circumcenters, and on
+// every one below the folder of test data.
 #include "dec/discretization.h"
 #include "dec/forms/star.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "tests/io/support.h"
+#include "tests/real/samples.h"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +57,16 @@ bool circumcenters_fail(const Discretization& mesh) {
     return false;
 }
 
+void check_mesh(const Discretization& mesh, Counts& counts) {
+    ++counts.meshes;
+    counts.negative += circumcenters_fail(mesh);
+    expect_positive_duals(mesh.volumes());
+}
+
+constexpr auto between_centroids = [](const Mesh& mesh) {
+    return discretize(mesh, {.centers = Centers::centroids()});
+};
+
 void check_file(const std::filesystem::path& path, Counts& counts) {
     Mesh mesh;
     std::optional<Discretization> made;
@@ -65,33 +77,34 @@ void check_file(const std::filesystem::path& path, Counts& counts) {
             << reading;
         return;
     }
-    const auto making =
-        tests::error_of([&] { made = discretize(mesh, {.centers = Centers::centroids()}); });
+    const auto making = tests::error_of([&] { made = between_centroids(mesh); });
     if (!made) {
         EXPECT_TRUE(making.starts_with("InvalidInput: ")) << making;
         EXPECT_NE(making.find("without"), std::string::npos) << making;
         return;
     }
-    ++counts.meshes;
-    counts.negative += circumcenters_fail(*made);
-    expect_positive_duals(made->volumes());
+    check_mesh(*made, counts);
 }
 
 TEST(RealCentroids, give_positive_duals_that_fill_every_mesh) {
-    if (!tests::has_test_data())
-        GTEST_SKIP() << "POLYDEC_TEST_DATA has no meshes";
     Counts counts;
+    for (const int n : {2, 3})
+        for (const auto& name : samples(n)) {
+            SCOPED_TRACE(name);
+            check_mesh(between_centroids(mesh_of(name)), counts);
+        }
+    EXPECT_EQ(counts.negative, counts.meshes) << "between circumcenters";
     for (const auto& path : tests::test_data("."))
         if (path.extension() != ".md") {
             SCOPED_TRACE(path.string());
             ++counts.files;
             check_file(path, counts);
         }
-    EXPECT_GT(counts.files, 0);
+    EXPECT_EQ(counts.files > 0, tests::has_test_data());
     RecordProperty("files", counts.files);
     RecordProperty("meshes", counts.meshes);
     EXPECT_GT(counts.meshes, counts.files / 2);
-    EXPECT_GT(counts.negative, counts.meshes / 2) << "between circumcenters";
+    EXPECT_GT(counts.negative, counts.meshes / 2);
 }
 
 } // namespace

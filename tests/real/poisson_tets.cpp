@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Delta u = 1 with u = 0 on the boundary, on tetrahedra as they are found: u is nowhere negative.
+// Delta u = 1 with u = 0 on the boundary, on tetrahedra with negative duals: u is nowhere negative.
 #include "dec/choose_stars.h"
-#include "io/meshes/read_mesh.h"
 #include "solvers/hodge.h"
 #include "solvers/poisson.h"
-#include "tests/io/support.h"
+#include "tests/real/samples.h"
 #include "tests/support/matrices.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -19,13 +17,8 @@ namespace {
 
 class RealTets : public testing::TestWithParam<std::string> {
 protected:
-    void SetUp() override {
-        if (!tests::test_datum(GetParam()))
-            GTEST_SKIP() << "POLYDEC_TEST_DATA has no meshes";
-    }
-
     static Discretization mesh(StarKind kind) {
-        const auto mesh = discretize(read_mesh(*tests::test_datum(GetParam())));
+        const auto mesh = discretize(mesh_of(GetParam()));
         return mesh.with_stars(choose_stars(mesh, kind).stars);
     }
 
@@ -64,15 +57,9 @@ TEST_P(RealTets, part_forms_by_galerkin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Real, RealTets,
-                         testing::Values("tet/octopus-low.mesh", "tet/test_mesh_3d.msh",
-                                         "tet/hand.mesh"),
-                         [](const auto& instance) {
-                             std::string name = instance.param.substr(4);
-                             std::replace_if(
-                                 name.begin(), name.end(),
-                                 [](unsigned char c) { return !std::isalnum(c); }, '_');
-                             return name;
-                         });
+                         testing::ValuesIn(samples(3, {"tet/octopus-low.mesh",
+                                                       "tet/test_mesh_3d.msh", "tet/hand.mesh"})),
+                         [](const auto& instance) { return test_name(instance.param); });
 
 } // namespace
 } // namespace polydec::test

@@ -5,12 +5,11 @@
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
 #include "tests/io/support.h"
+#include "tests/real/samples.h"
 #include "tests/support/matrices.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 namespace polydec::test {
@@ -31,39 +30,40 @@ SparseMatrix in_size(const SparseMatrix& A) {
 } // namespace
 
 std::vector<RealSurface> real_surfaces() {
-    std::vector<RealSurface> all{{"table2/bun_zipper_res3.ply", Delaunay::off},
-                                 {"table2/bun_zipper.ply", Delaunay::flips_and_splits}};
+    using enum Delaunay;
+    std::vector<RealSurface> all{{"made/torus", off},
+                                 {"made/torus", flips},
+                                 {"made/genus_two", off},
+                                 {"made/genus_two", flips},
+                                 {"made/bowl", off},
+                                 {"made/bowl", flips},
+                                 {"made/bowl", flips_and_splits},
+                                 {"made/flange", off}};
+    if (!tests::has_test_data())
+        return all;
     for (const char* name :
          {"surface/spot.obj", "cad/joint.obj", "cad/65004.stl", "cad/featuretype.STL",
           "cad/fixed_top.ply", "cad/1002_tray_bottom.STL"})
-        for (const auto delaunay : {Delaunay::off, Delaunay::flips})
+        for (const auto delaunay : {off, flips})
             all.emplace_back(name, delaunay);
-    all.emplace_back("cad/featuretype.STL", Delaunay::flips_and_splits);
+    all.emplace_back("cad/featuretype.STL", flips_and_splits);
+    all.emplace_back("table2/bun_zipper_res3.ply", off);
+    all.emplace_back("table2/bun_zipper.ply", flips_and_splits);
     return all;
 }
 
 std::string name_of_real_surface(const testing::TestParamInfo<RealSurface>& instance) {
     const auto& [file, delaunay] = instance.param;
-    std::string name = std::filesystem::path(file).stem().string();
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c)))
-            c = '_';
-    return name + (delaunay == Delaunay::off     ? "_merged"
-                   : delaunay == Delaunay::flips ? "_flips"
-                                                 : "_splits");
-}
-
-void OnRealSurfaces::SetUp() {
-    if (!tests::test_datum(std::get<0>(GetParam())))
-        GTEST_SKIP() << "POLYDEC_TEST_DATA has no meshes";
+    return test_name(file) + (delaunay == Delaunay::off     ? "_merged"
+                              : delaunay == Delaunay::flips ? "_flips"
+                                                            : "_splits");
 }
 
 const Discretization& OnRealSurfaces::mesh() const {
     static RealSurface made_of;
     static std::optional<Discretization> made;
     if (!made || made_of != GetParam()) {
-        made = discretize(read_mesh(*tests::test_datum(std::get<0>(GetParam()))),
-                          {.delaunay = std::get<1>(GetParam())});
+        made = discretize(mesh_of(std::get<0>(GetParam())), {.delaunay = std::get<1>(GetParam())});
         made_of = GetParam();
     }
     return *made;

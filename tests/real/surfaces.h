@@ -13,20 +13,18 @@
 
 namespace polydec::test {
 
-/// A file below the folder of test data, and what is done to the edges of its surface.
+/// A mesh by its name, and what is done to the edges of its surface.
 using RealSurface = std::tuple<std::string, Delaunay>;
 
-/// An animal, two resolutions of a scan, of which the coarse one branches, and machine parts of
-/// genus 2 to 23, one with boundary, one of slivers: merged, and those that do not branch after
-/// flips or, with boundary, after flips and splits.
+/// Surfaces that are made with negative duals, closed, with boundary, branching; and where there
+/// are test data an animal, two resolutions of a scan, of which the coarse one branches, and
+/// machine parts of genus 2 to 23, one with boundary, one of slivers: merged, and those that do not
+/// branch after flips or, with boundary, after flips and splits.
 std::vector<RealSurface> real_surfaces();
 
-/// Fixture of laws for each of these. Skips where there are no test data,
-/// and fails where there are some but not its file.
+/// Fixture of laws for each of these.
 class OnRealSurfaces : public testing::TestWithParam<RealSurface> {
 protected:
-    void SetUp() override;
-
     /// Made once for all laws that follow each other on it.
     const Discretization& mesh() const;
     const CellComplex& P() const { return mesh().complex(); }
