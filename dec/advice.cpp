@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace polydec {
 
@@ -39,36 +40,59 @@ Remedy remedy(const Discretization& discretization) {
         return Remedy::stars;
     return options.delaunay == Delaunay::off     ? Remedy::flips
            : options.delaunay == Delaunay::flips ? Remedy::splits
-                                                 : Remedy::none;
+                                                 : Remedy::stars;
 }
 
 std::string in_words(const Advice& advice, int dimension) {
     const int dual = dimension - advice.degree;
-    return fmt::format("{} negative dual {}{}{}: add {}", advice.cells,
+    return fmt::format("{} {}dual {}{}{}{}: add {}", advice.cells,
+                       advice.negative ? "negative " : "",
                        dual == 1 ? "edge" : fmt::format("{}-cell", dual),
-                       advice.cells == 1 ? "" : "s", advice.on_boundary ? " on the boundary" : "",
-                       option(advice.remedy));
+                       advice.cells == 1 ? "" : "s", advice.negative ? "" : " without volume",
+                       advice.on_boundary ? " on the boundary" : "", option(advice.remedy));
 }
+
+namespace {
+
+/// The k-cells that `find` finds in the star of the highest degree where it finds some.
+template <class Find>
+std::pair<int, std::vector<Index>> of_highest_degree(const CellVolumes& volumes, Find find) {
+    int k = volumes.dimension();
+    std::vector<Index> cells;
+    while (cells.empty() && k > 0)
+        cells = find(star(volumes, --k));
+    return {k, cells};
+}
+
+} // namespace
 
 std::vector<Advice> advice(const Discretization& discretization) {
     const Remedy next = remedy(discretization);
-    const int facets = discretization.dimension() - 1;
-    int k = facets;
-    auto negative = star(discretization.volumes(), k).negatives();
-    while (negative.empty() && k > 0)
-        negative = star(discretization.volumes(), --k).negatives();
+    if (next == Remedy::none)
+        return {};
+    const auto& volumes = discretization.volumes();
+    const auto [k, negative] =
+        of_highest_degree(volumes, [](const HodgeStar& star) { return star.negatives(); });
+    if (negative.empty()) {
+        const auto [degree, zero] =
+            of_highest_degree(volumes, [](const HodgeStar& star) { return star.zeros(); });
+        if (zero.empty())
+            return {};
+        return {{degree, static_cast<Index>(zero.size()), false, false, Remedy::stars}};
+    }
 
     // flips are of edges inside, and splits of those on the boundary
     const auto& cofaces = discretization.complex().coface_counts(k);
+    const bool of_facets = k == discretization.dimension() - 1;
     const auto boundary = std::count_if(negative.begin(), negative.end(), [&](Index cell) {
-        return next != Remedy::stars && k == facets && cofaces[cell] == 1;
+        return next != Remedy::stars && of_facets && cofaces[cell] == 1;
     });
     const auto inside = static_cast<Index>(negative.size()) - static_cast<Index>(boundary);
     std::vector<Advice> list;
-    if (inside > 0 && next != Remedy::splits && next != Remedy::none)
-        list.push_back({k, inside, false, next});
-    if (boundary > 0 && next != Remedy::none)
-        list.push_back({k, static_cast<Index>(boundary), true, Remedy::splits});
+    if (inside > 0 && next != Remedy::splits)
+        list.push_back({k, inside, true, false, next});
+    if (boundary > 0)
+        list.push_back({k, static_cast<Index>(boundary), true, true, Remedy::splits});
     return list;
 }
 

@@ -8,7 +8,7 @@
 
 namespace polydec {
 
-/// What helps against negative duals: an option of discretize.
+/// What helps against negative duals and against those without volume: an option of discretize.
 enum class Remedy {
     none,
     flips,  ///< Delaunay::flips: of edges between two triangles
@@ -24,13 +24,15 @@ const char* option(Remedy remedy);
 DiscretizeOptions with(Remedy remedy, DiscretizeOptions options);
 
 /// The first remedy that is not taken yet: flips, then splits, for a surface with two triangles at
-/// an edge at most; stars for other meshes. None where all is taken, or other stars or centers are.
+/// an edge at most; stars for other meshes, and behind these. None where other stars or centers are
+/// taken.
 Remedy remedy(const Discretization& discretization);
 
-/// Cells of one degree with a negative dual, and what helps.
+/// Cells of one degree with a dual that is not positive, and what helps.
 struct Advice {
     int degree = 0;
     Index cells = 0;
+    bool negative = true;     ///< or else without volume
     bool on_boundary = false; ///< facets of the boundary alone, which cannot flip
     Remedy remedy = Remedy::none;
 };
@@ -39,9 +41,11 @@ struct Advice {
 std::string in_words(const Advice& advice, int dimension);
 
 /// On the negative duals of the highest degree that has some, which below n - 1 follow from those
-/// of facets on surfaces; empty if there are none or nothing is left to be done. Who follows the
-/// last of it (with, then discretize again) needs no other, unless flips have turned an obtuse
-/// angle to the boundary; splits are advised then, and end it.
+/// of facets on surfaces; where there are none, on those without volume, against which there are
+/// stars alone. Empty if all duals are positive, or stars or centers are chosen otherwise: so where
+/// a star is not positive, there is something to be done. Who follows the last of it (with, then
+/// discretize again) needs no other, unless flips have turned an obtuse angle to the boundary or
+/// left a dual without volume; splits and stars are advised then, and end it.
 std::vector<Advice> advice(const Discretization& discretization);
 
 /// "stars that are positive on every mesh (StarKind::automatic)", and what else there is: for

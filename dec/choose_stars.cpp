@@ -3,10 +3,10 @@
 
 #include "base/errors.h"
 #include "complex/surfaces/glued_surface.h"
+#include "dec/galerkin_mass.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/dual_parts.h"
-#include "dec/metric/whitney.h"
 
 #include <fmt/format.h>
 
@@ -20,20 +20,13 @@ namespace {
 using Cells = std::vector<bool>;
 using Entry = SparseMatrix::InnerIterator;
 
-Vector ones_on(const Discretization& mesh, const Cells& cells) {
-    const auto& carriers = mesh.merging().carriers(mesh.dimension());
-    Vector weights(carriers.size());
-    for (std::size_t t = 0; t < carriers.size(); ++t)
-        weights[static_cast<Index>(t)] =
-            cells[carriers[t].cell] && !mesh.is_flat(static_cast<Index>(t)) ? 1 : 0;
-    return weights;
-}
-
-/// Inner products of Whitney k-forms over the pieces of some n-cells, by the lift.
-SparseMatrix galerkin_mass(const Discretization& mesh, int k, const Cells& cells) {
-    const SparseMatrix W = whitney_mass(mesh.pieces(), mesh.metric(), k, ones_on(mesh, cells));
-    const SparseMatrix& S = mesh.lift()[k];
-    return SparseMatrix(S.transpose()) * W * S;
+/// 1 on some n-cells, 0 on the others.
+Vector ones_on(const Cells& cells) {
+    Vector ones = Vector::Zero(static_cast<Index>(cells.size()));
+    for (std::size_t t = 0; t < cells.size(); ++t)
+        if (cells[t])
+            ones[static_cast<Index>(t)] = 1;
+    return ones;
 }
 
 /// The part of |E||*E| that lies in each n-cell, for all its k-cells E: size(n) x size(k).
@@ -162,7 +155,7 @@ ChosenStars hybrid(const Discretization& mesh) {
     good.setIdentity();
     good = bad.edge_star().asDiagonal() * good;
     const HodgeStars stars = mesh.volumes().with_dual(0, bad.vertex_duals());
-    return {stars.with(1, good + galerkin_mass(mesh, 1, bad.cells())), StarKind::hybrid,
+    return {stars.with(1, good + galerkin_mass(mesh, 1, ones_on(bad.cells()))), StarKind::hybrid,
             bad.cells()};
 }
 
@@ -171,7 +164,7 @@ ChosenStars galerkin(const Discretization& mesh, int lowest) {
     HodgeStars stars = lowest > 0 ? mesh.volumes().with_dual(0, barycentric_volumes(mesh).dual(0))
                                   : mesh.volumes();
     for (int k = lowest; k < mesh.dimension(); ++k)
-        stars = stars.with(k, galerkin_mass(mesh, k, all));
+        stars = stars.with(k, galerkin_mass(mesh, k, ones_on(all)));
     return {stars, StarKind::galerkin, all};
 }
 

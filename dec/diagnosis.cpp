@@ -20,15 +20,16 @@ std::vector<Index> cell_counts(const CellComplex& complex) {
 }
 
 StarNumbers star_numbers(const HodgeStar& star, double unit) {
-    const Vector values = star.diagonal();
+    const Vector values = star.is_diagonal() ? star.diagonal() : Vector(star.matrix().diagonal());
     const int power = star.dimension() - 2 * star.degree();
-    StarNumbers numbers{in_input_units(values.minCoeff(), unit, power),
+    StarNumbers numbers{star.is_diagonal(),
+                        in_input_units(values.minCoeff(), unit, power),
                         in_input_units(values.maxCoeff(), unit, power),
                         in_input_units(values.cwiseAbs().minCoeff(), unit, power),
                         star.negatives().size(),
                         star.zeros().size(),
                         {}};
-    if (numbers.zero == 0)
+    if (star.is_diagonal() && numbers.zero == 0)
         numbers.condition = values.cwiseAbs().maxCoeff() / values.cwiseAbs().minCoeff();
     return numbers;
 }
@@ -97,7 +98,7 @@ void examine_metric(const Discretization& mesh, Diagnosis& found) {
         found.pairs =
             facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes(), mesh.options());
     found.stars = {star_numbers(mesh.input_volumes(), mesh.unit()),
-                   star_numbers(mesh.volumes(), mesh.unit())};
+                   star_numbers(mesh.stars(), mesh.unit())};
     found.operators = {operator_verdicts(mesh, Stage::input),
                        operator_verdicts(mesh, Stage::merged)};
     found.laplacians = laplacian_verdicts(mesh, found.operators);

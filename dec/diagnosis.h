@@ -22,11 +22,12 @@ struct BeforeAndAfter {
     Value merged = {};
 };
 
-/// The entries of a Hodge star in the units of the input, as far as they are numbers there.
+/// The diagonal of a Hodge star in the units of the input, as far as it has numbers there.
 struct StarNumbers {
+    bool is_diagonal = true; ///< or else a matrix, which has other entries
     std::optional<double> min, max, min_abs;
     std::size_t negative = 0, zero = 0;
-    std::optional<double> condition; ///< as a diagonal matrix; none if an entry is zero
+    std::optional<double> condition; ///< of a diagonal; none if an entry is zero
 };
 
 /// What flips and splits have done; added_length is in the units of the input.
@@ -68,7 +69,7 @@ struct Diagnosis {
     MergedPairs merged_pairs;
     std::optional<FlipNumbers> flips;               ///< where edges were flipped,
     std::optional<FacetKinds> pairs;                ///< and else
-    BeforeAndAfter<std::vector<StarNumbers>> stars; ///< by degree
+    BeforeAndAfter<std::vector<StarNumbers>> stars; ///< by degree; circumcentric on the input
     BeforeAndAfter<std::vector<OperatorVerdict>> operators;
     std::vector<LaplacianVerdict> laplacians; ///< by degree
     std::vector<Advice> advice;

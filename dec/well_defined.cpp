@@ -108,6 +108,15 @@ Faults find_faults(const View& view) {
     return faults;
 }
 
+/// Of chosen stars: they are no duals, which might be copies.
+Faults find_faults(const HodgeStars& stars) {
+    Faults faults;
+    for (int k = 0; k <= stars.dimension(); ++k)
+        faults.without_dual.push_back(static_cast<Index>(stars[k].zeros().size()));
+    faults.copies.assign(faults.without_dual.size(), 0);
+    return faults;
+}
+
 /// Collects verdicts: an operator is as good as the stars it is made of.
 class Table {
 public:
@@ -125,6 +134,8 @@ public:
                 verdict = spoiled(verdict, WellDefined::no, k, faults_.without_dual[k]);
         verdicts_.push_back(std::move(verdict));
     }
+
+    void judge_by(Faults faults) { faults_ = std::move(faults); }
 
     std::vector<OperatorVerdict> take() { return std::move(verdicts_); }
 
@@ -148,7 +159,10 @@ private:
 
 std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretization, Stage stage) {
     const int n = discretization.dimension();
-    Table table(find_faults(view(discretization, stage)));
+    const Faults of_duals = find_faults(view(discretization, stage));
+    const bool by_duals =
+        stage == Stage::input || discretization.chosen_stars().kind == StarKind::circumcentric;
+    Table table(by_duals ? of_duals : find_faults(discretization.stars()));
     for (int k = 0; k < n; ++k) {
         table.add("d", k, Side::primal, {}, {});
         table.add("d", k, Side::dual, {}, {});
@@ -168,6 +182,7 @@ std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretizat
             const int own = cells < n ? cells : -1;
             table.add("laplacian", k, side, {cells > 0 ? cells : -1, cells + 1}, {cells - 1, own});
         }
+    table.judge_by(of_duals);
     table.add("wedge", 1, Side::primal, {}, {});
     table.add("flat ppp", 1, Side::primal, {}, {});
     table.add("flat pdp", 1, Side::primal, {}, {});

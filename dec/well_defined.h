@@ -43,7 +43,9 @@ enum class Stage { input, merged };
 
 /// All operators in the order of the table, judged by the duals that the mesh has, not by theory:
 /// a dual has no extent where the merging removed its cell, where a facet is degenerate within the
-/// tolerance, or where the star entry is zero in the sense of HodgeStar::zeros.
+/// tolerance, or where the star entry is zero in the sense of HodgeStar::zeros. Where other stars
+/// are chosen, what is made of them is judged by their zeros; flats and sharps are made of duals
+/// still, and on the input all is.
 std::vector<OperatorVerdict> operator_verdicts(const Discretization& discretization, Stage stage);
 
 /// One for each degree 0..n of cells, by the same zeros as the stars and the solvers. A Laplacian

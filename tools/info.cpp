@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 
 namespace polydec::tools {
 
@@ -59,6 +60,7 @@ void write(JsonWriter& json, const char* name, const std::vector<StarNumbers>& s
                 json.member("negative", star.negative);
                 json.member("zero", star.zero);
                 json.member("condition", star.condition);
+                json.member("diagonal", star.is_diagonal);
             });
     });
 }
@@ -214,11 +216,15 @@ void write_duals(Text& text, const Diagnosis& facts) {
          facts.dimension == 2 ? "concyclic" : "cospherical");
 }
 
-void write_stars(Text& text, const Diagnosis& facts) {
-    text("Hodge stars after merging\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n", "degree",
-         "min", "max", "min abs", "negative", "zero", "condition", "(before)");
+void write_stars(Text& text, const Diagnosis& facts, const ChosenStars& stars) {
+    const bool is_plain = stars.kind == StarKind::circumcentric;
+    text("Hodge stars after merging{}\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n",
+         is_plain ? "" : ": " + in_words(stars), "degree", "min", "max", "min abs", "negative",
+         "zero", "condition", "(before)");
     const auto condition = [](const StarNumbers& star) {
-        return star.condition ? fmt::format("{:.3g}", *star.condition) : std::string("infinite");
+        return star.condition     ? fmt::format("{:.3g}", *star.condition)
+               : star.is_diagonal ? std::string("infinite")
+                                  : std::string("a matrix");
     };
     for (std::size_t k = 0; k < facts.stars.merged.size(); ++k) {
         const auto& star = facts.stars.merged[k];
@@ -260,12 +266,12 @@ void write_operators(Text& text, const Diagnosis& facts) {
 }
 
 /// The one verdict on the Laplacian of a degree and side, with its reason.
-std::string verdict(const LaplacianVerdict& facts, Side side) {
+std::string verdict(const LaplacianVerdict& facts, Side side, StarKind stars) {
     const bool exists = facts.matrix != WellDefined::no;
     const auto& spectrum = facts.spectrum(side);
     const auto& reason = facts.reason(side);
     const auto better = [&](const char* now) {
-        return facts.before == facts.matrix
+        return facts.before == facts.matrix || stars != StarKind::circumcentric
                    ? std::string(now)
                    : fmt::format("{} ({} before merging)", now, name(facts.before));
     };
@@ -280,10 +286,11 @@ std::string verdict(const LaplacianVerdict& facts, Side side) {
     return reason.empty() ? better("yes") : fmt::format("restricted, {}", reason);
 }
 
-void write_laplacians(Text& text, const Diagnosis& facts) {
+void write_laplacians(Text& text, const Diagnosis& facts, StarKind stars) {
     text("Laplacians and spectra\n");
     for (const auto& each : facts.laplacians) {
-        const auto primal = verdict(each, Side::primal), dual = verdict(each, Side::dual);
+        const auto primal = verdict(each, Side::primal, stars),
+                   dual = verdict(each, Side::dual, stars);
         const int opposite = facts.dimension - each.degree;
         if (primal == dual)
             text("  primal {}-forms, dual {}-forms: {}\n", each.degree, opposite, primal);
@@ -296,16 +303,23 @@ void write_laplacians(Text& text, const Diagnosis& facts) {
 struct Info : Answer {
     std::string mesh;
     Diagnosis facts;
+    ChosenStars stars;
 
-    void write(JsonWriter& json) const override { tools::write(json, facts); }
+    Info(std::string name, Diagnosis found, ChosenStars chosen)
+        : mesh(std::move(name)), facts(std::move(found)), stars(std::move(chosen)) {}
+
+    void write(JsonWriter& json) const override {
+        tools::write(json, facts);
+        write_member(json, stars);
+    }
 
     void write(Text& text) const override {
         text("{}\n", printable(mesh));
         write_cells(text, facts);
         write_topology(text, facts);
         write_duals(text, facts);
-        write_stars(text, facts);
-        write_laplacians(text, facts);
+        write_stars(text, facts, stars);
+        write_laplacians(text, facts, stars.kind);
         write_operators(text, facts);
         for (const auto& advice : advice_in_words(facts))
             text("{}\n", advice);
@@ -315,9 +329,9 @@ struct Info : Answer {
 void run(const MeshArguments& arguments) {
     Log log;
     const Discretization mesh = load(arguments, log);
-    Info answer;
-    answer.mesh = arguments.mesh.string();
-    answer.facts = diagnose(mesh, [&](std::string_view stage) { log.timing.begin(stage); });
+    const Info answer(arguments.mesh.string(),
+                      diagnose(mesh, [&](std::string_view stage) { log.timing.begin(stage); }),
+                      mesh.chosen_stars());
     if (answer.facts.lacks_numbers())
         log.warn("volumes that are no numbers of double precision in the units of the file are "
                  "left out");
@@ -330,7 +344,9 @@ void add_info(CLI::App& app) {
     auto* command = app.add_subcommand("info", "what the mesh is and what DEC can do on it");
     const auto arguments = std::make_shared<MeshArguments>();
     add_mesh_arguments(*command, *arguments);
-    command->footer("Examples:\n  polydec info fandisk.off\n  polydec info bunny.ply --delaunay");
+    add_star(*command, *arguments, StarKind::circumcentric);
+    command->footer("Examples:\n  polydec info fandisk.off\n  polydec info bunny.ply --delaunay\n"
+                    "  polydec info hand.mesh --star automatic");
     command->callback([arguments] { run(*arguments); });
 }
 

@@ -310,6 +310,17 @@ TEST(ChosenStars, by_galerkin_have_a_positive_spectrum_on_a_sliver) {
     EXPECT_NEAR(found[2], 96, 1e-5);
 }
 
+TEST(ChosenStars, by_galerkin_are_there_for_tets_as_flat_as_they_come) {
+    for (const int size : {8, 10}) {
+        const auto mesh = discretize(shaken(kuhn(3, size), 0.3, 3));
+        const auto chosen = choose_stars(mesh, StarKind::galerkin);
+        for (int k = 0; k <= 3; ++k) {
+            const SparseMatrix M = chosen.stars[k].matrix();
+            EXPECT_EQ(SparseMatrix(M - SparseMatrix(M.transpose())).norm(), 0) << k;
+        }
+    }
+}
+
 TEST(ChosenStars, automatic_ones_are_circumcentric_where_these_are_positive) {
     EXPECT_EQ(choose_stars(discretize(grid(4, 4)), StarKind::automatic).galerkin_share(), 0);
     EXPECT_EQ(choose_stars(discretize(kuhn(3, 2)), StarKind::automatic).kind,

@@ -302,29 +302,55 @@ TEST_P(DiagnosisOf, is_found_wrong_by_any_fact_that_is) {
 }
 
 /// Entries of stars of all degrees.
-std::size_t negatives(const Discretization& mesh) {
+std::size_t not_positive(const Discretization& mesh) {
     std::size_t count = 0;
     for (int k = 0; k <= mesh.dimension(); ++k)
-        count += mesh.stars()[k].negatives().size();
+        count += mesh.stars()[k].negatives().size() + mesh.stars()[k].zeros().size();
     return count;
 }
 
-TEST_P(DiagnosisOf, advises_where_duals_are_negative_what_makes_stars_positive) {
+TEST_P(DiagnosisOf, advises_where_duals_are_not_positive_what_makes_stars_so) {
     auto bundle = discretize(given());
     auto list = diagnose(bundle).advice;
-    EXPECT_EQ(list.empty(), negatives(bundle) == 0);
-    // flips may turn a triangle's obtuse angle to the boundary, and then splits are advised
-    for (int step = 0; step < 2 && !list.empty(); ++step) {
+    EXPECT_EQ(list.empty(), not_positive(bundle) == 0);
+    // flips may turn a triangle's obtuse angle to the boundary, and then splits are advised; or a
+    // right one, and then stars
+    for (int step = 0; step < 3 && !list.empty(); ++step) {
         // who does nothing is told the same again
         const auto idle = discretize(given(), with(Remedy::none, bundle.options()));
         EXPECT_EQ(diagnose(idle).advice.size(), list.size());
         bundle = discretize(given(), with(list.back().remedy, bundle.options()));
         list = diagnose(bundle).advice;
         for (const auto& advice : list)
-            EXPECT_TRUE(advice.on_boundary && advice.remedy == Remedy::splits);
+            EXPECT_EQ(advice.remedy, advice.on_boundary ? Remedy::splits : Remedy::stars);
     }
-    EXPECT_EQ(negatives(bundle), 0U);
+    EXPECT_EQ(not_positive(bundle), 0U);
     EXPECT_TRUE(list.empty());
+}
+
+/// Degrees and sides whose Laplacian has no spectrum, or one with negative eigenvalues.
+int number_spoiled(const Diagnosis& told) {
+    int count = 0;
+    for (const auto& laplacian : told.laplacians)
+        for (const auto& spectrum : laplacian.spectra)
+            count += !spectrum.exists || !spectrum.reason.empty();
+    return count;
+}
+
+TEST_P(DiagnosisOf, finds_nothing_spoiled_by_stars_that_are_positive) {
+    const auto plain = discretize(given());
+    EXPECT_LE(number_spoiled(diagnose(plain)) > 0, not_positive(plain) > 0);
+    for (const StarKind kind : {StarKind::automatic, StarKind::galerkin, StarKind::barycentric}) {
+        const auto told = diagnose(discretize(given(), {.star = kind}));
+        EXPECT_EQ(number_spoiled(told), 0) << name(kind);
+        EXPECT_TRUE(told.advice.empty()) << name(kind);
+        for (const auto& laplacian : told.laplacians)
+            EXPECT_EQ(laplacian.matrix, WellDefined::yes) << name(kind);
+        for (const auto& star : told.stars.merged) {
+            EXPECT_GT(*star.min, 0) << name(kind);
+            EXPECT_EQ(star.is_diagonal, star.condition.has_value()) << name(kind);
+        }
+    }
 }
 
 POLYDEC_OVER_MESHES(DiagnosisOf);
@@ -337,7 +363,7 @@ std::vector<std::string> words(const Mesh& mesh, const DiscretizeOptions& option
     return list;
 }
 
-TEST(Advice, names_the_option_for_edges_inside_for_the_boundary_and_for_what_cannot_flip) {
+TEST(Advice, names_the_option_for_edges_inside_and_on_the_boundary_and_for_what_cannot_flip) {
     using Words = std::vector<std::string>;
     const auto obtuse = kite(0.8, 0.9); // both sides of the edge, and none of the boundary
     EXPECT_EQ(words(obtuse), Words{"1 negative dual edge: add DiscretizeOptions::delaunay"});
@@ -351,6 +377,11 @@ TEST(Advice, names_the_option_for_edges_inside_for_the_boundary_and_for_what_can
                                {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
     EXPECT_EQ(words(three), Words{"1 negative dual edge: add StarKind::automatic"});
     EXPECT_EQ(words(three, {.star = StarKind::automatic}), Words{});
+    const auto right = made_of({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
+    EXPECT_EQ(words(right), Words{"1 dual edge without volume: add StarKind::automatic"});
+    EXPECT_EQ(words(right, {.star = StarKind::automatic}), Words{});
+    EXPECT_EQ(words(grid(4, 4), {.criterion = MergeCriterion::none}),
+              Words{"16 dual edges without volume: add StarKind::automatic"});
     EXPECT_EQ(words(three, {.centers = Centers::centroids()}), Words{});
 }
 
@@ -361,7 +392,7 @@ TEST(Advice, gives_options_that_discretize_takes) {
     for (const auto& options : {angle, DiscretizeOptions{.materials = Materials::keep_apart},
                                 DiscretizeOptions{.centers = Centers::centroids()}})
         for (const auto remedy : {Remedy::flips, Remedy::splits, Remedy::stars}) {
-            EXPECT_EQ(negatives(discretize(mesh, with(remedy, options))), 0U);
+            EXPECT_EQ(not_positive(discretize(mesh, with(remedy, options))), 0U);
         }
 }
 

@@ -255,7 +255,7 @@ Questions of_diagnoses(const Sample& s) {
              bool right = true;
              for (const Advice& one : advice(s.mesh))
                  right = right && one.cells > 0 && !in_words(one, n).empty() &&
-                         one.remedy == remedy(s.mesh);
+                         one.remedy == (one.negative ? remedy(s.mesh) : Remedy::stars);
              return fit(right);
          }},
         {"join of tags",

@@ -28,7 +28,7 @@ class Json(TestCase):
                          {"degenerate", "boundary_degenerate", "branching_degenerate"})
         self.assertEqual(len(answer["stars"]), 3)
         for star in answer["stars"]:
-            self.assertEqual(set(star), {"min", "max", "min_abs", "negative", "zero",
+            self.assertEqual(set(star), {"min", "max", "min_abs", "negative", "zero", "diagonal",
                                          "condition"})
         self.assertEqual(answer["concyclic"], {"edges": 16, "faces": 32, "percent": 100})
         self.assertEqual((answer["dimension"], answer["orientable"], answer["volume"]),

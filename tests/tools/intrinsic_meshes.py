@@ -268,8 +268,12 @@ class Pictures(TestCase):
 
 class Advice(TestCase):
     def advice_of(self, info):
-        """{where: number of edges} by the text, which is none but advice."""
+        """{where: number of edges} by the text, which is none but advice; nowhere where that is on
+        edges without dual alone, which no flip helps."""
         found = {}
+        if [star["zero"] for star in info["stars"]] != [0] * 3 and len(info["advice"]) == 1 \
+                and info["advice"][0].endswith(" without volume: add --star automatic"):
+            return found
         for text in info["advice"]:
             match = re.fullmatch(r"(\d+) negative dual edges?( on the boundary)?: add --delaunay"
                                  r"(=split-boundary)?", text)
@@ -290,7 +294,7 @@ class Advice(TestCase):
                                  flipped["intrinsic"]["negative_boundary_before"])
                 left = flipped["intrinsic"]["negative_boundary"]
                 self.assertEqual(self.advice_of(flipped), {"boundary": left} if left else {})
-                self.assertEqual(info_of(path, SPLITS)["advice"], [])
+                self.assertEqual(self.advice_of(info_of(path, SPLITS)), {})
 
     def test_the_table_says_so_too(self):
         bob = real("bob_small.ply")

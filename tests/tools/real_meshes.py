@@ -13,9 +13,19 @@ TRIANGLES_FOR_SPECTRA = 20000
 REFUSED = {"112932.stl", "bathtub_0154.ply", "block.obj", "ogre.obj"}
 # triangles 1e-7 times as high as long, whose eigenvalues hide all others
 NEEDLES = {"Generic_Twin_7081.1.t0_right.obj"}
+# merged cells: eight boxes in a row, a mesh without slivers, and one with a pair of tetrahedra on one
+# sphere by an independent program
+SOLIDS = {"beam-tet.vtk": [36, 68, 41, 8], "icos.1.ele": [13, 42, 50, 20],
+          "octopus-low.mesh": [452, 2040, 2728, 1139]}
 
 
 class RealMeshes(TestCase):
+    def test_solids_have_known_cells(self):
+        for path in command.data_files("tet"):
+            if os.path.basename(path) in SOLIDS:
+                self.assertEqual(self.ask("info", path)["cells"]["merged"],
+                                 SOLIDS[os.path.basename(path)])
+
     def test_surfaces(self):
         for path in command.data_files("surface", "cad", "poly", "table2"):
             with self.subTest(os.path.basename(path)):

@@ -4,6 +4,7 @@ import command
 from command import TestCase, golden
 
 ONE_FORMS = ("--side", "primal", "--degree", 1, "--count", 3)
+KINDS = ("circumcentric", "hybrid", "galerkin", "barycentric", "automatic")
 
 
 class Stars(TestCase):
@@ -58,6 +59,61 @@ class Stars(TestCase):
         entries = {(row[0], row[1]): float(row[2]) for row in rows[1:]}
         self.assertGreater(len(entries), int(rows[0][0]))
         self.assertTrue(all(entries[i, j] == entries[j, i] for i, j in entries))
+
+    def has_spectrum(self, mesh, side, degree, *options):
+        """yes, no or, with negative eigenvalues, indefinite."""
+        found = command.run("spectrum", mesh, "--side", side, "--degree", degree, "--count", 1,
+                            "--json", *options, folder=self.folder)
+        if found.code != 0:
+            self.check_error(found, 2)
+            return "no"
+        value = command.parse(found.out)
+        return "yes" if value["eigenvalues"][0] >= -value["radii"][0] else "indefinite"
+
+    def test_make_the_verdicts_of_info_what_spectra_do(self):
+        for name, *merging in (("star_negative.nsc",), ("fcc1.nsc",), ("grid4.nsc", "--no-merge")):
+            for kind in KINDS:
+                n = self.ask("info", golden(name))["dimension"]
+                if kind != "hybrid" or n == 2:
+                    with self.subTest(name, kind=kind):
+                        self.check_verdicts(golden(name), n, ("--star", kind, *merging))
+
+    def check_verdicts(self, mesh, n, options):
+        info = self.ask("info", mesh, *options)
+        told = set()
+        for each in info["laplacians"]:
+            k = each["degree"]
+            verdicts = (each["spectrum"], each["dual_spectrum"])
+            self.assertEqual(verdicts, (self.has_spectrum(mesh, "primal", k, *options),
+                                        self.has_spectrum(mesh, "dual", n - k, *options)))
+            told.update(verdicts)
+        self.assertEqual(told == {"yes"} and all(star["zero"] == star["negative"] == 0
+                                                 for star in info["stars"]), not info["advice"])
+        if options[1] != "circumcentric":
+            self.assertEqual(told, {"yes"})
+        for way_out in {text.rsplit(": add ", 1)[1] for text in info["advice"]}:
+            helped = self.ask("info", mesh, *way_out.split(), *options[2:])
+            self.assertEqual(helped["advice"], [])
+
+    def test_tell_the_numbers_of_their_diagonals(self):
+        plain = self.ask("info", self.negative)
+        self.assertEqual([star["diagonal"] for star in plain["stars"]], [True] * 3)
+        self.assertEqual(plain["star"], {"kind": "circumcentric", "galerkin_share": 0.0})
+        other = self.ask("info", self.negative, "--star", "automatic")
+        self.assertEqual(other["star"], {"kind": "hybrid", "galerkin_share": 1.0})
+        self.assertEqual([star["diagonal"] for star in other["stars"]], [True, False, True])
+        self.assertEqual([star["negative"] for star in other["stars"]], [0] * 3)
+        self.assertIsNone(other["stars"][1]["condition"])
+        self.assertEqual(other["input_stars"], plain["input_stars"])
+        self.assertIn("hybrid stars, Galerkin's on 100 % of the cells",
+                      self.succeed("info", self.negative, "--star", "hybrid").out)
+        said = self.fail_with(2, "info", golden("kuhn3.nsc"), "--star", "hybrid")
+        self.assertIn("take galerkin or automatic", said)
+
+    def test_are_advised_where_duals_have_no_volume(self):
+        for name, options, count in (("fcc1.nsc", (), 24), ("grid4.nsc", ("--no-merge",), 16)):
+            self.assertEqual(self.ask("info", golden(name), *options)["advice"],
+                             [f"{count} dual edges without volume: add --star automatic"])
 
     def test_are_advised_where_edges_cannot_flip(self):
         self.succeed("generate", "bcc", "--cells", 2, "-o", "bcc.nsc")
