@@ -80,8 +80,8 @@ Points read_vertices(const Sections& sections, int dimension) {
 /// Adds the cells of a section, their references as tags if all are whole numbers. Their number.
 std::size_t read_cells(const Sections& sections, int dimension, Index vertices,
                        const SourceFile& file, CellLists& cells) {
-    constexpr std::array<const char*, 3> kinds{"Edges", "Triangles", "Tetrahedra"};
-    const char* const keyword = kinds[static_cast<std::size_t>(dimension) - 1];
+    constexpr std::array<const char*, 3> keywords{"Edges", "Triangles", "Tetrahedra"};
+    const char* const keyword = keywords[static_cast<std::size_t>(dimension) - 1];
     if (!sections.has(keyword))
         return 0;
     const auto corners = static_cast<std::size_t>(dimension) + 1;
