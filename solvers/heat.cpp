@@ -74,7 +74,7 @@ HeatSolver::HeatSolver(const CellComplex& whole, const ConditionedComplex& space
     MatrixFacts facts{.symmetry = Symmetry::symmetric,
                       .domain_dimension = complex.dimension(),
                       .many_solves = true};
-    if (k > 0 && !stars[k - 1].is_diagonal())
+    if (k > 0 && !(mass_.is_diagonal() && stars[k - 1].is_diagonal()))
         A = mixed_step(complex, stars, k, implicit_part);
     else {
         A = Operator::star(mass_) + implicit_part * stiffness_;

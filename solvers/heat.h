@@ -26,8 +26,10 @@ struct HeatOptions {
 /// The heat equation du/dt = -Delta u for primal or dual forms of any degree, with one
 /// factorization for all steps. Without conditions given, those hold that need nothing done about
 /// the boundary (see built_in_conditions): for 0-forms nothing flows through the boundary (Neumann)
-/// if they are primal; values are 0 on it (Dirichlet) if they are dual. Where star_(k-1) is a
-/// matrix, whose inverse is dense, each step solves for the codifferential beside the form.
+/// if they are primal; values are 0 on it (Dirichlet) if they are dual. Where star_k or star_(k-1)
+/// is a matrix, each step solves for the codifferential beside the form: the inverse of star_(k-1)
+/// is dense, or its entries are of such different sizes that products with it lose the star's
+/// digits.
 class HeatSolver {
 public:
     /// Throws InvalidInput if there is no such degree, the mass of these forms is not positive or a

@@ -94,7 +94,8 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
     }
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(sum);
     const Vector largest = solver.eigenvalues().tail(n);
-    return solver.eigenvectors().rightCols((largest.array() > rank_tolerance * largest.sum()).count());
+    return solver.eigenvectors().rightCols(
+        (largest.array() > rank_tolerance * largest.sum()).count());
 }
 
 /// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.

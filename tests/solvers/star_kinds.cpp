@@ -8,6 +8,7 @@
 #include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "solvers/heat.h"
+#include "solvers/hodge.h"
 #include "solvers/poisson.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/families.h"
@@ -122,6 +123,19 @@ TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
         for (int k = 0; k <= mesh.dimension(); ++k)
             expect_eigenforms_to_shrink(mesh.complex(), stars, k);
     }
+}
+
+/// After a time far beyond all others of the mesh nothing but harmonic forms is left.
+TEST(HeatByStars, leaves_harmonic_forms_after_the_longest_time) {
+    const auto mesh = discretize(shaken(mesh_named("torus8x6"), 0.2, 3));
+    const auto stars = choose_stars(mesh, StarKind::hybrid).stars;
+    ASSERT_TRUE(stars[0].is_diagonal() && !stars[1].is_diagonal());
+    const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 2)};
+    const Vector harmonic = hodge_decomposition(mesh.complex(), stars, form).harmonic.values;
+    const HeatSolver solver(mesh.complex(), stars, Side::primal, 1, {.time_step = 1e8});
+    EXPECT_LE(relative_difference(solver.step(form).values, harmonic), 1e-6);
+    const HeatSolver brief(mesh.complex(), stars, Side::primal, 1, {.time_step = 1});
+    EXPECT_GT(relative_difference(brief.step(form).values, harmonic), 1e-3);
 }
 
 /// What inverts a matrix acts by solving and has no sparse matrix, and so no diagonal; all else has
