@@ -19,7 +19,7 @@ namespace polydec::tools {
 
 namespace {
 
-struct Arguments {
+struct DistanceArguments {
     MeshArguments mesh;
     GeodesicOptions geodesic;
     std::vector<Index> from;
@@ -70,7 +70,7 @@ struct Distances : Answer {
     }
 };
 
-void run(const Arguments& arguments) {
+void run_distance(const DistanceArguments& arguments) {
     Log log;
     check_picture(arguments.out, arguments.mesh.mesh);
     const Discretization mesh = load(arguments.mesh, log);
@@ -116,7 +116,7 @@ void run(const Arguments& arguments) {
 void add_distance(CLI::App& app) {
     auto* command =
         app.add_subcommand("distance", "geodesic distance from vertices, by the heat method");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<DistanceArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     command->add_option("--from", arguments->from, "the vertices it is 0 at")->required();
     command
@@ -130,7 +130,7 @@ void add_distance(CLI::App& app) {
                     "spoil the\nresult: --delaunay helps.\n\nExamples:\n"
                     "  polydec distance bunny.ply --from 0 -o distance.vtu\n"
                     "  polydec distance part.stl --delaunay --from 12 871 --json");
-    command->callback([arguments] { run(*arguments); });
+    command->callback([arguments] { run_distance(*arguments); });
 }
 
 } // namespace polydec::tools

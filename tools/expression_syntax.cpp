@@ -10,15 +10,16 @@ namespace polydec::tools {
 namespace {
 
 constexpr std::size_t longest = 10000, deepest = 200;
-constexpr std::string_view known = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                   "_ \t.,+-*/^()<>=!&|?:";
+constexpr std::string_view characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+    "_ \t.,+-*/^()<>=!&|?:";
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
 bool is_word(char c) {
-    return known.substr(0, known.find(' ')).find(c) != std::string_view::npos;
+    return characters.substr(0, characters.find(' ')).find(c) != std::string_view::npos;
 }
 
 /// What stands between a parenthesis and its partner.
@@ -121,7 +122,7 @@ private:
 std::string misread_syntax(std::string_view text) {
     if (text.size() > longest)
         return fmt::format("it has {} characters; expected {} at most", text.size(), longest);
-    const auto stranger = text.find_first_not_of(known);
+    const auto stranger = text.find_first_not_of(characters);
     if (stranger != std::string_view::npos)
         return fmt::format("the character at position {} belongs to no expression", stranger + 1);
     return Reader(text).run();

@@ -19,7 +19,7 @@ namespace polydec::tools {
 
 namespace {
 
-struct Arguments {
+struct MergeArguments {
     MeshArguments mesh;
     std::filesystem::path out;
 };
@@ -68,7 +68,7 @@ private:
     Index input_, merged_;
 };
 
-void run(const Arguments& arguments) {
+void run_merge(const MergeArguments& arguments) {
     Log log;
     check_output_file(arguments.out, {".off", ".obj", ".ply", ".vtu"},
                       mesh_files(arguments.mesh.mesh));
@@ -84,7 +84,7 @@ void run(const Arguments& arguments) {
 
 void add_merge(CLI::App& app) {
     auto* command = app.add_subcommand("merge", "writes the merged complex");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<MergeArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     command->add_option("-o,--out", arguments->out, ".off .obj .ply (surfaces) or .vtu")
         ->required();
@@ -92,7 +92,7 @@ void add_merge(CLI::App& app) {
                     "triangles are\nwritten as they are cut by them.\n\nExamples:\n  polydec merge "
                     "fandisk.off -o fandisk-polygons.obj\n"
                     "  polydec merge cubes.nsc -o cubes.vtu");
-    command->callback([arguments] { run(*arguments); });
+    command->callback([arguments] { run_merge(*arguments); });
 }
 
 } // namespace polydec::tools

@@ -16,7 +16,7 @@ struct Wording {
     std::string_view member, option;
 };
 
-constexpr std::array options{
+constexpr std::array wordings{
     Wording{"DiscretizeOptions::delaunay", "--delaunay"},
     Wording{"Delaunay::flips_and_splits", "--delaunay=split-boundary"},
     Wording{"StarKind::automatic", "--star automatic"},
@@ -32,7 +32,7 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
 } // namespace
 
 std::string told(std::string message) {
-    for (const auto& [member, option] : options)
+    for (const auto& [member, option] : wordings)
         replace_all(message, member, option);
     return printable_message(message);
 }

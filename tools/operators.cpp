@@ -24,7 +24,7 @@ namespace polydec::tools {
 
 namespace {
 
-struct Arguments {
+struct OperatorsArguments {
     MeshArguments mesh;
     std::filesystem::path out;
 };
@@ -166,7 +166,7 @@ private:
     int dimension_;
 };
 
-void run(const Arguments& arguments) {
+void run_operators(const OperatorsArguments& arguments) {
     Log log;
     const auto is_ours = earlier_result(arguments.out);
     check_replaced_folder(arguments.out);
@@ -187,7 +187,7 @@ void run(const Arguments& arguments) {
 
 void add_operators(CLI::App& app) {
     auto* command = app.add_subcommand("operators", "writes every operator and map as files");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<OperatorsArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh, StarKind::circumcentric);
     command
@@ -200,7 +200,7 @@ void add_operators(CLI::App& app) {
         "from.\n\n"
         "Example:\n"
         "  polydec operators grid.nsc --out operators");
-    command->callback([arguments] { run(*arguments); });
+    command->callback([arguments] { run_operators(*arguments); });
 }
 
 } // namespace polydec::tools

@@ -23,7 +23,7 @@ namespace polydec::tools {
 
 namespace {
 
-struct Arguments {
+struct PoissonArguments {
     MeshArguments mesh;
     PoissonOptions poisson;
     ConditionArguments conditions;
@@ -83,7 +83,7 @@ struct Solved : Answer {
     }
 };
 
-Solved describe(const Discretization& mesh, const Arguments& arguments,
+Solved describe(const Discretization& mesh, const PoissonArguments& arguments,
                 const Solution<Vector>& solution) {
     const auto& [u, report, compatibility] = solution;
     Solved answer(mesh.chosen_stars());
@@ -111,7 +111,7 @@ Errors errors(const Discretization& mesh, Side side, const Vector& difference) {
             largest};
 }
 
-void draw(const Discretization& mesh, const Arguments& arguments, const Vector& u) {
+void draw(const Discretization& mesh, const PoissonArguments& arguments, const Vector& u) {
     const int k = arguments.poisson.side == Side::primal ? 0 : mesh.dimension();
     auto grid = draw_cells(mesh, k);
     const auto side = arguments.poisson.side;
@@ -130,7 +130,7 @@ void warn_of_compatibility(const Compatibility& compatibility, Log& log) {
 
 /// What the options give at sites; made before the mesh is read.
 struct Data {
-    explicit Data(const Arguments& arguments)
+    explicit Data(const PoissonArguments& arguments)
         : rhs("--rhs", arguments.rhs),
           boundary("--boundary", arguments.boundary.empty() ? "(0)" : arguments.boundary),
           flux("--flux", arguments.flux.empty() ? "(0)" : arguments.flux),
@@ -157,7 +157,7 @@ struct Data {
 };
 
 /// What is known on the boundary, in words.
-std::string known(const Discretization& mesh, const Arguments& arguments) {
+std::string known(const Discretization& mesh, const PoissonArguments& arguments) {
     return in_words(arguments.poisson.boundary, mesh.complex(), 0,
                     {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
 }
@@ -171,7 +171,7 @@ Vector conductivity(const Discretization& mesh, const SiteValues& values) {
     return values.at(sites, mesh.tags());
 }
 
-void run(Arguments arguments) {
+void run_poisson(PoissonArguments arguments) {
     Log log;
     const Data data(arguments);
     check_picture(arguments.out, arguments.mesh.mesh, data.files());
@@ -217,7 +217,7 @@ void run(Arguments arguments) {
 
 void add_poisson(CLI::App& app) {
     auto* command = app.add_subcommand("poisson", "solves Delta u = f, Delta = -div grad");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<PoissonArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh, StarKind::automatic);
     add_side(*command, arguments->poisson.side)->required();
@@ -254,7 +254,7 @@ void add_poisson(CLI::App& app) {
         "  polydec poisson plate.msh --side primal --rhs 1 --keep-groups "
         "--conductivity 'group==2 ? 10 : 1'\n"
         "  polydec poisson sphere.off --side primal --rhs=-z --natural --json");
-    command->callback([arguments] { run(*arguments); });
+    command->callback([arguments] { run_poisson(*arguments); });
 }
 
 } // namespace polydec::tools

@@ -17,7 +17,7 @@ namespace {
 
 using paper::Reproduction;
 
-struct Arguments {
+struct ReproduceArguments {
     std::string name;
     paper::Request request;
     std::filesystem::path out;
@@ -95,7 +95,7 @@ paper::Report make(const Reproduction& reproduction, paper::Request request) {
     return reproduction.run(request);
 }
 
-void run(const Arguments& arguments) {
+void run_reproduce(const ReproduceArguments& arguments) {
     Log log;
     if (arguments.list)
         return tell(List(), log, arguments.tell);
@@ -119,7 +119,7 @@ void run(const Arguments& arguments) {
 void add_reproduce(CLI::App& app) {
     auto* command =
         app.add_subcommand("reproduce", "figures and tables of the paper, made with this library");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ReproduceArguments>();
     auto* name = command->add_option("NAME", arguments->name, "which (see --list), or all");
     name->check(check_name);
     auto* list = command->add_flag("--list", arguments->list, "tell the names and end");
@@ -140,7 +140,7 @@ void add_reproduce(CLI::App& app) {
     command->callback([arguments] {
         if (arguments->name.empty() && !arguments->list)
             throw CLI::RequiredError("NAME");
-        run(*arguments);
+        run_reproduce(*arguments);
     });
 }
 

@@ -23,7 +23,7 @@ namespace polydec::tools {
 
 namespace {
 
-struct Arguments {
+struct SpectrumArguments {
     MeshArguments mesh;
     SpectrumOptions spectrum;
     ConditionArguments conditions;
@@ -129,7 +129,7 @@ void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
                  fmt::format("a spectrum of {} eigenpairs of {} values", options.count, rows));
 }
 
-void run(Arguments arguments) {
+void run_spectrum(SpectrumArguments arguments) {
     Log log;
     const ConditionValues asked(arguments.conditions);
     const auto file = asked.file();
@@ -173,7 +173,7 @@ void run(Arguments arguments) {
 void add_spectrum(CLI::App& app) {
     auto* command = app.add_subcommand(
         "spectrum", "smallest eigenpairs of the Laplace-de Rham operator, certified");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<SpectrumArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh, StarKind::automatic);
     add_side(*command, arguments->spectrum.side)->required();
@@ -199,7 +199,7 @@ void add_spectrum(CLI::App& app) {
         "  polydec spectrum fandisk.off --side primal --degree 0 --count 20 -o modes.vtu\n"
         "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json\n"
         "  polydec spectrum plate.msh --side dual --degree 0 --natural");
-    command->callback([arguments] { run(*arguments); });
+    command->callback([arguments] { run_spectrum(*arguments); });
 }
 
 } // namespace polydec::tools
