@@ -14,8 +14,9 @@ function(polydec_compile_by_folder target)
         return()
     endif()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-    # of types in anonymous namespaces, which may be members in a file but not in what it reads
-    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    # Types in anonymous namespaces may be members in a file but not in what it reads, and a local
+    # name may hide one of another file.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-shadow -Wshadow=local)
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources INCLUDE REGEX "\\.cpp$")
     foreach(source IN LISTS sources)

@@ -2,10 +2,10 @@
 #include "dec/material_stars.h"
 
 #include "base/checks.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/galerkin_mass.h"
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <cmath>

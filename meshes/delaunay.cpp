@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/delaunay.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
 #include "meshes/generate_boxes.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate_boxes.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
 #include "meshes/generate_parts.h"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>

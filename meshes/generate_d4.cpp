@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate_d4.h"
 
+#include "base/decompositions.h"
 #include "meshes/generate_parts.h"
-
-#include <Eigen/LU>
 
 #include <array>
 #include <utility>

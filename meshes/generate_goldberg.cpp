@@ -2,11 +2,11 @@
 #include "meshes/generate_goldberg.h"
 
 #include "backends/registry.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "meshes/generate_parts.h"
 #include "meshes/generate_spheres.h"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -88,7 +88,7 @@ Flatness flatness(const Points& corners, const std::vector<Face>& faces, Index c
         for (Index c = 0; c < face.size; ++c)
             X.row(c) = corners.row(face.corners[c]);
         const Vector ones = Vector::Ones(face.size);
-        const Eigen::HouseholderQR<PerCorner> qr(X);
+        const Eigen::HouseholderQR<DenseMatrix> qr(X);
         const Eigen::Vector3d m = qr.solve(ones);
         const PerCorner Q = qr.householderQ() * PerCorner::Identity(face.size, 3);
         const PerCorner& B = modes[face.size - 5];

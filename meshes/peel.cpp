@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/peel.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "complex/simplicial_complex.h"
 #include "meshes/distance.h"
 #include "meshes/tidy.h"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/tetrahedralize.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>

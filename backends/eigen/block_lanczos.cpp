@@ -2,10 +2,9 @@
 #include "backends/builtin_engines.h"
 #include "backends/eigen/dense_pairs.h"
 #include "backends/eigen/orthonormal_basis.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <limits>

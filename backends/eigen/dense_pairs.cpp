@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/eigen/dense_pairs.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "backends/eigen/orthonormal_basis.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <algorithm>

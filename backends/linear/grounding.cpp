@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/grounding.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <cmath>

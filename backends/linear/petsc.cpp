@@ -5,9 +5,9 @@
 #include "backends/linear/petsc_session.h"
 #include "backends/linked.h"
 #include "backends/registry.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 #include "backends/mesher/mesher_input.h"
 #include "backends/mesher/temporary_folder.h"
 #include "backends/mesher/tetgen_files.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>

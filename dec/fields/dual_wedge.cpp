@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/dual_wedge.h"
 
+#include "base/decompositions.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
@@ -10,8 +11,6 @@
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/sharp.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/flat_pieces.h"
@@ -9,8 +10,6 @@
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_geometry.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/lift.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/whitney.h"
 
-#include <Eigen/QR>
 #include <Eigen/SparseQR>
 
 #include <algorithm>

@@ -2,12 +2,11 @@
 #include "dec/metric/overlaps.h"
 
 #include "base/checks.h"
+#include "base/decompositions.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "complex/disjoint_sets.h"
 #include "dec/metric/simplex_geometry.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,8 @@
 #include "dec/metric/simplex_geometry.h"
 
 #include "base/checks.h"
+#include "base/decompositions.h"
 #include "dec/metric/exterior_product.h"
-
-#include <Eigen/QR>
 
 #include <cmath>
 

@@ -2,12 +2,11 @@
 #include "dec/metric/whitney.h"
 
 #include "base/checks.h"
+#include "base/decompositions.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,9 @@
 #include "dec/surfaces/places.h"
 
 #include "base/checks.h"
+#include "base/decompositions.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/simplex_faces.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>

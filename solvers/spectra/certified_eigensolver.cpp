@@ -2,13 +2,13 @@
 #include "solvers/spectra/certified_eigensolver.h"
 
 #include "backends/registry.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
 #include "solvers/spectra/found_pairs.h"
 #include "solvers/spectra/inertia.h"
 #include "solvers/spectra/scaled_pencil.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "solvers/spectra/coexact_spectrum.h"
 
 #include "base/checks.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
@@ -9,7 +10,6 @@
 #include "solvers/spectra/found_pairs.h"
 #include "solvers/spectra/laplacian_pencil.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>

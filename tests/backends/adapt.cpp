@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/adapt.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
 
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 namespace polydec::test {

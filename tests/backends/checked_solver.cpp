@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "backends/linear/checked_solver.h"
 
+#include "base/decompositions.h"
 #include "base/memory.h"
 #include "tests/backends/matrices.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

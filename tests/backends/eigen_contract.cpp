@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/backends/matrices.h"
 
-#include <Eigen/Eigenvalues>
+#include "base/decompositions.h"
 
 #include <algorithm>
 

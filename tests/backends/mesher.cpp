@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "backends/mesher.h"
 
+#include "base/decompositions.h"
 #include "tests/backends/mesher_support.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <cmath>
 #include <filesystem>

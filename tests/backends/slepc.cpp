@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "backends/eigen/slepc.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <cmath>

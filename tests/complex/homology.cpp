@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "complex/homology.h"
 
+#include "base/decompositions.h"
 #include "complex/relative.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <cmath>

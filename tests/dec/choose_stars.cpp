@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/choose_stars.h"
 
+#include "base/decompositions.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/laplacian.h"
 #include "dec/metric/circumcentric_volumes.h"
@@ -14,7 +15,6 @@
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/diagnosis.h"
 
+#include "base/decompositions.h"
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

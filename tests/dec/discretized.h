@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/decompositions.h"
 #include "dec/discretization.h"
 #include "tests/support/families.h"
 #include "tests/support/merged.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <map>

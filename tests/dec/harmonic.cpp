@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "base/decompositions.h"
 #include "complex/homology.h"
 #include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
 #include "tests/support/over_meshes.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 namespace polydec::test {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/decompositions.h"
 #include "dec/fields/dual_wedge.h"
 #include "dec/fields/wedge.h"
 #include "dec/forms/laplacian.h"
@@ -14,7 +15,6 @@
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -3,11 +3,11 @@
 
 #include "dec/forms/derivative.h"
 #include "tests/dec/products.h"
+#include "tests/support/decompositions.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/overlaps.h"
 
+#include "base/decompositions.h"
 #include "dec/discretization.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
@@ -8,7 +9,6 @@
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>

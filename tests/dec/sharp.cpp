@@ -8,15 +8,13 @@
 #include "dec/forms/star.h"
 #include "dec/metric/dual_parts.h"
 #include "tests/dec/discretized.h"
+#include "tests/support/decompositions.h"
 #include "tests/support/forms.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include <cmath>

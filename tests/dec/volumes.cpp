@@ -3,12 +3,12 @@
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/rounding.h"
+#include "tests/support/decompositions.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

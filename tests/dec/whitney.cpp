@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/metric/whitney.h"
 
+#include "base/decompositions.h"
 #include "dec/metric/subsets.h"
 #include "tests/support/forms.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

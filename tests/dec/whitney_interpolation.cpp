@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/whitney_interpolation.h"
 
+#include "base/decompositions.h"
 #include "dec/metric/quadrature.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
@@ -8,7 +9,6 @@
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <algorithm>

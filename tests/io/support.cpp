@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>

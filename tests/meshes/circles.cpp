@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
+#include "tests/support/decompositions.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include <algorithm>

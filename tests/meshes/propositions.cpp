@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/meshes/propositions.h"
 
+#include "base/decompositions.h"
+
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>

@@ -2,11 +2,11 @@
 #include "meshes/tetrahedralize.h"
 
 #include "backends/registry.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>

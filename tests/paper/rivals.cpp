@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/decompositions.h"
 #include "dec/discretization.h"
 #include "dec/forms/laplacian.h"
 #include "examples/paper/rivals/alexa_wardetzky.h"
@@ -10,7 +11,6 @@
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <algorithm>

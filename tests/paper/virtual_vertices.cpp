@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "examples/paper/rivals/bunge_virtual_vertex.h"
 #include "tests/paper/rival_surfaces.h"
+#include "tests/support/decompositions.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backends/registry.h"
+#include "base/decompositions.h"
 #include "complex/relative.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
@@ -12,7 +13,6 @@
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <algorithm>

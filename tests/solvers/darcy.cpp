@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/darcy.h"
 
+#include "base/decompositions.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
@@ -9,7 +10,6 @@
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>

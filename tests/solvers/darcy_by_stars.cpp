@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Dual Poisson problems and Darcy's by stars that are no diagonal.
+#include "base/decompositions.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/material_stars.h"
@@ -13,7 +14,6 @@
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/decompositions.h"
 #include "dec/discretization.h"
 #include "dec/operators.h"
-
-#include <Eigen/Eigenvalues>
 
 namespace polydec::test {
 

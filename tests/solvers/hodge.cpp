@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/hodge.h"
 
+#include "base/decompositions.h"
 #include "complex/homology.h"
 #include "dec/discretization.h"
 #include "dec/fields/cell_centers.h"
@@ -14,7 +15,6 @@
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <cmath>

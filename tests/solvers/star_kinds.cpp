@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What solvers make of stars that are no diagonal.
+#include "base/decompositions.h"
 #include "dec/choose_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/derivative.h"
@@ -16,7 +17,6 @@
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 

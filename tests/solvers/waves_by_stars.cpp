@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Waves by stars that are no diagonal.
+#include "base/decompositions.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/operators.h"
@@ -12,7 +13,6 @@
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/decompositions.h"
 #include "complex/cell_complex.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 namespace polydec::test {
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/forms.h"
 
+#include "base/decompositions.h"
 #include "dec/metric/subsets.h"
-
-#include <Eigen/LU>
 
 #include <cmath>
 #include <utility>

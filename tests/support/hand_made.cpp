@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/hand_made.h"
 
+#include "base/decompositions.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@ namespace polydec::paper {
 namespace {
 
 constexpr double flatness = 1e-10;
-constexpr double least_relative_area = 1e-12;
+constexpr double least_area_of_triangles = 1e-12;
 
 using Entries = std::vector<Eigen::Triplet<double, Index>>;
 
@@ -61,7 +61,7 @@ void check_area(const Triangle& triangle, Index f) {
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
         longest = std::max(longest, edge(triangle, i).squaredNorm());
-    if (!(area(triangle) > least_relative_area * longest))
+    if (!(area(triangle) > least_area_of_triangles * longest))
         throw InvalidInput("face " + std::to_string(f) + " has its virtual vertex in line with " +
                            "its edge from vertex " + std::to_string(triangle.vertices[0]) + " to " +
                            std::to_string(triangle.vertices[1]) + "; split the face");

@@ -28,7 +28,7 @@ DenseMatrix flat(const Polygon& polygon, const Eigen::Vector3d& normal) {
     return E - E * normal * normal.transpose();
 }
 
-DenseMatrix local_stiffness(const Polygon& polygon, double lambda) {
+DenseMatrix stiffness_of_face(const Polygon& polygon, double lambda) {
     const Eigen::Vector3d area = area_vector(polygon);
     const DenseMatrix U = sharp(polygon, area);
     const DenseMatrix V = flat(polygon, area.normalized());
@@ -46,7 +46,7 @@ PolygonLaplacian de_goes(const PolygonMesh& mesh, double lambda) {
                            "; expected at least 0, such as 1");
     check_surface(mesh);
     const auto local = [lambda](const Polygon& polygon) {
-        return local_stiffness(polygon, lambda);
+        return stiffness_of_face(polygon, lambda);
     };
     return {assemble(mesh, local), equal_shares(mesh)};
 }
