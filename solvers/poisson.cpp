@@ -176,7 +176,8 @@ SparseMatrix shares_of_vertices(const CellComplex& complex, const HodgeStars& st
 /// The equations, and where their data are.
 struct PoissonSolver::Problem {
     Side side = Side::primal;
-    ConstrainedSystem system = {};
+    ConstrainedSystem system; // given with its type: g++ 12 destroys what stands in bare braces
+                              // within others twice where a later member throws
     SparseMatrix mass = {};
     Vector facet_weights = {};
     SparseMatrix boundary_load = {}, boundary_fix = {}, flux_load = {};
@@ -199,8 +200,9 @@ struct PoissonSolver::Problem {
         SparseMatrix fix(size, size);
         fix.setIdentity();
         return {Side::primal,
-                {std::move(stiffness.matrix), essential[0], std::vector<bool>(size, false),
-                 shares_of_domain.cwiseAbs(), stiffness.definiteness, n},
+                ConstrainedSystem{std::move(stiffness.matrix), essential[0],
+                                  std::vector<bool>(size, false), shares_of_domain.cwiseAbs(),
+                                  stiffness.definiteness, n},
                 stars[0].matrix(),
                 {},
                 SparseMatrix(size, size),
@@ -221,9 +223,10 @@ struct PoissonSolver::Problem {
         auto fluxes = dual_fluxes(complex, stars, duals, essential);
         const Vector areas = natural_facets(complex, essential).cwiseProduct(volumes.primal(n - 1));
         return {Side::dual,
-                {connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),
-                 std::move(fluxes.fixed), std::move(fluxes.tied), volumes.primal(n),
-                 by_sign(fluxes.weights), n},
+                ConstrainedSystem{
+                    connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),
+                    std::move(fluxes.fixed), std::move(fluxes.tied), volumes.primal(n),
+                    by_sign(fluxes.weights), n},
                 SparseMatrix(volumes.primal(n).asDiagonal()),
                 fluxes.weights,
                 std::move(fluxes.load),
@@ -245,7 +248,7 @@ struct PoissonSolver::Problem {
         auto mixed =
             std::make_unique<MixedPoisson>(complex, stars, essential, options.linear_solver);
         return {.side = Side::dual,
-                .system = {.domain_dimension = n},
+                .system = ConstrainedSystem{.domain_dimension = n},
                 .mass = SparseMatrix(volumes.primal(n).asDiagonal()),
                 .flux_load = SparseMatrix(volumes.primal(n - 1).asDiagonal()),
                 .mixed = std::move(mixed)};
