@@ -16,9 +16,6 @@ namespace polydec {
 
 namespace {
 
-/// So many rows are one piece of work.
-constexpr Index rows_at_once = 1 << 13;
-
 /// D x, a row after the other.
 Vector along_rows(const IncidenceMatrix& D, const Vector& x) {
     const Index *begin = D.outerIndexPtr(), *face = D.innerIndexPtr();
@@ -45,17 +42,6 @@ Vector across_rows(const IncidenceMatrix& D, const Vector& y) {
         for (Index e = begin[t]; e < begin[t + 1]; ++e)
             result[face[e]] += sign[e] * y[t];
     return result;
-}
-
-/// Multiplies rows by weights on the left, columns by those on the right, where there are any.
-void scale(SparseMatrix& A, const Vector& left, const Vector& right) {
-    for_each_part(static_cast<Index>(A.rows()), rows_at_once, [&](Index first, Index last) {
-        for (Index row = first; row < last; ++row) {
-            const double weight = left.size() > 0 ? left[row] : 1;
-            for (Index e = A.outerIndexPtr()[row]; e < A.outerIndexPtr()[row + 1]; ++e)
-                A.valuePtr()[e] *= right.size() > 0 ? weight * right[A.innerIndexPtr()[e]] : weight;
-        }
-    });
 }
 
 void check_shapes(const Operator& A, const Operator& B, const char* joined, bool fit) {
@@ -154,9 +140,9 @@ SparseMatrix Operator::matrix(const Product& product) {
     bool begun = false;
     const auto multiply = [&](SparseMatrix next) {
         if (begun)
-            SparseMatrix(result * next).swap(next);
+            next = SparseMatrix(result * next);
         else if (pending.size() > 0)
-            scale(next, pending, Vector());
+            next = pending.asDiagonal() * next;
         result.swap(next);
         begun = true;
     };
@@ -169,7 +155,7 @@ SparseMatrix Operator::matrix(const Product& product) {
             i += 2;
         } else if (const auto* weights = std::get_if<Weights>(&product[i])) {
             if (begun)
-                scale(result, Vector(), **weights);
+                result = result * (*weights)->asDiagonal();
             else
                 pending = pending.size() > 0 ? Vector(pending.cwiseProduct(**weights)) : **weights;
         } else
@@ -187,7 +173,7 @@ SparseMatrix Operator::matrix() const {
     for (std::size_t i = 0; i < terms_.size(); ++i) {
         SparseMatrix term = matrix(terms_[i]);
         if (i > 0)
-            sum_of(sum, term).swap(term);
+            term = SparseMatrix(sum + term);
         sum.swap(term);
     }
     sum.coeffs() += 0.0; // -0 becomes 0
