@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "backends/engine_module.h"
 
+#include "backends/blas.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <dlfcn.h>
+#include <fstream>
 #include <memory>
 #include <mutex>
 #include <set>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <utility>
 
 namespace polydec {
@@ -29,6 +34,24 @@ struct CloseModule {
     void operator()(void* handle) const { dlclose(handle); }
 };
 using Module = std::unique_ptr<void, CloseModule>;
+
+// A library that is loaded, its threads and their storage may need so much of address space. Where
+// that is not to be had, the system's loader ends the program instead of failing.
+constexpr std::uint64_t room_of_module = std::uint64_t{256} << 20;
+
+void require_room(const std::filesystem::path& path) {
+    rlimit limit{};
+    std::uint64_t used_pages = 0;
+    const bool is_limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    if (!is_limited || !(std::ifstream("/proc/self/statm") >> used_pages))
+        return;
+    const auto used = used_pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+    if (used + room_of_module > limit.rlim_cur)
+        throw BackendUnavailable(fmt::format(
+            "{}: is not loaded: {} MB of address space are in use, the limit is {} MB, and a "
+            "module may need {} MB\nRaise that limit.",
+            path.string(), used >> 20, limit.rlim_cur >> 20, room_of_module >> 20));
+}
 
 // A name without a slash would be searched for in the system's folders instead of here.
 Module open_module(const std::filesystem::path& path) {
@@ -55,11 +78,18 @@ Function* find_function(const Module& module, const char* name, const std::files
 
 } // namespace
 
-void load_engine_module(const std::filesystem::path& path) {
-    static std::mutex mutex;
+EngineRegistrar& program_registrar() {
+    static ProgramRegistrar instance;
+    return instance;
+}
+
+void load_engine_module(const std::filesystem::path& path, EngineRegistrar& registrar) {
+    static std::recursive_mutex mutex;
     static std::set<void*> loaded;
     const std::lock_guard lock(mutex);
 
+    require_room(path);
+    prepare_blas();
     Module module = open_module(path);
     if (loaded.contains(module.get()))
         return;
@@ -74,7 +104,7 @@ void load_engine_module(const std::filesystem::path& path) {
 
     // From here on its code may be in use, so it is never unloaded.
     void* const handle = module.release();
-    ProgramRegistrar registrar;
+    find_blas(handle);
     register_engines(registrar);
     loaded.insert(handle);
 }

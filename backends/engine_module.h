@@ -19,13 +19,18 @@ public:
     virtual void add_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) = 0;
 };
 
+/// Registers in this program, by register_linear_solver and register_eigen_solver.
+EngineRegistrar& program_registrar();
+
 /// Loads a shared library that brings engines, and registers them. It exports
 ///     extern "C" int polydec_engine_module_version() { return polydec::engine_module_version; }
 ///     extern "C" void polydec_register_engines(polydec::EngineRegistrar& registrar) { ... }
 /// It stays loaded as long as the program runs; loading it again does nothing.
 /// Throws IoError if it cannot be loaded or exports no such functions; BackendUnavailable if it was
-/// built for another version; what its registration throws.
-void load_engine_module(const std::filesystem::path& path);
+/// built for another version, or if the limit of address space leaves too little for it: what the
+/// system cannot give to a library ends the program; what its registration throws.
+void load_engine_module(const std::filesystem::path& path,
+                        EngineRegistrar& registrar = program_registrar());
 
 } // namespace polydec
 

@@ -2,6 +2,7 @@
 #include "backends/registry.h"
 
 #include "backends/builtin_engines.h"
+#include "backends/engine_folder.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -58,6 +59,8 @@ void add_missing(Registry& registry) {
     linear("cholmod", POLYDEC_CHOLMOD_FROM, "cholmod",
            "SuiteSparse's CHOLMOD: symmetric, direct, supernodal where positive definite, counts "
            "by inertia");
+    linear("", POLYDEC_MUMPS_FROM, "mumps",
+           "MUMPS: symmetric, direct, with pivoting, counts by inertia");
     linear("petsc", POLYDEC_PETSC_FROM, "petsc.cg-hypre",
            "PETSc's conjugate gradients with hypre's BoomerAMG: positive semidefinite, iterative, "
            "for large solids");
@@ -122,20 +125,58 @@ std::string available_names(const std::map<std::string, Entry<Factory>>& known) 
     return names;
 }
 
+/// The factory of that name that is there now, or an empty one.
 template <typename Factory>
-Factory find(const std::map<std::string, Entry<Factory>>& known, const std::string& name,
-             const char* kind) {
+Factory found_now(const std::map<std::string, Entry<Factory>>& known, const std::string& name) {
     const std::lock_guard lock(registry().mutex);
     const auto found = known.find(name);
+    return found == known.end() ? Factory{} : found->second.factory;
+}
+
+/// The same, from a module if it is not there yet. Modules register by themselves, so nothing is
+/// locked while they do.
+template <typename Factory>
+Factory found_anywhere(const std::map<std::string, Entry<Factory>>& known,
+                       const std::string& name) {
+    if (auto factory = found_now(known, name))
+        return factory;
+    load_module_of(name);
+    return found_now(known, name);
+}
+
+// The reason is asked for while the registry is not locked, which modules lock when they register.
+void add_reason(EngineInfo& engine) {
+    if (const auto reason = engine.available ? std::string{} : why_missing(engine.name);
+        !reason.empty())
+        engine.how_to_get += "; " + reason;
+}
+
+template <typename Factory>
+[[noreturn]] void refuse(const std::map<std::string, Entry<Factory>>& known,
+                         const std::string& name, const char* kind) {
+    const auto reason = why_missing(name);
+    std::unique_lock lock(registry().mutex);
+    const auto found = known.find(name);
+    if (found == known.end() && !reason.empty())
+        throw BackendUnavailable(fmt::format("the {} `{}` is not there: {}", kind, name, reason));
     if (found == known.end())
         throw InvalidInput(fmt::format("there is no {} called `{}`\nKnown are: {}.", kind, name,
                                        available_names(known)));
-    const auto& factory = found->second.factory;
-    if (!factory)
-        throw BackendUnavailable(fmt::format("the {} `{}` is not part of this program\n"
-                                             "To get it: {}.",
-                                             kind, name, found->second.told().how_to_get));
-    return factory;
+    EngineInfo engine = found->second.told();
+    lock.unlock();
+    add_reason(engine);
+    throw BackendUnavailable(fmt::format("the {} `{}` is not part of this program\n"
+                                         "To get it: {}.",
+                                         kind, name, engine.how_to_get));
+}
+
+template <typename Factory>
+Factory find(const std::map<std::string, Entry<Factory>>& known, const std::string& name,
+             const char* kind) {
+    if (auto factory = found_anywhere(known, name))
+        return factory;
+    load_all_modules(); // all names are to be told
+    refuse(known, name, kind);
 }
 
 template <typename Factory>
@@ -184,7 +225,9 @@ std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name) {
 }
 
 Mesher find_mesher(const std::string& name) {
-    return find(registry().mesher, name, "mesher");
+    if (auto mesher = found_now(registry().mesher, name))
+        return mesher;
+    refuse(registry().mesher, name, "mesher");
 }
 
 void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory) {
@@ -209,21 +252,40 @@ void register_mesher(const EngineInfo& info, Mesher mesher) {
 
 std::vector<EngineInfo> engines() {
     std::vector<EngineInfo> result;
+    for (const auto kind : {EngineKind::linear, EngineKind::eigen, EngineKind::mesher})
+        for (auto& engine : engines(kind))
+            result.push_back(std::move(engine));
+    return result;
+}
+
+std::vector<EngineInfo> engines(EngineKind kind) {
+    if (kind != EngineKind::mesher)
+        load_all_modules();
+    std::vector<EngineInfo> result;
     const auto list = [&](const auto& known) {
         for (const auto& [name, entry] : known)
             result.push_back(entry.told());
     };
-    const std::lock_guard lock(registry().mutex);
-    list(registry().linear);
-    list(registry().eigen);
-    list(registry().mesher);
+    {
+        const std::lock_guard lock(registry().mutex);
+        if (kind == EngineKind::linear)
+            list(registry().linear);
+        else if (kind == EngineKind::eigen)
+            list(registry().eigen);
+        else
+            list(registry().mesher);
+    }
+    for (auto& engine : result)
+        add_reason(engine);
     return result;
 }
 
 bool has_linear_solver(const std::string& name) {
-    const std::lock_guard lock(registry().mutex);
-    const auto found = registry().linear.find(name);
-    return found != registry().linear.end() && found->second.factory;
+    return static_cast<bool>(found_anywhere(registry().linear, name));
+}
+
+bool has_eigen_solver(const std::string& name) {
+    return static_cast<bool>(found_anywhere(registry().eigen, name));
 }
 
 } // namespace polydec

@@ -27,14 +27,15 @@ using LinearSolverFactory =
     std::function<std::unique_ptr<LinearSolver>(const LinearSolverOptions&)>;
 using EigenSolverFactory = std::function<std::unique_ptr<EigenSolver>()>;
 
-/// A new solver of that name: auto, eigen.ldlt, eigen.lu, eigen.cg, eigen.bicgstab, or what was
+/// A new solver of that name: auto, eigen.ldlt, eigen.lu, eigen.cg, eigen.bicgstab, one of a module
+/// that is there (the optional engines' are loaded when one is first asked for), or what was
 /// registered. Throws InvalidInput, listing the known names, if there is none of that name or an
 /// option makes no sense; BackendUnavailable, naming package and build option, if the engine is
-/// known but not in this program.
+/// known but not to be had in this program.
 std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name,
                                                  const LinearSolverOptions& options = {});
 
-/// The same for eigensolvers: spectra, or what was registered.
+/// The same for eigensolvers: block-lanczos, spectra, or what there is else.
 std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name);
 
 /// The mesher of that name: tetgen, or what was registered. One whose program is not there is
@@ -53,10 +54,17 @@ void register_eigen_solver(const std::string& name, EigenSolverFactory factory);
 void register_mesher(const EngineInfo& info, Mesher mesher);
 
 /// Every engine that is known, the missing ones too; linear first, then eigensolvers, then meshers,
-/// each kind ordered by name. An engine that runs a program is available if that is on PATH now.
+/// each kind ordered by name; of a module that cannot be loaded, how_to_get says why. Loads every
+/// module there is. An engine that runs a program is available if that is on PATH now.
 std::vector<EngineInfo> engines();
+
+/// The same for one kind only; modules, which bring no meshers, are loaded for the other kinds.
+std::vector<EngineInfo> engines(EngineKind kind);
 
 /// Whether make_linear_solver(name) would find an engine.
 bool has_linear_solver(const std::string& name);
+
+/// The same for make_eigen_solver(name).
+bool has_eigen_solver(const std::string& name);
 
 } // namespace polydec

@@ -15,9 +15,14 @@ install(TARGETS polydec EXPORT polydecTargets
 install(EXPORT polydecTargets NAMESPACE polydec::
     DESTINATION ${polydec_package_dir} COMPONENT polydec)
 
-# A component is an export set of its own: who installs the core alone needs nothing of what is
-# behind it.
 foreach(name IN LISTS polydec_built_components)
+    install(TARGETS polydec_${name}_module
+        LIBRARY DESTINATION ${polydec_module_folder} COMPONENT ${name})
+endforeach()
+
+# A component to link is an export set of its own: who installs the core alone needs nothing of what
+# is behind it.
+foreach(name IN LISTS polydec_linked_components)
     set_target_properties(polydec_${name} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH "$ORIGIN")
     install(TARGETS polydec_${name} EXPORT polydecTargets_${name}
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name}
@@ -32,9 +37,7 @@ endforeach()
 
 # The command finds a shared polydec beside itself, wherever the whole tree is moved.
 if(TARGET polydec_command)
-    file(RELATIVE_PATH bin_to_lib
-        ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-    set_target_properties(polydec_command PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
+    set_target_properties(polydec_command PROPERTIES INSTALL_RPATH "$ORIGIN/${polydec_lib_from_bin}")
     install(TARGETS polydec_command
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT polydec)
 endif()
@@ -42,8 +45,10 @@ endif()
 get_target_property(polydec_type polydec TYPE)
 set(polydec_find_components)
 foreach(name IN LISTS polydec_components)
-    string(APPEND polydec_find_components
-        "polydec_find_component(${name} ${${name}_package} ${${name}_debian})\n")
+    if(${name}_header)
+        string(APPEND polydec_find_components
+            "polydec_find_component(${name} ${${name}_package} ${${name}_debian})\n")
+    endif()
 endforeach()
 # Before 1.0 a new minor version may break its users.
 configure_package_config_file(

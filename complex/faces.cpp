@@ -2,14 +2,13 @@
 #include "complex/faces.h"
 
 #include "base/errors.h"
-#include "base/parallel.h"
+#include "complex/vertex_blocks.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
-#include <memory>
 #include <numeric>
 
 namespace polydec {
@@ -66,7 +65,7 @@ void insertion_sort(Tail<capacity>* begin, Tail<capacity>* end) {
 /// Most vertices have a handful of lists, which a simple sort does best; the poles of a sphere
 /// many.
 template <int capacity>
-void sort(std::vector<Tail<capacity>>& tails) {
+void sort(std::span<Tail<capacity>> tails) {
     constexpr std::size_t few = 32;
     if (tails.size() <= few)
         insertion_sort(tails.data(), tails.data() + tails.size());
@@ -74,32 +73,44 @@ void sort(std::vector<Tail<capacity>>& tails) {
         std::sort(tails.begin(), tails.end(), comes_before<capacity>);
 }
 
-Index largest_vertex(const Simplices& lists) {
-    return Eigen::Map<const Eigen::VectorX<Index>>(lists.data(), lists.size()).maxCoeff();
-}
-
-/// So many vertices are one piece of work.
-constexpr Index part_size = 4096;
-
-/// Lists by one of their vertices: those with v are order[first[v]] .. order[first[v + 1] - 1],
-/// ascending.
-struct ByVertex {
-    std::vector<Index> first, order;
-
-    Index vertices() const { return static_cast<Index>(first.size()) - 1; }
+template <int capacity>
+struct List {
+    Index first;
+    Tail<capacity> tail;
 };
 
-/// A counting sort by the vertex at a place of the lists; vertices < bound.
-ByVertex by_vertex(const Simplices& lists, Index place, Index bound) {
-    ByVertex result{std::vector<Index>(std::size_t(bound) + 1, 0),
-                    std::vector<Index>(static_cast<std::size_t>(lists.rows()))};
-    for (Index s = 0; s < lists.rows(); ++s)
-        ++result.first[lists(s, place) + 1];
-    std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-    std::vector<Index> next = result.first;
-    for (Index s = 0; s < lists.rows(); ++s)
-        result.order[next[lists(s, place)]++] = s;
-    return result;
+/// The lists of one block of vertices, by their first ones.
+template <int capacity>
+class Block {
+public:
+    Block(std::span<const List<capacity>> lists, Index block)
+        : first_vertex_(block * block_size),
+          tails_(std::make_unique_for_overwrite<Tail<capacity>[]>(lists.size())) {
+        for (const auto& list : lists)
+            ++ends_[list.first - first_vertex_ + 1];
+        std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+        for (const auto& list : lists)
+            tails_[ends_[list.first - first_vertex_]++] = list.tail;
+    }
+
+    std::span<Tail<capacity>> of(Index vertex) {
+        const Index v = vertex - first_vertex_;
+        return {&tails_[v > 0 ? ends_[v - 1] : 0], &tails_[ends_[v]]};
+    }
+
+private:
+    Index first_vertex_;
+    std::unique_ptr<Tail<capacity>[]> tails_;
+    std::array<Index, block_size + 1> ends_{};
+};
+
+/// Calls work(block, first vertex, last vertex and one).
+template <class Work>
+void for_each_block(Index vertices, Work work) {
+    for_each_part(count_blocks(vertices), 1, [&](Index block, Index) {
+        const Index first = block * block_size;
+        work(block, first, first + std::min(block_size, vertices - first));
+    });
 }
 
 /// Finds the facets vertex by vertex: those whose first vertex is v lie in the simplices that have
@@ -108,62 +119,74 @@ ByVertex by_vertex(const Simplices& lists, Index place, Index bound) {
 template <int capacity>
 class FacetSearch {
 public:
-    FacetSearch(const Simplices& simplices, Faces& result)
-        : simplices_(simplices),
-          begin_(first_rows(simplices)),
-          second_(by_vertex(simplices, 1, static_cast<Index>(begin_.size()) - 1)),
+    FacetSearch(const SortedSimplices& simplices, const std::vector<std::int8_t>& signs,
+                Faces& result)
+        : simplices_(simplices.rows),
+          begins_(simplices.begins),
+          signs_(signs.empty() ? nullptr : signs.data()),
+          are_coherent_(!signs.empty()),
+          second_(without_first(simplices)),
           faces_(result) {
-        faces_.coboundary.resize(simplices.rows(), 0);
-        faces_.coboundary.resizeNonZeros(simplices.rows() * m());
+        faces_.simplices.vertices = simplices.vertices;
+        faces_.coboundary.resize(simplices_.rows(), 0);
+        faces_.coboundary.resizeNonZeros(simplices_.rows() * m());
     }
 
     void run();
 
 private:
-    /// The facets of some first vertices, in order; there is room for more.
+    /// The facets of a block of first vertices, in order; there is room for more.
     struct Part {
         std::unique_ptr<Index[]> vertices, counts;
         Index size = 0;
     };
 
     /// Vertices of a simplex, known to the compiler where they are few.
-    Index m() const { return capacity <= 3 ? capacity + 2 : static_cast<Index>(simplices_.cols()); }
+    Index m() const { return capacity <= 4 ? capacity + 2 : static_cast<Index>(simplices_.cols()); }
 
-    /// Row v: the first simplex whose first vertex is v or more.
-    static std::vector<Index> first_rows(const Simplices& simplices) {
-        std::vector<Index> begin(std::size_t(largest_vertex(simplices)) + 2);
-        Index s = 0;
-        for (std::size_t v = 0; v < begin.size(); ++v) {
-            while (s < simplices.rows() && simplices(s, 0) < static_cast<Index>(v))
-                ++s;
-            begin[v] = s;
-        }
-        return begin;
-    }
-
-    /// In how many simplices the facets lie that begin with one of these vertices.
-    Index incidences(Index begin, Index end) const {
-        return (begin_[end] - begin_[begin]) * (m() - 1) + second_.first[end] -
-               second_.first[begin];
-    }
-
-    void collect(Index first_vertex, std::vector<Tail<capacity>>& tails) const;
-    Part search(Index begin, Index end);
+    ByBlock<List<capacity>> without_first(const SortedSimplices& simplices) const;
+    void collect(Index& s, Index first_vertex, std::span<const Tail<capacity>> second,
+                 std::vector<Tail<capacity>>& tails) const;
+    Part search(Index block, Index begin, Index end);
+    void check_coherence(Index entry, Index other);
     void put_together(const std::vector<Part>& parts);
-    void finish_rows(Index begin, Index end, const std::vector<Index>& offset);
+    void finish_rows(Index begin, Index end);
 
     const Simplices& simplices_;
-    std::vector<Index> begin_;
-    ByVertex second_;
+    const std::vector<Index>& begins_;
+    const std::int8_t* signs_; // or null
+    std::atomic<bool> are_coherent_;
+    ByBlock<List<capacity>> second_; // all simplices without their first vertices
     Faces& faces_;
 };
 
 /// Entry s * m + j stands for simplex s without its vertex number m - 1 - j.
 template <int capacity>
-void FacetSearch<capacity>::collect(Index first_vertex, std::vector<Tail<capacity>>& tails) const {
-    tails.resize(incidences(first_vertex, first_vertex + 1));
+ByBlock<List<capacity>>
+FacetSearch<capacity>::without_first(const SortedSimplices& simplices) const {
+    return by_block<List<capacity>>(
+        static_cast<Index>(simplices_.rows()), simplices.vertices,
+        [&](Index s) { return simplices_(s, 1); },
+        [&](Index s) {
+            List<capacity> list{simplices_(s, 1), {{}, s * m() + m() - 1}};
+            for (Index i = 2; i < m(); ++i)
+                list.tail.vertices[i - 2] = simplices_(s, i);
+            return list;
+        });
+}
+
+/// The facets with this first vertex; s is the first simplex that has it, and becomes the one
+/// behind.
+template <int capacity>
+void FacetSearch<capacity>::collect(Index& s, Index first_vertex,
+                                    std::span<const Tail<capacity>> second,
+                                    std::vector<Tail<capacity>>& tails) const {
+    Index end = s;
+    while (end < simplices_.rows() && simplices_(end, 0) == first_vertex)
+        ++end;
+    tails.resize(std::size_t(end - s) * (m() - 1) + second.size());
     Tail<capacity>* tail = tails.data();
-    for (Index s = begin_[first_vertex]; s < begin_[first_vertex + 1]; ++s) {
+    for (; s < end; ++s) {
         const Index* list = &simplices_(s, 0);
         for (Index j = 0; j < m() - 1; ++j, ++tail) {
             tail->entry = s * m() + j;
@@ -172,50 +195,57 @@ void FacetSearch<capacity>::collect(Index first_vertex, std::vector<Tail<capacit
                     tail->vertices[place++] = list[i];
         }
     }
-    for (Index o = second_.first[first_vertex]; o < second_.first[first_vertex + 1]; ++o, ++tail) {
-        const Index s = second_.order[o];
-        tail->entry = s * m() + m() - 1;
-        for (Index i = 2; i < m(); ++i)
-            tail->vertices[i - 2] = simplices_(s, i);
-    }
+    std::copy(second.begin(), second.end(), tail);
 }
 
-/// The coboundary gets the numbers of the facets within the part.
+/// The coboundary gets the numbers of the facets within the block.
 template <int capacity>
-auto FacetSearch<capacity>::search(Index begin, Index end) -> Part {
-    const auto room = static_cast<std::size_t>(incidences(begin, end));
+auto FacetSearch<capacity>::search(Index block, Index begin, Index end) -> Part {
+    Block<capacity> second(second_.of(block), block);
+    const std::size_t room =
+        std::size_t(begins_[block + 1] - begins_[block]) * (m() - 1) + second_.of(block).size();
     Part part{std::make_unique_for_overwrite<Index[]>(room * (m() - 1)),
               std::make_unique_for_overwrite<Index[]>(room)};
     Index* const columns = faces_.coboundary.innerIndexPtr();
-    Index* list = part.vertices.get();
+    Index *list = part.vertices.get(), s = begins_[block];
     std::vector<Tail<capacity>> tails;
     for (Index v = begin; v < end; ++v) {
-        collect(v, tails);
-        sort(tails);
-        for (std::size_t i = 0; i < tails.size(); ++i) {
-            if (i == 0 || !same(tails[i], tails[i - 1])) {
-                *list++ = v;
-                for (Index place = 0; place < m() - 2; ++place)
-                    *list++ = tails[i].vertices[place];
-                part.counts[part.size++] = 0;
-            }
-            ++part.counts[part.size - 1];
-            columns[tails[i].entry] = part.size - 1;
+        collect(s, v, second.of(v), tails);
+        sort(std::span(tails));
+        for (std::size_t i = 0, j = 0; i < tails.size(); i = j) {
+            *list++ = v;
+            for (Index place = 0; place < m() - 2; ++place)
+                *list++ = tails[i].vertices[place];
+            for (; j < tails.size() && same(tails[i], tails[j]); ++j)
+                columns[tails[j].entry] = part.size;
+            part.counts[part.size++] = static_cast<Index>(j - i);
+            if (signs_ && j == i + 2)
+                check_coherence(tails[i].entry, tails[i + 1].entry);
         }
     }
     return part;
 }
 
-/// Makes numbers within parts, whose facets begin at the offsets, those of all.
+/// Whether two simplices have opposite signs at their facet.
 template <int capacity>
-void FacetSearch<capacity>::finish_rows(Index begin, Index end, const std::vector<Index>& offset) {
+void FacetSearch<capacity>::check_coherence(Index entry, Index other) {
+    const auto is_positive = [this](Index e) {
+        return (signs_[e / m()] > 0) == (e % m() % 2 == 0);
+    };
+    if (is_positive(entry) == is_positive(other))
+        are_coherent_.store(false, std::memory_order_relaxed);
+}
+
+/// Makes numbers within blocks those of all.
+template <int capacity>
+void FacetSearch<capacity>::finish_rows(Index begin, Index end) {
     Index* const rows = faces_.coboundary.outerIndexPtr();
     Index* column = faces_.coboundary.innerIndexPtr() + begin * m();
     std::int8_t* sign = faces_.coboundary.valuePtr() + begin * m();
     for (Index s = begin; s < end; ++s) {
         rows[s + 1] = (s + 1) * m();
         for (Index j = 0; j < m(); ++j) {
-            *column++ += offset[simplices_(s, j < m() - 1 ? 0 : 1) / part_size];
+            *column++ += faces_.simplices.begins[simplices_(s, j < m() - 1 ? 0 : 1) / block_size];
             *sign++ = (m() - 1 - j) % 2 == 0 ? 1 : -1;
         }
     }
@@ -223,57 +253,107 @@ void FacetSearch<capacity>::finish_rows(Index begin, Index end, const std::vecto
 
 template <int capacity>
 void FacetSearch<capacity>::put_together(const std::vector<Part>& parts) {
-    std::vector<Index> offset{0};
+    std::vector<Index>& offset = faces_.simplices.begins;
+    offset = {0};
     for (const Part& part : parts)
         offset.push_back(offset.back() + part.size);
-    faces_.simplices.resize(offset.back(), m() - 1);
+    faces_.simplices.rows.resize(offset.back(), m() - 1);
     faces_.counts.resize(offset.back());
     for_each_part(static_cast<Index>(parts.size()), 1, [&](Index p, Index) {
         std::copy_n(parts[p].counts.get(), parts[p].size, faces_.counts.begin() + offset[p]);
         std::copy_n(parts[p].vertices.get(), std::ptrdiff_t{parts[p].size} * (m() - 1),
-                    faces_.simplices.data() + std::ptrdiff_t{offset[p]} * (m() - 1));
+                    faces_.simplices.rows.data() + std::ptrdiff_t{offset[p]} * (m() - 1));
     });
     faces_.coboundary.conservativeResize(simplices_.rows(), offset.back());
+    constexpr Index part_size = 1 << 14;
     for_each_part(static_cast<Index>(simplices_.rows()), part_size,
-                  [&](Index begin, Index end) { finish_rows(begin, end, offset); });
+                  [&](Index begin, Index end) { finish_rows(begin, end); });
 }
 
 template <int capacity>
 void FacetSearch<capacity>::run() {
-    const Index vertices = second_.vertices();
-    std::vector<Part> parts((std::size_t(vertices) + part_size - 1) / part_size);
-    for_each_part(vertices, part_size,
-                  [&](Index begin, Index end) { parts[begin / part_size] = search(begin, end); });
+    std::vector<Part> parts(begins_.size() - 1);
+    for_each_block(faces_.simplices.vertices, [&](Index block, Index begin, Index end) {
+        parts[block] = search(block, begin, end);
+    });
     put_together(parts);
+    faces_.are_coherent = are_coherent_;
+}
+
+/// The ends of edges, which need no search: these are all vertices.
+Faces ends_of(const SortedSimplices& edges) {
+    const Index vertices = edges.vertices;
+    Faces faces;
+    faces.simplices.rows = Column<Index>::LinSpaced(vertices, 0, vertices - 1);
+    faces.counts.assign(static_cast<std::size_t>(vertices), 0);
+    faces.coboundary.resize(edges.rows.rows(), vertices);
+    faces.coboundary.resizeNonZeros(edges.rows.size());
+    for (Index e = 0; e < edges.rows.rows(); ++e) {
+        faces.coboundary.outerIndexPtr()[e + 1] = 2 * (e + 1);
+        for (Index i = 0; i < 2; ++i) {
+            faces.coboundary.innerIndexPtr()[2 * e + i] = edges.rows(e, i);
+            faces.coboundary.valuePtr()[2 * e + i] = i == 0 ? -1 : 1;
+            ++faces.counts[edges.rows(e, i)];
+        }
+    }
+    return faces;
+}
+
+/// List i, sorted by insertion, with entry i, or ~i if that takes an odd permutation.
+template <int capacity>
+List<capacity> sorted_list(const Simplices& rows, Index i) {
+    const auto m = static_cast<Index>(rows.cols());
+    std::array<Index, capacity + 1> list{};
+    Index entry = i;
+    for (Index j = 0; j < m; ++j) {
+        Index place = j;
+        for (; place > 0 && rows(i, j) < list[place - 1]; --place, entry = ~entry)
+            list[place] = list[place - 1];
+        list[place] = rows(i, j);
+    }
+    List<capacity> result{list[0], {{}, entry}};
+    std::copy(list.begin() + 1, list.end(), result.tail.vertices.begin());
+    return result;
 }
 
 template <int capacity>
-SortedRows sorted_with(const Simplices& rows) {
+SortedRows sorted_with(const Simplices& rows, Index vertices) {
     const auto m = static_cast<Index>(rows.cols());
-    ByVertex leading = by_vertex(rows, 0, largest_vertex(rows) + 1);
-    Simplices sorted(rows.rows(), m);
-    for_each_part(leading.vertices(), part_size, [&](Index begin, Index end) {
-        std::vector<Tail<capacity>> tails;
+    auto lists = by_block<List<capacity>>(
+        static_cast<Index>(rows.rows()), vertices,
+        [&](Index i) { return *std::min_element(&rows(i, 0), &rows(i, 0) + m); },
+        [&](Index i) { return sorted_list<capacity>(rows, i); });
+    const auto count = static_cast<std::size_t>(rows.rows());
+    SortedRows sorted{{Simplices(rows.rows(), m), vertices, lists.begins},
+                      std::vector<Index>(count),
+                      std::vector<std::int8_t>(count),
+                      true};
+    std::atomic<bool> are_simplices = true;
+    for_each_block(vertices, [&](Index block, Index begin, Index end) {
+        Block<capacity> by_vertex(lists.of(block), block);
+        Index o = lists.begins[block];
+        bool fine = true;
         for (Index v = begin; v < end; ++v) {
-            tails.clear();
-            for (Index o = leading.first[v]; o < leading.first[v + 1]; ++o) {
-                Tail<capacity>& tail = tails.emplace_back();
-                tail.entry = leading.order[o];
-                for (Index i = 1; i < m; ++i)
-                    tail.vertices[i - 1] = rows(tail.entry, i);
-            }
+            const auto tails = by_vertex.of(v);
             sort(tails);
-            Index o = leading.first[v];
-            for (const auto& tail : tails) {
-                leading.order[o] = tail.entry;
-                sorted(o, 0) = v;
-                for (Index i = 1; i < m; ++i)
-                    sorted(o, i) = tail.vertices[i - 1];
-                ++o;
+            for (std::size_t i = 0; i < tails.size(); ++i, ++o) {
+                const auto& [list, entry] = tails[i];
+                sorted.order[o] = entry < 0 ? ~entry : entry;
+                sorted.signs[o] = entry < 0 ? -1 : 1;
+                Index* const row = &sorted.simplices.rows(o, 0);
+                row[0] = v;
+                for (Index j = 1; j < m; ++j) {
+                    row[j] = list[j - 1];
+                    fine = fine && row[j] != row[j - 1];
+                }
+                fine = fine && (i == 0 || !same(tails[i], tails[i - 1]));
             }
         }
+        if (!fine)
+            are_simplices = false;
     });
-    return {std::move(sorted), std::move(leading.order)};
+    sorted.are_simplices = are_simplices;
+    return sorted;
 }
 
 /// Calls f with the least capacity of tails that holds the width; of 31 vertices no complex has
@@ -281,14 +361,14 @@ SortedRows sorted_with(const Simplices& rows) {
 template <class F>
 auto with_capacity(Index width, F f) {
     switch (width) {
-    case 0:
-        return f(std::integral_constant<int, 0>());
     case 1:
         return f(std::integral_constant<int, 1>());
     case 2:
         return f(std::integral_constant<int, 2>());
     case 3:
         return f(std::integral_constant<int, 3>());
+    case 4:
+        return f(std::integral_constant<int, 4>());
     default:
         if (width > 29)
             throw InvalidInput(
@@ -300,18 +380,20 @@ auto with_capacity(Index width, F f) {
 
 } // namespace
 
-Faces faces_of(const Simplices& simplices) {
-    return with_capacity(static_cast<Index>(simplices.cols()) - 2, [&](auto capacity) {
-        check_count(std::size_t(simplices.rows()) * simplices.cols());
+Faces faces_of(const SortedSimplices& simplices, const std::vector<std::int8_t>& signs) {
+    check_count(std::size_t(simplices.rows.rows()) * simplices.rows.cols());
+    if (simplices.rows.cols() == 2)
+        return ends_of(simplices);
+    return with_capacity(static_cast<Index>(simplices.rows.cols()) - 2, [&](auto capacity) {
         Faces faces;
-        FacetSearch<decltype(capacity)::value>(simplices, faces).run();
+        FacetSearch<decltype(capacity)::value>(simplices, signs, faces).run();
         return faces;
     });
 }
 
-SortedRows sorted_rows(const Simplices& rows) {
+SortedRows sorted_rows(const Simplices& rows, Index vertices) {
     return with_capacity(static_cast<Index>(rows.cols()) - 1, [&](auto capacity) {
-        return sorted_with<decltype(capacity)::value>(rows);
+        return sorted_with<decltype(capacity)::value>(rows, vertices);
     });
 }
 

@@ -7,24 +7,35 @@
 
 namespace polydec {
 
+/// Different simplices: rows of ascending vertex numbers, below `vertices`, in lexicographic order.
+struct SortedSimplices {
+    Simplices rows;
+    Index vertices = 0;
+    std::vector<Index> begins; ///< of each block of vertices (see block_size): where its rows begin
+};
+
 /// The distinct facets of simplices, and which of them bounds which.
 struct Faces {
-    Simplices simplices; ///< ascending lists in lexicographic order
+    SortedSimplices simplices;
     IncidenceMatrix
         coboundary;            ///< of each simplex its facets: (-1)^i if vertex number i is lacking
     std::vector<Index> counts; ///< number of simplices around each face
+    bool are_coherent = false; ///< known: two simplices at a facet have opposite signs there
 };
 
-/// All facets of the given simplices: rows of m ascending vertex numbers, m >= 2, in lexicographic
-/// order. For each simplex they are listed in ascending order, since leaving out a later vertex
-/// gives the smaller list.
-Faces faces_of(const Simplices& simplices);
+/// All facets of the given simplices of at least two vertices, all of which are used. For each
+/// simplex they are listed in ascending order, since leaving out a later vertex gives the smaller
+/// list. `signs` orients the simplices against the order of their vertices; without them nothing is
+/// known of coherence.
+Faces faces_of(const SortedSimplices& simplices, const std::vector<std::int8_t>& signs = {});
 
-/// Rows of ascending vertex numbers >= 0 in lexicographic order, and where each stood before.
+/// Rows of vertex numbers sorted, where each stood before, and the signs of their permutations.
 struct SortedRows {
-    Simplices rows;
+    SortedSimplices simplices;
     std::vector<Index> order;
+    std::vector<std::int8_t> signs;
+    bool are_simplices; ///< no row has a vertex twice or is there twice
 };
-SortedRows sorted_rows(const Simplices& rows);
+SortedRows sorted_rows(const Simplices& rows, Index vertices);
 
 } // namespace polydec

@@ -87,22 +87,6 @@ std::vector<Index> unless_counting(std::vector<Index> numbers) {
     return {};
 }
 
-/// Puts in place of vertex numbers the rows that they have among the 0-simplices. Returns the
-/// numbers, or none if they are the rows.
-std::vector<Index> number_corners(std::vector<Simplices>& simplices) {
-    const auto& used = simplices.front().reshaped();
-    auto numbers = unless_counting({used.begin(), used.end()});
-    if (numbers.empty())
-        return numbers;
-    std::vector<Index> rows(static_cast<std::size_t>(numbers.back()) + 1);
-    for (std::size_t v = 0; v < numbers.size(); ++v)
-        rows[numbers[v]] = static_cast<Index>(v);
-    for (Simplices& table : simplices)
-        for (Index& corner : table.reshaped<Eigen::RowMajor>())
-            corner = rows[corner];
-    return numbers;
-}
-
 } // namespace
 
 Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t> orientations,
@@ -151,12 +135,14 @@ Pieces::Pieces(std::vector<Simplices> faces, std::vector<std::int8_t> orientatio
 Pieces::Pieces(Glued glued) : CellComplex(glued.cells), parts_(std::move(glued.parts)) {}
 
 Pieces::Pieces(Unchecked, CellComplex cells, std::vector<Simplices> simplices,
-               std::vector<std::int8_t> orientations, bool orientable)
-    : CellComplex(cells) {
-    auto numbers = number_corners(simplices);
-    parts_ = std::make_shared<Parts>(
-        Parts{std::move(simplices), {}, std::move(orientations), orientable, std::move(numbers)});
-}
+               std::vector<std::int8_t> orientations, bool orientable,
+               std::vector<Index> vertex_numbers)
+    : CellComplex(cells),
+      parts_(std::make_shared<Parts>(Parts{std::move(simplices),
+                                           {},
+                                           std::move(orientations),
+                                           orientable,
+                                           std::move(vertex_numbers)})) {}
 
 std::vector<Index> Pieces::vertex_numbers(std::vector<Index> vertices) const {
     for (Index& v : vertices) {

@@ -44,9 +44,10 @@ public:
            std::vector<Index> vertices);
 
     /// For a maker of simplices in lexicographic order, whose faces stand in the rows of d_k with
-    /// the one that lacks the last corner first. Corners are given by ascending vertex numbers.
+    /// the one that lacks the last corner first. vertex_numbers are as above, or empty: 0, 1, 2, ..
     Pieces(Unchecked, CellComplex cells, std::vector<Simplices> simplices,
-           std::vector<std::int8_t> orientations, bool orientable);
+           std::vector<std::int8_t> orientations, bool orientable,
+           std::vector<Index> vertex_numbers);
 
     /// The corners, which are 0-simplices, in order: size(k) x (k+1).
     const Simplices& simplices(int k) const& {

@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "base/memory.h"
-#include "base/parallel.h"
 #include "complex/disjoint_sets.h"
 #include "complex/faces.h"
 #include "complex/size_estimate.h"
@@ -20,99 +19,74 @@ namespace polydec {
 
 namespace {
 
-/// So many simplices are one piece of work.
-constexpr Index part_size = 1 << 14;
-
 std::span<const Index> row(const Simplices& table, Index i) {
     return {table.data() + i * table.cols(), static_cast<std::size_t>(table.cols())};
 }
 
-/// As std::ranges::equal, which is slow for a handful of numbers.
-bool same(std::span<const Index> a, std::span<const Index> b) {
-    std::size_t i = 0;
-    while (i < a.size() && a[i] == b[i])
-        ++i;
-    return i == a.size();
-}
-
-/// Sorts the list; 1 or -1 is the sign of the permutation that did it.
-std::int8_t sort_with_sign(std::span<Index> list) {
-    std::int8_t sign = 1;
-    for (std::size_t i = 1; i < list.size(); ++i) {
-        for (std::size_t j = i; j > 0 && list[j] < list[j - 1]; --j) {
-            std::swap(list[j], list[j - 1]);
-            sign = static_cast<std::int8_t>(-sign);
-        }
-    }
-    return sign;
-}
-
-struct SortedTops {
-    Simplices simplices;
-    std::vector<Index> input_rows;
-    std::vector<std::int8_t> signs; // of the input's order against the ascending one
+/// Vertices that simplices use.
+struct Used {
+    Index count;
+    std::vector<Index> numbers; // of each by which it is named; empty: their own
 };
 
-void check_tops(const SortedTops& tops, Index begin, Index end) {
-    const auto n = static_cast<int>(tops.simplices.cols()) - 1;
-    for (Index s = begin; s < end; ++s) {
-        const auto list = row(tops.simplices, s);
+Used used_vertices(const Simplices& tops) {
+    const std::span all(tops.data(), static_cast<std::size_t>(tops.size()));
+    std::uint32_t largest = 0; // negative numbers are larger than others
+    for (const Index vertex : all)
+        largest = std::max(largest, static_cast<std::uint32_t>(vertex));
+    if (largest >= std::uint32_t(std::numeric_limits<Index>::max())) {
+        const Index least = tops.minCoeff(), vertex = least < 0 ? least : tops.maxCoeff();
+        throw InvalidInput(fmt::format("vertex number {}: expected {}", vertex,
+                                       vertex < 0 ? "0 or more" : "less than that"),
+                           {.vertices = {vertex}});
+    }
+    std::vector<std::uint8_t> marks(std::size_t{largest} + 1, 0);
+    for (const Index vertex : all)
+        marks[vertex] = 1;
+    Used used{static_cast<Index>(std::count(marks.begin(), marks.end(), 1)), {}};
+    if (std::size_t(used.count) < marks.size())
+        for (std::size_t v = 0; v < marks.size(); ++v)
+            if (marks[v])
+                used.numbers.push_back(static_cast<Index>(v));
+    return used;
+}
+
+/// The simplices with the places of their vertices among those that are used.
+Simplices by_place(Simplices tops, const std::vector<Index>& numbers) {
+    std::vector<Index> places(static_cast<std::size_t>(numbers.back()) + 1);
+    for (std::size_t v = 0; v < numbers.size(); ++v)
+        places[numbers[v]] = static_cast<Index>(v);
+    for (Index& vertex : tops.reshaped<Eigen::RowMajor>())
+        vertex = places[vertex];
+    return tops;
+}
+
+/// Says which rows are no simplices, or the same.
+void refuse_rows(const SortedRows& tops, const std::vector<Index>& numbers) {
+    const Simplices& rows = tops.simplices.rows;
+    for (Index s = 0; s < rows.rows(); ++s) {
+        const auto list = row(rows, s);
+        std::vector<Index> named(list.begin(), list.end());
+        for (Index& vertex : named)
+            vertex = numbers.empty() ? vertex : numbers[vertex];
+        const auto n = static_cast<int>(rows.cols()) - 1;
         if (std::adjacent_find(list.begin(), list.end()) != list.end())
             throw InvalidInput(fmt::format("cell {} has a repeated corner: its vertices are {}",
-                                           tops.input_rows[s], fmt::join(list, ", ")),
-                               {.degree = n,
-                                .cells = {tops.input_rows[s]},
-                                .vertices = {list.begin(), list.end()}});
-        if (s > 0 && same(row(tops.simplices, s - 1), list))
+                                           tops.order[s], fmt::join(named, ", ")),
+                               {.degree = n, .cells = {tops.order[s]}, .vertices = named});
+        if (s > 0 && std::ranges::equal(row(rows, s - 1), list))
             throw InvalidInput(
                 fmt::format("cells {} and {} have the same vertices {}: remove one of them",
-                            tops.input_rows[s - 1], tops.input_rows[s], fmt::join(list, ", ")),
-                {.degree = n,
-                 .cells = {tops.input_rows[s - 1], tops.input_rows[s]},
-                 .vertices = {list.begin(), list.end()}});
+                            tops.order[s - 1], tops.order[s], fmt::join(named, ", ")),
+                {.degree = n, .cells = {tops.order[s - 1], tops.order[s]}, .vertices = named});
     }
-}
-
-SortedTops sort_tops(Simplices tops) {
-    if (tops.rows() == 0 || tops.cols() < 2)
-        throw InvalidInput(
-            "a simplicial complex needs at least one simplex of dimension 1 or more");
-    if (tops.minCoeff() < 0)
-        throw InvalidInput(fmt::format("vertex number {}: expected 0 or more", tops.minCoeff()),
-                           {.vertices = {tops.minCoeff()}});
-    if (tops.maxCoeff() == std::numeric_limits<Index>::max())
-        throw InvalidInput(
-            fmt::format("vertex number {}: expected less than that", tops.maxCoeff()),
-            {.vertices = {tops.maxCoeff()}});
-
-    std::vector<std::int8_t> signs(tops.rows());
-    for_each_part(static_cast<Index>(tops.rows()), part_size, [&](Index begin, Index end) {
-        for (Index s = begin; s < end; ++s)
-            signs[s] = sort_with_sign({&tops(s, 0), static_cast<std::size_t>(tops.cols())});
-    });
-
-    auto [rows, order] = sorted_rows(tops);
-    SortedTops sorted{std::move(rows), std::move(order), std::vector<std::int8_t>(signs.size())};
-    for_each_part(static_cast<Index>(signs.size()), part_size, [&](Index begin, Index end) {
-        for (Index s = begin; s < end; ++s)
-            sorted.signs[s] = signs[sorted.input_rows[s]];
-        check_tops(sorted, begin, end);
-    });
-    return sorted;
-}
-
-Index count_vertices(const Simplices& tops) {
-    std::vector<bool> used(static_cast<std::size_t>(tops.maxCoeff()) + 1, false);
-    for (const Index vertex : tops.reshaped())
-        used[vertex] = true;
-    return static_cast<Index>(std::count(used.begin(), used.end(), true));
 }
 
 /// A simplex has 2^(n+1) faces: a short file can ask for more than any machine has.
-void check_cost(const Simplices& tops) {
+void check_cost(const Simplices& tops, Index vertices) {
     const auto n = static_cast<int>(tops.cols()) - 1;
     const auto simplices = static_cast<Index>(tops.rows());
-    const auto size = estimate_size(n, simplices, count_vertices(tops));
+    const auto size = estimate_size(n, simplices, vertices);
     check_memory(size.bytes(),
                  fmt::format("a complex of {} simpl{} of dimension {}, of about "
                              "{:.2g} cells of all degrees,",
@@ -125,26 +99,11 @@ struct Orientation {
     Index turned = 0;
 };
 
-/// Whether neighbors across facets with two cofaces have opposite signs there already.
-bool is_coherent(const IncidenceMatrix& D, const std::vector<Index>& coface_counts,
-                 const std::vector<std::int8_t>& signs) {
-    std::vector<std::int8_t> sum(coface_counts.size(), 0);
-    for (Index t = 0; t < D.rows(); ++t)
-        for (IncidenceMatrix::InnerIterator f(D, t); f; ++f)
-            sum[f.col()] = static_cast<std::int8_t>(sum[f.col()] + f.value() * signs[t]);
-    for (std::size_t f = 0; f < sum.size(); ++f)
-        if (coface_counts[f] == 2 && sum[f] != 0)
-            return false;
-    return true;
-}
-
 /// Signs of the tops, coherent across facets with exactly two cofaces wherever that is possible:
 /// in each part connected by such facets the given signs or their opposites, whichever turns
 /// fewer. A part that cannot be oriented keeps what was given.
 Orientation orient(const IncidenceMatrix& D, const std::vector<Index>& coface_counts,
                    const std::vector<std::int8_t>& given) {
-    if (is_coherent(D, coface_counts, given))
-        return {given};
     const auto tops = static_cast<Index>(given.size());
     DisjointSets parts(tops);
     std::vector<Index> first(coface_counts.size(), -1), conflicts;
@@ -186,30 +145,42 @@ Orientation orient(const IncidenceMatrix& D, const std::vector<Index>& coface_co
 } // namespace
 
 SimplicialComplex::Sorted SimplicialComplex::sorted(const Simplices& tops) {
-    auto sorted = sort_tops(tops);
-    check_cost(sorted.simplices);
+    if (tops.rows() == 0 || tops.cols() < 2)
+        throw InvalidInput(
+            "a simplicial complex needs at least one simplex of dimension 1 or more");
+    auto [vertices, numbers] = used_vertices(tops);
+    auto sorted = numbers.empty() ? sorted_rows(tops, vertices)
+                                  : sorted_rows(by_place(tops, numbers), vertices);
+    if (!sorted.are_simplices)
+        refuse_rows(sorted, numbers);
+    check_cost(tops, vertices);
+
     const auto n = static_cast<int>(tops.cols()) - 1;
     std::vector<Simplices> simplices(n + 1);
-    simplices[n] = std::move(sorted.simplices);
-
     std::vector<IncidenceMatrix> coboundaries(n);
     std::vector<std::vector<Index>> counts(n);
+    SortedSimplices cells = std::move(sorted.simplices);
+    bool are_coherent = false;
     for (int k = n - 1; k >= 0; --k) {
-        auto faces = faces_of(simplices[k + 1]);
+        auto faces = k == n - 1 ? faces_of(cells, sorted.signs) : faces_of(cells);
+        are_coherent = are_coherent || faces.are_coherent;
         coboundaries[k].swap(faces.coboundary);
-        simplices[k] = std::move(faces.simplices);
         counts[k] = std::move(faces.counts);
+        simplices[k + 1] = std::exchange(cells, std::move(faces.simplices)).rows;
     }
+    simplices[0] = std::move(cells.rows);
 
-    auto orientation = orient(coboundaries[n - 1], counts[n - 1], sorted.signs);
+    auto orientation = are_coherent ? Orientation{std::move(sorted.signs)}
+                                    : orient(coboundaries[n - 1], counts[n - 1], sorted.signs);
     std::int8_t* sign = coboundaries[n - 1].valuePtr();
     for (const std::int8_t turn : orientation.signs)
         for (int i = 0; i <= n; ++i, ++sign)
             *sign = static_cast<std::int8_t>(*sign * turn);
-    CellComplex cells(Unchecked{}, std::move(coboundaries), std::move(counts));
-    return {Pieces(Unchecked{}, std::move(cells), std::move(simplices),
-                   std::move(orientation.signs), orientation.coherent),
-            std::move(sorted.input_rows), orientation.turned};
+    return {Pieces(Unchecked{},
+                   CellComplex(Unchecked{}, std::move(coboundaries), std::move(counts)),
+                   std::move(simplices), std::move(orientation.signs), orientation.coherent,
+                   std::move(numbers)),
+            std::move(sorted.order), orientation.turned};
 }
 
 SimplicialComplex::SimplicialComplex(const Simplices& tops) : SimplicialComplex(sorted(tops)) {}

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "backends/blas.h"
 #include "backends/registry.h"
 #include "tools/commands.h"
 #include "tools/options.h"
@@ -6,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 namespace polydec::tools {
 
@@ -25,6 +27,7 @@ const char* kind_name(EngineKind kind) {
 
 struct Backends : Answer {
     std::vector<EngineInfo> engines = polydec::engines();
+    std::optional<Blas> blas = loaded_blas();
 
     void write(JsonWriter& json) const override {
         json.array("backends", [&] {
@@ -37,6 +40,13 @@ struct Backends : Answer {
                     json.member("how_to_get", engine.how_to_get);
                 });
         });
+        if (blas)
+            json.object("blas", [&] {
+                json.member("name", blas->name);
+                json.member("kernels", blas->kernels);
+                json.member("threads", blas->threads);
+                json.member("integer_bits", blas->integer_bits);
+            });
     }
 
     void write(Text& text) const override {
@@ -44,6 +54,9 @@ struct Backends : Answer {
             text("{:<16}{:<15}{:<9}{}{}\n", engine.name, kind_name(engine.kind),
                  engine.available ? "there" : "missing", engine.description,
                  engine.available ? "" : fmt::format("; to get it: {}", engine.how_to_get));
+        if (blas)
+            text("BLAS of the engines: {}, kernels {}, {} thread{}, {}-bit integers\n", blas->name,
+                 blas->kernels, blas->threads, blas->threads == 1 ? "" : "s", blas->integer_bits);
     }
 };
 

@@ -48,9 +48,7 @@ void fill(const FillArguments& arguments) {
 /// One of the meshers that are known, also where its program is missing: then that is told.
 std::string check_mesher(const std::string& name) {
     std::string known;
-    for (const auto& engine : engines()) {
-        if (engine.kind != EngineKind::mesher)
-            continue;
+    for (const auto& engine : engines(EngineKind::mesher)) {
         if (engine.name == name)
             return {};
         known += (known.empty() ? "" : " or ") + engine.name;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "backends/blas.h"
 #include "backends/builtin_engines.h"
 #include "backends/eigen/dense_pairs.h"
 #include "backends/eigen/orthonormal_basis.h"
@@ -89,10 +90,10 @@ void Iteration::expand() {
     // By symmetry what couples the block to columns before it is known.
     const Index before = done_ - coupled_;
     const auto coupling = projected_.block(done_, coupled_, width_, before);
-    image_.noalias() -= basis_.columns(coupled_, before) * coupling.transpose();
-    const DenseMatrix own = next_.transpose() * image_;
+    add_product(-1, basis_.columns(coupled_, before), coupling.transpose(), 1, image_);
+    const DenseMatrix own = transposed_product(next_, image_);
     projected_.block(done_, done_, width_, width_) = 0.5 * (own + own.transpose());
-    image_.noalias() -= next_ * projected_.block(done_, done_, width_, width_);
+    add_product(-1, next_, projected_.block(done_, done_, width_, width_), 1, image_);
 
     coupled_ = done_;
     done_ += width_;
@@ -137,7 +138,8 @@ EigenPairs Iteration::pairs(const Ritz& found) const {
     const DenseMatrix chosen = found.vectors(Eigen::all, found.converged);
     EigenPairs result;
     result.values = found.values(found.converged) * scale_;
-    result.vectors.noalias() = basis_.columns(0, done_) * chosen;
+    result.vectors.resize(A_.size, chosen.cols());
+    add_product(1, basis_.columns(0, done_), chosen, 0, result.vectors);
     result.converged = static_cast<Index>(found.converged.size());
     result.operations = operations_;
     return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/eigen/orthonormal_basis.h"
 
+#include "backends/blas.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 
@@ -48,8 +49,8 @@ DenseMatrix OrthonormalBasis::append(DenseMatrix& W, double floor) {
     const auto basis = columns_.leftCols(size_);
     DenseMatrix R = orthonormalize(W, floor);
     for (int pass = 0; pass < most_passes; ++pass) {
-        const DenseMatrix part = basis.transpose() * W;
-        W.noalias() -= basis * part;
+        const DenseMatrix part = transposed_product(basis, W);
+        add_product(-1, basis, part, 1, W);
         const DenseMatrix left = orthonormalize(W, rounding);
         R = left * R;
         if (left.diagonal().size() == 0 || left.diagonal().minCoeff() > kept_enough)
@@ -64,7 +65,8 @@ void OrthonormalBasis::combine(const DenseMatrix& S) {
     const Eigen::Index behind = size_ - S.rows();
     for (Eigen::Index first = 0; first < columns_.rows(); first += chunk) {
         auto rows = columns_.middleRows(first, std::min(chunk, columns_.rows() - first));
-        scratch_.noalias() = rows.leftCols(S.rows()) * S;
+        scratch_.resize(rows.rows(), S.cols());
+        add_product(1, rows.leftCols(S.rows()), S, 0, scratch_);
         rows.leftCols(S.cols()) = scratch_;
     }
     for (Eigen::Index j = 0; j < behind; ++j)
@@ -74,7 +76,7 @@ void OrthonormalBasis::combine(const DenseMatrix& S) {
 
 // W becomes Q with W = Q R, by the Cholesky factor of its Gram matrix where that is safe.
 DenseMatrix OrthonormalBasis::orthonormalize(DenseMatrix& W, double floor) {
-    const DenseMatrix gram = W.transpose() * W;
+    const DenseMatrix gram = transposed_product(W, W);
     if (!gram.allFinite())
         throw SolverFailure("orthonormal columns: infinite or not a number");
     const Vector lengths = gram.diagonal().cwiseSqrt();
@@ -89,7 +91,8 @@ DenseMatrix OrthonormalBasis::orthonormalize(DenseMatrix& W, double floor) {
     const DenseMatrix R = L.transpose() * lengths.asDiagonal();
     const DenseMatrix unit = DenseMatrix::Identity(W.cols(), W.cols());
     const DenseMatrix R_inverse = R.triangularView<Eigen::Upper>().solve(unit);
-    scratch_.noalias() = W * R_inverse;
+    scratch_.resize(W.rows(), W.cols());
+    add_product(1, W, R_inverse, 0, scratch_);
     W.swap(scratch_);
     return R;
 }

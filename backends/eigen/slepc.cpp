@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "backends/eigen/slepc.h"
-
+#include "backends/component.h"
 #include "backends/linear/petsc_session.h"
-#include "backends/linked.h"
-#include "backends/registry.h"
 #include "base/errors.h"
 
 #include <algorithm>
@@ -202,16 +199,8 @@ EigenPairs SlepcSolver::compute(const SymmetricOperator& A, Index count,
 
 } // namespace
 
-void register_slepc() {
-    [[maybe_unused]] static const bool is_done = [] {
-        register_eigen_solver("slepc", [] { return std::make_unique<SlepcSolver>(); });
-        return true;
-    }();
+void component::add_slepc(EngineRegistrar& registrar) {
+    registrar.add_eigen_solver({.name = "slepc"}, [] { return std::make_unique<SlepcSolver>(); });
 }
 
 } // namespace polydec
-
-extern "C" {
-extern const bool polydec_slepc_is_linked;
-const bool polydec_slepc_is_linked = polydec::registered(polydec::register_slepc);
-}

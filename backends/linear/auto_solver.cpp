@@ -21,6 +21,15 @@ constexpr Eigen::Index large_for_eigen = 50000;
 // From here on multigrid solves a solid in less time than a factorization takes.
 constexpr Eigen::Index large_for_multigrid = 30000;
 
+// From here on what MUMPS does once for each matrix is little beside what it saves.
+constexpr Eigen::Index large_for_mumps = 5000;
+
+std::vector<std::string> indefinite_engines(const SparseMatrix& A) {
+    if (A.rows() > large_for_mumps)
+        return {"mumps", "cholmod", "eigen.ldlt"};
+    return {"cholmod", "eigen.ldlt"};
+}
+
 std::vector<std::string> definite_engines(const SparseMatrix& A, const MatrixFacts& facts) {
     const auto limit = has_linear_solver("cholmod") ? large_for_cholmod : large_for_eigen;
     if (A.rows() > limit && domain_dimension(A, facts) > 2)
@@ -34,11 +43,15 @@ std::vector<std::string> wished_engines(const SparseMatrix& A, const MatrixFacts
     if (facts.symmetry == Symmetry::general)
         return {"eigen.lu", "eigen.bicgstab"};
     if (facts.inertia == Inertia::wanted)
-        return {"cholmod", "eigen.ldlt"};
-    if (facts.definiteness == Definiteness::indefinite)
-        return {"cholmod", "eigen.ldlt", "eigen.lu"};
+        return indefinite_engines(A);
 
-    std::vector<std::string> names = definite_engines(A, facts);
+    if (facts.definiteness == Definiteness::indefinite) {
+        auto names = indefinite_engines(A);
+        names.push_back("eigen.lu");
+        return names;
+    }
+
+    auto names = definite_engines(A, facts);
     const auto large = facts.many_solves ? large_for_cholmod : large_for_multigrid;
     if (A.rows() > large && domain_dimension(A, facts) > 2)
         names.insert(names.begin(), {"petsc.cg-hypre", "petsc.cg-gamg"});

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "backends/linear/cholmod.h"
-
+#include "backends/component.h"
+#include "backends/linear/blas_threads.h"
 #include "backends/linear/checked_solver.h"
-#include "backends/linked.h"
-#include "backends/registry.h"
 
 #include <cholmod.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <dlfcn.h>
 #include <new>
 #include <tuple>
 
@@ -20,37 +17,6 @@ namespace {
 
 // Nested dissection pays from about this size on, and METIS is slow to start.
 constexpr Eigen::Index small_for_metis = 1000;
-
-// The small dense blocks of sparse factors are slower on many threads than on one. OpenBLAS, where
-// it is what stands behind the BLAS, can be told so; others are left as they are.
-class BlasThreads {
-public:
-    explicit BlasThreads(int wished) {
-        const auto get = find<int()>("openblas_get_num_threads");
-        set_ = find<void(int)>("openblas_set_num_threads");
-        if (wished <= 0 || !get || !set_) {
-            set_ = nullptr;
-            return;
-        }
-        before_ = get();
-        set_(wished);
-    }
-    ~BlasThreads() {
-        if (set_)
-            set_(before_);
-    }
-    BlasThreads(const BlasThreads&) = delete;
-    BlasThreads& operator=(const BlasThreads&) = delete;
-
-private:
-    template <typename Function>
-    static Function* find(const char* name) {
-        return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
-    }
-
-    void (*set_)(int) = nullptr;
-    int before_ = 0;
-};
 
 // CHOLMOD's state, and everything that it has allocated.
 struct Workspace {
@@ -233,18 +199,10 @@ CheckedSolver::Solution Cholmod::apply_inverse(const DenseMatrix& B) {
 
 } // namespace
 
-void register_cholmod() {
-    [[maybe_unused]] static const bool is_done = [] {
-        register_linear_solver("cholmod", [](const LinearSolverOptions& options) {
-            return std::make_unique<Cholmod>(options);
-        });
-        return true;
-    }();
+void component::add_cholmod(EngineRegistrar& registrar) {
+    registrar.add_linear_solver({.name = "cholmod"}, [](const LinearSolverOptions& options) {
+        return std::make_unique<Cholmod>(options);
+    });
 }
 
 } // namespace polydec
-
-extern "C" {
-extern const bool polydec_cholmod_is_linked;
-const bool polydec_cholmod_is_linked = polydec::registered(polydec::register_cholmod);
-}

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "backends/linear/petsc.h"
-
+#include "backends/component.h"
 #include "backends/linear/iterative_solver.h"
 #include "backends/linear/petsc_session.h"
-#include "backends/linked.h"
-#include "backends/registry.h"
-#include "base/decompositions.h"
 #include "base/errors.h"
 
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -324,27 +321,19 @@ private:
     CgMultigrid engine_;
 };
 
-void add(const std::string& name, const std::string& multigrid, const std::string& for_singular) {
-    register_linear_solver(name, [=](const LinearSolverOptions& options) {
-        return std::make_unique<PetscSolver>(name, multigrid, for_singular, options);
-    });
-}
-
 } // namespace
 
-void register_petsc() {
-    [[maybe_unused]] static const bool is_done = [] {
-        add("petsc.cg-gamg", gamg, singular_gamg);
+void component::add_petsc(EngineRegistrar& registrar) {
+    const auto add = [&](const std::string& name, const std::string& multigrid,
+                         const std::string& for_singular) {
+        registrar.add_linear_solver({.name = name}, [=](const LinearSolverOptions& options) {
+            return std::make_unique<PetscSolver>(name, multigrid, for_singular, options);
+        });
+    };
+    add("petsc.cg-gamg", gamg, singular_gamg);
 #ifdef PETSC_HAVE_HYPRE
-        add("petsc.cg-hypre", boomeramg, singular_boomeramg);
+    add("petsc.cg-hypre", boomeramg, singular_boomeramg);
 #endif
-        return true;
-    }();
 }
 
 } // namespace polydec
-
-extern "C" {
-extern const bool polydec_petsc_is_linked;
-const bool polydec_petsc_is_linked = polydec::registered(polydec::register_petsc);
-}

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
 namespace polydec {
 
@@ -87,33 +86,50 @@ Index sum_row(const IncidenceMatrix& A, const IncidenceMatrix& transposed, const
     return sum.finish();
 }
 
-/// Where the rows of the product begin: each is summed once for its length alone.
-void find_rows(const IncidenceMatrix& A, const IncidenceMatrix& transposed, const Vector& weights,
-               SparseMatrix& product) {
-    const Index *begin = A.outerIndexPtr(), *first = transposed.outerIndexPtr();
-    Index* const rows = product.outerIndexPtr();
-    for_each_part(static_cast<Index>(A.rows()), part_size, [&](Index from, Index to) {
-        std::vector<Index> columns;
-        std::vector<double> values;
-        for (Index row = from; row < to; ++row) {
-            std::size_t terms = 0;
-            for (Index e = begin[row]; e < begin[row + 1]; ++e)
-                terms += first[A.innerIndexPtr()[e] + 1] - first[A.innerIndexPtr()[e]];
-            if (terms > columns.size()) {
-                columns.resize(2 * terms);
-                values.resize(2 * terms);
-            }
-            rows[row + 1] = sum_row(A, transposed, weights, row, columns.data(), values.data());
-        }
-    });
+/// Room for rows of so many entries, which stand one place behind in the row pointers.
+void make_room(SparseMatrix& matrix) {
     std::int64_t count = 0;
-    for (Index row = 1; row <= product.rows(); ++row) {
-        count += rows[row];
+    for (Index row = 1; row <= matrix.rows(); ++row) {
+        count += matrix.outerIndexPtr()[row];
         if (count > std::numeric_limits<Index>::max())
             throw InvalidInput("a Laplacian has more than 2^31 - 1 entries");
-        rows[row] = static_cast<Index>(count);
+        matrix.outerIndexPtr()[row] = static_cast<Index>(count);
     }
-    product.resizeNonZeros(count);
+    matrix.resizeNonZeros(count);
+}
+
+/// What a row takes at most: every term but those of the diagonal has a place of its own. Simplices
+/// of a complex share at most one face or coface, so there it is what the row takes.
+Index bound_row(const IncidenceMatrix& A, const IncidenceMatrix& transposed, Index row) {
+    const Index *begin = A.outerIndexPtr(), *first = transposed.outerIndexPtr();
+    Index count = begin[row] < begin[row + 1] ? 1 : 0;
+    for (Index e = begin[row]; e < begin[row + 1]; ++e)
+        count += first[A.innerIndexPtr()[e] + 1] - first[A.innerIndexPtr()[e]] - 1;
+    return count;
+}
+
+/// Calls take(column, value) for each column at which one of the matrices has an entry in the row.
+template <class Take>
+void for_each_sum(const SparseMatrix& A, const SparseMatrix& B, Index row, Take take) {
+    Index a = A.outerIndexPtr()[row], b = B.outerIndexPtr()[row];
+    const Index end_of_a = A.outerIndexPtr()[row + 1], end_of_b = B.outerIndexPtr()[row + 1];
+    constexpr Index none = std::numeric_limits<Index>::max();
+    while (a < end_of_a || b < end_of_b) {
+        const Index in_a = a < end_of_a ? A.innerIndexPtr()[a] : none;
+        const Index in_b = b < end_of_b ? B.innerIndexPtr()[b] : none;
+        take(std::min(in_a, in_b),
+             (in_a <= in_b ? A.valuePtr()[a] : 0) + (in_b <= in_a ? B.valuePtr()[b] : 0));
+        a += in_a <= in_b ? 1 : 0;
+        b += in_b <= in_a ? 1 : 0;
+    }
+}
+
+template <class Work>
+void for_each_row(const SparseMatrix& matrix, Work work) {
+    for_each_part(static_cast<Index>(matrix.rows()), part_size, [&](Index begin, Index end) {
+        for (Index row = begin; row < end; ++row)
+            work(row);
+    });
 }
 
 } // namespace
@@ -121,15 +137,35 @@ void find_rows(const IncidenceMatrix& A, const IncidenceMatrix& transposed, cons
 SparseMatrix gram(const IncidenceMatrix& A, const IncidenceMatrix& transposed,
                   const Vector& weights) {
     SparseMatrix product(A.rows(), A.rows());
-    find_rows(A, transposed, weights, product);
-    for_each_part(static_cast<Index>(A.rows()), part_size, [&](Index begin, Index end) {
-        for (Index row = begin; row < end; ++row) {
-            const Index place = product.outerIndexPtr()[row];
-            sum_row(A, transposed, weights, row, product.innerIndexPtr() + place,
-                    product.valuePtr() + place);
-        }
+    if (A.rows() == 0)
+        return product;
+    Index* const rows = product.outerIndexPtr();
+    for_each_row(product, [&](Index row) { rows[row + 1] = bound_row(A, transposed, row); });
+    make_room(product);
+    product.uncompress(); // rows may be shorter
+    for_each_row(product, [&](Index row) {
+        product.innerNonZeroPtr()[row] =
+            sum_row(A, transposed, weights, row, product.innerIndexPtr() + rows[row],
+                    product.valuePtr() + rows[row]);
     });
+    product.makeCompressed();
     return product;
+}
+
+SparseMatrix sum_of(const SparseMatrix& A, const SparseMatrix& B) {
+    SparseMatrix sum(A.rows(), A.cols());
+    Index* const rows = sum.outerIndexPtr();
+    for_each_row(
+        sum, [&](Index row) { for_each_sum(A, B, row, [&](Index, double) { ++rows[row + 1]; }); });
+    make_room(sum);
+    for_each_row(sum, [&](Index row) {
+        Index place = rows[row];
+        for_each_sum(A, B, row, [&](Index column, double value) {
+            sum.innerIndexPtr()[place] = column;
+            sum.valuePtr()[place++] = value;
+        });
+    });
+    return sum;
 }
 
 } // namespace polydec

@@ -16,6 +16,9 @@ namespace polydec {
 
 namespace {
 
+/// So many rows are one piece of work.
+constexpr Index rows_at_once = 1 << 13;
+
 /// D x, a row after the other.
 Vector along_rows(const IncidenceMatrix& D, const Vector& x) {
     const Index *begin = D.outerIndexPtr(), *face = D.innerIndexPtr();
@@ -42,6 +45,17 @@ Vector across_rows(const IncidenceMatrix& D, const Vector& y) {
         for (Index e = begin[t]; e < begin[t + 1]; ++e)
             result[face[e]] += sign[e] * y[t];
     return result;
+}
+
+/// Multiplies rows by weights on the left, columns by those on the right, where there are any.
+void scale(SparseMatrix& A, const Vector& left, const Vector& right) {
+    for_each_part(static_cast<Index>(A.rows()), rows_at_once, [&](Index first, Index last) {
+        for (Index row = first; row < last; ++row) {
+            const double weight = left.size() > 0 ? left[row] : 1;
+            for (Index e = A.outerIndexPtr()[row]; e < A.outerIndexPtr()[row + 1]; ++e)
+                A.valuePtr()[e] *= right.size() > 0 ? weight * right[A.innerIndexPtr()[e]] : weight;
+        }
+    });
 }
 
 void check_shapes(const Operator& A, const Operator& B, const char* joined, bool fit) {
@@ -140,9 +154,9 @@ SparseMatrix Operator::matrix(const Product& product) {
     bool begun = false;
     const auto multiply = [&](SparseMatrix next) {
         if (begun)
-            next = SparseMatrix(result * next);
+            SparseMatrix(result * next).swap(next);
         else if (pending.size() > 0)
-            next = pending.asDiagonal() * next;
+            scale(next, pending, Vector());
         result.swap(next);
         begun = true;
     };
@@ -155,7 +169,7 @@ SparseMatrix Operator::matrix(const Product& product) {
             i += 2;
         } else if (const auto* weights = std::get_if<Weights>(&product[i])) {
             if (begun)
-                result = result * (*weights)->asDiagonal();
+                scale(result, Vector(), **weights);
             else
                 pending = pending.size() > 0 ? Vector(pending.cwiseProduct(**weights)) : **weights;
         } else
@@ -173,7 +187,7 @@ SparseMatrix Operator::matrix() const {
     for (std::size_t i = 0; i < terms_.size(); ++i) {
         SparseMatrix term = matrix(terms_[i]);
         if (i > 0)
-            term = SparseMatrix(sum + term);
+            sum_of(sum, term).swap(term);
         sum.swap(term);
     }
     sum.coeffs() += 0.0; // -0 becomes 0

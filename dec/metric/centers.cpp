@@ -12,8 +12,13 @@
 namespace polydec {
 
 Centers Centers::centroids() {
+    constexpr int most_vertices = 32; // of a simplex
+    std::vector<Points> rows;
+    for (int m = 1; m <= most_vertices; ++m)
+        rows.emplace_back(Points::Constant(1, m, 1.0 / m));
     Centers result;
     result.kind_ = Kind::centroids;
+    result.given_ = std::make_shared<const std::vector<Points>>(std::move(rows));
     return result;
 }
 

@@ -49,6 +49,20 @@ public:
                        : coordinate(k, s, i, sphere) * (k * sphere.volume());
     }
 
+    /// The moments of all corners: these numbers, each times the factor.
+    struct Moments {
+        const double* numbers;
+        double factor;
+    };
+    Moments moments(int k, Index s, const Circumsphere& sphere) const {
+        if (know(k))
+            return {&given_->front()(s, 0), 1};
+        const double factor = k * sphere.volume();
+        return kind_ == Kind::circumcenters || kind_ == Kind::of_cells
+                   ? Moments{sphere.barycentric(), factor}
+                   : Moments{&(*given_)[k](kind_ == Kind::centroids ? 0 : s, 0), factor};
+    }
+
     double height(int k, Index s, int i, const Circumsphere& sphere, double facet_volume) const {
         return moment(k, s, i, sphere) / facet_volume;
     }
@@ -57,7 +71,7 @@ public:
     /// n-simplex without volume that shares its center those of the centroid: none weighs it.
     double coordinate(int k, Index s, int i, const Circumsphere& sphere) const {
         return know(k)                    ? shared_coordinate(s, i)
-               : kind_ == Kind::centroids ? 1.0 / (k + 1)
+               : kind_ == Kind::centroids ? (*given_)[k](0, i)
                : kind_ == Kind::given     ? (*given_)[k](s, i)
                                           : sphere.barycentric(i);
     }
@@ -83,7 +97,8 @@ private:
     double shared_coordinate(Index s, int i) const;
 
     Kind kind_ = Kind::circumcenters;
-    std::shared_ptr<const std::vector<Points>> given_; // by degree; of cells: moments, terms
+    // by degree, a row for all centroids; of cells: moments, terms
+    std::shared_ptr<const std::vector<Points>> given_;
 };
 
 /// The barycentric coordinates of the centers of all k-simplices: size(k) x (k+1).

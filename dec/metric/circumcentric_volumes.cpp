@@ -4,6 +4,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "base/parallel.h"
+#include "base/prefetch.h"
 #include "dec/metric/circumsphere.h"
 #include "dec/metric/rounding.h"
 
@@ -88,52 +89,18 @@ double largest_extent(const Corners& corners) {
         place);
 }
 
-/// To what errors of the dual volumes are in proportion. What is still to be divided by a simplex's
-/// own volume, and what is not, stands in two vectors.
-struct Terms {
-    /// What a simplex hands to a face: the errors of h(s, t) and of V(t) count.
-    struct Share {
-        double product, shift;
-    };
+/// What a simplex gets from its cofaces, or has for its faces: its dual volume, and to what errors
+/// of that are in proportion, what is uncertain beside what is lost by rounding. What is still to
+/// be divided by the simplex's own volume, and what is not, stands apart.
+struct Sum {
+    double dual = 0;
+    Pack products = 0, shifts = 0;
 
-    /// Of a simplex with this dual volume, of which `own` is off.
-    static Share share(const HeightTerms& heights, double dual, double own, double height) {
-        return {std::abs(height) * (heights.growth * std::abs(dual) + own),
-                heights.shift * std::abs(dual)};
+    /// Of a simplex with this volume, a part of what was handed to it.
+    Sum divided(double volume, double part) const {
+        const double quotient = part / volume;
+        return {quotient * dual, quotient * products + part * shifts, 0};
     }
-
-    void add(int k, Index s, const Share& share) {
-        products[k][s] += share.product;
-        shifts[k][s] += share.shift;
-    }
-
-    void divide(int k, Index s, double volume, int n) {
-        products[k][s] = (products[k][s] / volume + shifts[k][s]) / (n - k);
-    }
-
-    std::vector<Vector> products, shifts;
-};
-
-/// Volumes on the way down.
-struct Sums {
-    explicit Sums(const Pieces& complex) {
-        for (int k = 0; k <= complex.dimension(); ++k) {
-            primal.emplace_back(Vector::Ones(complex.size(k)));
-            dual.emplace_back(Vector::Zero(complex.size(k)));
-        }
-        uncertain = rounded = {dual, dual};
-        dual.back().setOnes();
-    }
-
-    void divide(int k, Index t, int n) {
-        const double volume = primal[k][t];
-        dual[k][t] /= (n - k) * volume;
-        uncertain.divide(k, t, volume, n);
-        rounded.divide(k, t, volume, n);
-    }
-
-    std::vector<Vector> primal, dual;
-    Terms uncertain, rounded;
 };
 
 /// A volume below all that rounding leaves of the last digits of the corners.
@@ -144,68 +111,116 @@ double least_volume(const Corners& corners) {
 
 /// From the top down: what a k-simplex t hands to its face s is h(s, t) V(t), with h(s, t) =
 /// barycentric coordinate * k |t| / |s|; the division by |s| comes last. With it go the sizes of
-/// what cancels, in h(s, t) and in V(t). An error of |t| is one of V(t) / |t| too. Spheres are
-/// looked at many at once, and their heights added one after the other.
-void hand_down(const Pieces& complex, const SimplexMetric& metric, const Centers& centers, int k,
-               FlatSimplices flat, Sums& sums) {
-    const int n = complex.dimension();
-    const Simplices& simplices = complex.simplices(k);
-    const Points* const points = metric.points(); // asked once, not for every simplex
-    Vector &primal = sums.primal[k], &dual = sums.dual[k];
-    Vector &uncertain = sums.uncertain.products[k], &rounded = sums.rounded.products[k];
-    struct Share {
-        double dual;
-        Terms::Share uncertain, rounded;
-    };
-    const auto measure = [&](Index first, Index last, Share* share) {
-        SimplexLayout layout(complex, metric);
-        Circumsphere sphere;
-        for (Index t = first; t < last; ++t) {
-            const Corners corners =
-                points ? Corners{*points, vertices(simplices, t)} : layout.at(k, t);
-            const bool has_volume = sphere.look_at(corners);
-            const bool may_be_flat =
-                k == n && (centers.know(k) || flat == FlatSimplices::passed_over);
-            primal[t] = has_volume || !may_be_flat ? sphere.volume() : least_volume(corners);
-            if (!is_moderate(primal[t]))
-                refuse(complex, metric, k, t);
-            if (k < n)
-                sums.divide(k, t, n);
-            rounded[t] += (has_volume ? sphere.rounding().growth : 1) * std::abs(dual[t]);
-            if (!has_volume && !centers.know(k)) {
-                share = std::fill_n(share, k + 1, Share{});
-                continue;
-            }
-            const auto uncertainty = centers.uncertainty(k, t, sphere);
-            const auto rounding = centers.rounding(k, t, sphere);
-            const double own = centers.know(k) ? 0 : rounded[t];
-            for (int i = k; i >= 0; --i) {
-                const double moment = centers.moment(k, t, i, sphere);
-                *share++ = {moment * dual[t],
-                            Terms::share(uncertainty, dual[t], uncertain[t], moment),
-                            Terms::share(rounding, dual[t], own, moment)};
+/// what cancels, in h(s, t) and in V(t). An error of |t| is one of V(t) / |t| too.
+class Descent {
+public:
+    Descent(const Pieces& complex, const SimplexMetric& metric, const Centers& centers,
+            FlatSimplices flat)
+        : complex_(complex), metric_(metric), centers_(centers), flat_(flat) {}
+
+    CellVolumes run();
+
+private:
+    /// Of k-simplices first .. last - 1 the volumes, and what they hand to their faces: a sum for
+    /// each, and by corners the numbers that its dual and products are multiplied by.
+    void measure(int k, Index first, Index last, Sum* share, double* numbers);
+    void hand_down(int k);
+
+    const Pieces& complex_;
+    const SimplexMetric& metric_;
+    const Centers& centers_;
+    FlatSimplices flat_;
+    std::vector<Vector> primal_, dual_, terms_, rounding_;
+    std::vector<Sum> sums_; // of the simplices that are looked at; none of highest degree
+};
+
+void Descent::measure(int k, Index first, Index last, Sum* share, double* numbers) {
+    const int n = complex_.dimension();
+    const bool is_top = k == n, know = centers_.know(k);
+    const bool may_be_flat = is_top && (know || flat_ == FlatSimplices::passed_over);
+    Circumspheres spheres(complex_, metric_, k);
+    double *const primal = primal_[k].data(), *const dual = dual_[k].data();
+    double *const terms = terms_[k].data(), *const rounding = rounding_[k].data();
+    const double part = is_top ? 1 : 1.0 / (n - k);
+    for (Index t = first; t < last; ++t, ++share, numbers += k + 1) {
+        const Circumsphere& sphere = spheres[t];
+        const bool has_volume = sphere.volume() > 0;
+        const double volume = has_volume || !may_be_flat
+                                  ? sphere.volume()
+                                  : least_volume(SimplexLayout(complex_, metric_).at(k, t));
+        if (!is_moderate(volume))
+            refuse(complex_, metric_, k, t);
+        const Sum own = is_top ? Sum{1, 0, 0} : sums_[t].divided(volume, part);
+        const double size = std::abs(own.dual);
+        const double lost = own.products[1] + (has_volume ? sphere.rounding().growth : 1) * size;
+        primal[t] = volume;
+        dual[t] = own.dual;
+        terms[t] = is_top ? 1 : own.products[0];
+        rounding[t] = rounding_of(lost);
+        if (!has_volume && !know) {
+            *share = {};
+            std::fill_n(numbers, k + 1, 0);
+            continue;
+        }
+
+        // the errors of h(s, t) and of V(t) count
+        const auto uncertain = centers_.uncertainty(k, t, sphere);
+        const auto rounded = centers_.rounding(k, t, sphere);
+        const auto moments = centers_.moments(k, t, sphere);
+        const Pack products(uncertain.growth * size + own.products[0],
+                            rounded.growth * size + (know ? 0 : lost));
+        *share = {moments.factor * own.dual, moments.factor * products,
+                  size * Pack(uncertain.shift, rounded.shift)};
+        for (int i = 0; i <= k; ++i)
+            numbers[i] = moments.numbers[i];
+    }
+}
+
+/// Many are measured at once, and what they hand down is added one after the other.
+void Descent::hand_down(int k) {
+    constexpr Index at_once = 1 << 14, part_size = 1 << 11;
+    const FaceTable faces = complex_.faces(k);
+    std::vector<Sum> below(static_cast<std::size_t>(complex_.size(k - 1)));
+    std::vector<Sum> shares(at_once);
+    std::vector<double> numbers(std::size_t(at_once) * (k + 1));
+    for (Index first = 0; first < complex_.size(k); first += at_once) {
+        const Index count = std::min(at_once, complex_.size(k) - first);
+        for_each_part(count, part_size, [&](Index begin, Index end) {
+            measure(k, first + begin, first + end, &shares[begin],
+                    &numbers[std::size_t(begin) * (k + 1)]);
+        });
+        const double* number = numbers.data();
+        for (Index t = 0; t < count; ++t) {
+            const Sum share = shares[t];
+            constexpr Index ahead = 8;
+            const Index soon = std::min(first + t + ahead, complex_.size(k) - 1);
+            prefetch(&below[faces(soon, 0)]); // the others have a corner in common, so are near
+            for (int i = 0; i <= k; ++i, ++number) {
+                Sum& face = below[faces(first + t, i)];
+                face.dual += *number * share.dual;
+                face.products = face.products + std::abs(*number) * share.products;
+                face.shifts = face.shifts + share.shifts;
             }
         }
-    };
-
-    constexpr Index at_once = 1 << 15, part_size = 1 << 12;
-    const FaceTable faces = complex.faces(k);
-    std::vector<Share> shares;
-    for (Index first = 0; first < complex.size(k); first += at_once) {
-        const Index count = std::min(at_once, complex.size(k) - first);
-        shares.resize(std::size_t(count) * (k + 1));
-        for_each_part(count, part_size, [&](Index begin, Index end) {
-            measure(first + begin, first + end, &shares[std::size_t(begin) * (k + 1)]);
-        });
-        const Share* share = shares.data();
-        for (Index t = first; t < first + count; ++t)
-            for (int i = k; i >= 0; --i, ++share) {
-                const Index face = faces(t, i);
-                sums.dual[k - 1][face] += share->dual;
-                sums.uncertain.add(k - 1, face, share->uncertain);
-                sums.rounded.add(k - 1, face, share->rounded);
-            }
     }
+    sums_ = std::move(below);
+}
+
+CellVolumes Descent::run() {
+    const int n = complex_.dimension();
+    for (int k = 0; k <= n; ++k)
+        for (auto* vectors : {&primal_, &dual_, &terms_, &rounding_})
+            vectors->emplace_back(complex_.size(k));
+    for (int k = n; k >= 1; --k)
+        hand_down(k);
+    primal_[0].setOnes();
+    for (Index v = 0; v < complex_.size(0); ++v) {
+        const Sum own = sums_[v].divided(1, 1.0 / n);
+        dual_[0][v] = own.dual;
+        terms_[0][v] = own.products[0];
+        rounding_[0][v] = rounding_of(own.products[1]);
+    }
+    return {std::move(primal_), std::move(dual_), std::move(terms_), std::move(rounding_)};
 }
 
 } // namespace
@@ -218,17 +233,7 @@ CellVolumes dual_volumes(const Pieces& complex, const SimplexMetric& metric, con
                          FlatSimplices flat) {
     check_metric(complex, metric);
     centers.check_fit(complex);
-    const int n = complex.dimension();
-    Sums sums(complex);
-    for (int k = n; k >= 1; --k)
-        hand_down(complex, metric, centers, k, flat, sums);
-    for (Index v = 0; v < complex.size(0); ++v)
-        sums.divide(0, v, n);
-    sums.uncertain.products[n].setOnes();
-    for (Vector& terms : sums.rounded.products)
-        terms = terms.unaryExpr(&rounding_of);
-    return {std::move(sums.primal), std::move(sums.dual), std::move(sums.uncertain.products),
-            std::move(sums.rounded.products)};
+    return Descent(complex, metric, centers, flat).run();
 }
 
 } // namespace polydec

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/metric/pack.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/metric/two_doubles.h"
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -58,6 +60,12 @@ public:
         return barycentric_[i];
     }
 
+    /// Those of all vertices, until it looks at another simplex.
+    const double* barycentric() const {
+        check_sphere();
+        return barycentric_.data();
+    }
+
     /// Signed distance from the circumcenter of the facet opposite to the i-th vertex to the
     /// simplex's own, positive towards that vertex: barycentric coordinate times height.
     double height(int i, double facet_volume) const {
@@ -79,10 +87,14 @@ public:
     const HeightTerms& rounding() const { return rounding_; }
 
 private:
+    friend class Circumspheres;
+
     template <class Number, int k_fixed, int N_fixed>
-    bool look(std::span<const Index> vertices);
-    template <class Number, int k_fixed>
-    void measure_slopes(const Number* triangle, Number* column, double reach, double longest);
+    static void look(Circumsphere* spheres, int k, int N, const double* const* corners);
+    template <class Number>
+    static void look(Circumsphere* spheres, int k, int N, const double* const* corners);
+    template <class Number, int N_fixed>
+    static void look_at_edges(Circumsphere* spheres, int N, const double* const* corners);
     void measure_distances(const Corners& corners);
     void check_sphere() const {
         if (!(volume_ > 0))
@@ -94,11 +106,41 @@ private:
     static constexpr int most_vertices = 32; // of a simplex of a complex, too
     std::array<double, most_vertices> barycentric_{};
     std::array<double, most_vertices> squared_slopes_{}; // of the coordinates: 1 / height^2
-    std::tuple<std::vector<double>, std::vector<TwoDoubles>> scratch_;
+    std::tuple<std::vector<double>, std::vector<Pack>, std::vector<TwoDoubles>> scratch_;
     int dimension_ = 0;
     double volume_ = 0;
     double squared_radius_ = 0;
     HeightTerms uncertainty_, rounding_;
+};
+
+/// The spheres of simplices that are asked for one after the other: several are looked at at once.
+/// Not for several threads.
+class Circumspheres {
+public:
+    /// Of the k-simplices of a complex, or those between points. Keep references.
+    Circumspheres(const Pieces& complex, const SimplexMetric& metric, int k)
+        : points_(metric.points()), simplices_(complex.simplices(k)) {
+        if (!points_)
+            layout_.emplace(complex, metric);
+    }
+    Circumspheres(const Points& points, const Simplices& simplices)
+        : points_(&points), simplices_(simplices) {}
+
+    /// That of simplex s, until the next call; its volume is 0 where there is none.
+    const Circumsphere& operator[](Index s) {
+        if (s < first_ || s >= first_ + count_)
+            look_from(s);
+        return spheres_[s - first_];
+    }
+
+private:
+    void look_from(Index s);
+
+    const Points* points_; // null: by the layout
+    const Simplices& simplices_;
+    std::optional<SimplexLayout> layout_;
+    std::array<Circumsphere, Pack::size> spheres_;
+    Index first_ = 0, count_ = 0;
 };
 
 /// Circumradii of all k-simplices in the given table (rows of vertex numbers). These throw

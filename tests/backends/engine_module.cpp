@@ -6,6 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
+
 namespace polydec::test {
 namespace {
 
@@ -44,6 +52,71 @@ TEST(engine_module, what_is_no_module_is_refused) {
     const auto message =
         message_of<IoError>([] { load_engine_module("/lib/x86_64-linux-gnu/libm.so.6"); });
     EXPECT_NE(message.find("libm.so.6"), std::string::npos);
+}
+
+/// A folder of engines with one module that is none, until the end of a test.
+class BrokenModule {
+public:
+    explicit BrokenModule(const std::string& name) {
+        std::ofstream(folder_ / (name + ".so")) << "no shared library";
+        setenv("POLYDEC_ENGINES", folder_.c_str(), 1);
+    }
+    ~BrokenModule() {
+        if (before_)
+            setenv("POLYDEC_ENGINES", before_->c_str(), 1);
+        else
+            unsetenv("POLYDEC_ENGINES");
+        std::filesystem::remove_all(folder_);
+    }
+
+private:
+    static std::filesystem::path make_folder() {
+        std::string pattern = std::filesystem::temp_directory_path() / "polydec-engines-XXXXXX";
+        return mkdtemp(pattern.data());
+    }
+    static std::optional<std::string> now() {
+        const char* value = std::getenv("POLYDEC_ENGINES");
+        return value ? std::optional<std::string>(value) : std::nullopt;
+    }
+
+    std::filesystem::path folder_ = make_folder();
+    std::optional<std::string> before_ = now();
+};
+
+TEST(engine_module, why_a_module_cannot_be_loaded_is_told_when_its_engine_is_asked_for) {
+    const BrokenModule module("broken");
+    EXPECT_FALSE(has_linear_solver("broken.solver"));
+    const auto message =
+        message_of<BackendUnavailable>([] { make_linear_solver("broken.solver"); });
+    EXPECT_EQ(message.find("the linear solver `broken.solver` is not there: "), 0u) << message;
+    EXPECT_NE(message.find("broken.so: cannot be loaded as an engine module"), std::string::npos)
+        << message;
+    EXPECT_THROW(make_linear_solver("unbroken.solver"), InvalidInput);
+}
+
+TEST(engine_module, meshers_are_found_without_loading_a_module) {
+    const BrokenModule module("untried");
+    EXPECT_FALSE(engines(EngineKind::mesher).empty());
+    EXPECT_THROW(find_mesher("untried"), InvalidInput); // and not BackendUnavailable
+    EXPECT_THROW(make_linear_solver("untried"), BackendUnavailable);
+}
+
+// The system's loader would end the program.
+TEST(engine_module, no_module_is_loaded_where_address_space_is_short) {
+    const auto load_in_little_space = [] {
+        rlimit limit{};
+        getrlimit(RLIMIT_AS, &limit);
+        limit.rlim_cur = rlim_t{200} << 20;
+        setrlimit(RLIMIT_AS, &limit);
+        try {
+            load_engine_module(POLYDEC_TEST_GOOD_MODULE);
+        } catch (const BackendUnavailable& failure) {
+            const std::string message = failure.what();
+            _exit(message.find("the limit is 200 MB") != std::string::npos ? 0 : 2);
+        }
+        _exit(1);
+    };
+    EXPECT_EXIT(load_in_little_space(), testing::ExitedWithCode(0), "");
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/linear/petsc.h"
-
+#include "backends/registry.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
 
@@ -170,11 +169,6 @@ std::vector<std::string> petsc_engine_names() {
 
 INSTANTIATE_TEST_SUITE_P(engines, Petsc, testing::ValuesIn(petsc_engine_names()),
                          [](const auto& test) { return test_name(test.param); });
-
-TEST(petsc, registering_again_does_nothing) {
-    register_petsc();
-    EXPECT_TRUE(has_linear_solver("petsc.cg-gamg"));
-}
 
 } // namespace
 } // namespace polydec::test

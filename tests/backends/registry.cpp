@@ -40,6 +40,7 @@ TEST(registry, the_engines_that_are_always_there_are_there) {
 TEST(registry, missing_engines_are_listed_with_how_to_get_them) {
     for (const auto& [name, package, option] :
          {std::tuple{"cholmod", "libsuitesparse-dev", "POLYDEC_CHOLMOD"},
+          std::tuple{"mumps", "libmumps-seq-dev", "POLYDEC_MUMPS"},
           std::tuple{"petsc.cg-hypre", "petsc-dev", "POLYDEC_PETSC"},
           std::tuple{"petsc.cg-gamg", "petsc-dev", "POLYDEC_PETSC"},
           std::tuple{"slepc", "slepc-dev", "POLYDEC_SLEPC"}}) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/eigen/slepc.h"
-
+#include "backends/registry.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
@@ -19,12 +18,6 @@ Vector smallest_by(const std::string& engine, const SparseMatrix& A, Index count
     const SymmetricOperator inverse{static_cast<Index>(A.rows()),
                                     [&](const Vector& x, Vector& y) { y = solver->solve(x); }};
     return make_eigen_solver("slepc")->largest(inverse, count).values.cwiseInverse();
-}
-
-TEST(slepc, registering_again_does_nothing) {
-    register_slepc();
-    register_slepc();
-    EXPECT_EQ(make_eigen_solver("slepc")->name(), "slepc");
 }
 
 // Engines of PETSc are called from within SLEPc here.

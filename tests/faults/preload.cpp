@@ -46,6 +46,7 @@ struct Counts {
 Counts* counts = nullptr;
 Request plan{};
 std::atomic<bool> is_copy{false};
+std::atomic<bool> is_loading{false};
 
 bool fails(Kind kind) {
     if (!is_copy.load(std::memory_order_relaxed))
@@ -55,8 +56,9 @@ bool fails(Kind kind) {
            (number == plan.number || (plan.forever != 0 && number > plan.number));
 }
 
+/// Libraries that are being loaded are spared: what Fortran's does first is to end the program.
 bool no_memory() {
-    if (!fails(allocation))
+    if (is_loading || !fails(allocation))
         return false;
     errno = ENOMEM;
     return true;
@@ -222,6 +224,14 @@ int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexce
         return ENOMEM;
     *block = made;
     return 0;
+}
+
+void* dlopen(const char* path, int mode) noexcept {
+    NEXT(dlopen);
+    is_loading = true;
+    void* const library = original(path, mode);
+    is_loading = false;
+    return library;
 }
 
 ssize_t write(int file, const void* data, std::size_t size) {

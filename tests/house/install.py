@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Installs a build tree, moves it, and builds and runs a project outside of polydec against it.
 
-Usage: install.py CMAKE BUILD CONSUMER PUBLIC_HEADERS COMPILER [COMPONENT ..]. The header list is
-the one of layering.py. Exit code: 0 all went well, 1 not.
+Usage: install.py CMAKE BUILD CONSUMER PUBLIC_HEADERS COMPILER MODULE_FOLDER [COMPONENT ..]. The
+header list is the one of layering.py. Exit code: 0 all went well, 1 not.
 """
+import json
 import os
 import subprocess
 import sys
@@ -19,9 +20,9 @@ class Failure(Exception):
     """the text says what failed, with the program's output"""
 
 
-def run(*command, cwd, expect_success=True):
+def run(*command, cwd, expect_success=True, **variables):
     """Runs with nothing in the environment that could point to the build tree; gives the output."""
-    environment = {"PATH": os.environ["PATH"], "HOME": str(cwd), "LC_ALL": "C"}
+    environment = {"PATH": os.environ["PATH"], "HOME": str(cwd), "LC_ALL": "C", **variables}
     done = subprocess.run([str(word) for word in command], cwd=cwd, env=environment, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if (done.returncode == 0) != expect_success:
@@ -49,7 +50,7 @@ def configure(options, consumer, prefix, binary, components, expect_success=True
                cwd=prefix.parent, expect_success=expect_success)
 
 
-ENGINES = {"cholmod": "cholmod", "petsc": "petsc.cg-gamg", "slepc": "slepc"}
+ENGINES = {"cholmod": "cholmod", "mumps": "mumps", "petsc": "petsc.cg-gamg", "slepc": "slepc"}
 LINKED = {"": [], "cholmod": ["cholmod"], "petsc": ["petsc"], "slepc": ["slepc", "petsc"]}
 
 
@@ -59,12 +60,29 @@ def use(options, consumer, prefix, component):
     binary = prefix.parent / f"consumer-{component or 'core'}"
     configure(options, consumer, prefix, binary, component)
     run(options.cmake, "--build", binary, cwd=prefix.parent)
-    answer = run(binary / "consumer", cwd=prefix.parent).strip()
+    answer = run(binary / "consumer", cwd=prefix.parent, POLYDEC_ENGINES="").strip()
     if component == "cholmod" and "factorized by cholmod" not in answer:
         raise Failure(f"cholmod is linked, but not what factorizes:\n{answer}")
     for name, engine in ENGINES.items():
-        run(binary / "engines", engine, cwd=prefix.parent, expect_success=name in LINKED[component])
+        run(binary / "engines", engine, cwd=prefix.parent, POLYDEC_ENGINES="",
+            expect_success=name in LINKED[component])
     print(f"[{component or 'core'}]", answer)
+
+
+def load(options, prefix):
+    """Who links no component has the engines of the modules that are installed, and the command
+    finds them by itself."""
+    modules = prefix / options.modules
+    for component in options.components:
+        run(prefix.parent / "consumer-core" / "engines", ENGINES[component], cwd=prefix.parent,
+            POLYDEC_ENGINES=str(modules))
+    command = prefix / "bin" / "polydec"
+    if command.exists():
+        answer = json.loads(run(command, "backends", "--json", cwd=prefix.parent))
+        there = {engine["name"] for engine in answer["backends"] if engine["available"]}
+        missing = {ENGINES[component] for component in options.components} - there
+        if missing:
+            raise Failure(f"the installed command does not find {', '.join(sorted(missing))}")
 
 
 def refuse(options, consumer, prefix, component):
@@ -84,7 +102,8 @@ def main(options):
         prefix = first.rename(folder / "moved")
 
         use(options, options.consumer, prefix, "")
-        for component in options.components:
+        load(options, prefix)
+        for component in set(options.components) & set(LINKED):
             use(options, options.consumer, prefix, component)
         for component in {"nosuch", "cholmod"} - set(options.components):
             refuse(options, options.consumer, prefix, component)
@@ -96,14 +115,14 @@ def main(options):
 
 class Options:
     """The words of the command line."""
-    def __init__(self, cmake, build, consumer, headers, compiler, *components):
+    def __init__(self, cmake, build, consumer, headers, compiler, modules, *components):
         self.cmake, self.build, self.consumer = cmake, Path(build), Path(consumer)
         self.headers = sorted(sources.public_headers(ROOT, headers))
-        self.compiler, self.components = compiler, components
+        self.compiler, self.modules, self.components = compiler, modules, components
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 6:
+    if len(sys.argv) < 7:
         sys.exit(__doc__)
     try:
         main(Options(*sys.argv[1:]))

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace polydec {
+
+/// Doubles side by side, as many as registers hold everywhere. What is done to a pack is done to
+/// each of them as if it were alone, to the last bit.
+class Pack {
+public:
+    static constexpr int size = 2;
+
+    Pack() = default; // any numbers
+    Pack(double x) : lanes_(Lanes{} + x) {}
+    Pack(double first, double second) : lanes_{first, second} {}
+
+    double operator[](int lane) const { return lanes_[lane]; }
+
+    friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.lanes_ + b.lanes_); }
+    friend Pack operator-(const Pack& a, const Pack& b) { return Pack(a.lanes_ - b.lanes_); }
+    friend Pack operator*(const Pack& a, const Pack& b) { return Pack(a.lanes_ * b.lanes_); }
+    friend Pack operator/(const Pack& a, const Pack& b) { return Pack(a.lanes_ / b.lanes_); }
+    friend Pack min(const Pack& a, const Pack& b) {
+        return Pack(b.lanes_ < a.lanes_ ? b.lanes_ : a.lanes_);
+    }
+    friend Pack max(const Pack& a, const Pack& b) {
+        return Pack(a.lanes_ < b.lanes_ ? b.lanes_ : a.lanes_);
+    }
+    friend Pack abs(const Pack& a) {
+        constexpr auto all_but_sign = std::int64_t(~std::uint64_t(0) >> 1);
+        return Pack(Lanes(Bits(a.lanes_) & (Bits{} + all_but_sign)));
+    }
+    friend Pack sqrt(const Pack& a) { return {std::sqrt(a[0]), std::sqrt(a[1])}; }
+
+private:
+    using Lanes = double __attribute__((vector_size(size * sizeof(double))));
+    using Bits = std::int64_t __attribute__((vector_size(size * sizeof(double))));
+
+    explicit Pack(const Lanes& lanes) : lanes_(lanes) {}
+
+    Lanes lanes_;
+};
+
+} // namespace polydec
