@@ -31,7 +31,8 @@ enum Control {
     null_pivots = 24
 };
 constexpr int negative_pivot_count = 12, null_pivot_count = 28;
-constexpr int by_amd = 0, by_metis = 5;
+// Nested dissection by METIS, or, where MUMPS was built without, by what it has instead.
+constexpr int by_degree = 0, by_dissection = 5;
 
 enum class Job { start = -1, end = -2, analyze = 1, factorize = 2, solve = 3 };
 
@@ -160,7 +161,7 @@ void Mumps::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pat
         run_ = std::make_unique<MumpsRun>();
     take_lower_triangle(A);
     if (is_new) {
-        run_->control(ordering) = domain_dimension(A, facts) > 2 ? by_metis : by_amd;
+        run_->control(ordering) = domain_dimension(A, facts) > 2 ? by_dissection : by_degree;
         require(run_->run(Job::analyze), "analysis");
     }
     factorize_with_room();
