@@ -259,7 +259,7 @@ void Circumsphere::look_at_edges(Circumsphere* spheres, int N_given, const doubl
     for (int l = 0; l < width; ++l) {
         Circumsphere& sphere = spheres[l];
         sphere.dimension_ = 1;
-        sphere.volume_ = lane(length, l);
+        sphere.volume_ = std::isfinite(lane(length, l)) ? lane(length, l) : 0;
         sphere.squared_radius_ = lane(squared, l) / 4;
         sphere.barycentric_[0] = sphere.barycentric_[1] = 0.5;
         sphere.uncertainty_ = {1, std::numbers::sqrt2 * lane(reach, l)};
@@ -339,10 +339,10 @@ void Circumspheres::look_from(Index s) {
     const auto N = points_ ? static_cast<int>(points_->cols()) : 0;
     const auto last = static_cast<Index>(simplices_.rows()) - Pack::size;
     first_ = s;
-    if (k > N || s > last) {
+    if (!points_ || k > N || s > last) {
         count_ = 1;
-        std::ignore = spheres_[0].look_at(
-            layout_ ? layout_->at(k, s) : Corners{*points_, vertices(simplices_, s)});
+        std::ignore = spheres_[0].look_at(layout_ ? layout_->at(k, s)
+                                                  : Corners{*points_, vertices(simplices_, s)});
         return;
     }
     count_ = Pack::size;
