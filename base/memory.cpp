@@ -11,6 +11,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace polydec {
 
 namespace {
@@ -59,6 +63,13 @@ void check_memory(double bytes, std::string_view what) {
         throw IoError(fmt::format("{} takes about {} of memory, but only {} may be used: take "
                                   "fewer or simpler cells, or allow more (set_memory_limit)",
                                   what, size_text(bytes), size_text(most)));
+}
+
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, -1);
+#endif
 }
 
 } // namespace polydec

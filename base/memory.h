@@ -16,6 +16,12 @@ std::uint64_t machine_memory();
 std::uint64_t memory_limit();
 void set_memory_limit(std::uint64_t bytes);
 
+/// For the main of a program that makes large arrays one after the other: what is freed stays with
+/// the program, to be used again. By default the C library gives large blocks back, and the system
+/// has to clear each new one, which on virtual machines takes seconds for each GB. Takes effect
+/// with glibc, on what is allocated from then on.
+void keep_freed_memory();
+
 /// An engine needs more memory than it can get: the text names the engine.
 class OutOfMemory : public SolverFailure {
 public:

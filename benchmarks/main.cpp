@@ -6,6 +6,7 @@
 //   --fresh-memory  leaves the allocator as it is: results come to lie in memory never touched
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "base/memory.h"
 #include "benchmarks/bandwidth.h"
 #include "benchmarks/memory.h"
 #include "benchmarks/rows.h"

@@ -104,12 +104,4 @@ void forget_peak() {
     peak.store(live.load());
 }
 
-void keep_freed_memory() {
-#ifdef __GLIBC__
-    mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, -1);
-    mallopt(M_TOP_PAD, 64 << 20);
-#endif
-}
-
 } // namespace polydec::benchmarks

@@ -15,8 +15,4 @@ double live_bytes();
 double peak_bytes();
 void forget_peak();
 
-/// Lets freed memory stay with the program, so that what was touched once is not touched first a
-/// second time: a first touch is the operating system's time, not the library's.
-void keep_freed_memory();
-
 } // namespace polydec::benchmarks

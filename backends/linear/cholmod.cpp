@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/component.h"
-#include "backends/linear/blas_threads.h"
 #include "backends/linear/checked_solver.h"
+#include "backends/linear/engine_threads.h"
 
 #include <cholmod.h>
 #include <fmt/format.h>
@@ -156,7 +156,7 @@ Index Cholmod::count_negative_pivots() const {
 
 void Cholmod::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) {
     negative_pivots_.reset();
-    const BlasThreads threads(options().blas_threads);
+    const EngineThreads threads(options().blas_threads);
     cholmod_sparse matrix = view(A);
 
     // Supernodal factors are L L^T and stop at the first negative pivot.
@@ -187,7 +187,7 @@ void Cholmod::reserve(std::size_t columns) {
 }
 
 CheckedSolver::Solution Cholmod::apply_inverse(const DenseMatrix& B) {
-    const BlasThreads threads(options().blas_threads);
+    const EngineThreads threads(options().blas_threads);
     reserve(static_cast<std::size_t>(B.cols()));
     cholmod_dense right_hand_sides = view(B);
     cholmod_solve2(CHOLMOD_A, work_.factor, &right_hand_sides, nullptr, &work_.x, nullptr, &work_.y,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/component.h"
-#include "backends/linear/blas_threads.h"
 #include "backends/linear/checked_solver.h"
+#include "backends/linear/engine_threads.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -155,7 +155,7 @@ void Mumps::factorize_with_room() {
 
 void Mumps::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pattern) {
     negative_pivots_.reset();
-    const BlasThreads threads(options().blas_threads);
+    const EngineThreads threads(options().blas_threads);
     const bool is_new = pattern == Pattern::fresh || !run_;
     if (is_new)
         run_ = std::make_unique<MumpsRun>();
@@ -179,7 +179,7 @@ void Mumps::compute(const SparseMatrix& A, const MatrixFacts& facts, Pattern pat
 }
 
 CheckedSolver::Solution Mumps::apply_inverse(const DenseMatrix& B) {
-    const BlasThreads threads(options().blas_threads);
+    const EngineThreads threads(options().blas_threads);
     DenseMatrix X = B;
     auto& data = run_->data();
     data.nrhs = static_cast<MUMPS_INT>(X.cols());

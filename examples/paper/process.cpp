@@ -142,6 +142,7 @@ int finish_output(int code) noexcept {
 
 int run_process(const char* name, int (*work)(int, char**), int argc, char** argv) noexcept {
     program = name;
+    keep_freed_memory();
     console::open_standard_streams();
     watch_signals();
     std::set_terminate(end_by_error);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <dlfcn.h>
+
+namespace polydec {
+
+/// The small dense blocks of sparse factors are slower on many threads than on one. OpenBLAS, where
+/// it is what stands behind the BLAS, can be told so, and for one thread OpenMP too, of which
+/// CHOLMOD takes four threads whatever else is said; others are left as they are. Compiled with
+/// each engine, since a module sees what it has brought along, and the program does not.
+class EngineThreads {
+public:
+    /// 0: leaves all as it is.
+    explicit EngineThreads(int wished) {
+        if (wished > 0)
+            settings_[0].take("openblas_get_num_threads", "openblas_set_num_threads", wished);
+        if (wished == 1) // parallel regions within no region are of one thread then
+            settings_[1].take("omp_get_max_active_levels", "omp_set_max_active_levels", 0);
+    }
+    ~EngineThreads() {
+        for (const auto& setting : settings_)
+            if (setting.set)
+                setting.set(setting.before);
+    }
+    EngineThreads(const EngineThreads&) = delete;
+    EngineThreads& operator=(const EngineThreads&) = delete;
+
+private:
+    struct Setting {
+        void (*set)(int) = nullptr;
+        int before = 0;
+
+        void take(const char* get_name, const char* set_name, int wished) {
+            const auto get = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, get_name));
+            const auto change = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, set_name));
+            if (!get || !change)
+                return;
+            before = get();
+            change(wished);
+            set = change;
+        }
+    };
+
+    std::array<Setting, 2> settings_;
+};
+
+} // namespace polydec
