@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,49 +21,56 @@ public:
     explicit Base64Writer(Sink sink) : sink_(std::move(sink)) {}
 
     template <typename Number>
-    void write(Number number) {
-        auto bytes = std::bit_cast<std::array<unsigned char, sizeof(Number)>>(number);
-        if constexpr (std::endian::native == std::endian::big)
-            std::reverse(bytes.begin(), bytes.end());
-        for (const auto byte : bytes) {
-            group_ = group_ << 8 | byte;
-            if (++bytes_ == 3)
-                put(4);
-        }
-        if (text_.size() > piece) {
-            sink_(text_);
-            text_.clear();
+    void write(const Number& number) {
+        write(std::span<const Number>(&number, 1));
+    }
+
+    template <typename Number>
+    void write(std::span<const Number> numbers) {
+        static_assert(piece % sizeof(Number) == 0);
+        while (!numbers.empty()) {
+            if (piece - size_ < sizeof(Number))
+                encode(size_ / 3 * 3);
+            const auto count = std::min((piece - size_) / sizeof(Number), numbers.size());
+            std::memcpy(&bytes_[size_], numbers.data(), count * sizeof(Number));
+            if constexpr (std::endian::native == std::endian::big)
+                for (std::size_t i = 0; i < count; ++i)
+                    std::reverse(&bytes_[size_ + i * sizeof(Number)],
+                                 &bytes_[size_ + (i + 1) * sizeof(Number)]);
+            size_ += count * sizeof(Number);
+            numbers = numbers.subspan(count);
         }
     }
 
     /// Completes the last group of three bytes; must be called once, at the end.
-    void finish() {
-        if (bytes_ > 0) {
-            const unsigned digits = bytes_ + 1;
-            group_ <<= 8 * (3 - bytes_);
-            put(digits);
-            text_.append(4 - digits, '=');
-        }
-        sink_(text_);
-        text_.clear();
-    }
+    void finish() { encode(size_); }
 
 private:
-    static constexpr std::size_t piece = std::size_t{1} << 16;
+    static constexpr std::size_t piece = std::size_t{3} << 14;
+    static constexpr std::string_view alphabet =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-    void put(unsigned digits) {
-        constexpr std::string_view alphabet =
-            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        for (unsigned digit = 0; digit < digits; ++digit)
-            text_ += alphabet[group_ >> (18 - 6 * digit) & 63U];
-        group_ = 0;
-        bytes_ = 0;
+    /// Hands the first bytes on, and keeps the others.
+    void encode(std::size_t count) {
+        char* next = text_.data();
+        for (std::size_t i = 0; i < count; i += 3) {
+            std::uint32_t group = 0;
+            for (std::size_t b = i; b < i + 3; ++b)
+                group = group << 8 | (b < count ? bytes_[b] : 0U);
+            for (unsigned shift = 24; shift > 0;)
+                *next++ = alphabet[group >> (shift -= 6) & 63U];
+        }
+        if (count % 3 > 0)
+            std::fill(next - (3 - count % 3), next, '=');
+        sink_(std::string_view(text_.data(), next));
+        size_ -= count;
+        std::memmove(bytes_.data(), &bytes_[count], size_);
     }
 
     Sink sink_;
-    std::string text_;
-    std::uint32_t group_ = 0;
-    unsigned bytes_ = 0;
+    std::array<unsigned char, piece + 3> bytes_;
+    std::array<char, piece / 3 * 4> text_;
+    std::size_t size_ = 0; // bytes that wait
 };
 
 /// Turns base64 text into bytes, as many at a time as are asked for. White space is passed over,

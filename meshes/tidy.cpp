@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/listed.h"
+#include "complex/vertex_blocks.h"
 #include "meshes/flat_cells.h"
 
 #include <fmt/format.h>
@@ -124,8 +125,9 @@ std::vector<Index> with_repeated_corner(const Simplices& cells) {
     return result;
 }
 
-/// All but the first of the cells on the same vertices.
-std::vector<Index> duplicates(const Simplices& cells) {
+/// All but the first of the cells on the same vertices. They are compared by blocks of their least
+/// vertices.
+std::vector<Index> duplicates(const Simplices& cells, Index vertices) {
     const Simplices sorted = sorted_rows(cells);
     const auto compare = [&sorted](Index a, Index b) {
         const Index* const row_a = sorted.data() + a * sorted.cols();
@@ -135,17 +137,21 @@ std::vector<Index> duplicates(const Simplices& cells) {
                 return row_a[i] < row_b[i] ? -1 : 1;
         return 0;
     };
-    std::vector<Index> order(static_cast<std::size_t>(sorted.rows()));
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-        const int comparison = compare(a, b);
-        return comparison < 0 || (comparison == 0 && a < b);
-    });
-
-    std::vector<Index> result;
-    for (std::size_t i = 1; i < order.size(); ++i)
-        if (compare(order[i - 1], order[i]) == 0)
-            result.push_back(order[i]);
+    std::vector<Index> order, result;
+    const auto cells_of = by_block<Index>(
+        static_cast<Index>(sorted.rows()), vertices, [&](Index cell) { return sorted(cell, 0); },
+        [](Index cell) { return cell; });
+    for (Index block = 0; block < count_blocks(vertices); ++block) {
+        const auto own = cells_of.of(block);
+        order.assign(own.begin(), own.end());
+        std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+            const int comparison = compare(a, b);
+            return comparison < 0 || (comparison == 0 && a < b);
+        });
+        for (std::size_t i = 1; i < order.size(); ++i)
+            if (compare(order[i - 1], order[i]) == 0)
+                result.push_back(order[i]);
+    }
     std::sort(result.begin(), result.end());
     return result;
 }
@@ -209,7 +215,8 @@ FlatCellsKept sift(Sieve& sieve) {
     sieve.numbers.resize(static_cast<std::size_t>(sieve.mesh.simplices.rows()));
     std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
     leave_out(sieve, with_repeated_corner(sieve.mesh.simplices), "with a repeated corner");
-    leave_out(sieve, duplicates(sieve.mesh.simplices), "on the vertices of an earlier one");
+    leave_out(sieve, duplicates(sieve.mesh.simplices, static_cast<Index>(sieve.mesh.points.rows())),
+              "on the vertices of an earlier one");
     return leave_out_flat_cells(sieve);
 }
 

@@ -205,8 +205,7 @@ void write_array(AtomicFile& file, std::string_view name, int components,
                            type_name<Number>(), xml_escaped(name), columns));
     Base64Writer writer([&file](std::string_view text) { file.write(text); });
     writer.write(std::uint64_t{values.size_bytes()});
-    for (const Number value : values)
-        writer.write(value);
+    writer.write(values);
     writer.finish();
     file.write("\n</DataArray>\n");
 }
