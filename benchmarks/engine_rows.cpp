@@ -122,8 +122,8 @@ double missing(const Vector& complete, const Vector& others) {
     return static_cast<double>(complete.size() - next);
 }
 
-void spectrum_row(benchmark::State& state, const Settings& settings) {
-    const auto cells = discretize(icosphere(settings.side(128)));
+void spectrum_row(benchmark::State& state, const Settings& settings, Mesh mesh) {
+    const auto cells = discretize(std::move(mesh));
     const Index count = settings.smoke ? 10 : 50;
     const SparseMatrix A = symmetric_laplacian(cells.complex(), cells.volumes(), 0);
     const Vector M = cells.stars()[0].diagonal();
@@ -178,8 +178,15 @@ void add_engine_rows(const Settings& settings) {
         add_row("poisson2d/cholmod", settings.rounds, [=](benchmark::State& state) {
             poisson_row(state, "cholmod", solve_by_bare_cholmod, well_centered(large));
         });
-        add_row("spectrum/50", rounds,
-                [=](benchmark::State& state) { spectrum_row(state, settings); });
+        add_row("spectrum/50", rounds, [=](benchmark::State& state) {
+            spectrum_row(state, settings, icosphere(settings.side(128)));
+        });
+        add_row("spectrum/torus", rounds, [=](benchmark::State& state) {
+            spectrum_row(state, settings, torus(settings.side(280), settings.side(140)));
+        });
+        add_row("spectrum/tets", rounds, [=](benchmark::State& state) {
+            spectrum_row(state, settings, kuhn(3, settings.side(29)));
+        });
     }
     add_row("engine/eigen.ldlt", settings.rounds, [=](benchmark::State& state) {
         engine_row(state, "eigen.ldlt", solve_by_bare_ldlt, well_centered(small));

@@ -4,6 +4,7 @@
 //   --smoke         small meshes, one round: only whether it runs
 //   --rounds=N      of each row, 5
 //   --fresh-memory  leaves the allocator as it is: results come to lie in memory never touched
+#include "backends/blas.h"
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "base/memory.h"
@@ -91,7 +92,19 @@ Settings take_settings(int& argc, char** argv) {
     return settings;
 }
 
+/// OpenBLAS, with which the program is linked, reads the environment when it is loaded: with what
+/// the library says to it before it loads an engine, the program begins once more.
+void take_fitting_kernels(char** argv) {
+    constexpr const char* kernels = "OPENBLAS_CORETYPE";
+    if (std::getenv(kernels))
+        return;
+    prepare_blas();
+    if (std::getenv(kernels))
+        execv("/proc/self/exe", argv);
+}
+
 int run(int argc, char** argv) {
+    take_fitting_kernels(argv);
     Settings settings = take_settings(argc, argv);
     const TemporaryFolder folder;
     settings.folder = folder.path();

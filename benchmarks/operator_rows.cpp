@@ -143,6 +143,8 @@ void add_operator_rows(const Settings& settings) {
 
     const int cells = settings.side(64);
     add_stages("tets", shared_mesh([=] { return kuhn(3, cells); }), settings);
+    const int few = settings.side(12);
+    add("pentatopes/chain", shared_mesh([=] { return kuhn(4, few); }), settings, chain_row);
 }
 
 } // namespace polydec::benchmarks
