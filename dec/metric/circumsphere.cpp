@@ -262,6 +262,7 @@ void Circumsphere::look_at_edges(Circumsphere* spheres, int N_given, const doubl
         sphere.volume_ = std::isfinite(lane(length, l)) ? lane(length, l) : 0;
         sphere.squared_radius_ = lane(squared, l) / 4;
         sphere.barycentric_[0] = sphere.barycentric_[1] = 0.5;
+        sphere.squared_slopes_[0] = sphere.squared_slopes_[1] = 1 / lane(squared, l);
         sphere.uncertainty_ = {1, std::numbers::sqrt2 * lane(reach, l)};
         sphere.rounding_ = {1 + std::numbers::sqrt2, lane(length, l) / std::numbers::sqrt2};
     }
@@ -300,9 +301,8 @@ bool Circumsphere::look_at(const Corners& corners) {
     std::array<const double*, most_vertices> places;
     for (int i = 0; i <= k; ++i)
         places[i] = corners.points.data() + std::ptrdiff_t{corners.vertices[i]} * N;
-    if (!corners.by_lengths)
-        look<double>(this, k, N, places.data());
-    else if (look<double, -1, -1>(this, k, N, places.data()); volume_ > 0)
+    look<double>(this, k, N, places.data());
+    if (corners.by_lengths && volume_ > 0)
         measure_distances(corners);
     return volume_ > 0;
 }
@@ -318,14 +318,13 @@ void Circumsphere::measure_distances(const Corners& corners) {
     for (int i = 0; i <= dimension_; ++i)
         slopes[i] = std::sqrt(squared_slopes_[i]);
     for (int i = 0; i <= dimension_; ++i)
-        for (int j = 0; j <= dimension_; ++j) {
-            if (i == j)
-                continue;
+        for (int j = i + 1; j <= dimension_; ++j) {
             const double squared =
                 (corners.points.row(corners.vertices[i]) - corners.points.row(corners.vertices[j]))
                     .squaredNorm();
-            terms.shift += squared * slopes[i] * std::abs(barycentric_[j]);
-            terms.growth += squared * slopes[i] * slopes[j] / 2;
+            terms.shift += squared * (slopes[i] * std::abs(barycentric_[j]) +
+                                      slopes[j] * std::abs(barycentric_[i]));
+            terms.growth += squared * slopes[i] * slopes[j];
         }
     uncertainty_ = rounding_ = terms;
 }
