@@ -18,8 +18,9 @@ namespace {
 constexpr Eigen::Index large_for_cholmod = 200000;
 constexpr Eigen::Index large_for_eigen = 50000;
 
-// From here on multigrid solves a solid in less time than a factorization takes.
-constexpr Eigen::Index large_for_multigrid = 30000;
+// From here on multigrid solves a problem once in less time than a factorization takes.
+constexpr Eigen::Index solid_for_multigrid = 30000;
+constexpr Eigen::Index surface_for_multigrid = 1500000;
 
 // From here on dense blocks and pivoting pay: 44 k unknowns of a surface take MUMPS 0.6 s where
 // CHOLMOD takes 0.4, twice as many of a solid 6 s instead of 10.
@@ -55,9 +56,14 @@ std::vector<std::string> wished_engines(const SparseMatrix& A, const MatrixFacts
     }
 
     auto names = definite_engines(A, facts);
-    const auto large = facts.many_solves ? large_for_cholmod : large_for_multigrid;
-    if (A.rows() > large && domain_dimension(A, facts) > 2)
-        names.insert(names.begin(), {"petsc.cg-hypre", "petsc.cg-gamg"});
+    if (domain_dimension(A, facts) > 2) {
+        if (A.rows() > (facts.many_solves ? large_for_cholmod : solid_for_multigrid))
+            names.insert(names.begin(), {"petsc.cg-hypre", "petsc.cg-gamg"});
+    } else if (A.rows() >
+               large_for_eigen) { // where memory is short for a factor, it may do for this
+        const bool is_first = A.rows() > surface_for_multigrid && !facts.many_solves;
+        names.insert(names.begin() + (is_first ? 0 : 1), "petsc.cg-gamg");
+    }
     return names;
 }
 

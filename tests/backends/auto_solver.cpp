@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace polydec::test {
 namespace {
 
@@ -61,6 +63,22 @@ TEST(auto_solver, multigrid_goes_before_all_else_for_large_solids_where_it_is_th
     for (const auto& others : {first(40000, 3, often), first(20000, 3, positive()),
                                first(40000, 2, positive()), first(40000, 3, indefinite())})
         EXPECT_TRUE(there.empty() || others != there);
+}
+
+TEST(auto_solver, surfaces_go_to_multigrid_once_they_are_very_large_or_memory_is_short) {
+    if (!has_linear_solver("petsc.cg-gamg"))
+        return;
+    const auto place = [](Index size, MatrixFacts facts) {
+        facts.domain_dimension = 2;
+        const Names names = suitable_engines(SparseMatrix(size, size), facts);
+        return std::find(names.begin(), names.end(), "petsc.cg-gamg") - names.begin();
+    };
+    MatrixFacts often = positive();
+    often.many_solves = true;
+    EXPECT_EQ(place(2000000, positive()), 0);
+    EXPECT_EQ(place(2000000, often), 1);
+    EXPECT_EQ(place(1000000, positive()), 1);
+    EXPECT_GT(place(1000, positive()), 1); // is not among them
 }
 
 TEST(auto_solver, it_reports_who_delivered) {
