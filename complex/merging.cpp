@@ -112,9 +112,9 @@ std::vector<IncidenceMatrix> make_diamonds(const Carriers& carriers, const Block
 
 Merging::Merging(Pieces pieces, const Blocks& blocks)
     : pieces_(std::move(pieces)),
-      carriers_(number_blocks(pieces_, blocks)),
-      diamonds_(make_diamonds(carriers_, blocks)),
-      merged_(make_merged(pieces_, blocks, carriers_, diamonds_)) {}
+      maps_(std::make_shared<Maps>(number_blocks(pieces_, blocks))),
+      merged_(make_merged(pieces_, blocks, maps_->carriers,
+                          maps_->diamonds = make_diamonds(maps_->carriers, blocks))) {}
 
 std::vector<Index> Merging::vertices(int k, Index cell) const {
     const IncidenceMatrix& pieces = diamond(k);
@@ -129,15 +129,29 @@ std::vector<Index> Merging::vertices(int k, Index cell) const {
     return list;
 }
 
-Merging::Merging(Pieces pieces) : pieces_(std::move(pieces)), merged_(pieces_) {
+Merging::Merging(Pieces pieces)
+    : pieces_(std::move(pieces)), maps_(std::make_shared<Maps>()), merged_(pieces_) {
+    maps_->are_of_identity = true;
+    maps_->are_made = false;
+}
+
+void Merging::make_identity() const {
+    const std::lock_guard lock(maps_->making);
+    if (maps_->are_made)
+        return;
+    std::vector<std::vector<Carrier>> carriers;
+    std::vector<IncidenceMatrix> diamonds;
     for (int k = 0; k <= pieces_.dimension(); ++k) {
-        carriers_.emplace_back();
+        auto& own = carriers.emplace_back(static_cast<std::size_t>(pieces_.size(k)));
         for (Index s = 0; s < pieces_.size(k); ++s)
-            carriers_.back().push_back({k, s});
+            own[s] = {k, s};
         IncidenceMatrix identity(pieces_.size(k), pieces_.size(k));
         identity.setIdentity();
-        diamonds_.emplace_back().swap(identity);
+        diamonds.emplace_back().swap(identity);
     }
+    maps_->carriers = std::move(carriers);
+    maps_->diamonds = std::move(diamonds);
+    maps_->are_made.store(true, std::memory_order_release);
 }
 
 Merging unmerged(Pieces complex) {

@@ -4,7 +4,10 @@
 #include "complex/blocks.h"
 #include "complex/pieces.h"
 
-#include <utility>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 namespace polydec {
 
@@ -29,7 +32,7 @@ public:
     };
     const std::vector<Carrier>& carriers(int k) const& {
         check_number("the carriers of simplices of degree", k, 0, pieces_.dimension());
-        return carriers_[k];
+        return maps().carriers[k];
     }
     std::vector<Carrier> carriers(int k) && { return carriers(k); }
 
@@ -37,11 +40,14 @@ public:
     /// for removed simplices. Primal k-forms on K are mapped to P by it; it is a cochain map.
     const IncidenceMatrix& diamond(int k) const& {
         check_number("the map to merged cells in degree", k, 0, pieces_.dimension());
-        return diamonds_[k];
+        return maps().diamonds[k];
     }
     IncidenceMatrix diamond(int k) && { return diamond(k); }
-    const std::vector<IncidenceMatrix>& diamonds() const& { return diamonds_; }
-    std::vector<IncidenceMatrix> diamonds() && { return std::move(diamonds_); }
+    const std::vector<IncidenceMatrix>& diamonds() const& { return maps().diamonds; }
+    std::vector<IncidenceMatrix> diamonds() && { return diamonds(); }
+
+    /// Whether nothing is merged, so that P is K.
+    bool is_identity() const { return maps_->are_of_identity; }
 
     /// The vertices of k-cell F of P: ascending vertex numbers of the input. Throws InvalidInput
     /// if there is no such cell.
@@ -51,9 +57,22 @@ private:
     friend Merging unmerged(Pieces complex);
     explicit Merging(Pieces pieces); // each a cell of its own
 
+    struct Maps {
+        std::vector<std::vector<Carrier>> carriers;
+        std::vector<IncidenceMatrix> diamonds;
+        bool are_of_identity = false; // and made when they are first asked for
+        std::atomic<bool> are_made = true;
+        std::mutex making = {};
+    };
+    const Maps& maps() const {
+        if (!maps_->are_made.load(std::memory_order_acquire))
+            make_identity();
+        return *maps_;
+    }
+    void make_identity() const;
+
     Pieces pieces_;
-    std::vector<std::vector<Carrier>> carriers_;
-    std::vector<IncidenceMatrix> diamonds_;
+    std::shared_ptr<Maps> maps_; // shared by copies
     CellComplex merged_;
 };
 

@@ -3,6 +3,8 @@
 
 #include "dec/forms/star.h"
 #include "dec/merging/facet_defects.h"
+#include "dec/merging/flat_simplices.h"
+#include "dec/metric/circumsphere.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,16 +29,18 @@ std::vector<bool> boundary_facets_without_dual(const Discretization& discretizat
         return marks;
     const auto& facets = discretization.merging().diamond(n - 1);
     // what the duals of the pieces are compared with
-    const auto pieces = facet_defects(
-        discretization.pieces(), discretization.metric(), discretization.piece_volumes(),
-        {MergeCriterion::dual_length, discretization.options().tolerance});
+    const auto& pieces = discretization.pieces();
+    const auto& of_pieces = discretization.piece_volumes();
+    const Vector scales = 2 * circumradii(pieces, discretization.metric(), n - 1);
+    const Vector heights = least_heights(
+        pieces, of_pieces, flat_simplices(pieces, discretization.metric(), of_pieces));
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         if (counts[f] != 1)
             continue;
         double scale = 0, height = std::numeric_limits<double>::infinity();
         for (Row piece(facets, f); piece; ++piece) {
-            scale = std::max(scale, pieces.scale[piece.col()]);
-            height = std::min(height, pieces.height[piece.col()]);
+            scale = std::max(scale, scales[piece.col()]);
+            height = std::min(height, heights[piece.col()]);
         }
         marks[f] = is_degenerate(volumes.dual(n - 1)[f], volumes.terms(n - 1)[f], scale, height,
                                  discretization.options().tolerance);

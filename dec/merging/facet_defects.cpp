@@ -26,19 +26,6 @@ Vector apex_angles(const Pieces& complex, const SimplexMetric& metric, const Cel
     return angles;
 }
 
-/// Least height n |t| / |f| of the n-simplices over each facet that are not flat.
-Vector least_heights(const Pieces& complex, const CellVolumes& volumes,
-                     const std::vector<bool>& flat) {
-    const int n = complex.dimension();
-    Vector heights = Vector::Constant(complex.size(n - 1), std::numeric_limits<double>::infinity());
-    for (Index t = 0; t < complex.size(n); ++t)
-        for (int i = 0; i <= n && (flat.empty() || !flat[t]); ++i) {
-            const Index f = complex.face(n, t, i);
-            heights[f] = std::min(heights[f], n * volumes.primal(n)[t] / volumes.primal(n - 1)[f]);
-        }
-    return heights;
-}
-
 /// Which facets flat simplices have.
 std::vector<bool> facets_of(const Pieces& complex, const std::vector<bool>& flat) {
     const int n = complex.dimension();
@@ -73,32 +60,55 @@ void for_each_height(const Pieces& complex, const SimplexMetric& metric, const C
     }
 }
 
+Vector least_heights(const Pieces& complex, const CellVolumes& volumes,
+                     const std::vector<bool>& flat) {
+    const int n = complex.dimension();
+    const FaceTable faces = complex.faces(n);
+    const Vector &tops = volumes.primal(n), &facets = volumes.primal(n - 1);
+    Vector heights = Vector::Constant(facets.size(), std::numeric_limits<double>::infinity());
+    for (Index t = 0; t < tops.size(); ++t)
+        for (int i = 0; i <= n && (flat.empty() || !flat[t]); ++i) {
+            const Index f = faces(t, i);
+            heights[f] = std::min(heights[f], n * tops[t] / facets[f]);
+        }
+    return heights;
+}
+
 FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options) {
     const int n = complex.dimension();
     const bool by_angles = options.criterion == MergeCriterion::angle;
     const Vector &dual = volumes.dual(n - 1), &terms = volumes.terms(n - 1);
-    const Vector radii = circumradii(complex, metric, n - 1);
-    std::vector<bool> flat;
-    if (!by_angles)
-        flat = flat_simplices(complex, metric, volumes);
-    const auto of_flat = facets_of(complex, flat);
-    FacetDefects result{
-        dual.cwiseAbs(), 2 * radii, least_heights(complex, volumes, flat), {}, std::move(flat)};
-    if (by_angles) {
-        result.defect = apex_angles(complex, metric, volumes, radii);
-        result.scale.setOnes();
-    }
+    FacetDefects result;
+    result.scale = circumradii(complex, metric, n - 1);
+    result.defect = by_angles ? apex_angles(complex, metric, volumes, result.scale) : dual;
     const auto& cofaces = complex.coface_counts(n - 1);
     auto& [interior, boundary, branching, marks] = result.degenerate;
-    marks.resize(static_cast<std::size_t>(radii.size()));
-    for (Index f = 0; f < radii.size(); ++f) {
-        double& defect = result.defect[f];
+    marks.resize(static_cast<std::size_t>(dual.size()));
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    bool any = false;
+    for (Index f = 0; f < dual.size(); ++f) {
+        double &defect = result.defect[f], &scale = result.scale[f];
+        const bool has_extent = scale > 0;
         defect = by_angles ? std::abs(defect - cofaces[f] * std::numbers::pi / 2)
-                           : std::max(0.0, defect - rounding_of(terms[f]));
-        marks[f] = by_angles ? radii[f] > 0 && defect <= options.tolerance
-                             : !of_flat[f] && is_degenerate(dual[f], terms[f], result.scale[f],
-                                                            result.height[f], options.tolerance);
+                           : std::max(0.0, std::abs(defect) - rounding_of(terms[f]));
+        scale = by_angles ? 1 : 2 * scale;
+        marks[f] = by_angles
+                       ? has_extent && defect <= options.tolerance
+                       : is_degenerate(dual[f], terms[f], scale, unlimited, options.tolerance);
+        any = any || marks[f];
+    }
+    if (!by_angles)
+        result.flat = flat_simplices(complex, metric, volumes);
+    if (!any)
+        return result;
+
+    const auto of_flat = facets_of(complex, result.flat);
+    const Vector heights = by_angles ? Vector() : least_heights(complex, volumes, result.flat);
+    for (Index f = 0; f < dual.size(); ++f) {
+        marks[f] = marks[f] &&
+                   (by_angles || (!of_flat[f] && is_degenerate(dual[f], terms[f], result.scale[f],
+                                                               heights[f], options.tolerance)));
         if (marks[f])
             ++(cofaces[f] == 1 ? boundary : cofaces[f] == 2 ? interior : branching);
     }

@@ -12,7 +12,6 @@ namespace polydec {
 struct FacetDefects {
     Vector defect; ///< |V(f)| (length) beyond rounding, or the angle's distance from pi (radians)
     Vector scale;  ///< what the tolerance multiplies: l(f), or 1
-    Vector height; ///< least height of an n-simplex over the facet, that is not flat; length
     DegenerateFacets degenerate; ///< defect within tolerance * scale, and see is_degenerate; none
                                  ///< at flat simplices
     std::vector<bool> flat;      ///< see flat_simplices; none by angles
@@ -30,6 +29,11 @@ bool is_degenerate(double dual, double terms, double l, double height, double to
 /// what the error of that is in proportion.
 void for_each_height(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
                      const std::function<void(Index, double, double)>& take);
+
+/// Least height n |t| / |f| of the n-simplices over each facet that are not marked as flat; length.
+/// Infinite where there are none.
+Vector least_heights(const Pieces& complex, const CellVolumes& volumes,
+                     const std::vector<bool>& flat);
 
 /// Measures every facet, whatever its number of cofaces: one with m cofaces is compared with m
 /// right angles. A facet without extent (a vertex, n = 1) is never degenerate.

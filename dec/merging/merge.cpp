@@ -262,7 +262,8 @@ CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric
     if (!stays.empty())
         check_as_many("marks of facets", static_cast<Index>(stays.size()), complex.size(n - 1));
     const auto defects = facet_defects(complex, metric, volumes, options);
-    if (options.criterion == MergeCriterion::none)
+    if (options.criterion == MergeCriterion::none ||
+        (defects.degenerate.interior == 0 && defects.flat.empty()))
         return {unmerged(std::move(complex)), defects.degenerate, 0, {}, volumes};
 
     Kept kept;

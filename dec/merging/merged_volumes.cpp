@@ -25,7 +25,7 @@ CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const Cell
 }
 
 CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {
-    return merged_volumes(merging.diamonds(), input);
+    return merging.is_identity() ? input : merged_volumes(merging.diamonds(), input);
 }
 
 } // namespace polydec
