@@ -23,6 +23,9 @@ double bytes(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor, Index>& A) {
            static_cast<double>(A.rows() + 1) * sizeof(Index);
 }
 
+inline double bytes(const Incidences& incidences) {
+    return static_cast<double>(incidences.size()) * sizeof(Index);
+}
 double bytes(const CellComplex& complex);
 double bytes(const SimplicialComplex& complex);
 double bytes(const CellVolumes& volumes);

@@ -58,8 +58,8 @@ void check_canceled(const std::vector<IncidenceMatrix>& d,
 }
 
 /// An incidence that cancels stands for both sides of its face.
-std::vector<std::vector<Index>> count_cofaces(const std::vector<IncidenceMatrix>& d,
-                                              const std::vector<std::vector<Incidence>>& canceled) {
+std::vector<CofaceCounts> count_cofaces(const std::vector<IncidenceMatrix>& d,
+                                        const std::vector<std::vector<Incidence>>& canceled) {
     std::vector<std::vector<Index>> counts;
     for (const auto& D : d) {
         auto& count = counts.emplace_back(static_cast<std::size_t>(D.cols()), 0);
@@ -70,7 +70,23 @@ std::vector<std::vector<Index>> count_cofaces(const std::vector<IncidenceMatrix>
     for (std::size_t k = 0; k < canceled.size(); ++k)
         for (const auto& incidence : canceled[k])
             counts[k][incidence.face] += 2;
-    return counts;
+    return {counts.begin(), counts.end()};
+}
+
+std::vector<Incidences> as_incidences(std::vector<IncidenceMatrix> coboundaries) {
+    check_shapes(coboundaries);
+    std::vector<Incidences> result;
+    for (IncidenceMatrix& D : coboundaries) {
+        IncidenceMatrix own;
+        own.swap(D); // Eigen would copy what is moved
+        result.emplace_back(std::move(own));
+    }
+    return result;
+}
+
+/// Between cells and those of a degree of which there are none.
+Incidences no_incidences(Index cells, Index faces) {
+    return {std::make_shared<const Simplices>(cells, 0), faces};
 }
 
 } // namespace
@@ -84,35 +100,26 @@ CellComplex::CellComplex(std::vector<IncidenceMatrix> coboundaries,
     for (std::size_t k = 0; k + 1 < coboundaries.size(); ++k)
         check_product(coboundaries[k + 1], coboundaries[k], k);
     auto counts = count_cofaces(coboundaries, canceled);
-    tower_ = tower(std::move(coboundaries), std::move(counts), std::move(canceled));
+    *this =
+        CellComplex(Unchecked{}, std::move(coboundaries), std::move(counts), std::move(canceled));
 }
 
 CellComplex::CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
-                         std::vector<std::vector<Index>> coface_counts,
+                         std::vector<CofaceCounts> coface_counts,
+                         std::vector<std::vector<Incidence>> canceled)
+    : CellComplex(Unchecked{}, as_incidences(std::move(coboundaries)), std::move(coface_counts),
+                  std::move(canceled)) {}
+
+CellComplex::CellComplex(Unchecked, std::vector<Incidences> incidences,
+                         std::vector<CofaceCounts> coface_counts,
                          std::vector<std::vector<Incidence>> canceled) {
-    check_shapes(coboundaries);
-    tower_ = tower(std::move(coboundaries), std::move(coface_counts), std::move(canceled));
-}
-
-std::shared_ptr<const CellComplex::Tower>
-CellComplex::tower(std::vector<IncidenceMatrix> coboundaries,
-                   std::vector<std::vector<Index>> coface_counts,
-                   std::vector<std::vector<Incidence>> canceled) {
-    const auto vertices = coboundaries.front().cols();
-    const auto tops = coboundaries.back().rows();
-    auto result = std::make_shared<Tower>();
-    // Eigen's sparse matrices are swapped at no cost, but copied where one would move them
-    result->coboundaries = std::vector<IncidenceMatrix>(coboundaries.size() + 2);
-    result->coboundaries.front().resize(vertices, 0);
-    for (std::size_t k = 0; k < coboundaries.size(); ++k)
-        result->coboundaries[k + 1].swap(coboundaries[k]);
-    result->coboundaries.back().resize(0, tops);
-
-    result->coface_counts = std::move(coface_counts);
-    result->coface_counts.emplace_back(static_cast<std::size_t>(tops), 0);
-    result->canceled = std::move(canceled);
-    result->canceled.resize(coboundaries.size());
-    return result;
+    const Index vertices = incidences.front().cols(), tops = incidences.back().rows();
+    canceled.resize(incidences.size());
+    coface_counts.emplace_back(static_cast<std::size_t>(tops));
+    incidences.insert(incidences.begin(), no_incidences(vertices, 0));
+    incidences.push_back(no_incidences(0, tops));
+    tower_ = std::make_shared<const Tower>(
+        Tower{std::move(incidences), std::move(coface_counts), std::move(canceled)});
 }
 
 void CellComplex::refuse_degree(int k) const {

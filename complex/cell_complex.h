@@ -3,6 +3,8 @@
 
 #include "base/checks.h"
 #include "base/types.h"
+#include "complex/coface_counts.h"
+#include "complex/incidences.h"
 
 #include <memory>
 #include <vector>
@@ -34,7 +36,10 @@ public:
     /// As above without the checks. coface_counts[k][s] is the number of (k+1)-cells around
     /// cell s of degree k < n, counting one that is glued to itself along s as often as it is.
     CellComplex(Unchecked, std::vector<IncidenceMatrix> coboundaries,
-                std::vector<std::vector<Index>> coface_counts,
+                std::vector<CofaceCounts> coface_counts,
+                std::vector<std::vector<Incidence>> canceled = {});
+    CellComplex(Unchecked, std::vector<Incidences> incidences,
+                std::vector<CofaceCounts> coface_counts,
                 std::vector<std::vector<Incidence>> canceled = {});
 
     // no moves, which would leave a handle on nothing
@@ -48,26 +53,32 @@ public:
         return k < 0 || k > dimension() ? 0 : static_cast<Index>(tower_->coface_counts[k].size());
     }
 
-    /// d_k, size(k+1) x size(k), entries -1, 0, 1 (2 on one-sided surfaces), for k = -1..n: the
-    /// ends are 0-column and 0-row matrices.
-    const IncidenceMatrix& coboundary(int k) const& {
+    /// The (k+1)-cells with the k-cells that bound them, for k = -1..n, there being no cells of
+    /// degree -1 and n+1: what d_k says, in the form in which it is kept.
+    const Incidences& incidences(int k) const& {
         if (k < -1 || k > dimension())
             refuse_degree(k);
-        return tower_->coboundaries[k + 1];
+        return tower_->incidences[k + 1];
     }
+    Incidences incidences(int k) && { return incidences(k); }
+
+    /// d_k, size(k+1) x size(k), entries -1, 0, 1 (2 on one-sided surfaces), for k = -1..n: the
+    /// ends are 0-column and 0-row matrices. Where cells are simplices it is made when it is first
+    /// asked for, and kept.
+    const IncidenceMatrix& coboundary(int k) const& { return incidences(k).matrix(); }
     IncidenceMatrix coboundary(int k) && { return coboundary(k); }
 
     /// Boundary matrix of the k-cells, size(k-1) x size(k): the transpose of d_(k-1). Row s lists
     /// the cofaces of s. Made anew at each call, in linear time.
-    IncidenceMatrix boundary(int k) const { return coboundary(k - 1).transpose(); }
+    IncidenceMatrix boundary(int k) const { return incidences(k - 1).transposed(); }
 
     /// Number of (k+1)-cells around each k-cell; not to be read off d_k, in which a cell that lies
     /// on both sides of s cancels. All zero for k = n.
-    const std::vector<Index>& coface_counts(int k) const& {
+    const CofaceCounts& coface_counts(int k) const& {
         check_number("the number of cofaces in degree", k, 0, dimension());
         return tower_->coface_counts[k];
     }
-    std::vector<Index> coface_counts(int k) && { return coface_counts(k); }
+    CofaceCounts coface_counts(int k) && { return coface_counts(k); }
 
     /// The (k+1)-cells and k-cells on their boundary between which d_k has no entry, because both
     /// sides of the face cancel: a loop and its vertex, a cone and the edge along which it is
@@ -81,13 +92,10 @@ public:
 
 private:
     struct Tower {
-        std::vector<IncidenceMatrix> coboundaries;     // at k + 1: d_k, for k = -1..n
-        std::vector<std::vector<Index>> coface_counts; // at k: for k = 0..n
-        std::vector<std::vector<Incidence>> canceled;  // at k: for k = 0..n-1
+        std::vector<Incidences> incidences;           // at k + 1: for k = -1..n
+        std::vector<CofaceCounts> coface_counts;      // at k: for k = 0..n
+        std::vector<std::vector<Incidence>> canceled; // at k: for k = 0..n-1
     };
-    static std::shared_ptr<const Tower> tower(std::vector<IncidenceMatrix> coboundaries,
-                                              std::vector<std::vector<Index>> coface_counts,
-                                              std::vector<std::vector<Incidence>> canceled);
     [[noreturn]] void refuse_degree(int k) const;
 
     std::shared_ptr<const Tower> tower_;

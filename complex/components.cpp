@@ -15,16 +15,16 @@ namespace {
 /// Components of the graph of marked vertices and edges.
 template <class Vertex, class Edge>
 Components graph_components(const CellComplex& complex, Vertex has_vertex, Edge has_edge) {
-    const IncidenceMatrix& D = complex.coboundary(0);
+    const Incidences& D = complex.incidences(0);
     DisjointSets sets(complex.size(0));
     for (Index e = 0; e < D.rows(); ++e) {
         if (!has_edge(e))
             continue;
         Index first = -1;
-        for (IncidenceMatrix::InnerIterator v(D, e); v; ++v) {
+        for (const SignedFace& end : D[e]) {
             if (first >= 0)
-                sets.join(first, static_cast<Index>(v.col()));
-            first = static_cast<Index>(v.col());
+                sets.join(first, end.face);
+            first = end.face;
         }
     }
 
@@ -52,10 +52,11 @@ void check_marks(const CellComplex& complex, const CellMarks& marks) {
 void mark_faces(const CellComplex& complex, CellMarks& marks) {
     check_marks(complex, marks);
     for (int k = complex.dimension(); k > 0; --k) {
+        const Incidences& D = complex.incidences(k - 1);
         for (Index t = 0; t < complex.size(k); ++t)
-            for (IncidenceMatrix::InnerIterator s(complex.coboundary(k - 1), t); marks[k][t] && s;
-                 ++s)
-                marks[k - 1][s.col()] = true;
+            if (marks[k][t])
+                for (const SignedFace& s : D[t])
+                    marks[k - 1][s.face] = true;
         for (const auto& [t, s] : complex.canceled(k - 1))
             if (marks[k][t])
                 marks[k - 1][s] = true;

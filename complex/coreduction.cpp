@@ -21,8 +21,7 @@ Coreduction::Coreduction(const CellComplex& complex) : complex_(complex) {
         cofaces_.push_back(k < n ? complex.boundary(k + 1) : IncidenceMatrix());
         auto& count = faces_left_.emplace_back(complex.size(k), 0);
         for (Index t = 0; k > 0 && t < complex.size(k); ++t)
-            count[t] = complex.coboundary(k - 1).outerIndexPtr()[t + 1] -
-                       complex.coboundary(k - 1).outerIndexPtr()[t];
+            count[t] = complex.incidences(k - 1)[t].size();
     }
     remove_base_vertices();
     for (int k = 1; k <= n; ++k)
@@ -40,22 +39,19 @@ Coreduction::Coreduction(const CellComplex& complex) : complex_(complex) {
 /// One vertex of each component with a 0-cocycle stands for it. A component has none if an edge
 /// has one end only, as in a complex relative to its boundary, or if signs clash around a loop.
 void Coreduction::remove_base_vertices() {
-    const IncidenceMatrix& D = complex_.coboundary(0);
+    const Incidences& D = complex_.incidences(0);
     DisjointSets parts(complex_.size(0));
     std::vector<Index> without_cocycle;
     for (Index e = 0; e < D.rows(); ++e) {
-        const Row tail(D, e);
-        Row head = tail;
-        if (!tail || !++head || std::abs(tail.value()) != std::abs(head.value()) ||
-            faces_left_[1][e] != 2) {
-            for (Row v(D, e); v; ++v)
-                without_cocycle.push_back(static_cast<Index>(v.col()));
+        const IncidenceRow ends = D[e];
+        if (ends.size() != 2 || std::abs(ends[0].sign) != std::abs(ends[1].sign)) {
+            for (const SignedFace& v : ends)
+                without_cocycle.push_back(v.face);
             continue;
         }
-        const int relative_sign = tail.value() == head.value() ? -1 : 1;
-        if (!parts.join(static_cast<Index>(tail.col()), static_cast<Index>(head.col()),
-                        relative_sign))
-            without_cocycle.push_back(static_cast<Index>(tail.col()));
+        const int relative_sign = ends[0].sign == ends[1].sign ? -1 : 1;
+        if (!parts.join(ends[0].face, ends[1].face, relative_sign))
+            without_cocycle.push_back(ends[0].face);
     }
 
     std::vector<bool> done(complex_.size(0), false); // at roots
@@ -85,10 +81,9 @@ void Coreduction::remove(int k, Index s) {
 void Coreduction::pair_with_last_face(int k, Index t) {
     if (!alive_[k][t] || faces_left_[k][t] != 1)
         return;
-    for (Row s(complex_.coboundary(k - 1), t); s; ++s) {
+    for (const auto& [face, sign] : complex_.incidences(k - 1)[t]) {
         // only an incidence that is invertible over the integers may cancel
-        const auto face = static_cast<Index>(s.col());
-        if (!alive_[k - 1][face] || std::abs(s.value()) != 1)
+        if (!alive_[k - 1][face] || std::abs(sign) != 1)
             continue;
         pairs_[k].push_back({face, t});
         remove(k - 1, face);

@@ -27,11 +27,10 @@ std::vector<HalfEdge> half_edges(const Merging& merging, Index cell) {
     const auto& K = merging.pieces();
     std::vector<HalfEdge> sides;
     for (Row piece(merging.diamond(2), cell); piece; ++piece)
-        for (Row edge(K.coboundary(1), static_cast<Index>(piece.col())); edge; ++edge) {
-            const auto ends = K.simplices(1).row(edge.col());
-            const bool ascending = piece.value() * edge.value() > 0;
-            sides.push_back(
-                {static_cast<Index>(edge.col()), ends[ascending ? 0 : 1], ends[ascending ? 1 : 0]});
+        for (const auto& [edge, sign] : K.incidences(1)[static_cast<Index>(piece.col())]) {
+            const auto ends = K.simplices(1).row(edge);
+            const bool ascending = piece.value() * sign > 0;
+            sides.push_back({edge, ends[ascending ? 0 : 1], ends[ascending ? 1 : 0]});
         }
     return sides;
 }
@@ -82,14 +81,14 @@ std::vector<Index> corners(const Merging& merging, Index cell) {
 }
 
 std::vector<Index> corners(const CellComplex& complex, Index cell) {
-    const IncidenceMatrix& sides = complex.coboundary(1);
+    const Incidences& sides = complex.incidences(1);
     check_number("2-cell", cell, 0, sides.rows() - 1);
     std::vector<std::pair<Index, Index>> ways; // tail, head, by tails
     Index walk_from = -1;
-    for (Row side(sides, cell); side; ++side) {
+    for (const auto& [side, direction] : sides[cell]) {
         std::array<Index, 2> ends{-1, -1};
-        for (Row end(complex.coboundary(0), static_cast<Index>(side.col())); end; ++end)
-            ends[end.value() * side.value() > 0 ? 1 : 0] = static_cast<Index>(end.col());
+        for (const auto& [end, sign] : complex.incidences(0)[side])
+            ends[sign * direction > 0 ? 1 : 0] = end;
         ways.emplace_back(ends[0], ends[1]);
         walk_from = walk_from < 0 ? ends[0] : walk_from;
     }

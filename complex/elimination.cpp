@@ -5,8 +5,6 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
 constexpr std::int64_t prime = elimination_prime;
 
 std::int64_t inverse_mod_prime(std::int64_t a) {
@@ -42,11 +40,11 @@ struct Reduced {
     ModularChain boundary, cells;
 };
 
-ModularChain core_boundary(const IncidenceMatrix& D, Index t, const std::vector<bool>& core) {
+ModularChain core_boundary(const Incidences& D, Index t, const std::vector<bool>& core) {
     ModularChain boundary;
-    for (Row s(D, t); s; ++s)
-        if (core[s.col()])
-            boundary.emplace_back(static_cast<Index>(s.col()), (s.value() + prime) % prime);
+    for (const auto& [face, sign] : D[t])
+        if (core[face])
+            boundary.emplace_back(face, (sign + prime) % prime);
     return boundary;
 }
 
@@ -69,7 +67,7 @@ CoreElimination::CoreElimination(const CellComplex& complex, const Coreduction& 
 /// Reduces the boundaries of the k-cells of the core.
 void CoreElimination::eliminate(const CellComplex& complex, const Coreduction& reduction, int k,
                                 bool keep_cycles) {
-    const IncidenceMatrix& D = complex.coboundary(k - 1);
+    const Incidences& D = complex.incidences(k - 1);
     const std::vector<bool> none;
     const auto& faces = k > 0 ? reduction.core(k - 1) : none;
     std::vector<bool> is_boundary(complex.size(k), false);

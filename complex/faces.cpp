@@ -121,15 +121,14 @@ class FacetSearch {
 public:
     FacetSearch(const SortedSimplices& simplices, const std::vector<std::int8_t>& signs,
                 Faces& result)
-        : simplices_(simplices.rows),
+        : simplices_(*simplices.rows),
           begins_(simplices.begins),
           signs_(signs.empty() ? nullptr : signs.data()),
           are_coherent_(!signs.empty()),
           second_(without_first(simplices)),
+          table_(simplices_.rows(), simplices_.cols()),
           faces_(result) {
         faces_.simplices.vertices = simplices.vertices;
-        faces_.coboundary.resize(simplices_.rows(), 0);
-        faces_.coboundary.resizeNonZeros(simplices_.rows() * m());
     }
 
     void run();
@@ -150,13 +149,14 @@ private:
     Part search(Index block, Index begin, Index end);
     void check_coherence(Index entry, Index other);
     void put_together(const std::vector<Part>& parts);
-    void finish_rows(Index begin, Index end);
+    void finish_table(Index begin, Index end);
 
     const Simplices& simplices_;
     const std::vector<Index>& begins_;
     const std::int8_t* signs_; // or null
     std::atomic<bool> are_coherent_;
     ByBlock<List<capacity>> second_; // all simplices without their first vertices
+    Simplices table_;
     Faces& faces_;
 };
 
@@ -198,7 +198,7 @@ void FacetSearch<capacity>::collect(Index& s, Index first_vertex,
     std::copy(second.begin(), second.end(), tail);
 }
 
-/// The coboundary gets the numbers of the facets within the block.
+/// The table gets the numbers of the facets within the block.
 template <int capacity>
 auto FacetSearch<capacity>::search(Index block, Index begin, Index end) -> Part {
     Block<capacity> second(second_.of(block), block);
@@ -206,7 +206,7 @@ auto FacetSearch<capacity>::search(Index block, Index begin, Index end) -> Part 
         std::size_t(begins_[block + 1] - begins_[block]) * (m() - 1) + second_.of(block).size();
     Part part{std::make_unique_for_overwrite<Index[]>(room * (m() - 1)),
               std::make_unique_for_overwrite<Index[]>(room)};
-    Index* const columns = faces_.coboundary.innerIndexPtr();
+    Index* const table = table_.data();
     Index *list = part.vertices.get(), s = begins_[block];
     std::vector<Tail<capacity>> tails;
     for (Index v = begin; v < end; ++v) {
@@ -217,7 +217,7 @@ auto FacetSearch<capacity>::search(Index block, Index begin, Index end) -> Part 
             for (Index place = 0; place < m() - 2; ++place)
                 *list++ = tails[i].vertices[place];
             for (; j < tails.size() && same(tails[i], tails[j]); ++j)
-                columns[tails[j].entry] = part.size;
+                table[tails[j].entry] = part.size;
             part.counts[part.size++] = static_cast<Index>(j - i);
             if (signs_ && j == i + 2)
                 check_coherence(tails[i].entry, tails[i + 1].entry);
@@ -238,17 +238,12 @@ void FacetSearch<capacity>::check_coherence(Index entry, Index other) {
 
 /// Makes numbers within blocks those of all.
 template <int capacity>
-void FacetSearch<capacity>::finish_rows(Index begin, Index end) {
-    Index* const rows = faces_.coboundary.outerIndexPtr();
-    Index* column = faces_.coboundary.innerIndexPtr() + begin * m();
-    std::int8_t* sign = faces_.coboundary.valuePtr() + begin * m();
-    for (Index s = begin; s < end; ++s) {
-        rows[s + 1] = (s + 1) * m();
-        for (Index j = 0; j < m(); ++j) {
-            *column++ += faces_.simplices.begins[simplices_(s, j < m() - 1 ? 0 : 1) / block_size];
-            *sign++ = (m() - 1 - j) % 2 == 0 ? 1 : -1;
-        }
-    }
+void FacetSearch<capacity>::finish_table(Index begin, Index end) {
+    const std::vector<Index>& begins = faces_.simplices.begins;
+    Index* face = &table_(begin, 0);
+    for (Index s = begin; s < end; ++s)
+        for (Index j = 0; j < m(); ++j)
+            *face++ += begins[simplices_(s, j < m() - 1 ? 0 : 1) / block_size];
 }
 
 template <int capacity>
@@ -257,17 +252,19 @@ void FacetSearch<capacity>::put_together(const std::vector<Part>& parts) {
     offset = {0};
     for (const Part& part : parts)
         offset.push_back(offset.back() + part.size);
-    faces_.simplices.rows.resize(offset.back(), m() - 1);
-    faces_.counts.resize(offset.back());
+    Simplices rows(offset.back(), m() - 1);
+    std::vector<Index> counts(static_cast<std::size_t>(offset.back()));
     for_each_part(static_cast<Index>(parts.size()), 1, [&](Index p, Index) {
-        std::copy_n(parts[p].counts.get(), parts[p].size, faces_.counts.begin() + offset[p]);
+        std::copy_n(parts[p].counts.get(), parts[p].size, counts.begin() + offset[p]);
         std::copy_n(parts[p].vertices.get(), std::ptrdiff_t{parts[p].size} * (m() - 1),
-                    faces_.simplices.rows.data() + std::ptrdiff_t{offset[p]} * (m() - 1));
+                    rows.data() + std::ptrdiff_t{offset[p]} * (m() - 1));
     });
-    faces_.coboundary.conservativeResize(simplices_.rows(), offset.back());
+    faces_.simplices.rows = std::make_shared<const Simplices>(std::move(rows));
+    faces_.counts = counts;
     constexpr Index part_size = 1 << 14;
     for_each_part(static_cast<Index>(simplices_.rows()), part_size,
-                  [&](Index begin, Index end) { finish_rows(begin, end); });
+                  [&](Index begin, Index end) { finish_table(begin, end); });
+    faces_.table = std::make_shared<const Simplices>(std::move(table_));
 }
 
 template <int capacity>
@@ -280,22 +277,17 @@ void FacetSearch<capacity>::run() {
     faces_.are_coherent = are_coherent_;
 }
 
-/// The ends of edges, which need no search: these are all vertices.
+/// The ends of edges, which need no search: these are all vertices, and their faces.
 Faces ends_of(const SortedSimplices& edges) {
     const Index vertices = edges.vertices;
     Faces faces;
-    faces.simplices.rows = Column<Index>::LinSpaced(vertices, 0, vertices - 1);
-    faces.counts.assign(static_cast<std::size_t>(vertices), 0);
-    faces.coboundary.resize(edges.rows.rows(), vertices);
-    faces.coboundary.resizeNonZeros(edges.rows.size());
-    for (Index e = 0; e < edges.rows.rows(); ++e) {
-        faces.coboundary.outerIndexPtr()[e + 1] = 2 * (e + 1);
-        for (Index i = 0; i < 2; ++i) {
-            faces.coboundary.innerIndexPtr()[2 * e + i] = edges.rows(e, i);
-            faces.coboundary.valuePtr()[2 * e + i] = i == 0 ? -1 : 1;
-            ++faces.counts[edges.rows(e, i)];
-        }
-    }
+    faces.simplices.rows =
+        std::make_shared<const Simplices>(Column<Index>::LinSpaced(vertices, 0, vertices - 1));
+    faces.table = edges.rows;
+    std::vector<Index> counts(static_cast<std::size_t>(vertices), 0);
+    for (const Index vertex : edges.rows->reshaped<Eigen::RowMajor>())
+        ++counts[vertex];
+    faces.counts = counts;
     return faces;
 }
 
@@ -324,7 +316,8 @@ SortedRows sorted_with(const Simplices& rows, Index vertices) {
         [&](Index i) { return *std::min_element(&rows(i, 0), &rows(i, 0) + m); },
         [&](Index i) { return sorted_list<capacity>(rows, i); });
     const auto count = static_cast<std::size_t>(rows.rows());
-    SortedRows sorted{{Simplices(rows.rows(), m), vertices, lists.begins},
+    Simplices simplices(rows.rows(), m);
+    SortedRows sorted{{nullptr, vertices, lists.begins},
                       std::vector<Index>(count),
                       std::vector<std::int8_t>(count),
                       true};
@@ -340,7 +333,7 @@ SortedRows sorted_with(const Simplices& rows, Index vertices) {
                 const auto& [list, entry] = tails[i];
                 sorted.order[o] = entry < 0 ? ~entry : entry;
                 sorted.signs[o] = entry < 0 ? -1 : 1;
-                Index* const row = &sorted.simplices.rows(o, 0);
+                Index* const row = &simplices(o, 0);
                 row[0] = v;
                 for (Index j = 1; j < m; ++j) {
                     row[j] = list[j - 1];
@@ -352,6 +345,7 @@ SortedRows sorted_with(const Simplices& rows, Index vertices) {
         if (!fine)
             are_simplices = false;
     });
+    sorted.simplices.rows = std::make_shared<const Simplices>(std::move(simplices));
     sorted.are_simplices = are_simplices;
     return sorted;
 }
@@ -381,10 +375,11 @@ auto with_capacity(Index width, F f) {
 } // namespace
 
 Faces faces_of(const SortedSimplices& simplices, const std::vector<std::int8_t>& signs) {
-    check_count(std::size_t(simplices.rows.rows()) * simplices.rows.cols());
-    if (simplices.rows.cols() == 2)
+    const auto width = static_cast<Index>(simplices.rows->cols());
+    check_count(std::size_t(simplices.rows->rows()) * width);
+    if (width == 2)
         return ends_of(simplices);
-    return with_capacity(static_cast<Index>(simplices.rows.cols()) - 2, [&](auto capacity) {
+    return with_capacity(width - 2, [&](auto capacity) {
         Faces faces;
         FacetSearch<decltype(capacity)::value>(simplices, signs, faces).run();
         return faces;

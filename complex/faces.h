@@ -2,14 +2,16 @@
 #pragma once
 
 #include "base/types.h"
+#include "complex/coface_counts.h"
 
+#include <memory>
 #include <vector>
 
 namespace polydec {
 
 /// Different simplices: rows of ascending vertex numbers, below `vertices`, in lexicographic order.
 struct SortedSimplices {
-    Simplices rows;
+    std::shared_ptr<const Simplices> rows;
     Index vertices = 0;
     std::vector<Index> begins; ///< of each block of vertices (see block_size): where its rows begin
 };
@@ -17,9 +19,9 @@ struct SortedSimplices {
 /// The distinct facets of simplices, and which of them bounds which.
 struct Faces {
     SortedSimplices simplices;
-    IncidenceMatrix
-        coboundary;            ///< of each simplex its facets: (-1)^i if vertex number i is lacking
-    std::vector<Index> counts; ///< number of simplices around each face
+    std::shared_ptr<const Simplices> table; ///< of each simplex its facets, that without its last
+                                            ///< vertex first
+    CofaceCounts counts;                    ///< number of simplices around each face
     bool are_coherent = false; ///< known: two simplices at a facet have opposite signs there
 };
 

@@ -15,7 +15,6 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
 using IntegerChain = std::map<Index, std::int64_t>;
 
 void check_degree(const CellComplex& complex, int k) {
@@ -51,7 +50,7 @@ IntegerChain integral(const ModularChain& chain) {
 class Embedding {
 public:
     Embedding(const CellComplex& complex, const Coreduction& reduction, int k)
-        : D_(complex.coboundary(k - 1)), pairs_(reduction.pairs(k - 1)) {
+        : D_(complex.incidences(k - 1)), pairs_(reduction.pairs(k - 1)) {
         order_.assign(D_.cols(), -1);
         for (std::size_t i = 0; i < pairs_.size(); ++i)
             order_[pairs_[i].face] = static_cast<Index>(i);
@@ -64,7 +63,7 @@ public:
         while (!left.empty()) {
             const auto [i, coefficient] = *left.rbegin();
             const auto [face, coface] = pairs_[i];
-            const std::int64_t factor = -coefficient * D_.coeff(coface, face);
+            const std::int64_t factor = -coefficient * D_.sign(coface, face);
             chain[coface] += factor;
             add_boundary(coface, factor, left);
         }
@@ -73,15 +72,15 @@ public:
 
 private:
     void add_boundary(Index cell, std::int64_t factor, IntegerChain& left) const {
-        for (Row face(D_, cell); face; ++face) {
-            const Index i = order_[face.col()];
+        for (const auto& [face, sign] : D_[cell]) {
+            const Index i = order_[face];
             // faces that did not leave as faces of a pair cancel by themselves
-            if (i >= 0 && (left[i] += factor * face.value()) == 0)
+            if (i >= 0 && (left[i] += factor * sign) == 0)
                 left.erase(i);
         }
     }
 
-    const IncidenceMatrix& D_;
+    const Incidences& D_;
     const std::vector<Coreduction::Pair>& pairs_;
     std::vector<Index> order_;
 };

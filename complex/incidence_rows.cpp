@@ -35,7 +35,7 @@ void IncidenceRows::end_cell() {
     sides_.clear();
 }
 
-void IncidenceRows::finish(IncidenceMatrix& coboundary, std::vector<Index>& coface_counts,
+void IncidenceRows::finish(IncidenceMatrix& coboundary, CofaceCounts& coface_counts,
                            std::vector<Incidence>& canceled) {
     IncidenceMatrix rows(cells_, static_cast<Index>(counts_.size()));
     rows.resizeNonZeros(static_cast<Index>(columns_.size()));
@@ -43,7 +43,7 @@ void IncidenceRows::finish(IncidenceMatrix& coboundary, std::vector<Index>& cofa
     std::copy(signs_.begin(), signs_.end(), rows.valuePtr());
     std::copy(ends_.begin(), ends_.end(), rows.outerIndexPtr());
     coboundary.swap(rows);
-    coface_counts = std::move(counts_);
+    coface_counts = counts_;
     canceled = std::move(canceled_);
 }
 

@@ -22,15 +22,10 @@ public:
     void end_cell();
 
     /// What was written, after the last cell.
-    void finish(IncidenceMatrix& coboundary, std::vector<Index>& coface_counts,
+    void finish(IncidenceMatrix& coboundary, CofaceCounts& coface_counts,
                 std::vector<Incidence>& canceled);
 
 private:
-    struct SignedFace {
-        Index face;
-        int sign;
-    };
-
     std::vector<Index> columns_, ends_{0}, counts_;
     std::vector<std::int8_t> signs_;
     std::vector<Incidence> canceled_;

@@ -89,7 +89,7 @@ IncidenceRows merge_degree(const Pieces& complex, const Blocks& blocks, const Ca
 CellComplex make_merged(const Pieces& complex, const Blocks& blocks, const Carriers& carriers,
                         const std::vector<IncidenceMatrix>& diamonds) {
     std::vector<IncidenceMatrix> coboundaries(complex.dimension());
-    std::vector<std::vector<Index>> counts;
+    std::vector<CofaceCounts> counts;
     std::vector<std::vector<Incidence>> canceled;
     for (int k = 0; k < complex.dimension(); ++k) {
         auto rows = merge_degree(complex, blocks, carriers, diamonds, k);

@@ -96,7 +96,7 @@ Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t
     check_order(faces);
     const auto n = static_cast<int>(faces.size()) - 1;
     std::vector<IncidenceMatrix> coboundaries(n);
-    std::vector<std::vector<Index>> counts(n);
+    std::vector<CofaceCounts> counts(n);
     std::vector<std::vector<Incidence>> canceled(n);
     for (int k = 1; k <= n; ++k) {
         const auto lower =
@@ -119,10 +119,11 @@ Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t
     auto parts = std::make_shared<Parts>();
     for (std::size_t f = 0; f < sums.size(); ++f)
         parts->orientable = parts->orientable && (counts[n - 1][f] != 2 || sums[f] == 0);
-    parts->simplices = corners_of(faces, static_cast<Index>(vertices.size()));
+    for (Simplices& corners : corners_of(faces, static_cast<Index>(vertices.size())))
+        parts->simplices.push_back(std::make_shared<const Simplices>(std::move(corners)));
     parts->vertex_numbers = unless_counting(std::move(vertices));
     parts->faces = std::move(faces);
-    parts->orientations = std::move(orientations);
+    parts->orientations = std::make_shared<const Incidences::Signs>(std::move(orientations));
     return {
         CellComplex(Unchecked{}, std::move(coboundaries), std::move(counts), std::move(canceled)),
         std::move(parts)};
@@ -134,8 +135,9 @@ Pieces::Pieces(std::vector<Simplices> faces, std::vector<std::int8_t> orientatio
 
 Pieces::Pieces(Glued glued) : CellComplex(glued.cells), parts_(std::move(glued.parts)) {}
 
-Pieces::Pieces(Unchecked, CellComplex cells, std::vector<Simplices> simplices,
-               std::vector<std::int8_t> orientations, bool orientable,
+Pieces::Pieces(Unchecked, CellComplex cells,
+               std::vector<std::shared_ptr<const Simplices>> simplices,
+               std::shared_ptr<const Incidences::Signs> orientations, bool orientable,
                std::vector<Index> vertex_numbers)
     : CellComplex(cells),
       parts_(std::make_shared<Parts>(Parts{std::move(simplices),
@@ -159,7 +161,7 @@ std::vector<Index> Pieces::vertex_numbers(int k, Index s) const {
 }
 
 Cofaces::Cofaces(const Pieces& pieces, int k) {
-    const auto& counts = pieces.coface_counts(k - 1);
+    const CofaceCounts& counts = pieces.coface_counts(k - 1);
     begins_.assign(counts.size() + 1, 0);
     std::partial_sum(counts.begin(), counts.end(), begins_.begin() + 1);
     cofaces_.resize(static_cast<std::size_t>(begins_.back()));

@@ -45,14 +45,14 @@ public:
 
     /// For a maker of simplices in lexicographic order, whose faces stand in the rows of d_k with
     /// the one that lacks the last corner first. vertex_numbers are as above, or empty: 0, 1, 2, ..
-    Pieces(Unchecked, CellComplex cells, std::vector<Simplices> simplices,
-           std::vector<std::int8_t> orientations, bool orientable,
+    Pieces(Unchecked, CellComplex cells, std::vector<std::shared_ptr<const Simplices>> simplices,
+           std::shared_ptr<const Incidences::Signs> orientations, bool orientable,
            std::vector<Index> vertex_numbers);
 
     /// The corners, which are 0-simplices, in order: size(k) x (k+1).
     const Simplices& simplices(int k) const& {
         check_number("the table of simplices of degree", k, 0, dimension());
-        return parts_->simplices[k];
+        return *parts_->simplices[k];
     }
     Simplices simplices(int k) && { return simplices(k); }
 
@@ -69,7 +69,7 @@ public:
     FaceTable faces(int k) const {
         check_number("a face of a simplex of degree", k, 1, dimension());
         const bool own = !parts_->faces.empty();
-        return {own ? parts_->faces[k].data() : coboundary(k - 1).innerIndexPtr(), k, !own};
+        return {own ? parts_->faces[k].data() : incidences(k - 1).table(), k, !own};
     }
 
     /// The face of k-simplex s, k >= 1, that lacks its corner number `omitted`, 0..k. Read in
@@ -79,13 +79,13 @@ public:
     /// Orientation of n-simplex s against the order of its corners: 1 or -1.
     int orientation(Index s) const {
         check_number("the orientation of simplex", s, 0, size(dimension()) - 1);
-        return parts_->orientations[s];
+        return (*parts_->orientations)[s];
     }
 
     /// The sign of the face of k-simplex s that lacks corner number `omitted`. Not checked.
     int sign(int k, Index s, int omitted) const {
         const int of_position = omitted % 2 == 0 ? 1 : -1;
-        return k == dimension() ? of_position * parts_->orientations[s] : of_position;
+        return k == dimension() ? of_position * (*parts_->orientations)[s] : of_position;
     }
 
     /// Whether these are the simplices of a simplicial complex, so that points at their corners say
@@ -97,9 +97,9 @@ public:
 
 private:
     struct Parts {
-        std::vector<Simplices> simplices; // of degree k
-        std::vector<Simplices> faces;     // of degree k; empty: they are those of the coboundaries
-        std::vector<std::int8_t> orientations;
+        std::vector<std::shared_ptr<const Simplices>> simplices; // of degree k
+        std::vector<Simplices> faces; // of degree k; empty: they are those of the incidences
+        std::shared_ptr<const Incidences::Signs> orientations;
         bool orientable = true;
         std::vector<Index> vertex_numbers = {}; // empty: 0, 1, 2, ..
     };

@@ -13,15 +13,13 @@ namespace polydec {
 
 namespace {
 
-using Row = IncidenceMatrix::InnerIterator;
-
 /// Calls visit(k, s, t) for every k-cell s that is a face of t.
 template <class Visit>
 void for_each_incidence(const CellComplex& complex, Visit visit) {
     for (int k = 0; k < complex.dimension(); ++k) {
         for (Index t = 0; t < complex.size(k + 1); ++t)
-            for (Row s(complex.coboundary(k), t); s; ++s)
-                visit(k, static_cast<Index>(s.col()), t);
+            for (const SignedFace& s : complex.incidences(k)[t])
+                visit(k, s.face, t);
         for (const auto& [t, s] : complex.canceled(k))
             visit(k, s, t);
     }
@@ -68,15 +66,15 @@ CellMarks no_cells(const CellComplex& complex) {
 }
 
 /// d_k between the kept cells, whose numbers are `cells`; number[s] is the new one of k-cell s.
-IncidenceMatrix kept_part(const IncidenceMatrix& d, const std::vector<Index>& rows,
+IncidenceMatrix kept_part(const Incidences& d, const std::vector<Index>& rows,
                           const std::vector<Index>& number, Index columns) {
     IncidenceMatrix part(static_cast<Index>(rows.size()), columns);
-    part.reserve(d.nonZeros());
+    part.reserve(d.size());
     for (std::size_t t = 0; t < rows.size(); ++t) {
         part.startVec(static_cast<Index>(t));
-        for (Row s(d, rows[t]); s; ++s)
-            if (number[s.col()] >= 0)
-                part.insertBack(static_cast<Index>(t), number[s.col()]) = s.value();
+        for (const auto& [s, sign] : d[rows[t]])
+            if (number[s] >= 0)
+                part.insertBack(static_cast<Index>(t), number[s]) = static_cast<std::int8_t>(sign);
     }
     part.finalize();
     return part;
@@ -129,11 +127,11 @@ RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& cl
         for (const auto& [t, s] : complex.canceled(k))
             if (numbers[k + 1][t] >= 0 && numbers[k][s] >= 0)
                 canceled[k].push_back({numbers[k + 1][t], numbers[k][s]});
-        coboundaries.push_back(kept_part(complex.coboundary(k), cells[k + 1], numbers[k],
+        coboundaries.push_back(kept_part(complex.incidences(k), cells[k + 1], numbers[k],
                                          static_cast<Index>(cells[k].size())));
     }
-    return {CellComplex(CellComplex::Unchecked{}, std::move(coboundaries), std::move(counts),
-                        std::move(canceled)),
+    return {CellComplex(CellComplex::Unchecked{}, std::move(coboundaries),
+                        {counts.begin(), counts.end()}, std::move(canceled)),
             std::move(cells), std::move(sizes)};
 }
 

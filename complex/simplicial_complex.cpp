@@ -63,7 +63,7 @@ Simplices by_place(Simplices tops, const std::vector<Index>& numbers) {
 
 /// Says which rows are no simplices, or the same.
 void refuse_rows(const SortedRows& tops, const std::vector<Index>& numbers) {
-    const Simplices& rows = tops.simplices.rows;
+    const Simplices& rows = *tops.simplices.rows;
     for (Index s = 0; s < rows.rows(); ++s) {
         const auto list = row(rows, s);
         std::vector<Index> named(list.begin(), list.end());
@@ -102,18 +102,18 @@ struct Orientation {
 /// Signs of the tops, coherent across facets with exactly two cofaces wherever that is possible:
 /// in each part connected by such facets the given signs or their opposites, whichever turns
 /// fewer. A part that cannot be oriented keeps what was given.
-Orientation orient(const IncidenceMatrix& D, const std::vector<Index>& coface_counts,
+Orientation orient(const Incidences& D, const CofaceCounts& coface_counts,
                    const std::vector<std::int8_t>& given) {
     const auto tops = static_cast<Index>(given.size());
     DisjointSets parts(tops);
     std::vector<Index> first(coface_counts.size(), -1), conflicts;
     for (Index t = 0; t < tops; ++t) {
-        for (IncidenceMatrix::InnerIterator f(D, t); f; ++f) {
-            if (coface_counts[f.col()] != 2)
+        for (const auto& [f, sign] : D[t]) {
+            if (coface_counts[f] != 2)
                 continue;
-            if (const Index other = first[f.col()]; other < 0)
-                first[f.col()] = t;
-            else if (!parts.join(t, other, -f.value() * D.coeff(other, f.col())))
+            if (const Index other = first[f]; other < 0)
+                first[f] = t;
+            else if (!parts.join(t, other, -sign * D.sign(other, f)))
                 conflicts.push_back(t);
         }
     }
@@ -156,30 +156,31 @@ SimplicialComplex::Sorted SimplicialComplex::sorted(const Simplices& tops) {
     check_cost(tops, vertices);
 
     const auto n = static_cast<int>(tops.cols()) - 1;
-    std::vector<Simplices> simplices(n + 1);
-    std::vector<IncidenceMatrix> coboundaries(n);
-    std::vector<std::vector<Index>> counts(n);
+    std::vector<std::shared_ptr<const Simplices>> simplices(n + 1), faces(n);
+    std::vector<CofaceCounts> counts(n);
     SortedSimplices cells = std::move(sorted.simplices);
     bool are_coherent = false;
     for (int k = n - 1; k >= 0; --k) {
-        auto faces = k == n - 1 ? faces_of(cells, sorted.signs) : faces_of(cells);
-        are_coherent = are_coherent || faces.are_coherent;
-        coboundaries[k].swap(faces.coboundary);
-        counts[k] = std::move(faces.counts);
-        simplices[k + 1] = std::exchange(cells, std::move(faces.simplices)).rows;
+        auto lower = k == n - 1 ? faces_of(cells, sorted.signs) : faces_of(cells);
+        are_coherent = are_coherent || lower.are_coherent;
+        faces[k] = std::move(lower.table);
+        counts[k] = std::move(lower.counts);
+        simplices[k + 1] = std::exchange(cells, std::move(lower.simplices)).rows;
     }
     simplices[0] = std::move(cells.rows);
+    const auto facets = static_cast<Index>(simplices[n - 1]->rows());
 
-    auto orientation = are_coherent ? Orientation{std::move(sorted.signs)}
-                                    : orient(coboundaries[n - 1], counts[n - 1], sorted.signs);
-    std::int8_t* sign = coboundaries[n - 1].valuePtr();
-    for (const std::int8_t turn : orientation.signs)
-        for (int i = 0; i <= n; ++i, ++sign)
-            *sign = static_cast<std::int8_t>(*sign * turn);
-    return {Pieces(Unchecked{},
-                   CellComplex(Unchecked{}, std::move(coboundaries), std::move(counts)),
-                   std::move(simplices), std::move(orientation.signs), orientation.coherent,
-                   std::move(numbers)),
+    auto orientation = are_coherent
+                           ? Orientation{std::move(sorted.signs)}
+                           : orient(Incidences(faces[n - 1], facets), counts[n - 1], sorted.signs);
+    const auto signs =
+        std::make_shared<const std::vector<std::int8_t>>(std::move(orientation.signs));
+    std::vector<Incidences> incidences;
+    for (int k = 0; k < n; ++k)
+        incidences.emplace_back(std::move(faces[k]), static_cast<Index>(simplices[k]->rows()),
+                                k == n - 1 ? signs : nullptr);
+    return {Pieces(Unchecked{}, CellComplex(Unchecked{}, std::move(incidences), std::move(counts)),
+                   std::move(simplices), signs, orientation.coherent, std::move(numbers)),
             std::move(sorted.order), orientation.turned};
 }
 

@@ -26,17 +26,17 @@ CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_
     if (std::find(marks[n - 1].begin(), marks[n - 1].end(), true) == marks[n - 1].end())
         return marks;
     for (Index t = 0; t < complex.size(n); ++t)
-        for (IncidenceMatrix::InnerIterator f(complex.coboundary(n - 1), t); f; ++f)
-            if (marks[n - 1][f.col()])
+        for (const SignedFace& f : complex.incidences(n - 1)[t])
+            if (marks[n - 1][f.face])
                 marks[n][t] = true;
     for (int k = n - 2; k >= 0; --k) {
         std::vector<bool> has_other(complex.size(k), false);
         for (Index t = 0; t < complex.size(k + 1); ++t)
-            for (IncidenceMatrix::InnerIterator s(complex.coboundary(k), t); s; ++s)
+            for (const SignedFace& s : complex.incidences(k)[t])
                 if (marks[k + 1][t])
-                    marks[k][s.col()] = true;
+                    marks[k][s.face] = true;
                 else
-                    has_other[s.col()] = true;
+                    has_other[s.face] = true;
         for (Index s = 0; s < complex.size(k); ++s)
             if (has_other[s] || left_out[k][s])
                 marks[k][s] = false;

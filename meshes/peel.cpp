@@ -35,7 +35,7 @@ public:
         : mesh_(mesh),
           complex_(mesh.simplices),
           n_(complex_.dimension()),
-          around_(complex_.coface_counts(n_ - 1)),
+          around_(complex_.coface_counts(n_ - 1).begin(), complex_.coface_counts(n_ - 1).end()),
           is_left_out_(static_cast<std::size_t>(mesh.simplices.rows()), false) {
         for (int k = 0; k < n_; ++k)
             on_boundary_.emplace_back(static_cast<std::size_t>(complex_.size(k)), 0);

@@ -50,7 +50,7 @@ double checked_step(const CellComplex& complex, const HodgeStars& stars, int k, 
 double stable_step(const CellComplex& complex, const HodgeStars& stars, int k) {
     check_stars(complex, stars, k);
     const Operator d = Operator::derivative(complex, k);
-    if (complex.coboundary(k).nonZeros() == 0)
+    if (complex.incidences(k).size() == 0)
         return std::numeric_limits<double>::infinity();
     // in the scale in which the mass is 1: R^-T d^T star_(k+1) d R^-1, star_k = R^T R
     const auto mass = make_mass(weights(stars[k]));

@@ -37,9 +37,9 @@ Vector outward_signs(const CellComplex& complex) {
     const int n = complex.dimension();
     Vector result = Vector::Zero(complex.size(n - 1));
     for (Index cell = 0; cell < complex.size(n); ++cell)
-        for (IncidenceMatrix::InnerIterator f(complex.coboundary(n - 1), cell); f; ++f)
-            if (complex.coface_counts(n - 1)[f.col()] == 1)
-                result[f.col()] = f.value();
+        for (const auto& [f, sign] : complex.incidences(n - 1)[cell])
+            if (complex.coface_counts(n - 1)[f] == 1)
+                result[f] = sign;
     return result;
 }
 
@@ -58,8 +58,8 @@ FreeComponents components(const CellComplex& complex, const HodgeStars& stars,
         SparseMatrix(divergence * inclusion(facets, complex.size(n - 1))).cwiseAbs();
     std::vector<bool> tied(complex.size(n), false);
     for (Index cell = 0; cell < complex.size(n); ++cell)
-        for (IncidenceMatrix::InnerIterator f(complex.coboundary(n - 1), cell); f; ++f)
-            if (essential[f.col()])
+        for (const SignedFace& f : complex.incidences(n - 1)[cell])
+            if (essential[f.face])
                 tied[cell] = true;
     return {sides * SparseMatrix(sides.transpose()), std::vector<bool>(complex.size(n), false),
             std::move(tied), stars.volumes().primal(n)};

@@ -24,12 +24,10 @@ Definiteness by_sign(const Vector& weights) {
     return (weights.array() >= 0).all() ? Definiteness::semidefinite : Definiteness::indefinite;
 }
 
-/// A diag(weights) A^T; entries that cancel are no connections.
-SparseMatrix connections(const IncidenceMatrix& A, const IncidenceMatrix& transposed,
-                         const Vector& weights) {
-    SparseMatrix result = gram(A, transposed, weights);
-    result.prune(0.0);
-    return result;
+/// Without entries that cancel, which are no connections.
+SparseMatrix connections(SparseMatrix gram) {
+    gram.prune(0.0);
+    return gram;
 }
 
 void check_values(const DenseMatrix& values, const Points& sites, const char* what) {
@@ -125,7 +123,7 @@ Vector edge_weights(const Discretization& mesh, const Vector& conductivity) {
 }
 
 Stiffness by_weights(const CellComplex& complex, const Vector& weights) {
-    return {connections(complex.boundary(1), complex.coboundary(0), weights), by_sign(weights)};
+    return {connections(gram_of_columns(complex.incidences(0), weights)), by_sign(weights)};
 }
 
 /// d_0^T star_1 d_0.
@@ -160,7 +158,7 @@ SparseMatrix shares_of_vertices(const CellComplex& complex, const HodgeStars& st
     SparseMatrix vertices(complex.size(n - 1), complex.size(n - 1));
     vertices.setIdentity();
     for (int k = n - 2; k >= 0; --k) {
-        SparseMatrix faces = complex.coboundary(k).cast<double>().cwiseAbs();
+        SparseMatrix faces = complex.incidences(k).real_matrix().cwiseAbs();
         for (const auto& [cell, face] : complex.canceled(k))
             faces.coeffRef(cell, face) = 1;
         vertices = SparseMatrix(vertices * faces);
@@ -222,19 +220,19 @@ struct PoissonSolver::Problem {
             return mixed_dual(complex, stars, options, duals, essential[n - 1]);
         auto fluxes = dual_fluxes(complex, stars, duals, essential);
         const Vector areas = natural_facets(complex, essential).cwiseProduct(volumes.primal(n - 1));
-        return {Side::dual,
-                ConstrainedSystem{
-                    connections(complex.coboundary(n - 1), complex.boundary(n), fluxes.weights),
-                    std::move(fluxes.fixed), std::move(fluxes.tied), volumes.primal(n),
-                    by_sign(fluxes.weights), n},
-                SparseMatrix(volumes.primal(n).asDiagonal()),
-                fluxes.weights,
-                std::move(fluxes.load),
-                std::move(fluxes.fix),
-                complex.boundary(n).transpose().cast<double>().cwiseAbs() * areas.asDiagonal(),
-                {},
-                {},
-                options.linear_solver};
+        return {
+            Side::dual,
+            ConstrainedSystem{connections(gram_of_rows(complex.incidences(n - 1), fluxes.weights)),
+                              std::move(fluxes.fixed), std::move(fluxes.tied), volumes.primal(n),
+                              by_sign(fluxes.weights), n},
+            SparseMatrix(volumes.primal(n).asDiagonal()),
+            fluxes.weights,
+            std::move(fluxes.load),
+            std::move(fluxes.fix),
+            complex.boundary(n).transpose().cast<double>().cwiseAbs() * areas.asDiagonal(),
+            {},
+            {},
+            options.linear_solver};
     }
 
     /// With fluxes as unknowns; flux_load are the areas through which they flow.

@@ -220,7 +220,7 @@ Simplices simplices(const GluedSurface& surface) {
 
 CellComplex cell_complex(const GluedSurface& surface) {
     std::vector<IncidenceMatrix> d(2);
-    std::vector<std::vector<Index>> counts(2);
+    std::vector<CofaceCounts> counts(2);
     std::vector<std::vector<Incidence>> canceled(2);
     IncidenceRows edges(surface.edges(), surface.vertices(), std::size_t(surface.edges()) * 2);
     for (Index e = 0; e < surface.edges(); ++e) {

@@ -32,14 +32,13 @@ Points mean_over_cells(const Discretization& mesh, int k, const Points& coordina
 }
 
 /// Whether a star has an entry between two facets of a cell.
-bool couples_facets_of(const SparseMatrix& M, const IncidenceMatrix& faces, Index cell) {
-    using Face = IncidenceMatrix::InnerIterator;
-    for (Face f(faces, cell); f; ++f) {
-        SparseMatrix::InnerIterator entry(M, f.col()); // both are in ascending order
-        for (Face g(faces, cell); g; ++g) {
-            while (entry && entry.col() < g.col())
+bool couples_facets_of(const SparseMatrix& M, const IncidenceRow& faces) {
+    for (const SignedFace& f : faces) {
+        SparseMatrix::InnerIterator entry(M, f.face); // both are in ascending order
+        for (const SignedFace& g : faces) {
+            while (entry && entry.col() < g.face)
                 ++entry;
-            if (g.col() != f.col() && entry && entry.col() == g.col() && entry.value() != 0)
+            if (g.face != f.face && entry && entry.col() == g.face && entry.value() != 0)
                 return true;
         }
     }
@@ -91,10 +90,10 @@ Points site_coordinates(const Discretization& discretization) {
     if (n == 0 || discretization.stars()[n - 1].is_diagonal())
         return result;
     const SparseMatrix M = discretization.stars()[n - 1].matrix();
-    const IncidenceMatrix& faces = discretization.complex().coboundary(n - 1);
+    const Incidences& faces = discretization.complex().incidences(n - 1);
     const IncidenceMatrix& pieces = discretization.merging().diamond(n);
     for (Index cell = 0; cell < faces.rows(); ++cell)
-        if (couples_facets_of(M, faces, cell))
+        if (couples_facets_of(M, faces[cell]))
             for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
                 result.row(piece.col()).setConstant(1.0 / (n + 1));
     return result;

@@ -175,9 +175,8 @@ DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
     const Points facets = cell_centroids(mesh, n - 1);
     Points result = Points::Zero(centroids.rows(), centroids.cols());
     for (Index cell = 0; cell < centroids.rows(); ++cell) {
-        for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(n - 1), cell); f; ++f)
-            result.row(cell) +=
-                f.value() * form.values[f.col()] * (facets.row(f.col()) - centroids.row(cell));
+        for (const auto& [f, sign] : mesh.complex().incidences(n - 1)[cell])
+            result.row(cell) += sign * form.values[f] * (facets.row(f) - centroids.row(cell));
         result.row(cell) /= mesh.volumes().primal(n)[cell];
     }
     return result;

@@ -4,7 +4,7 @@
 namespace polydec {
 
 SparseMatrix derivative(const CellComplex& complex, int k) {
-    return complex.coboundary(k).cast<double>();
+    return complex.incidences(k).real_matrix();
 }
 
 SparseMatrix dual_derivative(const CellComplex& complex, int j) {

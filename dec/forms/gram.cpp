@@ -72,17 +72,14 @@ private:
 };
 
 /// Writes a row of the product behind the pointers; the number of its entries.
-Index sum_row(const IncidenceMatrix& A, const IncidenceMatrix& transposed, const Vector& weights,
-              Index row, Index* columns, double* values) {
-    const Index *begin = A.outerIndexPtr(), *across = A.innerIndexPtr();
-    const Index *first = transposed.outerIndexPtr(), *column = transposed.innerIndexPtr();
+template <class Rows, class Transposed>
+Index sum_row(const Rows& A, const Transposed& transposed, const Vector& weights, Index row,
+              Index* columns, double* values) {
     RowSum sum(row, columns, values);
-    for (Index e = begin[row]; e < begin[row + 1]; ++e) {
-        const Index c = across[e];
-        const double weight = A.valuePtr()[e] * weights[c];
-        for (Index f = first[c]; f < first[c + 1]; ++f)
-            sum.add(column[f], transposed.valuePtr()[f] * weight);
-    }
+    A.for_each(row, 1, [&](Index c, double sign) {
+        transposed.for_each(c, sign * weights[c],
+                            [&](Index column, double value) { sum.add(column, value); });
+    });
     return sum.finish();
 }
 
@@ -100,11 +97,10 @@ void make_room(SparseMatrix& matrix) {
 
 /// What a row takes at most: every term but those of the diagonal has a place of its own. Simplices
 /// of a complex share at most one face or coface, so there it is what the row takes.
-Index bound_row(const IncidenceMatrix& A, const IncidenceMatrix& transposed, Index row) {
-    const Index *begin = A.outerIndexPtr(), *first = transposed.outerIndexPtr();
-    Index count = begin[row] < begin[row + 1] ? 1 : 0;
-    for (Index e = begin[row]; e < begin[row + 1]; ++e)
-        count += first[A.innerIndexPtr()[e] + 1] - first[A.innerIndexPtr()[e]] - 1;
+template <class Rows, class Transposed>
+Index bound_row(const Rows& A, const Transposed& transposed, Index row) {
+    Index count = A.size(row) > 0 ? 1 : 0;
+    A.for_each(row, 1, [&](Index c, double) { count += transposed.size(c) - 1; });
     return count;
 }
 
@@ -132,12 +128,11 @@ void for_each_row(const SparseMatrix& matrix, Work work) {
     });
 }
 
-} // namespace
-
-SparseMatrix gram(const IncidenceMatrix& A, const IncidenceMatrix& transposed,
-                  const Vector& weights) {
-    SparseMatrix product(A.rows(), A.rows());
-    if (A.rows() == 0)
+/// A diag(weights) A^T of so many rows, which ascend.
+template <class Rows, class Transposed>
+SparseMatrix gram(Index size, const Rows& A, const Transposed& transposed, const Vector& weights) {
+    SparseMatrix product(size, size);
+    if (size == 0)
         return product;
     Index* const rows = product.outerIndexPtr();
     for_each_row(product, [&](Index row) { rows[row + 1] = bound_row(A, transposed, row); });
@@ -149,6 +144,30 @@ SparseMatrix gram(const IncidenceMatrix& A, const IncidenceMatrix& transposed,
                     product.valuePtr() + rows[row]);
     });
     product.makeCompressed();
+    return product;
+}
+
+SignedRows rows_of(const IncidenceMatrix& A) {
+    return {A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr()};
+}
+
+} // namespace
+
+SparseMatrix gram_of_rows(const Incidences& D, const Vector& weights) {
+    const IncidenceMatrix transposed = D.transposed();
+    SparseMatrix product;
+    D.visit([&](const auto& rows) {
+        gram(D.rows(), rows, rows_of(transposed), weights).swap(product);
+    });
+    return product;
+}
+
+SparseMatrix gram_of_columns(const Incidences& D, const Vector& weights) {
+    const IncidenceMatrix transposed = D.transposed();
+    SparseMatrix product;
+    D.visit([&](const auto& rows) {
+        gram(D.cols(), rows_of(transposed), rows, weights).swap(product);
+    });
     return product;
 }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/types.h"
+#include "complex/incidences.h"
 
 namespace polydec {
 
-/// A diag(weights) A^T for an incidence matrix A and its transpose, rows ascending: the half of a
+/// D diag(weights) D^T, and D^T diag(weights) D, for the matrix D of incidences: the halves of a
 /// Laplacian. One pass over the incidences to make room, one to fill; no product of sparse
 /// matrices.
-SparseMatrix gram(const IncidenceMatrix& A, const IncidenceMatrix& transposed,
-                  const Vector& weights);
+SparseMatrix gram_of_rows(const Incidences& D, const Vector& weights);
+SparseMatrix gram_of_columns(const Incidences& D, const Vector& weights);
 
 /// A + B, of the same shape: a row after the other, where Eigen moves what it has written whenever
 /// that has to grow.

@@ -20,30 +20,28 @@ namespace {
 constexpr Index rows_at_once = 1 << 13;
 
 /// D x, a row after the other.
-Vector along_rows(const IncidenceMatrix& D, const Vector& x) {
-    const Index *begin = D.outerIndexPtr(), *face = D.innerIndexPtr();
-    const std::int8_t* sign = D.valuePtr();
+Vector along_rows(const Incidences& D, const Vector& x) {
     constexpr Index part_size = 1 << 15;
     Vector result(D.rows());
-    for_each_part(static_cast<Index>(D.rows()), part_size, [&](Index first, Index last) {
-        for (Index t = first; t < last; ++t) {
-            double sum = 0;
-            for (Index e = begin[t]; e < begin[t + 1]; ++e)
-                sum += sign[e] * x[face[e]];
-            result[t] = sum;
-        }
+    D.visit([&](const auto& rows) {
+        for_each_part(D.rows(), part_size, [&](Index first, Index last) {
+            for (Index t = first; t < last; ++t) {
+                double sum = 0;
+                rows.for_each(t, 1, [&](Index face, double sign) { sum += sign * x[face]; });
+                result[t] = sum;
+            }
+        });
     });
     return result;
 }
 
 /// D^T y.
-Vector across_rows(const IncidenceMatrix& D, const Vector& y) {
-    const Index *begin = D.outerIndexPtr(), *face = D.innerIndexPtr();
-    const std::int8_t* sign = D.valuePtr();
+Vector across_rows(const Incidences& D, const Vector& y) {
     Vector result = Vector::Zero(D.cols());
-    for (Index t = 0; t < y.size(); ++t)
-        for (Index e = begin[t]; e < begin[t + 1]; ++e)
-            result[face[e]] += sign[e] * y[t];
+    D.visit([&](const auto& rows) {
+        for (Index t = 0; t < y.size(); ++t)
+            rows.for_each(t, y[t], [&](Index face, double value) { result[face] += value; });
+    });
     return result;
 }
 
@@ -68,10 +66,8 @@ void check_shapes(const Operator& A, const Operator& B, const char* joined, bool
 } // namespace
 
 Operator Operator::derivative(const CellComplex& complex, int k) {
-    const IncidenceMatrix& D = complex.coboundary(k);
-    return {static_cast<Index>(D.rows()),
-            static_cast<Index>(D.cols()),
-            {{Derivative{complex, k, false}}}};
+    const Incidences& D = complex.incidences(k);
+    return {D.rows(), D.cols(), {{Derivative{complex, k, false}}}};
 }
 
 Operator Operator::weights(Vector weights) {
@@ -103,8 +99,8 @@ Vector Operator::apply(const Factor& factor, const Vector& x) {
     if (const auto* mass = std::get_if<Mass>(&factor))
         return mass->inverted ? mass->star.solve(x) : mass->star * x;
     const auto& [complex, k, transposed] = std::get<Derivative>(factor);
-    return transposed ? across_rows(complex.coboundary(k), x)
-                      : along_rows(complex.coboundary(k), x);
+    return transposed ? across_rows(complex.incidences(k), x)
+                      : along_rows(complex.incidences(k), x);
 }
 
 Vector Operator::operator*(const Vector& values) const {
@@ -129,7 +125,7 @@ bool Operator::is_gram(const Product& product, std::size_t i) {
     const auto* right = std::get_if<Derivative>(&product[i + 2]);
     return left != nullptr && right != nullptr && std::holds_alternative<Weights>(product[i + 1]) &&
            left->k == right->k && left->transposed != right->transposed &&
-           &left->complex.coboundary(left->k) == &right->complex.coboundary(right->k);
+           &left->complex.incidences(left->k) == &right->complex.incidences(right->k);
 }
 
 /// Of a derivative, or of a star that is no diagonal.
@@ -145,7 +141,8 @@ SparseMatrix Operator::matrix(const Factor& factor) {
         return mass->star.matrix();
     }
     const auto& [complex, k, transposed] = std::get<Derivative>(factor);
-    return (transposed ? complex.boundary(k + 1) : complex.coboundary(k)).cast<double>();
+    return transposed ? SparseMatrix(complex.boundary(k + 1).cast<double>())
+                      : complex.incidences(k).real_matrix();
 }
 
 SparseMatrix Operator::matrix(const Product& product) {
@@ -164,8 +161,8 @@ SparseMatrix Operator::matrix(const Product& product) {
         if (is_gram(product, i)) {
             const auto& [complex, k, transposed] = std::get<Derivative>(product[i]);
             const Vector& weights = *std::get<Weights>(product[i + 1]);
-            multiply(transposed ? gram(complex.boundary(k + 1), complex.coboundary(k), weights)
-                                : gram(complex.coboundary(k), complex.boundary(k + 1), weights));
+            const Incidences& D = complex.incidences(k);
+            multiply(transposed ? gram_of_columns(D, weights) : gram_of_rows(D, weights));
             i += 2;
         } else if (const auto* weights = std::get_if<Weights>(&product[i])) {
             if (begun)
@@ -198,12 +195,11 @@ SparseMatrix Operator::matrix() const {
 Vector Operator::gram_diagonal(const Product& product, std::size_t i) {
     const auto& [complex, k, transposed] = std::get<Derivative>(product[i]);
     const Vector& weights = *std::get<Weights>(product[i + 1]);
-    const IncidenceMatrix& D = complex.coboundary(k);
+    const Incidences& D = complex.incidences(k);
     Vector sum = Vector::Zero(transposed ? D.cols() : D.rows());
     for (Index t = 0; t < D.rows(); ++t)
-        for (IncidenceMatrix::InnerIterator s(D, t); s; ++s)
-            sum[transposed ? s.col() : s.row()] +=
-                s.value() * s.value() * weights[transposed ? s.row() : s.col()];
+        for (const auto& [s, sign] : D[t])
+            sum[transposed ? s : t] += sign * sign * weights[transposed ? t : s];
     for (std::size_t j = 0; j < product.size(); ++j)
         if (j < i || j > i + 2)
             sum = sum.cwiseProduct(*std::get<Weights>(product[j]));

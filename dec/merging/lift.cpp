@@ -158,13 +158,12 @@ std::vector<Index> Lift::columns(int m, Index F, int j) const {
     std::vector<Index> cells;
     for (const Index t : inside_[m][j + 1][F]) {
         rows_[j + 1].visit(t, [&](Index upper, double) {
-            for (Row E(P_.coboundary(j), upper); E; ++E)
-                cells.push_back(static_cast<Index>(E.col()));
+            for (const SignedFace& E : P_.incidences(j)[upper])
+                cells.push_back(E.face);
         });
-        for (Row s(K_.coboundary(j), t); s; ++s)
-            if (!is_inside(m, F, j, static_cast<Index>(s.col())))
-                rows_[j].visit(static_cast<Index>(s.col()),
-                               [&](Index E, double) { cells.push_back(E); });
+        for (const SignedFace& s : K_.incidences(j)[t])
+            if (!is_inside(m, F, j, s.face))
+                rows_[j].visit(s.face, [&](Index E, double) { cells.push_back(E); });
         std::sort(cells.begin(), cells.end());
         cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     }
@@ -181,18 +180,16 @@ void Lift::fill_degree(int m, Index F, int j) {
     DenseMatrix right_side = DenseMatrix::Zero(equations.size(), cells.size());
     for (std::size_t r = 0; r < equations.size(); ++r) {
         rows_[j + 1].visit(equations[r], [&](Index upper, double value) {
-            for (Row E(P_.coboundary(j), upper); E; ++E)
-                right_side(r, position(cells, E.col())) += value * E.value();
+            for (const auto& [E, sign] : P_.incidences(j)[upper])
+                right_side(r, position(cells, E)) += value * sign;
         });
-        for (Row s(K_.coboundary(j), equations[r]); s; ++s) {
-            const auto face = static_cast<Index>(s.col());
-            if (is_inside(m, F, j, face))
-                entries.emplace_back(r, position(unknown, face), s.value());
+        for (const SignedFace& s : K_.incidences(j)[equations[r]])
+            if (is_inside(m, F, j, s.face))
+                entries.emplace_back(r, position(unknown, s.face), s.sign);
             else
-                rows_[j].visit(face, [&](Index E, double value) {
-                    right_side(r, position(cells, E)) -= s.value() * value;
+                rows_[j].visit(s.face, [&](Index E, double value) {
+                    right_side(r, position(cells, E)) -= s.sign * value;
                 });
-        }
     }
     ColumnMajor D(equations.size(), unknown.size());
     D.setFromTriplets(entries.begin(), entries.end());
@@ -217,9 +214,9 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
     const auto unknown = inside_[m][j][F], free = inside_[m][j - 1][F];
     DenseMatrix D = DenseMatrix::Zero(unknown.size(), free.size());
     for (std::size_t i = 0; i < unknown.size(); ++i)
-        for (Row s(K_.coboundary(j - 1), unknown[i]); s; ++s)
-            if (is_inside(m, F, j - 1, static_cast<Index>(s.col())))
-                D(i, position(free, s.col())) = s.value();
+        for (const auto& [s, sign] : K_.incidences(j - 1)[unknown[i]])
+            if (is_inside(m, F, j - 1, s))
+                D(i, position(free, s)) = sign;
 
     if (j == K_.dimension() - 1 && !flat_.empty())
         equate_densities(m, F, cells, D, x);

@@ -41,9 +41,9 @@ using Rings = std::function<std::vector<Index>(Index)>;
 std::vector<std::vector<Index>> outward_faces(const CellComplex& complex, const Points& points,
                                               const Rings& ring, Index cell) {
     std::vector<std::vector<Index>> faces;
-    for (IncidenceMatrix::InnerIterator face(complex.coboundary(2), cell); face; ++face) {
-        faces.push_back(ring(static_cast<Index>(face.col())));
-        if (face.value() < 0)
+    for (const auto& [face, sign] : complex.incidences(2)[cell]) {
+        faces.push_back(ring(face));
+        if (sign < 0)
             std::reverse(faces.back().begin(), faces.back().end());
     }
     if (enclosed_volume(points, faces) < 0.0)
@@ -55,8 +55,8 @@ std::vector<std::vector<Index>> outward_faces(const CellComplex& complex, const 
 /// The ends of an edge.
 std::vector<Index> ends(const CellComplex& complex, Index edge) {
     std::vector<Index> list;
-    for (IncidenceMatrix::InnerIterator end(complex.coboundary(0), edge); end; ++end)
-        list.push_back(static_cast<Index>(end.col()));
+    for (const SignedFace& end : complex.incidences(0)[edge])
+        list.push_back(end.face);
     if (list.size() != 2)
         throw InvalidInput(fmt::format("edge {} is a loop: it cannot be drawn", edge),
                            {.degree = 1, .cells = {edge}});

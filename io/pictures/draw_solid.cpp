@@ -252,8 +252,8 @@ public:
     std::vector<int> cell_counts() const {
         std::vector<int> counts(mesh_.complex().size(2), 0);
         for (const Index cell : cells_)
-            for (IncidenceMatrix::InnerIterator f(mesh_.complex().coboundary(2), cell); f; ++f)
-                ++counts[f.col()];
+            for (const SignedFace& f : mesh_.complex().incidences(2)[cell])
+                ++counts[f.face];
         return counts;
     }
 
@@ -297,9 +297,9 @@ SolidFaces kept_faces(const Discretization& mesh,
     SolidFaces faces;
     faces.polygons.points = mesh.points();
     for (const Index cell : kept.cells())
-        for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(2), cell); f; ++f)
-            if (counts[f.col()] == 1)
-                add_polygon(faces, kept.outward(cell, static_cast<Index>(f.col())), cell);
+        for (const SignedFace& f : mesh.complex().incidences(2)[cell])
+            if (counts[f.face] == 1)
+                add_polygon(faces, kept.outward(cell, f.face), cell);
     kept.finish(faces);
     return faces;
 }
@@ -313,8 +313,8 @@ SolidFaces kept_cells(const Discretization& mesh,
     SolidFaces faces;
     std::vector<Place> points; // each face has its own corners
     for (const Index cell : kept.cells())
-        for (IncidenceMatrix::InnerIterator f(mesh.complex().coboundary(2), cell); f; ++f) {
-            auto ring = kept.outward(cell, static_cast<Index>(f.col()));
+        for (const SignedFace& f : mesh.complex().incidences(2)[cell]) {
+            auto ring = kept.outward(cell, f.face);
             for (Index& v : ring) {
                 const Place corner = mesh.points().row(v);
                 v = static_cast<Index>(points.size());
