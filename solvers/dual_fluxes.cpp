@@ -117,12 +117,12 @@ FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
             .cwiseQuotient(mesh.volumes().primal(n - 1));
     };
     // a part is as exact as the whole dual
-    Vector sums = Vector::Zero(volumes.terms(n - 1).size());
+    Vector sums = Vector::Zero(volumes.size(n - 1));
     for (Index t = 0; t < of_pieces.size(); ++t)
         for (int i = 0; i <= n; ++i)
             sums[mesh.pieces().face(n, t, i)] += of_pieces[t];
     duals.resistances = over_merged(parts.transpose() * of_pieces);
-    duals.terms = over_merged(sums.cwiseProduct(volumes.terms(n - 1)));
+    duals.terms = over_merged(sums.cwiseProduct(Vector(volumes.terms(n - 1))));
     return duals;
 }
 

@@ -47,7 +47,7 @@ void check_symmetric(const SparseMatrix& matrix, int k, Index size) {
 } // namespace
 
 HodgeStar::HodgeStar(const CellVolumes& volumes, int k) : volumes_(volumes), degree_(k) {
-    volumes_.primal(k); // which there must be
+    volumes_.size(k); // which there must be
 }
 
 HodgeStar::HodgeStar(const CellVolumes& volumes, int k, SparseMatrix matrix)
@@ -72,7 +72,7 @@ void HodgeStar::require_diagonal() const {
 
 Vector HodgeStar::diagonal() const {
     require_diagonal();
-    return volumes_.dual(degree_).cwiseQuotient(volumes_.primal(degree_));
+    return volumes_.ratios(degree_);
 }
 
 SparseMatrix HodgeStar::matrix() const {
@@ -121,13 +121,14 @@ Vector HodgeStar::inverse() const {
 
 Vector HodgeStar::uncertainty() const {
     require_diagonal();
-    return volumes_.rounding(degree_).cwiseQuotient(volumes_.primal(degree_));
+    return Vector(volumes_.rounding(degree_)).cwiseQuotient(volumes_.primal(degree_));
 }
 
 std::vector<Index> HodgeStar::zeros() const {
     if (!is_diagonal())
         return {};
-    const Vector &dual = volumes_.dual(degree_), &terms = volumes_.terms(degree_);
+    const Vector& dual = volumes_.dual(degree_);
+    const Bounds& terms = volumes_.terms(degree_);
     std::vector<Index> cells;
     for (Index s = 0; s < dual.size(); ++s)
         if (is_zero(dual[s], terms[s]))
@@ -138,7 +139,8 @@ std::vector<Index> HodgeStar::zeros() const {
 std::vector<Index> HodgeStar::negatives() const {
     if (!is_diagonal())
         return {};
-    const Vector &dual = volumes_.dual(degree_), &terms = volumes_.terms(degree_);
+    const Vector& dual = volumes_.dual(degree_);
+    const Bounds& terms = volumes_.terms(degree_);
     std::vector<Index> cells;
     for (Index s = 0; s < dual.size(); ++s)
         if (dual[s] < 0 && !is_zero(dual[s], terms[s]))

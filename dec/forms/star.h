@@ -28,7 +28,7 @@ public:
     /// n and k.
     int dimension() const { return volumes_.dimension(); }
     int degree() const { return degree_; }
-    Index size() const { return static_cast<Index>(volumes_.primal(degree_).size()); }
+    Index size() const { return volumes_.size(degree_); }
 
     /// Whether it is diagonal: |*s| / |s|, size() entries. Throw InvalidInput if it is a matrix.
     bool is_diagonal() const { return matrix_ == nullptr; }

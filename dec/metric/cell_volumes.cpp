@@ -13,14 +13,42 @@
 
 namespace polydec {
 
+namespace {
+
+std::vector<Bounds> sizes_of(const std::vector<Vector>& dual) {
+    std::vector<Bounds> terms;
+    for (const Vector& values : dual)
+        terms.emplace_back(values.cwiseAbs());
+    return terms;
+}
+
+std::vector<Bounds> rounding_of_all(const std::vector<Bounds>& terms) {
+    std::vector<Bounds> rounding;
+    for (const Vector& values : terms)
+        rounding.emplace_back(values.unaryExpr(&rounding_of));
+    return rounding;
+}
+
+template <class To>
+std::vector<To> moved(std::vector<Vector> values) {
+    std::vector<To> result;
+    for (Vector& of_degree : values)
+        result.emplace_back(std::exchange(of_degree, {}));
+    return result;
+}
+
+} // namespace
+
 CellVolumes::CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
                          std::vector<Vector> terms, std::vector<Vector> rounding) {
-    if (terms.empty())
-        for (const Vector& values : dual)
-            terms.emplace_back(values.cwiseAbs());
-    if (rounding.empty())
-        for (const Vector& values : terms)
-            rounding.emplace_back(values.unaryExpr(&rounding_of));
+    auto sizes = terms.empty() ? sizes_of(dual) : moved<Bounds>(std::move(terms));
+    auto lost = rounding.empty() ? rounding_of_all(sizes) : moved<Bounds>(std::move(rounding));
+    *this = CellVolumes(moved<Values>(std::move(primal)), moved<Values>(std::move(dual)),
+                        std::move(sizes), std::move(lost));
+}
+
+CellVolumes::CellVolumes(std::vector<Values> primal, std::vector<Values> dual,
+                         std::vector<Bounds> terms, std::vector<Bounds> rounding) {
     if (primal.size() != dual.size() || primal.size() != terms.size() ||
         primal.size() != rounding.size())
         throw InvalidInput(fmt::format("volumes are given in {} degrees, dual volumes in {}, their "
@@ -35,8 +63,8 @@ CellVolumes::CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
 
 void CellVolumes::check(int k) const {
     const auto& [primals, duals, all_terms, roundings, numbers] = *parts_;
-    const Vector &primal = primals[k], &dual = duals[k];
-    const Vector &terms = all_terms[k], &rounding = roundings[k];
+    const Values &primal = primals[k], &dual = duals[k];
+    const Bounds &terms = all_terms[k], &rounding = roundings[k];
     if (primal.size() != dual.size() || primal.size() != terms.size() ||
         primal.size() != rounding.size())
         throw InvalidInput(fmt::format("{} volumes, {} dual volumes, {} terms and {} rounding "
@@ -58,10 +86,19 @@ void CellVolumes::check(int k) const {
     }
 }
 
+Vector CellVolumes::ratios(int k) const {
+    const Values &primal = parts_->primal[checked(k)], &dual = parts_->dual[k];
+    Vector result(size(k));
+    for (Index s = 0; s < result.size(); ++s)
+        result[s] = dual[s] / primal[s];
+    return result;
+}
+
 CellVolumes CellVolumes::with_dual(int k, Vector dual) const {
     Parts parts = *parts_;
-    parts.terms[checked(k)] = dual.cwiseAbs();
-    parts.rounding[k] = parts.terms[k].unaryExpr(&rounding_of);
+    const Vector terms = dual.cwiseAbs();
+    parts.terms[checked(k)] = terms;
+    parts.rounding[k] = Vector(terms.unaryExpr(&rounding_of));
     parts.dual[k] = std::move(dual);
     CellVolumes result;
     result.parts_ = std::make_shared<Parts>(std::move(parts));
@@ -73,7 +110,7 @@ CellVolumes CellVolumes::numbered(std::vector<std::vector<Index>> numbers) const
     check_as_many("degrees of numbers", static_cast<Index>(numbers.size()), dimension() + 1);
     for (int k = 0; k <= dimension(); ++k)
         check_as_many(fmt::format("numbers of {}-cells", k), static_cast<Index>(numbers[k].size()),
-                      primal(k).size());
+                      size(k));
     Parts parts = *parts_;
     parts.numbers = std::move(numbers);
     CellVolumes result;
@@ -92,10 +129,8 @@ void CellVolumes::refuse_degree(int k) const {
 void check_fit(const CellComplex& complex, const CellVolumes& volumes) {
     const int n = complex.dimension();
     check_as_many("degrees of volumes", volumes.dimension() + 1, n + 1);
-    for (int k = 0; k <= n; ++k) {
-        check_as_many(fmt::format("volumes of {}-cells", k), volumes.primal(k).size(),
-                      complex.size(k));
-    }
+    for (int k = 0; k <= n; ++k)
+        check_as_many(fmt::format("volumes of {}-cells", k), volumes.size(k), complex.size(k));
 }
 
 } // namespace polydec

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/types.h"
+#include "dec/metric/values.h"
 
 #include <memory>
 #include <vector>
@@ -28,29 +28,36 @@ public:
     /// not a finite number above 0, and others that are not finite.
     CellVolumes(std::vector<Vector> primal, std::vector<Vector> dual,
                 std::vector<Vector> terms = {}, std::vector<Vector> rounding = {});
+    CellVolumes(std::vector<Values> primal, std::vector<Values> dual, std::vector<Bounds> terms,
+                std::vector<Bounds> rounding);
 
     /// Dimension n; -1 without cells.
     int dimension() const { return static_cast<int>(parts_->primal.size()) - 1; }
 
-    /// k-volumes |s| > 0, 1 for vertices; length^k. These accessors throw InvalidInput for another
-    /// degree than 0..n.
-    const Vector& primal(int k) const& { return parts_->primal[checked(k)]; }
+    /// Number of k-cells. These accessors throw InvalidInput for another degree than 0..n.
+    Index size(int k) const { return parts_->primal[checked(k)].size(); }
+
+    /// k-volumes |s| > 0, 1 for vertices; length^k.
+    const Vector& primal(int k) const& { return parts_->primal[checked(k)].vector(); }
     Vector primal(int k) && { return primal(k); }
 
     /// Signed (n-k)-volumes |*s|, 1 for n-cells; length^(n-k).
-    const Vector& dual(int k) const& { return parts_->dual[checked(k)]; }
+    const Vector& dual(int k) const& { return parts_->dual[checked(k)].vector(); }
     Vector dual(int k) && { return dual(k); }
 
     /// Sizes of what cancels in the dual volumes, in heights of circumcenters too: to these their
     /// errors are in proportion (see rounding_of) if the last digits of points or lengths are not
     /// known. length^(n-k).
-    const Vector& terms(int k) const& { return parts_->terms[checked(k)]; }
-    Vector terms(int k) && { return terms(k); }
+    const Bounds& terms(int k) const& { return parts_->terms[checked(k)]; }
+    Bounds terms(int k) && { return terms(k); }
 
     /// How far |*s| / |s| may be off, times |s|: what computing has done if points are exact.
     /// Lengths have been computed, so their last digits count. length^(n-k).
-    const Vector& rounding(int k) const& { return parts_->rounding[checked(k)]; }
-    Vector rounding(int k) && { return rounding(k); }
+    const Bounds& rounding(int k) const& { return parts_->rounding[checked(k)]; }
+    Bounds rounding(int k) && { return rounding(k); }
+
+    /// |*s| / |s|; length^(n-2k).
+    Vector ratios(int k) const;
 
     /// The same with other duals of the k-cells, taken as they are. Throws like the constructor.
     CellVolumes with_dual(int k, Vector dual) const;
@@ -80,7 +87,8 @@ private:
     void check(int k) const;
 
     struct Parts {
-        std::vector<Vector> primal, dual, terms, rounding;
+        std::vector<Values> primal, dual;
+        std::vector<Bounds> terms, rounding;
         std::vector<std::vector<Index>> numbers; // empty: their own
     };
     std::shared_ptr<const Parts> parts_;

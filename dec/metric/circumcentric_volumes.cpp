@@ -125,12 +125,16 @@ private:
     /// each, and by corners the numbers that its dual and products are multiplied by.
     void measure(int k, Index first, Index last, Sum* share, double* numbers);
     void hand_down(int k);
+    void make_room(int k);
+    void keep(int k);
 
     const Pieces& complex_;
     const SimplexMetric& metric_;
     const Centers& centers_;
     FlatSimplices flat_;
-    std::vector<Vector> primal_, dual_, terms_, rounding_;
+    std::vector<Values> primal_, dual_;
+    std::vector<Bounds> terms_, rounding_;
+    Vector volumes_, duals_, sizes_, lost_; // of the simplices that are looked at
     std::vector<Sum> sums_; // of the simplices that are looked at; none of highest degree
 };
 
@@ -139,8 +143,8 @@ void Descent::measure(int k, Index first, Index last, Sum* share, double* number
     const bool is_top = k == n, know = centers_.know(k);
     const bool may_be_flat = is_top && (know || flat_ == FlatSimplices::passed_over);
     Circumspheres spheres(complex_, metric_, k);
-    double *const primal = primal_[k].data(), *const dual = dual_[k].data();
-    double *const terms = terms_[k].data(), *const rounding = rounding_[k].data();
+    double *const volumes = volumes_.data(), *const duals = duals_.data();
+    double *const sizes = sizes_.data(), *const roundings = lost_.data();
     const double part = is_top ? 1 : 1.0 / (n - k);
     for (Index t = first; t < last; ++t, ++share, numbers += k + 1) {
         const Circumsphere& sphere = spheres[t];
@@ -153,10 +157,10 @@ void Descent::measure(int k, Index first, Index last, Sum* share, double* number
         const Sum own = is_top ? Sum{1, 0, 0} : sums_[t].divided(volume, part);
         const double size = std::abs(own.dual);
         const double lost = own.products[1] + (has_volume ? sphere.rounding().growth : 1) * size;
-        primal[t] = volume;
-        dual[t] = own.dual;
-        terms[t] = is_top ? 1 : own.products[0];
-        rounding[t] = rounding_of(lost);
+        volumes[t] = volume;
+        duals[t] = own.dual;
+        sizes[t] = is_top ? 1 : own.products[0];
+        roundings[t] = rounding_of(lost);
         if (!has_volume && !know) {
             *share = {};
             std::fill_n(numbers, k + 1, 0);
@@ -179,6 +183,7 @@ void Descent::measure(int k, Index first, Index last, Sum* share, double* number
 /// Many are measured at once, and what they hand down is added one after the other.
 void Descent::hand_down(int k) {
     constexpr Index at_once = 1 << 14, part_size = 1 << 11;
+    make_room(k);
     const FaceTable faces = complex_.faces(k);
     std::vector<Sum> below(static_cast<std::size_t>(complex_.size(k - 1)));
     std::vector<Sum> shares(at_once);
@@ -204,22 +209,39 @@ void Descent::hand_down(int k) {
         }
     }
     sums_ = std::move(below);
+    keep(k);
+}
+
+void Descent::make_room(int k) {
+    for (Vector* values : {&volumes_, &duals_, &sizes_, &lost_})
+        values->resize(complex_.size(k));
+}
+
+/// What was found out about the k-simplices, in the memory that it needs.
+void Descent::keep(int k) {
+    primal_[k] = std::exchange(volumes_, {});
+    dual_[k] = std::exchange(duals_, {});
+    terms_[k] = std::exchange(sizes_, {});
+    rounding_[k] = std::exchange(lost_, {});
 }
 
 CellVolumes Descent::run() {
     const int n = complex_.dimension();
-    for (int k = 0; k <= n; ++k)
-        for (auto* vectors : {&primal_, &dual_, &terms_, &rounding_})
-            vectors->emplace_back(complex_.size(k));
+    for (auto* values : {&primal_, &dual_})
+        values->resize(n + 1);
+    for (auto* bounds : {&terms_, &rounding_})
+        bounds->resize(n + 1);
     for (int k = n; k >= 1; --k)
         hand_down(k);
-    primal_[0].setOnes();
+    make_room(0);
+    volumes_.setOnes();
     for (Index v = 0; v < complex_.size(0); ++v) {
         const Sum own = sums_[v].divided(1, 1.0 / n);
-        dual_[0][v] = own.dual;
-        terms_[0][v] = own.products[0];
-        rounding_[0][v] = rounding_of(own.products[1]);
+        duals_[v] = own.dual;
+        sizes_[v] = own.products[0];
+        lost_[v] = rounding_of(own.products[1]);
     }
+    keep(0);
     return {std::move(primal_), std::move(dual_), std::move(terms_), std::move(rounding_)};
 }
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "dec/metric/values.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <mutex>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+bool are_equal(const Vector& values) {
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    return std::all_of(values.data(), values.data() + values.size(),
+                       [&](double value) { return bits(value) == bits(values[0]); });
+}
+
+/// The next number of single precision that is no smaller.
+float rounded_up(double value) {
+    const auto near = static_cast<float>(value);
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + (near < value ? 1 : 0));
+}
+
+} // namespace
+
+struct Values::Made {
+    std::once_flag once;
+    Vector vector;
+};
+
+Values::Values(Vector values)
+    : size_(static_cast<Index>(values.size())),
+      first_(size_ > 0 ? values[0] : 0),
+      made_(std::make_shared<Made>()) {
+    if (are_equal(values))
+        return;
+    made_->vector = std::move(values);
+    values_ = made_->vector.data();
+}
+
+const Vector& Values::vector() const {
+    if (!values_)
+        std::call_once(made_->once, [this] { made_->vector = Vector::Constant(size_, first_); });
+    return made_->vector;
+}
+
+Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) {
+    const double largest = size_ > 0 ? values.maxCoeff() : 0;
+    unit_ = largest;
+    if (size_ == 0 || are_equal(values))
+        return;
+    // a power of two, so that nothing else is rounded
+    constexpr double most = 1e300;
+    unit_ = largest > 1 / most && largest < most ? std::ldexp(1, std::ilogb(largest)) : 1;
+    const double inverse = 1 / unit_;
+    parts_.resize(static_cast<std::size_t>(size_));
+    std::transform(values.data(), values.data() + size_, parts_.begin(),
+                   [=](double value) { return rounded_up(inverse * value); });
+}
+
+Bounds::operator Vector() const {
+    Vector result(size_);
+    for (Index cell = 0; cell < size_; ++cell)
+        result[cell] = (*this)[cell];
+    return result;
+}
+
+} // namespace polydec
