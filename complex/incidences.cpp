@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "complex/incidences.h"
 
-#include <mutex>
 #include <numeric>
 #include <utility>
 
 namespace polydec {
 
-struct Incidences::Made {
-    std::once_flag once;
-    IncidenceMatrix matrix;
-};
-
 Incidences::Incidences(IncidenceMatrix matrix)
     : rows_(static_cast<Index>(matrix.rows())),
       cols_(static_cast<Index>(matrix.cols())),
-      made_(std::make_shared<Made>()) {
-    matrix.makeCompressed();
-    made_->matrix.swap(matrix); // Eigen would copy it where one moves it
-    faces_ = made_->matrix.innerIndexPtr();
-    begins_ = made_->matrix.outerIndexPtr();
-    signs_ = made_->matrix.valuePtr();
+      matrix_(std::make_shared<Lazy<IncidenceMatrix>>()) {
+    const IncidenceMatrix& own = matrix_->get([&] {
+        IncidenceMatrix result;
+        result.swap(matrix); // Eigen would copy it where one moves it
+        result.makeCompressed();
+        return result;
+    });
+    faces_ = own.innerIndexPtr();
+    begins_ = own.outerIndexPtr();
+    signs_ = own.valuePtr();
 }
 
 Incidences::Incidences(std::shared_ptr<const Simplices> faces, Index cols,
@@ -32,7 +30,7 @@ Incidences::Incidences(std::shared_ptr<const Simplices> faces, Index cols,
       signs_(signs ? signs->data() : nullptr),
       table_(std::move(faces)),
       turns_(std::move(signs)),
-      made_(std::make_shared<Made>()) {}
+      matrix_(std::make_shared<Lazy<IncidenceMatrix>>()) {}
 
 int Incidences::sign(Index cell, Index face) const {
     for (const auto& [own, sign] : (*this)[cell])
@@ -57,9 +55,7 @@ Eigen::SparseMatrix<Scalar, Eigen::RowMajor, Index> Incidences::make() const {
 }
 
 const IncidenceMatrix& Incidences::matrix() const {
-    if (!begins_)
-        std::call_once(made_->once, [this] { make<std::int8_t>().swap(made_->matrix); });
-    return made_->matrix;
+    return matrix_->get([this] { return make<std::int8_t>(); });
 }
 
 SparseMatrix Incidences::real_matrix() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/lazy.h"
 #include "base/types.h"
 
 #include <cstddef>
@@ -98,8 +99,6 @@ public:
     void visit(Work work) const;
 
 private:
-    struct Made;
-
     /// Signs of which number `width` - 1 is 1.
     static const std::int8_t* alternating(Index width) {
         static constexpr std::int8_t signs[] = {-1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1,
@@ -116,7 +115,7 @@ private:
     const std::int8_t* signs_;               // of entries; where rows have one width, of rows
     std::shared_ptr<const Simplices> table_;
     std::shared_ptr<const Signs> turns_;
-    std::shared_ptr<Made> made_; // the matrix, if there is one
+    std::shared_ptr<const Lazy<IncidenceMatrix>> matrix_;
 };
 
 /// Rows of `width` faces with alternating signs; a width of 0 stands for that given.

@@ -112,9 +112,15 @@ std::vector<IncidenceMatrix> make_diamonds(const Carriers& carriers, const Block
 
 Merging::Merging(Pieces pieces, const Blocks& blocks)
     : pieces_(std::move(pieces)),
-      maps_(std::make_shared<Maps>(number_blocks(pieces_, blocks))),
-      merged_(make_merged(pieces_, blocks, maps_->carriers,
-                          maps_->diamonds = make_diamonds(maps_->carriers, blocks))) {}
+      is_identity_(false),
+      maps_(std::make_shared<Lazy<Maps>>(maps_of(pieces_, blocks))),
+      merged_(make_merged(pieces_, blocks, maps().carriers, maps().diamonds)) {}
+
+Merging::Maps Merging::maps_of(const Pieces& pieces, const Blocks& blocks) {
+    Carriers carriers = number_blocks(pieces, blocks);
+    auto diamonds = make_diamonds(carriers, blocks);
+    return {std::move(carriers), std::move(diamonds)};
+}
 
 std::vector<Index> Merging::vertices(int k, Index cell) const {
     const IncidenceMatrix& pieces = diamond(k);
@@ -130,28 +136,22 @@ std::vector<Index> Merging::vertices(int k, Index cell) const {
 }
 
 Merging::Merging(Pieces pieces)
-    : pieces_(std::move(pieces)), maps_(std::make_shared<Maps>()), merged_(pieces_) {
-    maps_->are_of_identity = true;
-    maps_->are_made = false;
-}
+    : pieces_(std::move(pieces)),
+      is_identity_(true),
+      maps_(std::make_shared<Lazy<Maps>>()),
+      merged_(pieces_) {}
 
-void Merging::make_identity() const {
-    const std::lock_guard lock(maps_->making);
-    if (maps_->are_made)
-        return;
-    std::vector<std::vector<Carrier>> carriers;
-    std::vector<IncidenceMatrix> diamonds;
+Merging::Maps Merging::identity() const {
+    Maps maps;
     for (int k = 0; k <= pieces_.dimension(); ++k) {
-        auto& own = carriers.emplace_back(static_cast<std::size_t>(pieces_.size(k)));
+        auto& own = maps.carriers.emplace_back(static_cast<std::size_t>(pieces_.size(k)));
         for (Index s = 0; s < pieces_.size(k); ++s)
             own[s] = {k, s};
         IncidenceMatrix identity(pieces_.size(k), pieces_.size(k));
         identity.setIdentity();
-        diamonds.emplace_back().swap(identity);
+        maps.diamonds.emplace_back().swap(identity);
     }
-    maps_->carriers = std::move(carriers);
-    maps_->diamonds = std::move(diamonds);
-    maps_->are_made.store(true, std::memory_order_release);
+    return maps;
 }
 
 Merging unmerged(Pieces complex) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/lazy.h"
 #include "complex/blocks.h"
 #include "complex/pieces.h"
 
-#include <atomic>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 namespace polydec {
@@ -47,7 +46,7 @@ public:
     std::vector<IncidenceMatrix> diamonds() && { return diamonds(); }
 
     /// Whether nothing is merged, so that P is K.
-    bool is_identity() const { return maps_->are_of_identity; }
+    bool is_identity() const { return is_identity_; }
 
     /// The vertices of k-cell F of P: ascending vertex numbers of the input. Throws InvalidInput
     /// if there is no such cell.
@@ -60,19 +59,16 @@ private:
     struct Maps {
         std::vector<std::vector<Carrier>> carriers;
         std::vector<IncidenceMatrix> diamonds;
-        bool are_of_identity = false; // and made when they are first asked for
-        std::atomic<bool> are_made = true;
-        std::mutex making = {};
     };
     const Maps& maps() const {
-        if (!maps_->are_made.load(std::memory_order_acquire))
-            make_identity();
-        return *maps_;
+        return maps_->get([this] { return identity(); });
     }
-    void make_identity() const;
+    static Maps maps_of(const Pieces& pieces, const Blocks& blocks);
+    Maps identity() const;
 
     Pieces pieces_;
-    std::shared_ptr<Maps> maps_; // shared by copies
+    bool is_identity_;
+    std::shared_ptr<const Lazy<Maps>> maps_; // shared by copies
     CellComplex merged_;
 };
 

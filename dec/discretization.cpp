@@ -19,7 +19,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 namespace polydec {
@@ -288,11 +287,6 @@ bool can_do_with_flat_cells(const Mesh& mesh, const DiscretizeOptions& options) 
 
 } // namespace
 
-struct Discretization::Lift {
-    std::mutex making; // not call_once, through which glibc cannot unwind when memory is short
-    std::vector<SparseMatrix> matrices;
-};
-
 namespace {
 
 /// Points of the vertices and lengths of the edges.
@@ -313,7 +307,8 @@ void check_metric(const Discretization::Parts& parts) {
 
 } // namespace
 
-Discretization::Discretization(Parts parts) : lift_(std::make_shared<Lift>()) {
+Discretization::Discretization(Parts parts)
+    : lift_(std::make_shared<Lazy<std::vector<SparseMatrix>>>()) {
     check_fit(parts.passage.input(), parts.input_volumes);
     check_fit(parts.passage.pieces(), parts.piece_volumes);
     check_fit(parts.merging.pieces(), parts.piece_volumes);
@@ -350,10 +345,8 @@ Discretization Discretization::with_stars(const ChosenStars& chosen) const {
 }
 
 const std::vector<SparseMatrix>& Discretization::lift() const& {
-    const std::lock_guard lock(lift_->making);
-    if (lift_->matrices.empty())
-        lift_->matrices = commuting_lift(merging(), metric(), piece_volumes(), parts_->flat);
-    return lift_->matrices;
+    return lift_->get(
+        [this] { return commuting_lift(merging(), metric(), piece_volumes(), parts_->flat); });
 }
 
 Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Progress& stage) {

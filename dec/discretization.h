@@ -166,11 +166,9 @@ public:
     double unit() const { return parts_->unit; }
 
 private:
-    struct Lift;
-
     std::shared_ptr<const Parts> parts_;
     std::shared_ptr<const ChosenStars> stars_;
-    std::shared_ptr<Lift> lift_;
+    std::shared_ptr<const Lazy<std::vector<SparseMatrix>>> lift_;
 };
 
 /// The whole way from a mesh to its merged complex, volumes and stars. Untidy input is tidied with

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <mutex>
 #include <utility>
 
 namespace polydec {
@@ -26,25 +25,18 @@ float rounded_up(double value) {
 
 } // namespace
 
-struct Values::Made {
-    std::once_flag once;
-    Vector vector;
-};
-
 Values::Values(Vector values)
-    : size_(static_cast<Index>(values.size())),
-      first_(size_ > 0 ? values[0] : 0),
-      made_(std::make_shared<Made>()) {
-    if (are_equal(values))
+    : size_(static_cast<Index>(values.size())), first_(size_ > 0 ? values[0] : 0) {
+    if (are_equal(values)) {
+        vector_ = std::make_shared<Lazy<Vector>>();
         return;
-    made_->vector = std::move(values);
-    values_ = made_->vector.data();
+    }
+    vector_ = std::make_shared<Lazy<Vector>>(std::move(values));
+    values_ = vector().data();
 }
 
 const Vector& Values::vector() const {
-    if (!values_)
-        std::call_once(made_->once, [this] { made_->vector = Vector::Constant(size_, first_); });
-    return made_->vector;
+    return vector_->get([this]() -> Vector { return Vector::Constant(size_, first_); });
 }
 
 Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) {

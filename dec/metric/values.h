@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/lazy.h"
 #include "base/types.h"
 
 #include <memory>
@@ -21,12 +22,10 @@ public:
     const Vector& vector() const;
 
 private:
-    struct Made;
-
     Index size_;
     double first_;
     const double* values_ = nullptr; // null: all are equal
-    std::shared_ptr<Made> made_;
+    std::shared_ptr<const Lazy<Vector>> vector_;
 };
 
 /// How large something is at most, for each cell: of such numbers, which are not negative, the
