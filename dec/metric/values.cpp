@@ -17,10 +17,11 @@ bool are_equal(const Vector& values) {
                        [&](double value) { return bits(value) == bits(values[0]); });
 }
 
-/// The next number of single precision that is no smaller.
-float rounded_up(double value) {
+/// The upper half of the number of single precision that is no smaller.
+std::uint16_t upper_half(double value) {
     const auto near = static_cast<float>(value);
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + (near < value ? 1 : 0));
+    const std::uint32_t above = std::bit_cast<std::uint32_t>(near) + (near < value ? 1 : 0);
+    return static_cast<std::uint16_t>((above + 0xffff) >> 16);
 }
 
 } // namespace
@@ -50,7 +51,7 @@ Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) 
     const double inverse = 1 / unit_;
     parts_.resize(static_cast<std::size_t>(size_));
     std::transform(values.data(), values.data() + size_, parts_.begin(),
-                   [=](double value) { return rounded_up(inverse * value); });
+                   [=](double value) { return upper_half(inverse * value); });
 }
 
 Bounds::operator Vector() const {

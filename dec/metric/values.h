@@ -4,6 +4,8 @@
 #include "base/lazy.h"
 #include "base/types.h"
 
+#include <bit>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -29,7 +31,8 @@ private:
 };
 
 /// How large something is at most, for each cell: of such numbers, which are not negative, the
-/// first digits count. Four bytes each, rounded up, for numbers within 1e-38 of the largest.
+/// first digits count. Two bytes each, rounded up by less than 1 %, if it is more than 1e-38 of the
+/// largest.
 class Bounds {
 public:
     Bounds() = default;
@@ -37,14 +40,16 @@ public:
 
     Index size() const { return size_; }
     double operator[](Index cell) const {
-        return parts_.empty() ? unit_ : unit_ * double{parts_[cell]};
+        return parts_.empty()
+                   ? unit_
+                   : unit_ * double{std::bit_cast<float>(std::uint32_t{parts_[cell]} << 16)};
     }
     operator Vector() const;
 
 private:
     Index size_ = 0;
     double unit_ = 0;
-    std::vector<float> parts_; // in units; empty: all are equal to it
+    std::vector<std::uint16_t> parts_; // upper halves of floats, in units; empty: all are 1
 };
 
 } // namespace polydec
