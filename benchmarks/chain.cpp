@@ -2,7 +2,6 @@
 #include "benchmarks/chain.h"
 
 #include "dec/forms/laplacian.h"
-#include "dec/forms/star.h"
 #include "dec/metric/circumcentric_volumes.h"
 
 namespace polydec::benchmarks {
@@ -13,23 +12,11 @@ const LazyMesh* in_memory = nullptr;
 
 } // namespace
 
-Operators all_operators(const CellComplex& complex, const CellVolumes& volumes) {
-    Operators result;
-    for (int k = 0; k <= complex.dimension(); ++k)
-        result.stars.push_back(star(volumes, k).diagonal());
-    result.laplacian = symmetric_laplacian(complex, volumes, 0);
-    return result;
-}
-
-double bytes(const Operators& operators) {
-    return bytes(operators.stars) + bytes(operators.laplacian);
-}
-
 Chain chain(const Mesh& mesh) {
     SimplicialComplex complex(mesh.simplices);
-    CellVolumes volumes = circumcentric_volumes(complex, mesh.points);
-    Operators operators = all_operators(complex, volumes);
-    return {std::move(complex), std::move(volumes), std::move(operators)};
+    HodgeStars stars = circumcentric_volumes(complex, mesh.points);
+    SparseMatrix laplacian = symmetric_laplacian(complex, stars, 0);
+    return {std::move(complex), std::move(stars), std::move(laplacian)};
 }
 
 const Mesh& LazyMesh::get() const {

@@ -3,6 +3,7 @@
 
 #include "benchmarks/bytes.h"
 #include "benchmarks/measure.h"
+#include "dec/forms/star.h"
 
 #include <functional>
 #include <memory>
@@ -10,26 +11,17 @@
 
 namespace polydec::benchmarks {
 
-/// The operators of a complex beside its d_k, which the complex itself holds.
-struct Operators {
-    std::vector<Vector> stars; ///< star_0 .. star_n
-    SparseMatrix laplacian;    ///< of 0-forms, symmetric
-};
-
-Operators all_operators(const CellComplex& complex, const CellVolumes& volumes);
-double bytes(const Operators& operators);
-
-/// From points and top simplices to all operators: d_k in the complex, volumes, the others.
+/// From points and top simplices to all operators.
 struct Chain {
-    SimplicialComplex complex;
-    CellVolumes volumes;
-    Operators operators;
+    SimplicialComplex complex; ///< with d_0 .. d_(n-1)
+    HodgeStars stars;          ///< star_0 .. star_n: handles on the volumes
+    SparseMatrix laplacian;    ///< of 0-forms, symmetric
 };
 
 Chain chain(const Mesh& mesh);
 
 inline double bytes(const Chain& chain) {
-    return bytes(chain.complex) + bytes(chain.volumes) + bytes(chain.operators);
+    return bytes(chain.complex) + bytes(chain.stars.volumes()) + bytes(chain.laplacian);
 }
 
 /// A mesh that is made when it is first asked for.

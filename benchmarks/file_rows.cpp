@@ -2,6 +2,7 @@
 #include "benchmarks/chain.h"
 #include "benchmarks/rows.h"
 #include "dec/discretization.h"
+#include "dec/forms/laplacian.h"
 #include "io/meshes/read_mesh.h"
 #include "io/meshes/write_mesh.h"
 #include "io/pictures/draw_cells.h"
@@ -68,8 +69,8 @@ private:
 };
 
 /// From a file to the operators of the merged mesh, a solution of Poisson's problem, and a file.
-Operators whole_way(const std::filesystem::path& from, const std::filesystem::path& to,
-                    Stages& stages) {
+SparseMatrix whole_way(const std::filesystem::path& from, const std::filesystem::path& to,
+                       Stages& stages) {
     stages.next("1_read");
     Mesh mesh = read_mesh(from);
     const auto cells = discretize(std::move(mesh), {}, [&](std::string_view stage) {
@@ -77,7 +78,7 @@ Operators whole_way(const std::filesystem::path& from, const std::filesystem::pa
         stages.next((first ? "2_" : second ? "3_" : "4_") + std::string(stage));
     });
     stages.next("5_operators");
-    auto operators = all_operators(cells.complex(), cells.volumes());
+    SparseMatrix laplacian = symmetric_laplacian(cells.complex(), cells.stars(), 0);
     stages.next("6_poisson");
     PoissonSolver solver(cells);
     const Vector u =
@@ -87,7 +88,7 @@ Operators whole_way(const std::filesystem::path& from, const std::filesystem::pa
     add_cochain(grid, cells.complex(), 0, "u", u);
     write_vtu(to, grid);
     stages.next("");
-    return operators;
+    return laplacian;
 }
 
 void add_reading(const std::string& name, const SharedMesh& mesh, const Settings& settings,

@@ -194,7 +194,7 @@ def main():
     if options.docs:
         write_docs(text, pictures)
 
-    failures = failures_of(kept) + failures_of(fresh)
+    failures = failures_of(kept) + failures_of(fresh) + tables.memory_failures(rows_of(kept))
     for failure in failures:
         print(f"failed: {failure}")
     return 1 if failures else 0

@@ -54,7 +54,17 @@ MEMORY_TARGETS = {"sphere/chain": (130, 250), "sphere_shuffled/chain": (130, 250
                   "sphere_shuffled/renumbered": (130, 250),
                   "sphere_4M/chain": (130, 250), "torus/chain": (130, 250),
                   "tets/chain": (190, 350)}
+MEMORY_SLACK = 1.1
 BOUND_TARGETS = {"sphere/chain": 10, "torus/chain": 10, "sphere_4M/chain": 10, "tets/chain": 15}
+
+
+def memory_failures(rows):
+    """Bytes beyond the targets and what the allocator and small meshes may add."""
+    return [f"{name}: {number(rows[name][counter])} bytes a cell, {counter}, where the target "
+            f"is {target}"
+            for name, targets in MEMORY_TARGETS.items() if name in rows
+            for counter, target in zip(("result_B", "peak_B"), targets)
+            if target is not None and rows[name][counter] > target * MEMORY_SLACK]
 
 
 def seconds(value):

@@ -122,7 +122,7 @@ FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
         for (int i = 0; i <= n; ++i)
             sums[mesh.pieces().face(n, t, i)] += of_pieces[t];
     duals.resistances = over_merged(parts.transpose() * of_pieces);
-    duals.terms = over_merged(sums.cwiseProduct(Vector(volumes.terms(n - 1))));
+    duals.terms = over_merged(sums.cwiseProduct(volumes.terms(n - 1).vector()));
     return duals;
 }
 

@@ -121,7 +121,7 @@ Vector HodgeStar::inverse() const {
 
 Vector HodgeStar::uncertainty() const {
     require_diagonal();
-    return Vector(volumes_.rounding(degree_)).cwiseQuotient(volumes_.primal(degree_));
+    return volumes_.rounding(degree_).vector().cwiseQuotient(volumes_.primal(degree_));
 }
 
 std::vector<Index> HodgeStar::zeros() const {

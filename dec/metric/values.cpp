@@ -54,7 +54,7 @@ Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) 
                    [=](double value) { return upper_half(inverse * value); });
 }
 
-Bounds::operator Vector() const {
+Vector Bounds::vector() const {
     Vector result(size_);
     for (Index cell = 0; cell < size_; ++cell)
         result[cell] = (*this)[cell];

@@ -44,7 +44,7 @@ public:
                    ? unit_
                    : unit_ * double{std::bit_cast<float>(std::uint32_t{parts_[cell]} << 16)};
     }
-    operator Vector() const;
+    Vector vector() const;
 
 private:
     Index size_ = 0;

@@ -42,7 +42,7 @@ void require_duals_that_fill(const CellVolumes& volumes) {
     const double whole = volumes.primal(n).sum();
     for (int k = 0; k <= n; ++k) {
         const double sum = volumes.primal(k).dot(volumes.dual(k));
-        const double size = volumes.primal(k).dot(volumes.terms(k));
+        const double size = volumes.primal(k).dot(volumes.terms(k).vector());
         require(std::abs(sum - binomial(n, k) * whole) <= 1e-9 * size,
                 "duals and cells fill the mesh");
     }

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Shows that the checks of the house can fail: each flaw put into a sound tree is named, alone."""
 import shutil
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import layering
 import words
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
+import tables  # noqa: E402
 
 SPDX = "// SPDX-License-Identifier: MIT\n"
 SOUND = {
@@ -125,6 +129,18 @@ class Twins(unittest.TestCase):
             with self.subTest(word=word):
                 (self.root / "README.md").write_text(f"Read\nsee {word}\n")
                 self.assert_only(words.check(self.root), "README.md:2", f"`{word}`")
+
+    def test_memory_beyond_its_target_is_named(self):
+        rows = {name: dict(zip(("result_B", "peak_B"), targets))
+                for name, targets in tables.MEMORY_TARGETS.items()}
+        self.assertEqual(tables.memory_failures(rows), [])
+        for name, row in rows.items():
+            for counter in row:
+                with self.subTest(name=name, counter=counter):
+                    worse = {**rows, name: {**row, counter: 1.2 * row[counter]}}
+                    complaints = tables.memory_failures(worse)
+                    self.assertEqual(len(complaints), 1, complaints)
+                    self.assertIn(name, complaints[0])
 
 
 if __name__ == "__main__":

@@ -104,7 +104,8 @@ Questions of_complexes(const Sample& s, int k) {
          [&s, k](Inputs& in) {
              const int degree = in.degree(k);
              return fit(s.V().primal(degree), s.size(k)) + fit(s.V().dual(degree), s.size(k)) +
-                    fit(s.V().terms(degree), s.size(k)) + fit(s.V().rounding(degree), s.size(k));
+                    fit(s.V().terms(degree).vector(), s.size(k)) +
+                    fit(s.V().rounding(degree).vector(), s.size(k));
          }},
         {"with_dual",
          [&s, k](Inputs& in) {

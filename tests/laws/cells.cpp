@@ -28,7 +28,7 @@ double defect_of_dual_volumes(const CellVolumes& volumes, int k, double factor =
     const double whole = binomial(n, k) * volumes.primal(n).sum();
     const Vector& primal = volumes.primal(k);
     return std::abs(factor * primal.dot(volumes.dual(k)) - whole) /
-           (primal.dot(volumes.terms(k)) + whole);
+           (primal.dot(volumes.terms(k).vector()) + whole);
 }
 
 Vector sorted(Vector values) {
@@ -39,7 +39,7 @@ Vector sorted(Vector values) {
 /// The largest difference of the sorted entries, beside the largest of their terms.
 double difference_of_duals(const CellVolumes& a, const CellVolumes& b, int k, double factor) {
     const Vector difference = sorted(a.dual(k)) - factor * sorted(b.dual(k));
-    return difference.cwiseAbs().maxCoeff() / a.terms(k).maxCoeff();
+    return difference.cwiseAbs().maxCoeff() / a.terms(k).vector().maxCoeff();
 }
 
 bool same_counts(const CellComplex& a, const CellComplex& b) {

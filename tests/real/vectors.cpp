@@ -123,7 +123,7 @@ TEST_P(RealVectors, that_are_constant_have_flats_that_are_differentials) {
         EXPECT_LE(worst_share(found - expected, size), of_geometry);
     }
     const Vector ppd = flat(mesh(), Flat::ppd, constant(P().size(0))).values;
-    const Vector lengths = ppd.cwiseAbs() + mesh().volumes().terms(1);
+    const Vector lengths = ppd.cwiseAbs() + mesh().volumes().terms(1).vector();
     EXPECT_LE(worst_share(flat(mesh(), Flat::pdd, constant(P().size(0))).values - ppd, lengths),
               of_geometry);
     EXPECT_LE(worst_share(flat(mesh(), Flat::dpd, constant(P().size(2))).values - ppd, lengths),
