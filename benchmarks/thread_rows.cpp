@@ -32,13 +32,6 @@ bool same_bits(const Eigen::SparseMatrix<Number, Eigen::RowMajor, Index>& A,
            same_bits(A.valuePtr(), B.valuePtr(), A.nonZeros());
 }
 
-bool same_bits(const std::vector<Vector>& a, const std::vector<Vector>& b) {
-    bool same = a.size() == b.size();
-    for (std::size_t k = 0; same && k < a.size(); ++k)
-        same = same_bits(a[k], b[k]);
-    return same;
-}
-
 bool same_bits(const SimplicialComplex& a, const SimplicialComplex& b) {
     const int n = a.dimension();
     bool same = n == b.dimension();
@@ -59,9 +52,8 @@ bool same_bits(const CellVolumes& a, const CellVolumes& b) {
 }
 
 bool same_bits(const Chain& a, const Chain& b) {
-    return same_bits(a.complex, b.complex) && same_bits(a.volumes, b.volumes) &&
-           same_bits(a.operators.stars, b.operators.stars) &&
-           same_bits(a.operators.laplacian, b.operators.laplacian);
+    return same_bits(a.complex, b.complex) && same_bits(a.stars.volumes(), b.stars.volumes()) &&
+           same_bits(a.laplacian, b.laplacian);
 }
 
 /// What a number of threads has computed.

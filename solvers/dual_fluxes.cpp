@@ -83,7 +83,7 @@ FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars) {
     duals.place = [star = stars[facets]](Index f) { return star.place({f}); };
     if (stars[facets].is_diagonal()) {
         duals.resistances = volumes.dual(facets);
-        duals.terms = volumes.terms(facets);
+        duals.terms = volumes.terms(facets).vector();
         duals.missing = boundary_facets_without_dual(complex, volumes);
     }
     return duals;

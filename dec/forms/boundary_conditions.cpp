@@ -112,8 +112,8 @@ CellVolumes relative_volumes(const RelativeComplex& relative, const CellVolumes&
     for (int k = 0; k <= relative.complex.dimension(); ++k) {
         primal.push_back(relative.restrict(k, volumes.primal(k)));
         dual.push_back(relative.restrict(k, volumes.dual(k)));
-        terms.push_back(relative.restrict(k, volumes.terms(k)));
-        rounding.push_back(relative.restrict(k, volumes.rounding(k)));
+        terms.push_back(relative.restrict(k, volumes.terms(k).vector()));
+        rounding.push_back(relative.restrict(k, volumes.rounding(k).vector()));
         for (Index& cell : numbers[k])
             cell = volumes.number(k, cell);
     }

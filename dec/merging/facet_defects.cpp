@@ -78,7 +78,8 @@ FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options) {
     const int n = complex.dimension();
     const bool by_angles = options.criterion == MergeCriterion::angle;
-    const Vector &dual = volumes.dual(n - 1), &terms = volumes.terms(n - 1);
+    const Vector& dual = volumes.dual(n - 1);
+    const Bounds& terms = volumes.terms(n - 1);
     FacetDefects result;
     result.scale = circumradii(complex, metric, n - 1);
     result.defect = by_angles ? apex_angles(complex, metric, volumes, result.scale) : dual;

@@ -18,8 +18,8 @@ CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const Cell
         };
         primal.emplace_back(pieces * volumes);
         dual.push_back(mean(input.dual(degree)));
-        terms.push_back(mean(input.terms(degree)));
-        rounding.push_back(mean(input.rounding(degree)));
+        terms.push_back(mean(input.terms(degree).vector()));
+        rounding.push_back(mean(input.rounding(degree).vector()));
     }
     return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
 }

@@ -24,8 +24,8 @@ std::vector<Bounds> sizes_of(const std::vector<Vector>& dual) {
 
 std::vector<Bounds> rounding_of_all(const std::vector<Bounds>& terms) {
     std::vector<Bounds> rounding;
-    for (const Vector& values : terms)
-        rounding.emplace_back(values.unaryExpr(&rounding_of));
+    for (const Bounds& sizes : terms)
+        rounding.emplace_back(sizes.vector().unaryExpr(&rounding_of));
     return rounding;
 }
 
