@@ -18,10 +18,10 @@ struct Blocks {
         int dimension; ///< of the block
         Index piece;   ///< the block's first piece stands for the block
     };
-    std::vector<std::vector<Carrier>> carriers;     ///< of simplex s of degree k: carriers[k][s]
-    std::vector<std::vector<std::int8_t>> signs;    ///< orientation of a piece in its block
-    std::vector<std::vector<Index>> active_cofaces; ///< cofaces of s that are not removed
-    std::vector<std::vector<bool>> twisted;         ///< blocks, by first piece, with clashing signs
+    std::vector<std::vector<Carrier>> carriers;  ///< of simplex s of degree k: carriers[k][s]
+    std::vector<std::vector<std::int8_t>> signs; ///< orientation of a piece in its block; or 0
+    std::vector<CofaceCounts> active_cofaces;    ///< numbers of cofaces of s that are not removed
+    std::vector<std::vector<Index>> twisted;     ///< first pieces of blocks with clashing signs
 };
 
 /// Joins n-simplices across the removed facets, then downwards, k = n-1 .. 2, k-simplices across a
