@@ -6,11 +6,9 @@
 
 namespace polydec {
 
-IncidenceRows::IncidenceRows(Index cells, Index faces, std::size_t expected)
-    : counts_(static_cast<std::size_t>(faces), 0), cells_(cells) {
-    ends_.reserve(static_cast<std::size_t>(cells) + 1);
-    columns_.reserve(expected);
-    signs_.reserve(expected);
+IncidenceRows::IncidenceRows(Index cells, Index faces, Index sides)
+    : rows_(cells, faces), counts_(static_cast<std::size_t>(faces), 0) {
+    rows_.resizeNonZeros(sides);
 }
 
 void IncidenceRows::end_cell() {
@@ -25,24 +23,20 @@ void IncidenceRows::end_cell() {
         for (; j < sides_.size() && sides_[j].face == sum.face; ++j)
             sum.sign += sides_[j].sign;
         if (sum.sign != 0) {
-            columns_.push_back(sum.face);
-            signs_.push_back(static_cast<std::int8_t>(sum.sign));
+            rows_.innerIndexPtr()[end_] = sum.face;
+            rows_.valuePtr()[end_++] = static_cast<std::int8_t>(sum.sign);
         } else {
-            canceled_.push_back({static_cast<Index>(ends_.size()) - 1, sum.face});
+            canceled_.push_back({cell_, sum.face});
         }
     }
-    ends_.push_back(static_cast<Index>(columns_.size()));
+    rows_.outerIndexPtr()[++cell_] = end_;
     sides_.clear();
 }
 
 void IncidenceRows::finish(IncidenceMatrix& coboundary, CofaceCounts& coface_counts,
                            std::vector<Incidence>& canceled) {
-    IncidenceMatrix rows(cells_, static_cast<Index>(counts_.size()));
-    rows.resizeNonZeros(static_cast<Index>(columns_.size()));
-    std::copy(columns_.begin(), columns_.end(), rows.innerIndexPtr());
-    std::copy(signs_.begin(), signs_.end(), rows.valuePtr());
-    std::copy(ends_.begin(), ends_.end(), rows.outerIndexPtr());
-    coboundary.swap(rows);
+    rows_.resizeNonZeros(end_);
+    coboundary.swap(rows_);
     coface_counts = counts_;
     canceled = std::move(canceled_);
 }

@@ -8,8 +8,8 @@ namespace polydec {
 /// Writes a coboundary d_k row by row, from the sides of cells in any order.
 class IncidenceRows {
 public:
-    /// For so many (k+1)-cells and k-cells; `expected` entries are made room for.
-    IncidenceRows(Index cells, Index faces, std::size_t expected);
+    /// For so many (k+1)-cells and k-cells, and so many sides in all.
+    IncidenceRows(Index cells, Index faces, Index sides);
 
     /// A side of the next cell.
     void add(Index face, int sign) {
@@ -26,11 +26,11 @@ public:
                 std::vector<Incidence>& canceled);
 
 private:
-    std::vector<Index> columns_, ends_{0}, counts_;
-    std::vector<std::int8_t> signs_;
+    IncidenceMatrix rows_;
+    std::vector<Index> counts_;
     std::vector<Incidence> canceled_;
     std::vector<SignedFace> sides_; // of the cell that is being written
-    Index cells_;
+    Index cell_ = 0, end_ = 0;      // its number, and that of the entries
 };
 
 } // namespace polydec

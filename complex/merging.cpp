@@ -17,23 +17,24 @@ namespace {
 using Row = IncidenceMatrix::InnerIterator;
 using Carriers = std::vector<std::vector<Merging::Carrier>>;
 
+bool is_first_piece(const Blocks& blocks, int k, Index s) {
+    const auto& [dimension, piece] = blocks.carriers[k][s];
+    return dimension == k && piece == s;
+}
+
 /// Numbers the blocks of each degree in the order of their first pieces.
 Carriers number_blocks(const Pieces& complex, const Blocks& blocks) {
     const int n = complex.dimension();
-    std::vector<std::vector<Index>> number(n + 1);
-    for (int k = 0; k <= n; ++k) {
-        number[k].assign(complex.size(k), -1);
+    Carriers carriers(n + 1);
+    for (int k = n; k >= 0; --k) {
+        carriers[k].resize(complex.size(k));
         Index next = 0;
         for (Index s = 0; s < complex.size(k); ++s) {
-            const auto& carrier = blocks.carriers[k][s];
-            if (carrier.dimension == k && carrier.piece == s)
-                number[k][s] = next++;
+            const auto [dimension, piece] = blocks.carriers[k][s];
+            carriers[k][s] = {
+                dimension, is_first_piece(blocks, k, s) ? next++ : carriers[dimension][piece].cell};
         }
     }
-    Carriers carriers(n + 1);
-    for (int k = 0; k <= n; ++k)
-        for (const auto& carrier : blocks.carriers[k])
-            carriers[k].push_back({carrier.dimension, number[carrier.dimension][carrier.piece]});
     return carriers;
 }
 
@@ -69,16 +70,18 @@ IncidenceRows merge_degree(const Pieces& complex, const Blocks& blocks, const Ca
                            const std::vector<IncidenceMatrix>& diamonds, int k) {
     const IncidenceMatrix& upper = diamonds[k + 1];
     const auto cells = static_cast<Index>(upper.rows());
-    IncidenceRows rows(cells, static_cast<Index>(diamonds[k].rows()),
-                       static_cast<std::size_t>(upper.nonZeros()) * 2);
+    Index sides = 0;
+    for (Index s = 0; s < complex.size(k); ++s)
+        if (is_first_piece(blocks, k, s))
+            sides += blocks.active_cofaces[k][s];
+    IncidenceRows rows(cells, static_cast<Index>(diamonds[k].rows()), sides);
     const FaceTable faces = complex.faces(k + 1);
     for (Index cell = 0; cell < cells; ++cell) {
         for (Row piece(upper, cell); piece; ++piece)
             for (int i = k + 1; i >= 0; --i) {
                 const auto t = static_cast<Index>(piece.col());
                 const Index s = faces(t, i);
-                const auto& block = blocks.carriers[k][s];
-                if (block.dimension == k && block.piece == s)
+                if (is_first_piece(blocks, k, s))
                     rows.add(carriers[k][s].cell, piece.value() * complex.sign(k + 1, t, i));
             }
         rows.end_cell();

@@ -102,7 +102,7 @@ Pieces::Glued Pieces::glue(std::vector<Simplices> faces, std::vector<std::int8_t
         const auto lower =
             k == 1 ? static_cast<Index>(vertices.size()) : static_cast<Index>(faces[k - 1].rows());
         IncidenceRows rows(static_cast<Index>(faces[k].rows()), lower,
-                           static_cast<std::size_t>(faces[k].size()));
+                           static_cast<Index>(faces[k].size()));
         for (Index s = 0; s < faces[k].rows(); ++s) {
             const int own = k == n ? orientations[s] : 1;
             for (int i = 0; i <= k; ++i)

@@ -32,10 +32,10 @@ constexpr double tie = 1e-12;
 
 /// Classes of n-simplices, with the defects that each has gathered at its root.
 struct Classes {
-    explicit Classes(Index size) : sets(size), spread(size, 0.0) {}
+    explicit Classes(Index size) : sets(size) {}
 
     DisjointSets sets;
-    std::vector<double> spread;
+    std::vector<double> spread; // empty while all that was gathered is 0
 };
 
 /// What the cells of highest dimension are made of.
@@ -60,10 +60,11 @@ public:
           limit_(spread_limit * tolerance) {
         const int n = complex.dimension();
         const auto& counts = complex.coface_counts(n - 1);
+        const FaceTable faces = complex.faces(n);
         sides_.resize(complex.size(n - 1), {-1, -1});
         for (Index t = 0; t < complex.size(n); ++t)
             for (int i = 0; i <= n; ++i)
-                if (const Index f = complex.face(n, t, i); counts[f] == 2)
+                if (const Index f = faces(t, i); counts[f] == 2)
                     sides_[f][sides_[f][0] < 0 ? 0 : 1] = t;
         for (Index f = 0; f < complex.size(n - 1); ++f)
             if (counts[f] == 2 && defects.degenerate[f])
@@ -72,11 +73,16 @@ public:
     }
 
     TopCells cells(const std::vector<bool>& kept) const {
-        Classes classes(complex_.size(complex_.dimension()));
+        const Index tops = complex_.size(complex_.dimension());
+        Classes classes(tops);
         for (std::size_t i = 0; i < exact_; ++i)
             if (const Index f = candidates_[i]; !kept[f])
                 classes.sets.join(sides_[f][0], sides_[f][1]);
-        std::vector<Index> place(static_cast<std::size_t>(complex_.size(complex_.dimension())), -1);
+        std::vector<Index> place;
+        if (exact_ < candidates_.size()) {
+            place.assign(tops, -1);
+            classes.spread.assign(tops, 0.0);
+        }
         for (std::size_t group = 1; group < group_begins_.size(); ++group) {
             std::vector<Index> tied;
             for (std::size_t i = group_begins_[group - 1]; i < group_begins_[group]; ++i)
@@ -131,8 +137,9 @@ Sides FacetChoice::free_sides(const std::vector<bool>& kept) const {
 /// In space all goes that lies between two pieces of a class.
 TopCells FacetChoice::read_off(DisjointSets& classes, const std::vector<bool>& kept) const {
     TopCells cells{std::vector<bool>(sides_.size(), false), {}, true};
-    for (Index t = 0; t < complex_.size(complex_.dimension()); ++t)
-        cells.roots.push_back(classes.find(t).element);
+    cells.roots.resize(complex_.size(complex_.dimension()));
+    for (std::size_t t = 0; t < cells.roots.size(); ++t)
+        cells.roots[t] = classes.find(static_cast<Index>(t)).element;
     for (std::size_t f = 0; f < sides_.size(); ++f) {
         const auto& [a, b] = sides_[f];
         if (b < 0 || kept[f] || cells.roots[a] != cells.roots[b] ||

@@ -58,7 +58,10 @@ bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
         return false;
 
     const double V = volumes_.dual(k)[f], W = volumes_.dual(k)[g];
-    const double size = std::max({std::abs(V), std::abs(W), std::pow(l, complex_.dimension() - k)});
+    double size = 1; // of a dual
+    for (int i = k; i < complex_.dimension(); ++i)
+        size *= l;
+    size = std::max({std::abs(V), std::abs(W), size});
     const double noise = rounding_of(volumes_.terms(k)[f] + volumes_.terms(k)[g]);
     if (std::abs(V - W) > tolerance_ * size + noise)
         return false;
