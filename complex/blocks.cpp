@@ -17,7 +17,8 @@ public:
         const int n = complex.dimension();
         blocks_.twisted.resize(n + 1);
         blocks_.active_cofaces.resize(n + 1);
-        blocks_.active_cofaces[n] = complex.coface_counts(n);
+        for (int k = n - 1; k <= n; ++k) // n-simplices stay active
+            blocks_.active_cofaces[k] = complex.coface_counts(k);
         for (int k = 0; k <= n; ++k) {
             blocks_.signs.emplace_back(complex.size(k), std::int8_t{1});
             auto& carriers = blocks_.carriers.emplace_back(complex.size(k));
@@ -118,7 +119,6 @@ Blocks join_blocks(const Pieces& complex, const std::vector<bool>& removed_facet
     check_as_many("marks of facets", static_cast<std::int64_t>(removed_facets.size()),
                   complex.size(n - 1));
     Joining joining(complex);
-    joining.count_active(n - 1);
     joining.join_degree(n, [&](Index s, Index, Index) { return removed_facets[s]; });
     for (int k = n - 1; k >= 1; --k) {
         joining.count_active(k - 1);

@@ -77,13 +77,12 @@ IncidenceRows merge_degree(const Pieces& complex, const Blocks& blocks, const Ca
     IncidenceRows rows(cells, static_cast<Index>(diamonds[k].rows()), sides);
     const FaceTable faces = complex.faces(k + 1);
     for (Index cell = 0; cell < cells; ++cell) {
-        for (Row piece(upper, cell); piece; ++piece)
-            for (int i = k + 1; i >= 0; --i) {
-                const auto t = static_cast<Index>(piece.col());
-                const Index s = faces(t, i);
-                if (is_first_piece(blocks, k, s))
+        for (Row piece(upper, cell); piece; ++piece) {
+            const auto t = static_cast<Index>(piece.col());
+            for (int i = k + 1; i >= 0; --i)
+                if (const Index s = faces(t, i); is_first_piece(blocks, k, s))
                     rows.add(carriers[k][s].cell, piece.value() * complex.sign(k + 1, t, i));
-            }
+        }
         rows.end_cell();
     }
     return rows;

@@ -85,7 +85,8 @@ public:
     /// The sign of the face of k-simplex s that lacks corner number `omitted`. Not checked.
     int sign(int k, Index s, int omitted) const {
         const int of_position = omitted % 2 == 0 ? 1 : -1;
-        return k == dimension() ? of_position * (*parts_->orientations)[s] : of_position;
+        const bool is_top = k == static_cast<int>(parts_->simplices.size()) - 1;
+        return is_top ? of_position * (*parts_->orientations)[s] : of_position;
     }
 
     /// Whether these are the simplices of a simplicial complex, so that points at their corners say

@@ -63,11 +63,14 @@ public:
         const FaceTable faces = complex.faces(n);
         sides_.resize(complex.size(n - 1), {-1, -1});
         for (Index t = 0; t < complex.size(n); ++t)
-            for (int i = 0; i <= n; ++i)
-                if (const Index f = faces(t, i); counts[f] == 2)
-                    sides_[f][sides_[f][0] < 0 ? 0 : 1] = t;
+            for (int i = 0; i <= n; ++i) {
+                auto& sides = sides_[faces(t, i)];
+                sides[sides[0] < 0 ? 0 : 1] = t;
+            }
         for (Index f = 0; f < complex.size(n - 1); ++f)
-            if (counts[f] == 2 && defects.degenerate[f])
+            if (counts[f] != 2)
+                sides_[f] = {-1, -1};
+            else if (defects.degenerate[f])
                 candidates_.push_back(f);
         arrange_candidates();
     }
