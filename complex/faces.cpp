@@ -317,10 +317,9 @@ SortedRows sorted_with(const Simplices& rows, Index vertices) {
         [&](Index i) { return sorted_list<capacity>(rows, i); });
     const auto count = static_cast<std::size_t>(rows.rows());
     Simplices simplices(rows.rows(), m);
-    SortedRows sorted{{nullptr, vertices, lists.begins},
-                      std::vector<Index>(count),
-                      std::vector<std::int8_t>(count),
-                      true};
+    SortedRows sorted;
+    sorted.order.resize(count);
+    sorted.signs.resize(count);
     std::atomic<bool> are_simplices = true;
     for_each_block(vertices, [&](Index block, Index begin, Index end) {
         Block<capacity> by_vertex(lists.of(block), block);
@@ -345,7 +344,10 @@ SortedRows sorted_with(const Simplices& rows, Index vertices) {
         if (!fine)
             are_simplices = false;
     });
+    // a member at a time: g++ 12 frees nested ones twice where a later initializer throws
     sorted.simplices.rows = std::make_shared<const Simplices>(std::move(simplices));
+    sorted.simplices.vertices = vertices;
+    sorted.simplices.begins = std::move(lists.begins);
     sorted.are_simplices = are_simplices;
     return sorted;
 }

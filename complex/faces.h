@@ -36,7 +36,7 @@ struct SortedRows {
     SortedSimplices simplices;
     std::vector<Index> order;
     std::vector<std::int8_t> signs;
-    bool are_simplices; ///< no row has a vertex twice or is there twice
+    bool are_simplices = true; ///< no row has a vertex twice or is there twice
 };
 SortedRows sorted_rows(const Simplices& rows, Index vertices);
 
