@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace polydec {
@@ -72,6 +73,10 @@ void CellVolumes::check(int k) const {
                                        "for every cell",
                                        primal.size(), dual.size(), terms.size(), rounding.size(),
                                        k));
+    constexpr double lowest = -std::numeric_limits<double>::infinity();
+    if (primal.are_above(0) && dual.are_above(lowest) && terms.are_finite() &&
+        rounding.are_finite())
+        return;
     for (Index s = 0; s < primal.size(); ++s) {
         if (!(primal[s] > 0) || !std::isfinite(primal[s]))
             throw InvalidInput(fmt::format("the {}-cell {} has volume {}: expected a finite number "

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace polydec {
@@ -40,6 +41,15 @@ const Vector& Values::vector() const {
     return vector_->get([this]() -> Vector { return Vector::Constant(size_, first_); });
 }
 
+bool Values::are_above(double least) const {
+    bool are = true; // without a branch for each, so that several are looked at at once
+    const Index count = values_ ? size_ : std::min<Index>(size_, 1);
+    const double* const values = values_ ? values_ : &first_;
+    for (Index i = 0; i < count; ++i)
+        are &= values[i] > least && values[i] <= std::numeric_limits<double>::max();
+    return are;
+}
+
 Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) {
     const double largest = size_ > 0 ? values.maxCoeff() : 0;
     unit_ = largest;
@@ -52,6 +62,14 @@ Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) 
     parts_.resize(static_cast<std::size_t>(size_));
     std::transform(values.data(), values.data() + size_, parts_.begin(),
                    [=](double value) { return upper_half(inverse * value); });
+}
+
+bool Bounds::are_finite() const {
+    constexpr std::uint16_t infinite = 0x7f80;
+    bool are = std::isfinite(unit_);
+    for (const std::uint16_t part : parts_)
+        are &= (part & infinite) != infinite;
+    return are;
 }
 
 Vector Bounds::vector() const {

@@ -20,6 +20,9 @@ public:
     Index size() const { return size_; }
     double operator[](Index cell) const { return values_ ? values_[cell] : first_; }
 
+    /// Whether all are finite numbers above this one.
+    bool are_above(double least) const;
+
     /// All of them: made when it is first asked for, and kept.
     const Vector& vector() const;
 
@@ -45,6 +48,7 @@ public:
                    : unit_ * double{std::bit_cast<float>(std::uint32_t{parts_[cell]} << 16)};
     }
     Vector vector() const;
+    bool are_finite() const;
 
 private:
     Index size_ = 0;
