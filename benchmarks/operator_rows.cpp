@@ -126,7 +126,7 @@ void add_stages(const std::string& name, const SharedMesh& mesh, const Settings&
 } // namespace
 
 void add_operator_rows(const Settings& settings) {
-    const int f = settings.side(224);
+    const int f = settings.judged_side(224);
     add_stages("sphere", shared_mesh([=] { return icosphere(f); }), settings);
     const auto in_disorder = shared_mesh([=] { return shuffled(icosphere(f), 1).mesh; });
     add("sphere_shuffled/chain", in_disorder, settings, chain_row);
@@ -138,10 +138,10 @@ void add_operator_rows(const Settings& settings) {
     add("sphere_rough/complex", rough, settings, complex_row);
     add("sphere_rough/flips", rough, settings, flips_row);
 
-    const int around = settings.side(1000), across = settings.side(500);
+    const int around = settings.judged_side(1000), across = settings.judged_side(500);
     add_stages("torus", shared_mesh([=] { return torus(around, across); }), settings);
 
-    const int cells = settings.side(64);
+    const int cells = settings.judged_side(64);
     add_stages("tets", shared_mesh([=] { return kuhn(3, cells); }), settings);
     const int few = settings.side(12);
     add("pentatopes/chain", shared_mesh([=] { return kuhn(4, few); }), settings, chain_row);
