@@ -131,9 +131,11 @@ struct AlternatingRows {
     void for_each(Index cell, double factor, Take take) const {
         const Index count = size(cell);
         const Index* const face = faces + std::ptrdiff_t{count} * cell;
-        const double last = signs && signs[cell] < 0 ? -factor : factor;
-        for (Index i = 0; i < count; ++i)
-            take(face[i], (count - i) % 2 == 1 ? last : -last);
+        // without a branch on signs, which may be random
+        const double last = signs ? signs[cell] * factor : factor;
+        double value = count % 2 == 1 ? last : -last;
+        for (Index i = 0; i < count; ++i, value = -value)
+            take(face[i], value);
     }
 };
 

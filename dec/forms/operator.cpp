@@ -109,9 +109,10 @@ Vector Operator::operator*(const Vector& values) const {
             fmt::format("{} values are given to an operator that takes {}", values.size(), cols_));
     Vector sum = Vector::Zero(terms_.empty() ? rows_ : 0);
     for (const Product& product : terms_) {
-        Vector x = values;
-        for (auto factor = product.rbegin(); factor != product.rend(); ++factor)
-            x = apply(*factor, x);
+        Vector x;
+        const Vector* given = &values;
+        for (auto factor = product.rbegin(); factor != product.rend(); ++factor, given = &x)
+            x = apply(*factor, *given);
         sum = sum.size() == 0 ? std::move(x) : Vector(sum + x);
     }
     return sum;
