@@ -66,6 +66,7 @@ std::vector<files::path> engine_folders() {
         if (error)
             continue;
         result.push_back(home / "polydec");
+        result.push_back(home / "engines");
         result.push_back((home / POLYDEC_LIB_FROM_BIN / "polydec").lexically_normal());
     }
     result.emplace_back(POLYDEC_LIB "/polydec");

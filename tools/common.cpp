@@ -162,13 +162,6 @@ std::string in_words(const ChosenStars& stars) {
     return fmt::format("{} stars", name(stars.kind));
 }
 
-void write_member(JsonWriter& json, const ChosenStars& stars) {
-    json.object("star", [&] {
-        json.member("kind", name(stars.kind));
-        json.member("galerkin_share", stars.galerkin_share());
-    });
-}
-
 std::string flip_advice(const Discretization& mesh) {
     const Remedy next = remedy(mesh);
     return next == Remedy::flips || next == Remedy::splits ? fmt::format("; add {}", option(next))

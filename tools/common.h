@@ -40,7 +40,6 @@ CLI::Option* add_side(CLI::App& command, Side& side);
 /// Of which kind the stars of a mesh are, for answers: "hybrid stars, Galerkin's on 12.3 % of the
 /// cells", and a member "star" with kind and share.
 std::string in_words(const ChosenStars& stars);
-void write_member(JsonWriter& json, const ChosenStars& stars);
 
 /// "; add DiscretizeOptions::delaunay", told as the option, or what else flips would do against
 /// negative duals; empty if nothing would.

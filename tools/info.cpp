@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "base/printable.h"
 #include "dec/diagnosis.h"
+#include "io/diagnosis_json.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/messages.h"
 
 #include <fmt/ranges.h>
 
-#include <array>
 #include <memory>
 #include <utility>
 
@@ -15,155 +15,11 @@ namespace polydec::tools {
 
 namespace {
 
-constexpr std::array sides{Side::primal, Side::dual};
-
-template <class Value>
-void write(JsonWriter& json, const char* name, const BeforeAndAfter<Value>& both) {
-    json.object(name, [&] {
-        json.member("input", both.input);
-        json.member("merged", both.merged);
-    });
-}
-
-void write(JsonWriter& json, const DegenerateFacets& facets) {
-    json.member("degenerate", facets.interior);
-    json.member("boundary_degenerate", facets.boundary);
-    json.member("branching_degenerate", facets.branching);
-}
-
-void write(JsonWriter& json, const FlipNumbers& flips) {
-    const auto& done = flips.statistics;
-    json.member("negative_before", done.negative_before);
-    json.member("negative_boundary_before", done.negative_boundary_before);
-    json.member("flips", done.flips);
-    json.member("splits", done.splits);
-    json.member("negative", done.negative_interior);
-    json.member("negative_boundary", done.negative_boundary);
-    json.member("added_length", done.added_length);
-    json.member("cells", flips.cells);
-}
-
-void write(JsonWriter& json, const FacetKinds& pairs) {
-    json.member("well_centered", pairs.well_centered);
-    json.member("delaunay", pairs.delaunay);
-    json.member("non_delaunay", pairs.non_delaunay);
-    json.member("cospherical", pairs.cospherical);
-}
-
-void write(JsonWriter& json, const char* name, const std::vector<StarNumbers>& stars) {
-    json.array(name, [&] {
-        for (const auto& star : stars)
-            json.object([&] {
-                json.member("min", star.min);
-                json.member("max", star.max);
-                json.member("min_abs", star.min_abs);
-                json.member("negative", star.negative);
-                json.member("zero", star.zero);
-                json.member("condition", star.condition);
-                json.member("diagonal", star.is_diagonal);
-            });
-    });
-}
-
-/// The verdicts on one operator, on primal and on dual forms; for some there is only one of them.
-struct OperatorRow {
-    using Sides = std::array<const OperatorVerdict*, 2>;
-    std::string name;
-    int degree;
-    BeforeAndAfter<Sides> sides = {};
-};
-
-std::vector<OperatorRow> operator_rows(const Diagnosis& facts) {
-    std::vector<OperatorRow> rows;
-    for (std::size_t i = 0; i < facts.operators.merged.size(); ++i) {
-        const auto& merged = facts.operators.merged[i];
-        if (rows.empty() || rows.back().name != merged.name || rows.back().degree != merged.degree)
-            rows.push_back({merged.name, merged.degree});
-        const int side = merged.side == Side::primal ? 0 : 1;
-        rows.back().sides.input[side] = &facts.operators.input[i];
-        rows.back().sides.merged[side] = &merged;
-    }
-    return rows;
-}
-
-void write(JsonWriter& json, const char* stage, const OperatorRow::Sides& verdicts) {
-    json.object(stage, [&] {
-        for (std::size_t side = 0; side < sides.size(); ++side)
-            if (verdicts[side])
-                json.member(name(sides[side]), name(verdicts[side]->verdict));
-    });
-}
-
-void write(JsonWriter& json, const OperatorRow& row) {
-    json.member("operator", row.name);
-    json.member("degree", row.degree);
-    write(json, "input", row.sides.input);
-    write(json, "merged", row.sides.merged);
-}
-
-/// Indefinite: with negative eigenvalues.
-const char* word(const SpectrumVerdict& verdict) {
-    return !verdict.exists ? "no" : verdict.reason.empty() ? "yes" : "indefinite";
-}
-
-void write(JsonWriter& json, const LaplacianVerdict& facts) {
-    json.member("degree", facts.degree);
-    json.member("matrix", name(facts.matrix));
-    json.member("spectrum", word(facts.spectrum(Side::primal)));
-    json.member("reason", facts.reason(Side::primal));
-    json.member("dual_spectrum", word(facts.spectrum(Side::dual)));
-    json.member("dual_reason", facts.reason(Side::dual));
-}
-
-/// Of the triangles that were merged: with flips and splits, those that they have made.
-double percent_of_pairs(const Diagnosis& facts) {
-    const Index triangles = facts.flips ? facts.flips->cells[2] : facts.cells.input[2];
-    return 100.0 * facts.merged_pairs.simplices / triangles;
-}
-
 std::vector<std::string> advice_in_words(const Diagnosis& facts) {
     std::vector<std::string> list;
     for (const auto& advice : facts.advice)
         list.push_back(told(in_words(advice, facts.dimension)));
     return list;
-}
-
-void write(JsonWriter& json, const Diagnosis& facts) {
-    json.member("dimension", facts.dimension);
-    json.member("ambient_dimension", facts.ambient_dimension);
-    write(json, "cells", facts.cells);
-    write(json, "euler", facts.euler);
-    write(json, "betti", facts.betti);
-    json.member("components", facts.components);
-    json.member("boundary_components", facts.boundary_components);
-    json.member("orientable", facts.orientable);
-    json.member("volume", facts.volume);
-    json.object("facets", [&] { write(json, facts.degenerate); });
-    if (facts.flips)
-        json.object("intrinsic", [&] { write(json, *facts.flips); });
-    else
-        json.object("pairs", [&] { write(json, *facts.pairs); });
-    write(json, "stars", facts.stars.merged);
-    write(json, "input_stars", facts.stars.input);
-    json.array("operators", [&] {
-        for (const auto& row : operator_rows(facts))
-            json.object([&] { write(json, row); });
-    });
-    json.array("laplacians", [&] {
-        for (const auto& each : facts.laplacians)
-            json.object([&] { write(json, each); });
-    });
-    json.object("vertices_per_cell", [&] {
-        for (const auto& [vertices, cells] : facts.vertices_per_cell)
-            json.member(std::to_string(vertices), cells);
-    });
-    if (facts.dimension == 2)
-        json.object("concyclic", [&] {
-            json.member("edges", facts.merged_pairs.facets);
-            json.member("faces", facts.merged_pairs.simplices);
-            json.member("percent", percent_of_pairs(facts));
-        });
-    json.member("advice", advice_in_words(facts));
 }
 
 std::string shown(const std::optional<double>& number, int digits) {
@@ -309,8 +165,8 @@ struct Info : Answer {
         : mesh(std::move(name)), facts(std::move(found)), stars(std::move(chosen)) {}
 
     void write(JsonWriter& json) const override {
-        tools::write(json, facts);
-        write_member(json, stars);
+        write_diagnosis(json, facts, advice_in_words(facts));
+        polydec::write_stars(json, stars);
     }
 
     void write(Text& text) const override {

@@ -2,6 +2,7 @@
 #include "solvers/poisson.h"
 
 #include "dec/fields/cell_centers.h"
+#include "io/diagnosis_json.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/vtu.h"
 #include "meshes/unit_of_length.h"
@@ -67,7 +68,7 @@ struct Solved : Answer {
                 json.member("l2", errors->l2);
                 json.member("max", errors->max);
             });
-        write_member(json, stars);
+        write_stars(json, stars);
     }
 
     void write(Text& text) const override {

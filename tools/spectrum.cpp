@@ -2,6 +2,7 @@
 #include "solvers/spectra/spectrum.h"
 
 #include "base/memory.h"
+#include "io/diagnosis_json.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_modes.h"
 #include "meshes/unit_of_length.h"
@@ -57,7 +58,7 @@ struct Eigenvalues : Answer {
         json.member("eigen_solver", spectrum.eigen_solver);
         json.member("seconds", seconds);
         json.member("conditions", conditions);
-        write_member(json, stars);
+        write_stars(json, stars);
     }
 
     void write(Text& text) const override {

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "python/bindings/calculus.h"
+
+#include "complex/homology.h"
+#include "dec/forms/derivative.h"
+#include "dec/forms/laplacian.h"
+#include "python/bindings/convert.h"
+
+namespace polydec::python {
+
+namespace {
+
+/// The matrix of an operator, made without the interpreter's lock.
+template <class Make>
+py::object matrix(Make make) {
+    return csr(unlocked([&]() -> SparseMatrix { return make(); }));
+}
+
+std::vector<Vector> vectors(const std::vector<Numbers>& lists) {
+    std::vector<Vector> result;
+    for (const Numbers& numbers : lists)
+        result.push_back(vector(numbers));
+    return result;
+}
+
+/// Cells of one's own, by their coboundaries and volumes.
+Calculus own_cells(const std::vector<MatrixParts>& coboundaries, const std::vector<Numbers>& primal,
+                   const std::vector<Numbers>& dual) {
+    std::vector<IncidenceMatrix> incidences;
+    for (const MatrixParts& d : coboundaries)
+        incidences.emplace_back(sparse(d).cast<std::int8_t>());
+    const CellVolumes volumes(vectors(primal), vectors(dual));
+    CellComplex complex(std::move(incidences));
+    check_fit(complex, volumes);
+    return {complex, volumes};
+}
+
+void add_matrices(py::class_<Calculus>& calculus) {
+    calculus
+        .def("incidence",
+             [](const py::object& self, int k) {
+                 // the complex is shared with what C++ keeps, so lives as long as this does
+                 return csr(self.cast<Calculus&>().complex.coboundary(k), self);
+             })
+        .def("d",
+             [](const Calculus& of, const std::string& side, int k) {
+                 return matrix([&, side = side_of(side)] {
+                     return side == Side::primal ? derivative(of.complex, k)
+                                                 : dual_derivative(of.complex, k);
+                 });
+             })
+        .def("boundary",
+             [](const Calculus& of, const std::string& side, int k) {
+                 return matrix([&, side = side_of(side)] {
+                     return SparseMatrix((side == Side::primal ? derivative(of.complex, k - 1)
+                                                               : dual_derivative(of.complex, k - 1))
+                                             .transpose());
+                 });
+             })
+        .def("codifferential",
+             [](const Calculus& of, const std::string& side, int k) {
+                 return matrix([&, side = side_of(side)] {
+                     return side == Side::primal ? codifferential(of.complex, of.stars, k)
+                                                 : dual_codifferential(of.complex, of.stars, k);
+                 });
+             })
+        .def("laplacian",
+             [](const Calculus& of, const std::string& side, int k) {
+                 return matrix([&, side = side_of(side)] {
+                     return side == Side::primal ? laplacian(of.complex, of.stars, k)
+                                                 : dual_laplacian(of.complex, of.stars, k);
+                 });
+             })
+        .def("stiffness",
+             [](const Calculus& of, int k) {
+                 return matrix([&] { return symmetric_laplacian(of.complex, of.stars, k); });
+             })
+        .def("dual_boundary_derivative",
+             [](const Calculus& of, int j) {
+                 return matrix([&] { return dual_boundary_derivative(of.complex, j); });
+             })
+        .def("homology_generators", [](const Calculus& of, int k) {
+            return matrix([&] { return homology_generators(of.complex, k); });
+        });
+}
+
+void add_stars(py::class_<Calculus>& calculus) {
+    calculus.def("is_diagonal", [](const Calculus& of, int k) { return of.stars[k].is_diagonal(); })
+        .def("star",
+             [](const Calculus& of, int k) -> py::object {
+                 const HodgeStar star = of.stars[k];
+                 if (star.is_diagonal())
+                     return array(star.diagonal());
+                 return csr(star.matrix());
+             })
+        .def("inverse_star", [](const Calculus& of, int k) { return array(of.stars[k].inverse()); })
+        .def("solve_star",
+             [](const Calculus& of, int k, const Numbers& values) {
+                 return array(
+                     unlocked([&, given = vector(values)] { return of.stars[k].solve(given); }));
+             })
+        .def("zeros", [](const Calculus& of, int k) { return array(of.stars[k].zeros()); })
+        .def("negatives", [](const Calculus& of, int k) { return array(of.stars[k].negatives()); })
+        .def("with_star",
+             [](const Calculus& of, int k, const MatrixParts& star) {
+                 const HodgeStars stars = of.stars.with(k, sparse(star));
+                 return of.mesh ? Calculus{of.complex, stars, of.mesh->with_stars(stars)}
+                                : Calculus{of.complex, stars};
+             })
+        .def("volumes",
+             [](const py::object& self, int k) {
+                 const Vector& volumes = self.cast<Calculus&>().stars.volumes().primal(k);
+                 return view(volumes.data(), {volumes.size()}, self);
+             })
+        .def("dual_volumes", [](const py::object& self, int k) {
+            const Vector& volumes = self.cast<Calculus&>().stars.volumes().dual(k);
+            return view(volumes.data(), {volumes.size()}, self);
+        });
+}
+
+void add_forms(py::class_<Calculus>& calculus) {
+    using Apply = Cochain (*)(const CellComplex&, const HodgeStars&, const Cochain&);
+    calculus
+        .def("apply",
+             [](const Calculus& of, const std::string& what, const std::string& side, int degree,
+                const Numbers& values) {
+                 const auto apply =
+                     chosen<Apply>("an operator", what,
+                                   {{"d", [](const CellComplex& complex, const HodgeStars&,
+                                             const Cochain& form) { return d(complex, form); }},
+                                    {"star", &polydec::star},
+                                    {"codifferential", &polydec::codifferential},
+                                    {"laplacian", &polydec::laplacian}});
+                 const Cochain given = form(side, degree, values);
+                 return parts(unlocked([&] { return apply(of.complex, of.stars, given); }));
+             })
+        .def("inner_product",
+             [](const Calculus& of, const std::string& side, int degree, const Numbers& a,
+                const Numbers& b) {
+                 return inner_product(of.complex, of.stars, form(side, degree, a),
+                                      form(side, degree, b));
+             })
+        .def("norm",
+             [](const Calculus& of, const std::string& side, int degree, const Numbers& values) {
+                 return norm(of.complex, of.stars, form(side, degree, values));
+             });
+}
+
+/// The cells on which forms obey conditions, and their numbers in the whole.
+py::tuple conditioned_cells(const Calculus& of, const std::string& side, int degree,
+                            const std::vector<bool>& essential) {
+    ConditionedComplex space =
+        unlocked([&, side = side_of(side)] { return conditioned(of, side, degree, essential); });
+    py::list cells;
+    for (auto& numbers : space.relative.cells)
+        cells.append(array(std::move(numbers)));
+    return py::make_tuple(Calculus{space.relative.complex, space.stars}, cells);
+}
+
+} // namespace
+
+BoundaryConditions conditions_of(const std::vector<bool>& essential) {
+    const auto condition = [](bool is_essential) {
+        return is_essential ? BoundaryCondition::essential : BoundaryCondition::natural;
+    };
+    if (essential.size() == 1)
+        return {condition(essential.front())};
+    BoundaryConditions conditions;
+    for (const bool is_essential : essential)
+        conditions.facets.push_back(condition(is_essential));
+    return conditions;
+}
+
+ConditionedComplex conditioned(const Calculus& of, Side side, int degree,
+                               const std::vector<bool>& essential) {
+    const auto conditions =
+        essential.empty() ? built_in_conditions(side) : conditions_of(essential);
+    return of.mesh ? conditioned_complex(*of.mesh, side, degree, conditions)
+                   : conditioned_complex(of.complex, of.stars, side, degree, conditions);
+}
+
+void add_calculus(py::module_& module) {
+    py::class_<Calculus> calculus(module, "Calculus");
+    calculus.def(py::init(&own_cells))
+        .def_property_readonly("dimension",
+                               [](const Calculus& of) { return of.complex.dimension(); })
+        .def("size", [](const Calculus& of, int k) { return of.complex.size(k); })
+        .def("coface_counts",
+             [](const Calculus& of, int k) {
+                 const auto& counts = of.complex.coface_counts(k);
+                 return array(std::vector<Index>(counts.begin(), counts.end()));
+             })
+        .def("betti_numbers",
+             [](const Calculus& of) { return unlocked([&] { return betti_numbers(of.complex); }); })
+        .def("conditioned", &conditioned_cells);
+    add_matrices(calculus);
+    add_stars(calculus);
+    add_forms(calculus);
+}
+
+} // namespace polydec::python

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "python/bindings/convert.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace polydec::python {
+
+namespace {
+
+template <class Matrix>
+py::array array_of(Matrix values, bool by_columns) {
+    auto kept = std::make_unique<Matrix>(std::move(values));
+    const Matrix& numbers = *kept;
+    return view(numbers.data(), {numbers.rows(), numbers.cols()}, owner_of(std::move(kept)),
+                by_columns);
+}
+
+template <class Scalar>
+py::object csr_of(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor, Index>& matrix,
+                  py::handle owner) {
+    if (!matrix.isCompressed())
+        throw InvalidInput("a sparse matrix with gaps cannot be shown: compress it");
+    const py::tuple parts =
+        py::make_tuple(view(matrix.valuePtr(), {matrix.nonZeros()}, owner),
+                       view(matrix.innerIndexPtr(), {matrix.nonZeros()}, owner),
+                       view(matrix.outerIndexPtr(), {matrix.rows() + 1}, owner));
+    py::object result =
+        py::module_::import("scipy.sparse")
+            .attr("csr_matrix")(parts, py::make_tuple(matrix.rows(), matrix.cols()));
+    // scipy would look at all columns to find out
+    result.attr("has_sorted_indices") = true;
+    result.attr("has_canonical_format") = true;
+    return result;
+}
+
+} // namespace
+
+py::array array(Vector values) {
+    auto kept = std::make_unique<Vector>(std::move(values));
+    const Vector& numbers = *kept;
+    return view(numbers.data(), {numbers.size()}, owner_of(std::move(kept)));
+}
+
+py::array array(Points rows) {
+    return array_of(std::move(rows), false);
+}
+
+py::array array(Simplices rows) {
+    return array_of(std::move(rows), false);
+}
+
+py::array array(DenseMatrix columns) {
+    return array_of(std::move(columns), true);
+}
+
+py::object csr(SparseMatrix matrix) {
+    auto kept = std::make_unique<SparseMatrix>();
+    kept->swap(matrix); // Eigen would copy it where one moves it
+    kept->makeCompressed();
+    const SparseMatrix& shown = *kept;
+    return csr_of(shown, owner_of(std::move(kept)));
+}
+
+py::object csr(const IncidenceMatrix& matrix, py::handle owner) {
+    return csr_of(matrix, owner);
+}
+
+Vector vector(const Numbers& numbers) {
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size());
+}
+
+Points rows(const Numbers& numbers) {
+    return Eigen::Map<const Points>(numbers.data(), numbers.shape(0), numbers.shape(1));
+}
+
+DenseMatrix columns(const Numbers& numbers) {
+    return Eigen::Map<const Points>(numbers.data(), numbers.shape(0), numbers.shape(1));
+}
+
+Simplices rows(const Integers& numbers) {
+    return Eigen::Map<const Simplices>(numbers.data(), numbers.shape(0), numbers.shape(1));
+}
+
+std::vector<Index> indices(const Integers& numbers) {
+    return {numbers.data(), numbers.data() + numbers.size()};
+}
+
+SparseMatrix sparse(const MatrixParts& matrix) {
+    const auto& [data, columns, begins, width] = matrix;
+    return Eigen::Map<const SparseMatrix>(begins.size() - 1, width, data.size(), begins.data(),
+                                          columns.data(), data.data());
+}
+
+void refuse_choice(std::string_view option, const std::string& name,
+                   const std::vector<std::string_view>& names) {
+    throw InvalidInput(fmt::format("{} is \"{}\": expected one of \"{}\"", option, name,
+                                   fmt::join(names, "\", \"")));
+}
+
+Side side_of(const std::string& name) {
+    return chosen<Side>("side", name, {{"primal", Side::primal}, {"dual", Side::dual}});
+}
+
+Cochain form(const std::string& side, int degree, const Numbers& values) {
+    return {side_of(side), degree, vector(values)};
+}
+
+py::tuple parts(Cochain form) {
+    return py::make_tuple(name(form.side), form.degree, array(std::move(form.values)));
+}
+
+py::dict in_words(const SolveReport& report) {
+    return py::dict(py::arg("engine") = report.engine, py::arg("iterations") = report.iterations,
+                    py::arg("residual") = report.residual,
+                    py::arg("backward_error") = report.backward_error,
+                    py::arg("tried") = report.tried);
+}
+
+void check_signals() {
+    const py::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0)
+        throw py::error_already_set();
+}
+
+std::shared_ptr<py::object> shared(const py::object& function) {
+    return {new py::object(function), [](py::object* object) {
+                if (!Py_IsInitialized()) // an engine's, which stays until the program ends
+                    return;
+                const py::gil_scoped_acquire lock;
+                delete object;
+            }};
+}
+
+std::function<void(std::string_view)> listener(const py::object& function) {
+    return [kept = shared(function)](std::string_view what) {
+        const py::gil_scoped_acquire lock;
+        check_signals();
+        if (!kept->is_none())
+            (*kept)(std::string(what));
+    };
+}
+
+} // namespace polydec::python

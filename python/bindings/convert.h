@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/solve_report.h"
+#include "base/types.h"
+#include "dec/forms/cochain.h"
+
+#include <functional>
+#include <memory>
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+/// Between numpy's arrays, scipy's matrices and polydec's. What is handed out shares memory, is
+/// read-only, and keeps alive what it belongs to; what comes in has been made contiguous and of the
+/// right type and shape in Python, where it has a name, and is copied.
+namespace polydec::python {
+
+namespace py = pybind11;
+
+using Numbers = py::array_t<double, py::array::c_style>;
+using Integers = py::array_t<Index, py::array::c_style>;
+
+/// Of a matrix of scipy: data, columns, begins of rows, and the number of columns.
+using MatrixParts = std::tuple<Numbers, Integers, Integers, Index>;
+
+/// An array of these numbers, which belong to the owner. Strides are those of C, or of Fortran.
+template <class Scalar>
+py::array view(const Scalar* numbers, std::vector<py::ssize_t> shape, py::handle owner,
+               bool by_columns = false) {
+    std::vector<py::ssize_t> strides(shape.size());
+    py::ssize_t stride = sizeof(Scalar);
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+        const std::size_t axis = by_columns ? i : shape.size() - 1 - i;
+        strides[axis] = stride;
+        stride *= shape[axis];
+    }
+    py::array result(py::dtype::of<Scalar>(), shape, strides, numbers, owner);
+    py::detail::array_proxy(result.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+    return result;
+}
+
+/// Something that lives as long as arrays of its numbers do.
+template <class Value>
+py::capsule owner_of(std::unique_ptr<Value> value) {
+    return py::capsule(value.release(), [](void* kept) { delete static_cast<Value*>(kept); });
+}
+
+/// Arrays that own what they show.
+template <class Scalar>
+py::array array(std::vector<Scalar> values) {
+    auto kept = std::make_unique<std::vector<Scalar>>(std::move(values));
+    const auto& numbers = *kept;
+    return view(numbers.data(), {std::ssize(numbers)}, owner_of(std::move(kept)));
+}
+py::array array(Vector values);
+py::array array(Points rows);
+py::array array(Simplices rows);
+py::array array(DenseMatrix columns);
+
+/// scipy.sparse.csr_matrix, of this matrix or of one that belongs to the owner. Throws
+/// InvalidInput for one that is not compressed.
+py::object csr(SparseMatrix matrix);
+py::object csr(const IncidenceMatrix& matrix, py::handle owner);
+
+/// What comes in.
+Vector vector(const Numbers& numbers);
+Points rows(const Numbers& numbers);
+DenseMatrix columns(const Numbers& numbers);
+Simplices rows(const Integers& numbers);
+std::vector<Index> indices(const Integers& numbers);
+SparseMatrix sparse(const MatrixParts& matrix);
+
+/// The value of an option's name. Throws InvalidInput, listing those there are.
+template <class Value>
+Value chosen(std::string_view option, const std::string& name,
+             const std::vector<std::pair<std::string_view, Value>>& values);
+[[noreturn]] void refuse_choice(std::string_view option, const std::string& name,
+                                const std::vector<std::string_view>& names);
+template <class Value>
+Value chosen(std::string_view option, const std::string& name,
+             const std::vector<std::pair<std::string_view, Value>>& values) {
+    std::vector<std::string_view> names;
+    for (const auto& [own, value] : values) {
+        if (own == name)
+            return value;
+        names.push_back(own);
+    }
+    refuse_choice(option, name, names);
+}
+Side side_of(const std::string& name);
+
+/// A form, by its side, degree and values; and the other way round.
+Cochain form(const std::string& side, int degree, const Numbers& values);
+py::tuple parts(Cochain form);
+
+py::dict in_words(const SolveReport& report);
+
+/// A function of Python's that may be copied and destroyed without the interpreter's lock, with
+/// which alone references to it are counted.
+std::shared_ptr<py::object> shared(const py::object& function);
+
+/// Tells a function of Python's what is being done, if there is one, and lets Ctrl-C end it. May
+/// be called, copied and destroyed without the interpreter's lock.
+std::function<void(std::string_view)> listener(const py::object& function);
+
+/// Lets Ctrl-C end what is being done. To be called with or without the interpreter's lock.
+void check_signals();
+
+/// What is done without the interpreter's lock.
+template <class Work>
+auto unlocked(Work work) {
+    const py::gil_scoped_release release;
+    return work();
+}
+
+void add_errors(py::module_& module);
+void add_meshes(py::module_& module);
+void add_calculus(py::module_& module);
+void add_discretization(py::module_& module);
+void add_fields(py::module_& module);
+void add_solvers(py::module_& module);
+void add_spectra(py::module_& module);
+void add_engines(py::module_& module);
+
+} // namespace polydec::python

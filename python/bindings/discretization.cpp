@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "dec/discretization.h"
+
+#include "base/checks.h"
+#include "complex/corners.h"
+#include "dec/advice.h"
+#include "dec/choose_stars.h"
+#include "dec/diagnosis.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/material_stars.h"
+#include "io/diagnosis_json.h"
+#include "io/pictures/draw_cells.h"
+#include "python/bindings/calculus.h"
+#include "python/bindings/convert.h"
+
+namespace polydec::python {
+
+namespace {
+
+StarKind star_kind(const std::string& name) {
+    return chosen<StarKind>("star", name,
+                            {{"circumcentric", StarKind::circumcentric},
+                             {"galerkin", StarKind::galerkin},
+                             {"hybrid", StarKind::hybrid},
+                             {"barycentric", StarKind::barycentric},
+                             {"automatic", StarKind::automatic}});
+}
+
+DiscretizeOptions options_of(const std::string& criterion, double tolerance,
+                             const std::string& delaunay, const std::string& materials,
+                             const std::string& star, const std::string& centers) {
+    DiscretizeOptions options;
+    options.criterion = chosen<MergeCriterion>("criterion", criterion,
+                                               {{"dual_length", MergeCriterion::dual_length},
+                                                {"angle", MergeCriterion::angle},
+                                                {"none", MergeCriterion::none}});
+    options.tolerance = tolerance;
+    options.delaunay = chosen<Delaunay>("delaunay", delaunay,
+                                        {{"off", Delaunay::off},
+                                         {"flips", Delaunay::flips},
+                                         {"flips_and_splits", Delaunay::flips_and_splits}});
+    options.materials = chosen<Materials>(
+        "materials", materials, {{"join", Materials::join}, {"keep_apart", Materials::keep_apart}});
+    options.star = star_kind(star);
+    const bool are_centroids =
+        chosen<bool>("centers", centers, {{"circumcenters", false}, {"centroids", true}});
+    if (are_centroids)
+        options.centers = Centers::centroids();
+    return options;
+}
+
+template <class Given>
+void add_discretize(py::module_& module) {
+    module.def("discretize", [](const Given& mesh, const std::string& criterion, double tolerance,
+                                const std::string& delaunay, const std::string& materials,
+                                const std::string& star, const std::string& centers,
+                                const py::object& progress) {
+        const auto options = options_of(criterion, tolerance, delaunay, materials, star, centers);
+        const auto tell = listener(progress);
+        return unlocked([&] { return discretize(mesh, options, tell); });
+    });
+}
+
+/// The corners of all cells of a degree, and where each one's begin.
+py::tuple cells(const Discretization& mesh, int k) {
+    std::vector<Index> corners, begins{0};
+    unlocked([&] {
+        for (Index cell = 0; cell < mesh.complex().size(k); ++cell) {
+            const std::vector<Index> own = k == 2 && mesh.dimension() >= 2
+                                               ? polydec::corners(mesh.merging(), cell)
+                                               : mesh.merging().vertices(k, cell);
+            corners.insert(corners.end(), own.begin(), own.end());
+            begins.push_back(static_cast<Index>(corners.size()));
+        }
+    });
+    return py::make_tuple(array(std::move(begins)), array(std::move(corners)));
+}
+
+/// Of each k-simplex the merged cell that it is in: its dimension and number.
+py::tuple carriers(const Discretization& mesh, int k) {
+    std::vector<Index> dimensions, numbers;
+    for (const auto& [dimension, cell] : mesh.merging().carriers(k)) {
+        dimensions.push_back(dimension);
+        numbers.push_back(cell);
+    }
+    return py::make_tuple(array(std::move(dimensions)), array(std::move(numbers)));
+}
+
+/// What the command says of a mesh, as JSON.
+std::string report(const Discretization& mesh) {
+    const Diagnosis found = unlocked([&] { return diagnose(mesh); });
+    std::vector<std::string> advice;
+    for (const Advice& each : found.advice)
+        advice.push_back(in_words(each, found.dimension));
+    JsonWriter json;
+    json.object([&] {
+        write_diagnosis(json, found, advice);
+        write_stars(json, mesh.chosen_stars());
+    });
+    return std::string(json.view());
+}
+
+py::tuple polygons(const Discretization& mesh) {
+    PolygonMesh found = unlocked([&] { return polygon_mesh(mesh); });
+    return py::make_tuple(array(std::move(found.points)), array(std::move(found.offsets)),
+                          array(std::move(found.corners)));
+}
+
+std::vector<DenseMatrix> matrices(const Numbers& tensors) {
+    std::vector<DenseMatrix> result;
+    const auto rows_of = tensors.shape(1), columns_of = tensors.shape(2);
+    for (py::ssize_t i = 0; i < tensors.shape(0); ++i)
+        result.emplace_back(Eigen::Map<const Points>(tensors.data(i, 0, 0), rows_of, columns_of));
+    return result;
+}
+
+void add_parts(py::class_<Discretization>& type) {
+    type.def_property_readonly("points",
+                               [](const py::object& self) {
+                                   const Points& points = self.cast<Discretization&>().points();
+                                   return view(points.data(), {points.rows(), points.cols()}, self);
+                               })
+        .def_property_readonly("calculus",
+                               [](const Discretization& mesh) {
+                                   return Calculus{mesh.complex(), mesh.stars(), mesh};
+                               })
+        .def_property_readonly("input_calculus",
+                               [](const Discretization& mesh) {
+                                   return Calculus{mesh.input(), mesh.input_volumes()};
+                               })
+        .def_property_readonly("pieces_calculus",
+                               [](const Discretization& mesh) {
+                                   return Calculus{mesh.pieces(), mesh.piece_volumes()};
+                               })
+        .def_property_readonly("warnings",
+                               [](const Discretization& mesh) { return mesh.warnings(); })
+        .def_property_readonly("tags",
+                               [](const Discretization& mesh) { return array(mesh.tags()); })
+        .def_property_readonly("facet_tags",
+                               [](const Discretization& mesh) { return array(mesh.facet_tags()); })
+        .def_property_readonly("unit", &Discretization::unit)
+        .def_property_readonly(
+            "star_kind", [](const Discretization& mesh) { return name(mesh.chosen_stars().kind); })
+        .def("cells", &cells)
+        .def("polygons", &polygons)
+        .def("report", &report);
+}
+
+void add_merging(py::class_<Discretization>& type) {
+    type.def_property_readonly(
+            "is_identity", [](const Discretization& mesh) { return mesh.merging().is_identity(); })
+        .def("carriers", &carriers)
+        .def("diamond",
+             [](const py::object& self, int k) {
+                 return csr(self.cast<Discretization&>().merging().diamond(k), self);
+             })
+        .def("lift", [](const Discretization& mesh, int k) {
+            check_number("the lift of degree", k, 0, mesh.dimension());
+            const auto& lifts =
+                unlocked([&]() -> const std::vector<SparseMatrix>& { return mesh.lift(); });
+            return csr(SparseMatrix(lifts[static_cast<std::size_t>(k)]));
+        });
+}
+
+void add_places(py::class_<Discretization>& type) {
+    using Places = Points (*)(const Discretization&, int);
+    const auto at = [](Places places) {
+        return [places](const Discretization& mesh, int k) {
+            return array(unlocked([&] { return places(mesh, k); }));
+        };
+    };
+    type.def("centers", at(&cell_centers))
+        .def("centroids", at(&cell_centroids))
+        .def("dual_sites", [](const Discretization& mesh) { return array(dual_sites(mesh)); })
+        .def("facet_sites", [](const Discretization& mesh) { return array(facet_sites(mesh)); });
+}
+
+void add_stars(py::class_<Discretization>& type) {
+    type.def("with_star",
+             [](const Discretization& mesh, const std::string& kind) {
+                 return unlocked([&, kind = star_kind(kind)] {
+                     return mesh.with_stars(choose_stars(mesh, kind));
+                 });
+             })
+        .def("with_star_matrix",
+             [](const Discretization& mesh, int k, const MatrixParts& star) {
+                 return mesh.with_stars(mesh.stars().with(k, sparse(star)));
+             })
+        .def("material_star",
+             [](const Discretization& mesh, int k, const Numbers& weights) {
+                 return csr(unlocked(
+                     [&, given = vector(weights)] { return material_star(mesh, k, given); }));
+             })
+        .def("tensor_star", [](const Discretization& mesh, const Numbers& tensors) {
+            return csr(
+                unlocked([&, given = matrices(tensors)] { return material_star(mesh, given); }));
+        });
+}
+
+} // namespace
+
+void add_discretization(py::module_& module) {
+    py::class_<Discretization> type(module, "Discretization");
+    add_parts(type);
+    add_merging(type);
+    add_places(type);
+    add_stars(type);
+    add_discretize<Mesh>(module);
+    add_discretize<LengthMesh>(module);
+}
+
+} // namespace polydec::python

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "backends/engine_module.h"
+#include "backends/linear/checked_solver.h"
+#include "backends/registry.h"
+#include "base/checks.h"
+#include "base/errors.h"
+#include "python/bindings/convert.h"
+
+#include <fmt/format.h>
+
+namespace polydec::python {
+
+namespace {
+
+const char* kind_name(EngineKind kind) {
+    return kind == EngineKind::linear ? "linear" : kind == EngineKind::eigen ? "eigen" : "mesher";
+}
+
+py::dict in_words(const EngineInfo& info) {
+    return py::dict(py::arg("name") = info.name, py::arg("kind") = kind_name(info.kind),
+                    py::arg("available") = info.available,
+                    py::arg("description") = info.description,
+                    py::arg("how_to_get") = info.how_to_get);
+}
+
+/// An engine written in Python: a function that takes a scipy matrix and gives one that takes
+/// right-hand sides, a column each, to solutions. What it gives is checked like any engine's.
+class PythonSolver final : public CheckedSolver {
+public:
+    PythonSolver(const std::string& name, const LinearSolverOptions& options,
+                 std::shared_ptr<py::object> factorize)
+        : CheckedSolver(name, {}, options), factorize_(std::move(factorize)) {}
+    ~PythonSolver() override {
+        const py::gil_scoped_acquire lock;
+        solve_ = py::object();
+    }
+
+protected:
+    void compute(const SparseMatrix& A, const MatrixFacts&, Pattern) override {
+        const py::gil_scoped_acquire lock;
+        solve_ = (*factorize_)(csr(SparseMatrix(A)));
+    }
+
+    Solution apply_inverse(const DenseMatrix& B) override {
+        const py::gil_scoped_acquire lock;
+        const auto found = py::array_t<double, py::array::f_style | py::array::forcecast>::ensure(
+            solve_(array(DenseMatrix(B))));
+        if (!found || found.size() != B.size())
+            fail("the function of Python gave something else than as many numbers");
+        return {Eigen::Map<const DenseMatrix>(found.data(), B.rows(), B.cols())};
+    }
+
+private:
+    std::shared_ptr<py::object> factorize_;
+    py::object solve_;
+};
+
+void register_solver(const std::string& name, const py::function& factorize) {
+    const auto kept = shared(factorize);
+    register_linear_solver(name, [name, kept](const LinearSolverOptions& options) {
+        return std::make_unique<PythonSolver>(name, options, kept);
+    });
+}
+
+/// An eigensolver written in Python, called with what the operator does.
+class PythonEigenSolver final : public EigenSolver {
+public:
+    PythonEigenSolver(std::string name, std::shared_ptr<py::object> largest)
+        : name_(std::move(name)), largest_(std::move(largest)) {}
+    std::string name() const override { return name_; }
+
+protected:
+    EigenPairs compute(const SymmetricOperator& A, Index count,
+                       const EigenOptions& options) const override {
+        const py::gil_scoped_acquire lock;
+        Index operations = 0;
+        const py::cpp_function apply([&](const Numbers& values) {
+            ++operations;
+            const Vector x = vector(values);
+            check_as_many("values for the operator of an eigensolver", x.size(), A.size);
+            return array(unlocked([&] {
+                Vector y(A.size);
+                A.apply(x, y);
+                return y;
+            }));
+        });
+        const auto [values, vectors] = (*largest_)(apply, A.size, count, options.krylov_dimension,
+                                                   options.tolerance, array(Vector(options.start)))
+                                           .cast<std::pair<Numbers, Numbers>>();
+        if (values.shape(0) > count || vectors.shape(0) != A.size ||
+            vectors.shape(1) != values.shape(0))
+            throw SolverFailure(fmt::format(
+                "{}: the function of Python gave {} values and a table of {} x {} for their "
+                "vectors: expected at most {} values and {} numbers for each",
+                name_, values.shape(0), vectors.shape(0), vectors.shape(1), count, A.size));
+        return {vector(values), columns(vectors), static_cast<Index>(values.shape(0)), operations};
+    }
+
+private:
+    std::string name_;
+    std::shared_ptr<py::object> largest_;
+};
+
+void register_eigensolver(const std::string& name, const py::function& largest) {
+    register_eigen_solver(name, [name, kept = shared(largest)] {
+        return std::make_unique<PythonEigenSolver>(name, kept);
+    });
+}
+
+/// The module of that name, with all that its engines need.
+void load_named(const std::string& name) {
+    for (const EngineInfo& info : unlocked([] { return engines(); })) {
+        if (info.name != name && info.name.rfind(name + ".", 0) != 0)
+            continue;
+        if (!info.available)
+            throw BackendUnavailable(fmt::format("{}: {}", name, info.how_to_get));
+        return;
+    }
+    make_linear_solver(name); // which lists the names that there are
+}
+
+} // namespace
+
+void add_engines(py::module_& module) {
+    module.def("engines", [] {
+        py::list all;
+        for (const EngineInfo& info : unlocked([] { return engines(); }))
+            all.append(in_words(info));
+        return all;
+    });
+    module.def("load_engine", [](const std::string& path) { load_engine_module(path); });
+    module.def("load_named_engine", &load_named);
+    module.def("register_linear_solver", &register_solver);
+    module.def("register_eigen_solver", &register_eigensolver);
+    module.def("solve", [](const MatrixParts& A, const Numbers& right_sides,
+                           const std::string& engine, bool symmetric, bool positive) {
+        const DenseMatrix B = columns(right_sides);
+        auto [X, report] = unlocked([&] {
+            const auto solver = make_linear_solver(engine);
+            MatrixFacts facts;
+            facts.symmetry = symmetric ? Symmetry::symmetric : Symmetry::general;
+            if (positive)
+                facts.definiteness = Definiteness::positive;
+            solver->factorize(sparse(A), facts);
+            DenseMatrix found = solver->solve(B);
+            return std::pair(std::move(found), solver->report());
+        });
+        return py::make_tuple(array(std::move(X)), in_words(report));
+    });
+}
+
+} // namespace polydec::python

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "base/checks.h"
+#include "base/errors.h"
+#include "dec/fields/de_rham.h"
+#include "dec/fields/dual_wedge.h"
+#include "dec/fields/flat.h"
+#include "dec/fields/interior_product.h"
+#include "dec/fields/sharp.h"
+#include "dec/fields/transfer.h"
+#include "dec/fields/wedge.h"
+#include "dec/fields/whitney_interpolation.h"
+#include "python/bindings/convert.h"
+
+#include <fmt/format.h>
+
+namespace polydec::python {
+
+namespace {
+
+/// Integrates a form that is given at many points at once: the first time over, the points where it
+/// is asked for are written down, and zeros stand for it; the second time its values there.
+template <class Integrate>
+Cochain integrated(const Discretization& mesh, int components, const py::function& form,
+                   Integrate integrate) {
+    std::vector<double> places;
+    const SmoothForm rehearsal = [&](const Vector& point) -> Vector {
+        places.insert(places.end(), point.begin(), point.end());
+        return Vector::Zero(components);
+    };
+    unlocked([&] { return integrate(rehearsal); });
+
+    const auto width = static_cast<Index>(mesh.points().cols());
+    const auto count = static_cast<Index>(places.size()) / std::max<Index>(width, 1);
+    Points points = Eigen::Map<const Points>(places.data(), count, width);
+    const Numbers values = form(array(std::move(points)), components).cast<Numbers>();
+    check_as_many("values of the form", static_cast<Index>(values.size()), count * components);
+    const double* value = values.data();
+    const SmoothForm known = [&](const Vector&) -> Vector {
+        value += components;
+        return Eigen::Map<const Eigen::VectorXd>(value - components, components);
+    };
+    return unlocked([&] { return integrate(known); });
+}
+
+int binomial(int n, int k) {
+    int result = 1;
+    for (int i = 1; i <= k; ++i)
+        result = result * (n - k + i) / i;
+    return k < 0 || k > n ? 0 : result;
+}
+
+py::tuple de_rham_of(const Discretization& mesh, const std::string& side, int degree,
+                     const py::function& function, int quadrature_degree) {
+    const bool is_primal = side_of(side) == Side::primal;
+    check_number("the degree of a form", degree, 0, mesh.dimension());
+    const int components = binomial(static_cast<int>(mesh.points().cols()), degree);
+    return parts(integrated(mesh, components, function, [&](const SmoothForm& form) {
+        return is_primal ? de_rham(mesh, degree, form, quadrature_degree)
+                         : dual_de_rham(mesh, degree, form, quadrature_degree);
+    }));
+}
+
+Sampling sampling_of(const std::string& name) {
+    return chosen<Sampling>("sampling", name,
+                            {{"centered", Sampling::centered}, {"upwind", Sampling::upwind}});
+}
+
+using Product = Cochain (*)(const Discretization&, const Cochain&, const Cochain&);
+using Map = Cochain (*)(const Discretization&, const Cochain&);
+using Sharp = DenseMatrix (*)(const Discretization&, const Cochain&);
+
+void add_products(py::module_& module) {
+    module.def("product", [](const Discretization& mesh, const std::string& what,
+                             const std::string& side_a, int degree_a, const Numbers& a,
+                             const std::string& side_b, int degree_b, const Numbers& b) {
+        const auto product =
+            chosen<Product>("weights", what,
+                            {{"uniform", [](const Discretization& on, const Cochain& x,
+                                            const Cochain& y) { return wedge(on, x, y); }},
+                             {"circumcentric",
+                              [](const Discretization& on, const Cochain& x, const Cochain& y) {
+                                  return wedge(on, x, y, WedgeWeights::circumcentric);
+                              }},
+                             {"dual", [](const Discretization& on, const Cochain& x,
+                                         const Cochain& y) { return dual_wedge(on, x, y); }}});
+        const Cochain x = form(side_a, degree_a, a), y = form(side_b, degree_b, b);
+        return parts(unlocked([&] { return product(mesh, x, y); }));
+    });
+    module.def("primal_dual_wedge",
+               [](const Discretization& mesh, const std::string& side_a, int degree_a,
+                  const Numbers& a, const std::string& side_b, int degree_b, const Numbers& b) {
+                   return array(primal_dual_wedge(mesh.complex(), form(side_a, degree_a, a),
+                                                  form(side_b, degree_b, b)));
+               });
+}
+
+void add_fields_of_vectors(py::module_& module) {
+    module.def("flat",
+               [](const Discretization& mesh, const std::string& kind, const Numbers& field) {
+                   const auto flat_kind = chosen<Flat>("flat", kind,
+                                                       {{"ppp", Flat::ppp},
+                                                        {"pdp", Flat::pdp},
+                                                        {"dpp", Flat::dpp},
+                                                        {"ppd", Flat::ppd},
+                                                        {"pdd", Flat::pdd},
+                                                        {"dpd", Flat::dpd}});
+                   const Points given = rows(field);
+                   return parts(unlocked([&] { return flat(mesh, flat_kind, given); }));
+               });
+    module.def("sharp", [](const Discretization& mesh, const std::string& kind,
+                           const std::string& side, int degree, const Numbers& values) {
+        const auto sharp =
+            chosen<Sharp>("sharp", kind,
+                          {{"pp", &sharp_pp},
+                           {"pd", &sharp_pd},
+                           {"flux", &flux_sharp},
+                           {"whitney", [](const Discretization& on, const Cochain& given) {
+                                return whitney_at_centroids(on, given);
+                            }}});
+        const Cochain given = form(side, degree, values);
+        return array(unlocked([&] { return sharp(mesh, given); }));
+    });
+    module.def("contraction", [](const Discretization& mesh, const std::string& what,
+                                 const Numbers& field, int k, const std::string& sampling) {
+        const Points given = rows(field);
+        const Sampling how = sampling_of(sampling);
+        using Make = SparseMatrix (*)(const Discretization&, const Points&, int, Sampling);
+        const auto make =
+            chosen<Make>("an operator", what,
+                         {{"interior_product", &interior_product},
+                          {"lie_derivative", &lie_derivative},
+                          {"inflow", [](const Discretization& on, const Points& along, int degree,
+                                        Sampling) { return inflow(on, along, degree); }}});
+        return csr(unlocked([&] { return make(mesh, given, k, how); }));
+    });
+}
+
+void add_transfer(py::module_& module) {
+    module.def("transfer", [](const Discretization& mesh, const std::string& what,
+                              const std::string& side, int degree, const Numbers& values) {
+        const auto map = chosen<Map>("a map", what,
+                                     {{"to_merged", &to_merged},
+                                      {"to_input", &to_input},
+                                      {"on_pieces", &on_pieces},
+                                      {"on_cells", &on_cells},
+                                      {"lifted", &lifted}});
+        const Cochain given = form(side, degree, values);
+        return parts(unlocked([&] { return map(mesh, given); }));
+    });
+    module.def("consistency", [](const Discretization& mesh, const std::string& side, int degree,
+                                 const Numbers& values) {
+        const Consistency found = consistency(mesh, form(side, degree, values));
+        return py::dict(py::arg("worst") = found.worst, py::arg("cell") = found.cell,
+                        py::arg("found") = found.found, py::arg("expected") = found.expected,
+                        py::arg("description") = found.description);
+    });
+}
+
+} // namespace
+
+void add_fields(py::module_& module) {
+    module.def("de_rham", &de_rham_of);
+    add_products(module);
+    add_fields_of_vectors(module);
+    add_transfer(module);
+}
+
+} // namespace polydec::python

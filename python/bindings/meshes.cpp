@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "io/meshes/length_file.h"
+#include "io/meshes/read_mesh.h"
+#include "io/meshes/write_mesh.h"
+#include "meshes/generate.h"
+#include "meshes/length_mesh.h"
+#include "meshes/peel.h"
+#include "meshes/rearrange.h"
+#include "meshes/tetrahedralize.h"
+#include "python/bindings/convert.h"
+
+namespace polydec::python {
+
+namespace {
+
+Mesh mesh_of(const Numbers& points, const Integers& simplices, const Integers& tags,
+             const Integers& facets, const Integers& facet_tags,
+             const std::vector<std::string>& warnings) {
+    return {rows(points),
+            rows(simplices),
+            warnings,
+            indices(tags),
+            {rows(facets), indices(facet_tags)}};
+}
+
+/// What a mesh holds is shown as long as the mesh lives.
+template <class Made>
+py::array shown(const py::object& mesh,
+                const Eigen::Matrix<Made, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& rows) {
+    return view(rows.data(), {rows.rows(), rows.cols()}, mesh);
+}
+
+void add_classes(py::module_& module) {
+    py::class_<Mesh>(module, "Mesh")
+        .def(py::init(&mesh_of))
+        .def_property_readonly(
+            "points", [](const py::object& self) { return shown(self, self.cast<Mesh&>().points); })
+        .def_property_readonly(
+            "simplices",
+            [](const py::object& self) { return shown(self, self.cast<Mesh&>().simplices); })
+        .def_property_readonly("facets",
+                               [](const py::object& self) {
+                                   return shown(self, self.cast<Mesh&>().facet_tags.simplices);
+                               })
+        .def_property_readonly("tags", [](const Mesh& mesh) { return array(mesh.tags); })
+        .def_property_readonly("facet_tags",
+                               [](const Mesh& mesh) { return array(mesh.facet_tags.tags); })
+        .def_readonly("warnings", &Mesh::warnings);
+    py::class_<LengthMesh>(module, "LengthMesh")
+        .def(py::init([](const Integers& simplices, Index vertices, const Integers& edges,
+                         const Numbers& lengths) {
+            LengthMesh mesh{rows(simplices), vertices, rows(edges), vector(lengths)};
+            check(mesh);
+            return mesh;
+        }))
+        .def_readonly("vertices", &LengthMesh::vertices)
+        .def_property_readonly(
+            "simplices",
+            [](const py::object& self) { return shown(self, self.cast<LengthMesh&>().simplices); })
+        .def_property_readonly(
+            "edges",
+            [](const py::object& self) { return shown(self, self.cast<LengthMesh&>().edges); })
+        .def_property_readonly("lengths",
+                               [](const LengthMesh& mesh) { return array(mesh.lengths); });
+}
+
+void add_files(py::module_& module) {
+    using Path = std::string;
+    module.def("read_mesh",
+               [](const Path& path) { return unlocked([&] { return read_mesh(path); }); });
+    module.def("write_mesh", [](const Path& path, const Mesh& mesh) {
+        unlocked([&] { write_mesh(path, mesh); });
+    });
+    module.def("read_lengths",
+               [](const Path& path) { return unlocked([&] { return read_lengths(path); }); });
+    module.def("write_lengths", [](const Path& path, const LengthMesh& mesh) {
+        unlocked([&] { write_lengths(path, mesh); });
+    });
+    module.def("is_length_file", [](const Path& path) { return is_length_file(path); });
+}
+
+void add_generators(py::module_& module) {
+    using Counts = std::vector<int>;
+    using Lengths = std::vector<double>;
+    const py::call_guard<py::gil_scoped_release> unlocking;
+    module.def("grid", &grid, unlocking);
+    module.def("hexagons", &hexagons, unlocking);
+    module.def("well_centered", &well_centered, unlocking);
+    module.def("uv_sphere", &uv_sphere, unlocking);
+    module.def("icosphere", &icosphere, unlocking);
+    module.def("goldberg", &goldberg, unlocking);
+    module.def("torus", &torus, unlocking);
+    module.def("moebius", &moebius, unlocking);
+    module.def("flange", &flange, unlocking);
+    module.def("kuhn", py::overload_cast<const Counts&, const Lengths&>(&kuhn), unlocking);
+    module.def("split_boxes", &split_boxes, unlocking);
+    module.def("bcc", py::overload_cast<int>(&bcc), unlocking);
+    module.def("bcc", py::overload_cast<const Counts&, double>(&bcc), unlocking);
+    module.def("fcc", py::overload_cast<int>(&fcc), unlocking);
+    module.def("fcc", py::overload_cast<const Counts&, double>(&fcc), unlocking);
+    module.def("d4", py::overload_cast<int>(&d4), unlocking);
+    module.def("d4", py::overload_cast<const Counts&, double>(&d4), unlocking);
+    module.def(
+        "sphere_clusters",
+        [](int dimension, int cells_per_side, int spheres, int points_on_sphere, double radius,
+           std::uint64_t seed) {
+            return sphere_clusters(
+                {dimension, cells_per_side, spheres, points_on_sphere, radius, seed});
+        },
+        unlocking);
+}
+
+void add_changes(py::module_& module) {
+    module.def("perturbed", [](const Mesh& mesh, double amplitude, std::uint64_t seed) {
+        return perturbed(mesh, amplitude, seed);
+    });
+    module.def("shuffled", [](const Mesh& mesh, std::uint64_t seed) {
+        Renumbered result = shuffled(mesh, seed);
+        return py::make_tuple(std::move(result.mesh), array(std::move(result.vertices)),
+                              array(std::move(result.cells)));
+    });
+    module.def("along_morton_curve", [](const Mesh& mesh) {
+        Renumbered result = along_morton_curve(mesh);
+        return py::make_tuple(std::move(result.mesh), array(std::move(result.vertices)),
+                              array(std::move(result.cells)));
+    });
+    module.def("length_mesh", &length_mesh);
+    module.def("peeled", [](const Mesh& mesh) { return unlocked([&] { return peeled(mesh); }); });
+    module.def("tetrahedralize", [](const Mesh& surface, double largest_volume, double quality,
+                                    const Numbers& holes) {
+        MesherOptions options;
+        options.largest_volume = largest_volume;
+        options.quality = quality;
+        return unlocked(
+            [&, empty = rows(holes)] { return tetrahedralize(surface, options, empty); });
+    });
+}
+
+} // namespace
+
+void add_meshes(py::module_& module) {
+    add_classes(module);
+    add_files(module);
+    add_generators(module);
+    add_changes(module);
+}
+
+} // namespace polydec::python

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "python/bindings/convert.h"
+
+PYBIND11_MODULE(_core, module) {
+    using namespace polydec::python;
+    module.doc() = "What the package polydec is made of; use that.";
+    add_errors(module);
+    add_meshes(module);
+    add_calculus(module);
+    add_discretization(module);
+    add_fields(module);
+    add_solvers(module);
+    add_spectra(module);
+    add_engines(module);
+}

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "python/bindings/calculus.h"
+#include "python/bindings/convert.h"
+#include "solvers/darcy.h"
+#include "solvers/heat.h"
+#include "solvers/hodge.h"
+#include "solvers/leapfrog.h"
+#include "solvers/poisson.h"
+#include "solvers/surfaces/geodesic_distance.h"
+
+#include <mutex>
+
+namespace polydec::python {
+
+namespace {
+
+/// A solver, for one thread at a time; the others wait without the interpreter's lock.
+template <class Solver>
+struct Guarded {
+    template <class... Arguments>
+    explicit Guarded(Arguments&&... arguments) : solver(std::forward<Arguments>(arguments)...) {}
+
+    template <class Work>
+    auto use(Work work) {
+        return unlocked([&] {
+            const std::lock_guard lock(in_use);
+            return work(solver);
+        });
+    }
+
+    Solver solver;
+    std::mutex in_use;
+};
+
+template <class Solver, class... Arguments>
+std::unique_ptr<Guarded<Solver>> guarded(Arguments&&... arguments) {
+    return unlocked(
+        [&] { return std::make_unique<Guarded<Solver>>(std::forward<Arguments>(arguments)...); });
+}
+
+py::dict both_in_words(const SolveReport& report, const Compatibility& compatibility) {
+    py::dict result = in_words(report);
+    result["free_components"] = compatibility.free_components;
+    result["incompatible"] = compatibility.worst;
+    return result;
+}
+
+PoissonOptions poisson_options(const std::string& side, const std::vector<bool>& essential,
+                               const Numbers& conductivity, const std::string& engine) {
+    return {side_of(side), conditions_of(essential), engine, vector(conductivity)};
+}
+
+void add_poisson(py::module_& module) {
+    using Solver = Guarded<PoissonSolver>;
+    py::class_<Solver>(module, "PoissonSolver")
+        .def(py::init([](const Calculus& of, const std::string& side,
+                         const std::vector<bool>& essential, const Numbers& conductivity,
+                         const std::string& engine) {
+            const auto options = poisson_options(side, essential, conductivity, engine);
+            return of.mesh ? guarded<PoissonSolver>(*of.mesh, options)
+                           : guarded<PoissonSolver>(of.complex, of.stars, options);
+        }))
+        .def_property_readonly(
+            "sites", [](const Solver& self) { return array(Points(self.solver.sites())); })
+        .def_property_readonly(
+            "boundary_sites",
+            [](const Solver& self) { return array(Points(self.solver.boundary_sites())); })
+        .def_property_readonly(
+            "flux_sites",
+            [](const Solver& self) { return array(Points(self.solver.flux_sites())); })
+        .def("solve",
+             [](Solver& self, const Numbers& f, const Numbers& values, const Numbers& derivatives) {
+                 auto [u, report, compatibility] =
+                     self.use([&, given = columns(f), at_boundary = columns(values),
+                               normal = columns(derivatives)](const PoissonSolver& solver) {
+                         return solver.solve_all(given, at_boundary, normal);
+                     });
+                 return py::make_tuple(array(std::move(u)), both_in_words(report, compatibility));
+             });
+}
+
+void add_darcy(py::module_& module) {
+    using Solver = Guarded<DarcySolver>;
+    py::class_<Solver>(module, "DarcySolver")
+        .def(py::init([](const Calculus& of, const std::vector<bool>& essential,
+                         const Numbers& conductivity, const std::string& engine) {
+            const auto options = poisson_options("dual", essential, conductivity, engine);
+            return of.mesh ? guarded<DarcySolver>(*of.mesh, options)
+                           : guarded<DarcySolver>(of.complex, of.stars, options);
+        }))
+        .def_property_readonly(
+            "sites", [](const Solver& self) { return array(Points(self.solver.sites())); })
+        .def_property_readonly(
+            "facet_sites",
+            [](const Solver& self) { return array(Points(self.solver.facet_sites())); })
+        .def("solve", [](Solver& self, const Numbers& source, const Numbers& pressures,
+                         const Numbers& outflow) {
+            DarcyFlow flow = self.use([&, given = vector(source), at_boundary = vector(pressures),
+                                       out = vector(outflow)](const DarcySolver& solver) {
+                return solver.solve(given, at_boundary, out);
+            });
+            return py::make_tuple(parts(std::move(flow.pressure)), parts(std::move(flow.flux)),
+                                  both_in_words(flow.report, flow.compatibility));
+        });
+}
+
+void add_hodge(py::module_& module) {
+    using Solver = Guarded<HodgeSolver>;
+    py::class_<Solver>(module, "HodgeSolver")
+        .def(py::init(
+            [](const Calculus& of, const std::string& side, int degree, const std::string& engine) {
+                return guarded<HodgeSolver>(of.complex, of.stars, side_of(side), degree, engine);
+            }))
+        .def("decompose",
+             [](Solver& self, const std::string& side, int degree, const Numbers& values) {
+                 const Cochain given = form(side, degree, values);
+                 HodgeParts found =
+                     self.use([&](const HodgeSolver& solver) { return solver.decompose(given); });
+                 return py::make_tuple(
+                     parts(std::move(found.exact)), parts(std::move(found.coexact)),
+                     parts(std::move(found.harmonic)), parts(std::move(found.potential)),
+                     parts(std::move(found.copotential)));
+             })
+        .def("harmonic_forms", [](Solver& self) {
+            return array(
+                self.use([](const HodgeSolver& solver) { return solver.harmonic_forms(); }));
+        });
+}
+
+HeatOptions heat_options(double time_step, const std::string& scheme, const std::string& engine) {
+    return {time_step,
+            chosen<HeatScheme>("scheme", scheme,
+                               {{"backward_euler", HeatScheme::backward_euler},
+                                {"crank_nicolson", HeatScheme::crank_nicolson}}),
+            engine};
+}
+
+void add_heat(py::module_& module) {
+    using Heat = Guarded<HeatSolver>;
+    py::class_<Heat>(module, "HeatSolver")
+        .def(py::init([](const Calculus& of, const std::vector<bool>& essential,
+                         const std::string& given_side, int degree, double time_step,
+                         const std::string& scheme, const std::string& engine) {
+            const HeatOptions options = heat_options(time_step, scheme, engine);
+            const Side side = side_of(given_side);
+            if (essential.empty())
+                return guarded<HeatSolver>(of.complex, of.stars, side, degree, options);
+            const auto conditions = conditions_of(essential);
+            return of.mesh ? guarded<HeatSolver>(*of.mesh, conditions, side, degree, options)
+                           : guarded<HeatSolver>(of.complex, of.stars, conditions, side, degree,
+                                                 options);
+        }))
+        .def("step", [](Heat& self, const std::string& side, int degree, const Numbers& values,
+                        Index steps) {
+            Cochain now = form(side, degree, values);
+            self.use([&](const HeatSolver& solver) {
+                for (Index i = 0; i < steps; ++i) {
+                    now = solver.step(now);
+                    check_signals();
+                }
+            });
+            return parts(std::move(now));
+        });
+}
+
+void add_waves(py::module_& module) {
+    using Waves = Guarded<Leapfrog>;
+    py::class_<Waves>(module, "Leapfrog")
+        .def(py::init([](const Calculus& of, int k, double time_step) {
+            return guarded<Leapfrog>(of.complex, of.stars, k, time_step);
+        }))
+        .def("step",
+             [](Waves& self, const Numbers& E, const Numbers& B, Index steps) {
+                 Vector electric = vector(E), magnetic = vector(B);
+                 self.use([&](const Leapfrog& waves) {
+                     for (Index i = 0; i < steps; ++i) {
+                         waves.step(electric, magnetic);
+                         check_signals();
+                     }
+                 });
+                 return py::make_tuple(array(std::move(electric)), array(std::move(magnetic)));
+             })
+        .def("energy", [](Waves& self, const Numbers& E, const Numbers& B) {
+            return self.use([&, electric = vector(E), magnetic = vector(B)](const Leapfrog& waves) {
+                return waves.energy(electric, magnetic);
+            });
+        });
+    module.def("stable_step", [](const Calculus& of, int k) {
+        return unlocked([&] { return stable_step(of.complex, of.stars, k); });
+    });
+}
+
+void add_distance(py::module_& module) {
+    using Solver = Guarded<GeodesicDistance>;
+    py::class_<Solver>(module, "GeodesicDistance")
+        .def(py::init([](const Discretization& mesh, double time_scale, const std::string& engine) {
+            return guarded<GeodesicDistance>(mesh, GeodesicOptions{time_scale, engine});
+        }))
+        .def("to", [](Solver& self, const Integers& sources) {
+            Distance found =
+                self.use([&, given = indices(sources)](const GeodesicDistance& distance) {
+                    return distance.to(given);
+                });
+            return py::make_tuple(array(std::move(found.values)), found.raised);
+        });
+}
+
+} // namespace
+
+void add_solvers(py::module_& module) {
+    add_poisson(module);
+    add_darcy(module);
+    add_hodge(module);
+    add_heat(module);
+    add_waves(module);
+    add_distance(module);
+}
+
+} // namespace polydec::python

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "python/bindings/calculus.h"
+#include "python/bindings/convert.h"
+#include "solvers/spectra/certified_eigensolver.h"
+#include "solvers/spectra/coexact_spectrum.h"
+#include "solvers/spectra/spectrum.h"
+
+#include <variant>
+
+namespace polydec::python {
+
+namespace {
+
+py::dict in_words(const Certificate& certificate) {
+    return py::dict(py::arg("shift") = certificate.shift,
+                    py::arg("below_shift") = certificate.below_shift,
+                    py::arg("returned_below_shift") = certificate.returned_below_shift,
+                    py::arg("complete") = certificate.complete);
+}
+
+/// Of a Spectrum or of CertifiedEigenpairs, whose columns go by other names.
+template <class Pairs>
+py::dict in_words(Pairs pairs, Vector values, DenseMatrix columns) {
+    return py::dict(py::arg("eigenvalues") = array(std::move(values)),
+                    py::arg("modes") = array(std::move(columns)),
+                    py::arg("radii") = array(std::move(pairs.radii)),
+                    py::arg("residuals") = array(std::move(pairs.residuals)),
+                    py::arg("certificate") = in_words(pairs.certificate),
+                    py::arg("linear_solver") = pairs.linear_solver,
+                    py::arg("eigen_solver") = pairs.eigen_solver,
+                    py::arg("rough") = std::move(pairs.rough));
+}
+
+Certification certification_of(bool certified) {
+    return certified ? Certification::required : Certification::waived;
+}
+
+/// Under conditions, if marks are given, modes have values on all cells, 0 where these fix them.
+py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, Index count,
+                     const std::vector<bool>& essential, bool coexact, bool certified,
+                     const std::string& linear_solver, const std::string& eigen_solver,
+                     const py::object& progress) {
+    const SpectrumOptions options{side_of(side),     degree,       count,
+                                  linear_solver,     eigen_solver, certification_of(certified),
+                                  listener(progress)};
+    Spectrum found = unlocked([&] {
+        if (essential.empty() && coexact)
+            return coexact_spectrum(of.complex, of.stars, options);
+        if (essential.empty() && !of.mesh)
+            return spectrum(of.complex, of.stars, options);
+        const auto space = conditioned(of, options.side, degree, essential);
+        const auto find =
+            coexact ? &coexact_spectrum : static_cast<decltype(&coexact_spectrum)>(&spectrum);
+        Spectrum on_space = find(space.relative.complex, space.stars, options);
+        on_space.modes =
+            space.relative.extend(cell_degree(of.complex, options.side, degree), on_space.modes);
+        return on_space;
+    });
+    auto values = std::move(found.eigenvalues);
+    auto modes = std::move(found.modes);
+    return in_words(std::move(found), std::move(values), std::move(modes));
+}
+
+py::dict smallest_eigenpairs(const MatrixParts& A, const std::variant<Numbers, MatrixParts>& M,
+                             Index count, bool certified, const std::string& linear_solver,
+                             const std::string& eigen_solver, const py::object& progress) {
+    EigensolverOptions options;
+    options.linear_solver = linear_solver;
+    options.eigen_solver = eigen_solver;
+    options.certification = certification_of(certified);
+    options.progress = listener(progress);
+    Pencil pencil;
+    pencil.C = sparse(A);
+    if (const auto* masses = std::get_if<Numbers>(&M))
+        pencil.M = vector(*masses);
+    else
+        pencil.M = sparse(std::get<MatrixParts>(M));
+    CertifiedEigenpairs found =
+        unlocked([&] { return CertifiedEigensolver(pencil, options).smallest(count); });
+    auto values = std::move(found.values);
+    auto vectors = std::move(found.vectors);
+    return in_words(std::move(found), std::move(values), std::move(vectors));
+}
+
+} // namespace
+
+void add_spectra(py::module_& module) {
+    module.def("spectrum", &spectrum_of);
+    module.def("smallest_eigenpairs", &smallest_eigenpairs);
+}
+
+} // namespace polydec::python

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""What comes in: arrays of any layout become those that C++ reads, or are refused by name."""
+from __future__ import annotations
+
+from typing import Any, Callable, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse
+
+from ._errors import InvalidInput
+
+Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.int32]
+MatrixParts = Tuple[Floats, Integers, Integers, int]
+#: What may stand for values at places: one for all, one for each, or a function of the places.
+Values = Union[float, npt.ArrayLike, Callable[[Floats], npt.ArrayLike]]
+
+
+def _array(values: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
+    try:
+        array = np.asarray(values)
+    except ValueError as error:
+        raise InvalidInput(f"{name} are no array: {error}") from None
+    if array.dtype == object:
+        raise InvalidInput(f"{name} are no array of numbers: rows have different lengths, or "
+                           "entries are no numbers")
+    return array
+
+
+def _shape(array: npt.NDArray[Any], name: str, dimensions: int) -> None:
+    if array.ndim != dimensions:
+        wanted = "a row for each" if dimensions == 2 else "a list of numbers"
+        raise InvalidInput(f"{name} have the shape {array.shape}: expected {wanted}, "
+                           f"{dimensions} axes")
+
+
+def floats(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Floats:
+    """Real numbers in rows, as C has them; complex ones and other shapes are refused."""
+    array = _array(values, name)
+    if array.dtype.kind not in "fiub":
+        raise InvalidInput(f"{name} are of the type {array.dtype}: expected real numbers")
+    if array.size == 0 and array.ndim < dimensions:
+        array = array.reshape((0,) * dimensions)
+    _shape(array, name, dimensions)
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def integers(values: npt.ArrayLike, name: str, dimensions: int = 1) -> Integers:
+    """Whole numbers of 32 bits; others are refused, and so is what has a fraction."""
+    array = _array(values, name)
+    if array.size == 0 and array.ndim < dimensions:
+        array = array.reshape((0,) * dimensions)
+    _shape(array, name, dimensions)
+    if array.dtype.kind not in "iu" and array.size > 0:
+        raise InvalidInput(f"{name} are of the type {array.dtype}: expected whole numbers")
+    limits = np.iinfo(np.int32)
+    if array.dtype.itemsize >= 4 and array.dtype != np.int32 and array.size > 0:
+        outside = (array > limits.max) | (array < limits.min)
+        if outside.any():
+            place = tuple(int(i) for i in np.argwhere(outside)[0])
+            raise InvalidInput(f"{name}: {array[place]} in row {place[0]} does not fit into "
+                               "32 bits", cells=[place[0]] if dimensions == 2 else [])
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def at_places(values: Values, places: Floats, name: str, columns: int = 1) -> Floats:
+    """One value, or one row, for each place: those given, or those of a function of all places."""
+    if callable(values):
+        values = values(places)
+    array = np.asarray(values, dtype=None)
+    if array.ndim == 0:
+        array = np.full(len(places), array[()])
+    result = floats(array, name, array.ndim if array.ndim in (1, 2) else 1)
+    if len(result) != len(places):
+        raise InvalidInput(f"{len(result)} {name} are given: expected {len(places)}")
+    return result
+
+
+def matrix_parts(matrix: Any, name: str) -> MatrixParts:
+    """The arrays of a sparse matrix of any format, or of a dense one: sorted rows, no entry twice."""
+    if not scipy.sparse.issparse(matrix):
+        matrix = scipy.sparse.csr_matrix(floats(matrix, name, 2))
+    if np.dtype(matrix.dtype).kind not in "fiub":
+        raise InvalidInput(f"{name} is of the type {matrix.dtype}: expected real numbers")
+    rows = matrix.tocsr()
+    if not rows.has_canonical_format:
+        rows = rows.copy() if rows is matrix else rows
+        rows.sum_duplicates()
+    return (floats(rows.data, name), integers(rows.indices, name), integers(rows.indptr, name),
+            int(rows.shape[1]))
+
+
+def marks(essential: Any, places: Floats, count: int, name: str = "essential") -> list[bool]:
+    """Conditions for C++: one mark for all facets, or one for each of them."""
+    if callable(essential):
+        essential = essential(places)
+    array = np.asarray(essential)
+    if array.dtype != bool:
+        raise InvalidInput(f"{name} is of the type {array.dtype}: expected True, False, or one of "
+                           "them for each facet")
+    if array.ndim == 0:
+        return [bool(array)]
+    if array.shape != (count,):
+        raise InvalidInput(f"{name} has the shape {array.shape}: expected one mark for each of "
+                           f"{count} facets")
+    marked: list[bool] = array.tolist()
+    return marked

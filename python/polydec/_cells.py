@@ -1,0 +1,357 @@
+# SPDX-License-Identifier: MIT
+"""Cells and the operators on them."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse.linalg
+
+from . import _core
+from ._arrays import Floats, Integers, floats, marks, matrix_parts
+from ._errors import InvalidInput
+
+if TYPE_CHECKING:
+    from ._cochain import Cochain
+
+#: An array of values, or a form that knows its side and degree.
+Form = Union["Cochain", npt.ArrayLike]
+
+
+class Cells:
+    """Oriented cells of degrees 0 to n with their Hodge stars, and the operators on forms on them.
+
+    A primal k-form has a number for each k-cell, a dual j-form one for the dual of each (n-j)-cell.
+    The cells of a mesh are a `Complex`; `Cells.of` takes cells of one's own. Matrices are
+    ``scipy.sparse.csr_matrix``. Arrays that are stored are handed out as views of them, read-only.
+    """
+
+    def __init__(self, calculus: _core.Calculus) -> None:
+        self._calculus = calculus
+
+    @classmethod
+    def of(cls, incidences: Sequence[Any], volumes: Sequence[npt.ArrayLike],
+           dual_volumes: Sequence[npt.ArrayLike]) -> Cells:
+        """Cells of one's own, of any kind.
+
+        Parameters
+        ----------
+        incidences : sequence of n sparse matrices
+            The coboundaries d_0 .. d_(n-1), of integer entries, d_k of as many rows as there are
+            (k+1)-cells.
+        volumes, dual_volumes : sequences of n + 1 arrays
+            A number for each cell of each degree.
+
+        Examples
+        --------
+        A circle of four edges of length 1:
+
+        >>> import numpy as np, polydec, scipy.sparse as sp
+        >>> d = sp.csr_matrix(np.roll(np.eye(4), 1, axis=1) - np.eye(4))
+        >>> circle = polydec.Cells.of([d], [np.ones(4), np.ones(4)], [np.ones(4), np.ones(4)])
+        >>> circle.betti_numbers()
+        [1, 1]
+        """
+        def parts(k: int, d: Any) -> Any:
+            data, columns, begins, width = matrix_parts(d, f"d_{k}")
+            if (data != np.round(data)).any() or (abs(data) > 127).any():
+                raise InvalidInput(f"d_{k} has entries other than small whole numbers")
+            return data, columns, begins, width
+
+        return cls(_core.Calculus(
+            [parts(k, d) for k, d in enumerate(incidences)],
+            [floats(v, f"volumes of degree {k}") for k, v in enumerate(volumes)],
+            [floats(v, f"dual volumes of degree {k}") for k, v in enumerate(dual_volumes)]))
+
+    @property
+    def dim(self) -> int:
+        """Dimension n."""
+        return self._calculus.dimension
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Numbers of cells of degrees 0 to n."""
+        return tuple(self._calculus.size(k) for k in range(self.dim + 1))
+
+    def size(self, k: int, side: str = "primal") -> int:
+        """Number of values of a k-form of that side; 0 if there is no such degree."""
+        return self._calculus.size(k if side == "primal" else self.dim - k)
+
+    def __len__(self) -> int:
+        return self.dim + 1
+
+    def __getitem__(self, k: int) -> Degree:
+        if not 0 <= k <= self.dim:
+            raise IndexError(f"degree {k} is asked for: expected 0 to {self.dim}")
+        return Degree(self, k)
+
+    # ---- topology
+
+    def incidence(self, k: int) -> Any:
+        """d_k with entries -1, 0, 1 of type int8: a view of what is stored.
+
+        Products of such matrices overflow beyond 127; to calculate take `d`.
+        """
+        return self._calculus.incidence(k)
+
+    def d(self, k: int, side: str = "primal") -> Any:
+        """Exterior derivative of k-forms, size(k+1) x size(k); of dual ones ``(-1)**i d_(i-1)^T``
+        with i = n - k. Needs no metric; ``d(k+1) @ d(k)`` is exactly zero.
+
+        >>> import polydec
+        >>> square = polydec.discretize(polydec.meshes.grid(1, 1))
+        >>> square.d(0).shape, square.d(1).toarray()
+        ((4, 4), array([[-1.,  1., -1.,  1.]]))
+        """
+        return self._calculus.d(side, k)
+
+    def boundary(self, k: int, side: str = "primal") -> Any:
+        """Boundary of k-chains, size(k-1) x size(k): the transpose of ``d(k-1, side)``."""
+        return self._calculus.boundary(side, k)
+
+    def coface_counts(self, k: int) -> Integers:
+        """Number of (k+1)-cells around each k-cell: 1 at facets of the boundary."""
+        return self._calculus.coface_counts(k)
+
+    def boundary_facets(self) -> npt.NDArray[np.bool_]:
+        """Marks the (n-1)-cells on the boundary."""
+        return np.asarray(self.coface_counts(self.dim - 1) == 1)
+
+    def betti_numbers(self) -> list[int]:
+        """Betti numbers b_0 .. b_n."""
+        return self._calculus.betti_numbers()
+
+    def homology_generators(self, k: int) -> Any:
+        """A basis of the k-th homology: b_k columns of integers, each a cycle."""
+        return self._calculus.homology_generators(k)
+
+    # ---- metric
+
+    def volumes(self, k: int) -> Floats:
+        """k-volumes of the k-cells, 1 for vertices: a view of what is stored."""
+        return self._calculus.volumes(k)
+
+    def dual_volumes(self, k: int) -> Floats:
+        """Signed (n-k)-volumes of the duals of the k-cells: a view of what is stored."""
+        return self._calculus.dual_volumes(k)
+
+    def star(self, k: int) -> Any:
+        """Hodge star of primal k-forms: its diagonal, or a matrix where it is none.
+
+        Diagonal stars are dual over primal volumes, ``dual_volumes(k) / volumes(k)``. Those of
+        kind galerkin and hybrid are sparse matrices.
+        """
+        return self._calculus.star(k)
+
+    def inverse_star(self, k: int) -> Any:
+        """Its inverse, from dual (n-k)-forms to primal k-forms.
+
+        The diagonal; or, where the star is a matrix, a ``scipy.sparse.linalg.LinearOperator`` that
+        solves with it, since the matrix would be dense.
+
+        Raises
+        ------
+        InvalidInput
+            If the star of a cell is zero; ``degree`` and ``cells`` say of which.
+        """
+        if self._calculus.is_diagonal(k):
+            return self._calculus.inverse_star(k)
+        return _operator(self._calculus.size(k), self._calculus.size(k),
+                         lambda x: self._calculus.solve_star(k, x))
+
+    def zeros(self, k: int) -> Integers:
+        """The k-cells whose star counts as zero."""
+        return self._calculus.zeros(k)
+
+    def negatives(self, k: int) -> Integers:
+        """The k-cells whose star is negative."""
+        return self._calculus.negatives(k)
+
+    def codifferential(self, k: int, side: str = "primal") -> Any:
+        """Codifferential of k-forms, to (k-1)-forms: the adjoint of d in the inner products.
+
+        Where a star that must be inverted is a matrix, a ``LinearOperator`` in its place.
+        """
+        if self._inverts(side, k, laplacian=False):
+            return self._applied("codifferential", side, k, k - 1)
+        return self._calculus.codifferential(side, k)
+
+    def laplacian(self, k: int, side: str = "primal") -> Any:
+        """Laplace-de Rham operator on k-forms, d delta + delta d.
+
+        Where a star that must be inverted is a matrix, a ``LinearOperator`` in its place.
+
+        >>> import polydec
+        >>> c = polydec.discretize(polydec.meshes.well_centered(4))
+        >>> abs(c.star(0)[:, None] * c.laplacian(0).toarray() - c.stiffness(0)).max() < 1e-13
+        True
+        """
+        if self._inverts(side, k, laplacian=True):
+            return self._applied("laplacian", side, k, k)
+        return self._calculus.laplacian(side, k)
+
+    def stiffness(self, k: int) -> Any:
+        """The symmetric ``star(k) * laplacian(k)`` of primal k-forms, a sparse matrix."""
+        return self._calculus.stiffness(k)
+
+    def dual_boundary_derivative(self, j: int) -> Any:
+        """What values on the boundary add to the derivative of a dual j-form."""
+        return self._calculus.dual_boundary_derivative(j)
+
+    def inner_product(self, a: Form, b: Form, k: int | None = None,
+                      side: str = "primal") -> float:
+        """L2 product of two forms of one kind.
+
+        Arrays need their degree and side; `Cochain` objects bring theirs.
+        """
+        a_side, a_degree, a_values = as_form(a, k, side)
+        b_side, b_degree, b_values = as_form(b, k, side)
+        if (a_side, a_degree) != (b_side, b_degree):
+            raise InvalidInput(f"the inner product of a {a_side} {a_degree}-form and a {b_side} "
+                               f"{b_degree}-form is asked for: expected forms of one kind")
+        return self._calculus.inner_product(a_side, a_degree, a_values, b_values)
+
+    def norm(self, form: Form, k: int | None = None, side: str = "primal") -> float:
+        """Square root of the inner product of a form with itself."""
+        return self._calculus.norm(*as_form(form, k, side))
+
+    # ---- other stars, other cells
+
+    def with_star(self, k: int, star: Any) -> Cells:
+        """The same cells with a symmetric positive definite sparse matrix as the star of k-forms."""
+        return Cells(self._calculus.with_star(k, matrix_parts(star, f"the star of degree {k}")))
+
+    def conditioned(self, essential: Any = True, *, degree: int = 0,
+                    side: str = "primal") -> ConditionedCells:
+        """The cells on which forms obey homogeneous conditions on the boundary.
+
+        Parameters
+        ----------
+        essential : bool or array of bool, shape (size(n-1),)
+            Where the form itself is 0 (for 0-forms Dirichlet's condition); elsewhere nothing flows
+            through the boundary (Neumann's).
+        degree, side
+            Of the forms.
+
+        Examples
+        --------
+        >>> import polydec
+        >>> square = polydec.discretize(polydec.meshes.well_centered(8))
+        >>> inside = square.conditioned()
+        >>> inside.shape[0] == square.shape[0] - square.boundary_facets().sum()
+        True
+        """
+        marked = marks(essential, np.zeros((0, 0)), self.size(self.dim - 1))
+        calculus, cells = self._calculus.conditioned(side, degree, marked)
+        return ConditionedCells(calculus, cells, self.shape)
+
+    def _inverts(self, side: str, k: int, laplacian: bool) -> bool:
+        """Whether the matrix is dense, since the inverse of a star that is a matrix is in it."""
+        if side not in ("primal", "dual"):
+            return False # C++ says so
+        cells = k if side == "primal" else self.dim - k
+        inverted = [cells - 1] if side == "primal" else [cells]
+        if laplacian:
+            inverted = [cells - 1, cells]
+        return any(0 <= i <= self.dim and not self._calculus.is_diagonal(i) for i in inverted)
+
+    def _applied(self, what: str, side: str, k: int, to: int) -> Any:
+        return _operator(self.size(to, side), self.size(k, side),
+                         lambda x: self._calculus.apply(what, side, k, x)[2])
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(map(str, self.shape))} cells)"
+
+
+class ConditionedCells(Cells):
+    """The cells on which forms obey conditions on the boundary; see `Cells.conditioned`.
+
+    Attributes
+    ----------
+    cells : list of numpy.ndarray
+        Of each degree the numbers that these cells have in the whole.
+    """
+
+    def __init__(self, calculus: _core.Calculus, cells: list[Integers],
+                 whole: tuple[int, ...]) -> None:
+        super().__init__(calculus)
+        self.cells = cells
+        self._whole = whole
+
+    def restrict(self, k: int, values: npt.ArrayLike) -> Floats:
+        """The values on these k-cells, of values on all k-cells."""
+        return np.asarray(values, dtype=np.float64)[self.cells[k]]
+
+    def extend(self, k: int, values: npt.ArrayLike) -> Floats:
+        """The values on all k-cells, 0 on those that were left out."""
+        array = np.asarray(values, dtype=np.float64)
+        result = np.zeros((self._whole[k],) + array.shape[1:])
+        result[self.cells[k]] = array
+        return result
+
+
+class Degree:
+    """The cells of one degree under the names of PyDEC.
+
+    Attributes
+    ----------
+    d, boundary, star, star_inv, num_simplices, primal_volume, dual_volume
+        As in PyDEC; stars are diagonal sparse matrices.
+    """
+
+    def __init__(self, cells: Cells, k: int) -> None:
+        self._cells = cells
+        self._k = k
+
+    @property
+    def num_simplices(self) -> int:
+        return self._cells.size(self._k)
+
+    @property
+    def d(self) -> Any:
+        return self._cells.d(self._k)
+
+    @property
+    def boundary(self) -> Any:
+        return self._cells.boundary(self._k)
+
+    @property
+    def star(self) -> Any:
+        return _matrix(self._cells.star(self._k))
+
+    @property
+    def star_inv(self) -> Any:
+        return _matrix(self._cells.inverse_star(self._k))
+
+    @property
+    def primal_volume(self) -> Floats:
+        return self._cells.volumes(self._k)
+
+    @property
+    def dual_volume(self) -> Floats:
+        return self._cells.dual_volumes(self._k)
+
+    def __repr__(self) -> str:
+        return f"{self.num_simplices} {self._k}-cells"
+
+
+def _matrix(star: Any) -> Any:
+    return scipy.sparse.diags(star, format="csr") if isinstance(star, np.ndarray) else star
+
+
+def _operator(rows: int, columns: int, apply: Any) -> Any:
+    return scipy.sparse.linalg.LinearOperator(
+        (rows, columns), matvec=lambda x: apply(np.ascontiguousarray(x, np.float64).ravel()),
+        dtype=np.float64)
+
+
+def as_form(form: Form, degree: int | None, side: str = "primal") -> tuple[str, int, Floats]:
+    """Side, degree and values of a `Cochain`, or of an array with what is said of it."""
+    from ._cochain import Cochain
+    if isinstance(form, Cochain):
+        return form.side, form.degree, form.values
+    if degree is None:
+        raise InvalidInput("an array is given without its degree: expected a Cochain, or an array "
+                           "and the degree of the form")
+    return side, degree, floats(form, f"values of the {side} {degree}-form")

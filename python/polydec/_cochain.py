@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""Forms as values that know what they are."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._arrays import Floats, floats
+from ._cells import Cells
+from ._errors import InvalidInput
+
+
+class Cochain:
+    """A discrete k-form: its integral over each oriented cell of degree k, primal or dual.
+
+    Parameters
+    ----------
+    values : array_like
+        A number for each cell.
+    degree : int
+    side : {"primal", "dual"}
+    complex : Cells
+        What it lives on.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> c = polydec.discretize(polydec.meshes.well_centered(4))
+    >>> u = polydec.Cochain(c.points[:, 0], 0, "primal", c)
+    >>> round(u.d().norm(), 12)          # |grad x| = 1 on the unit square
+    1.0
+    >>> (u + 2 * u).d().d()
+    Cochain(primal 2-form, 96 values)
+    """
+
+    __array_priority__ = 20.0 # numpy's numbers times a form are forms
+
+    def __init__(self, values: npt.ArrayLike, degree: int, side: str = "primal",
+                 complex: Cells | None = None) -> None:
+        self.values: Floats = floats(values, f"values of the {side} {degree}-form")
+        self.degree = degree
+        self.side = side
+        self._complex = complex
+        if side not in ("primal", "dual"):
+            raise InvalidInput(f'side is "{side}": expected "primal" or "dual"')
+        if complex is not None and len(self.values) != complex.size(degree, side):
+            raise InvalidInput(f"a {side} {degree}-form of {len(self.values)} values is given: "
+                               f"expected {complex.size(degree, side)}")
+
+    @property
+    def complex(self) -> Cells:
+        if self._complex is None:
+            raise InvalidInput("the form does not say on which complex it lives")
+        return self._complex
+
+    def _made(self, what: str) -> Cochain:
+        side, degree, values = self.complex._calculus.apply(what, self.side, self.degree,
+                                                            self.values)
+        return Cochain(values, degree, side, self.complex if len(values) else None)
+
+    def d(self) -> Cochain:
+        """Exterior derivative, of degree k+1."""
+        return self._made("d")
+
+    def star(self) -> Cochain:
+        """Hodge star: of the other side, of degree n-k."""
+        return self._made("star")
+
+    def delta(self) -> Cochain:
+        """Codifferential, of degree k-1."""
+        return self._made("codifferential")
+
+    def laplacian(self) -> Cochain:
+        """Laplace-de Rham operator."""
+        return self._made("laplacian")
+
+    def wedge(self, other: Cochain) -> Cochain:
+        """Exterior product with another form of the same side."""
+        from ._fields import wedge
+        from ._complex import Complex
+        if not isinstance(self.complex, Complex):
+            raise InvalidInput("products of forms are those of a Complex")
+        return wedge(self.complex, self, other)
+
+    def norm(self) -> float:
+        """L2 norm."""
+        return self.complex.norm(self)
+
+    def _same(self, other: Cochain) -> None:
+        if (self.side, self.degree, len(self.values)) != (other.side, other.degree,
+                                                          len(other.values)):
+            raise InvalidInput(f"{self!r} and {other!r} are not of one kind")
+
+    def _with(self, values: Floats) -> Cochain:
+        return Cochain(values, self.degree, self.side, self._complex)
+
+    def __add__(self, other: Cochain) -> Cochain:
+        self._same(other)
+        return self._with(self.values + other.values)
+
+    def __sub__(self, other: Cochain) -> Cochain:
+        self._same(other)
+        return self._with(self.values - other.values)
+
+    def __mul__(self, factor: float) -> Cochain:
+        return self._with(self.values * float(factor))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: float) -> Cochain:
+        return self._with(self.values / float(divisor))
+
+    def __neg__(self) -> Cochain:
+        return self._with(-self.values)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __array__(self, dtype: Any = None) -> npt.NDArray[Any]:
+        return np.asarray(self.values, dtype=dtype)
+
+    def __repr__(self) -> str:
+        return f"Cochain({self.side} {self.degree}-form, {len(self.values)} values)"

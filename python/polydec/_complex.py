@@ -1,0 +1,307 @@
+# SPDX-License-Identifier: MIT
+"""A mesh made ready for calculus."""
+from __future__ import annotations
+
+import json
+from typing import Any, Callable, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, Integers, floats, matrix_parts
+from ._cells import Cells, Form, as_form
+from ._cochain import Cochain
+from ._errors import InvalidInput, told
+from .meshes import LengthMesh, Mesh
+
+Progress = Callable[[str], object]
+
+
+class CellList(NamedTuple):
+    """The cells of one degree: cell i has ``corners[offsets[i]:offsets[i + 1]]``."""
+
+    offsets: Integers
+    corners: Integers
+
+    def __len__(self) -> int:
+        return len(self.offsets) - 1
+
+    def cell(self, i: int) -> Integers:
+        """The corners of cell i."""
+        return self.corners[self.offsets[i]:self.offsets[i + 1]]
+
+
+class Polygons(NamedTuple):
+    """Polygons: number i has ``corners[offsets[i]:offsets[i + 1]]``, rows of points, around it."""
+
+    points: Floats
+    offsets: Integers
+    corners: Integers
+
+
+class Complex(Cells):
+    """A mesh made ready for calculus by `discretize`: its cells, merged where they are cospherical.
+
+    All that is said of `Cells` is said of the merged cells. Places of values are `points` for
+    primal 0-forms and `centers` for others.
+
+    Attributes
+    ----------
+    points : numpy.ndarray, shape (size(0), N)
+        Of the vertices; without columns if only lengths are known.
+    input : Cells
+        The simplices that were given, by themselves.
+    merging : Merging
+        What the cells are made of.
+    """
+
+    def __init__(self, mesh: _core.Discretization, given: Mesh | LengthMesh | None,
+                 options: dict[str, Any]) -> None:
+        super().__init__(mesh.calculus)
+        self._mesh = mesh
+        self._given = given
+        self._options = options
+
+    @property
+    def points(self) -> Floats:
+        return self._mesh.points
+
+    @property
+    def input(self) -> Cells:
+        return Cells(self._mesh.input_calculus)
+
+    @property
+    def pieces(self) -> Cells:
+        """What was merged: the simplices that were given, or the triangles after flips."""
+        return Cells(self._mesh.pieces_calculus)
+
+    @property
+    def merging(self) -> Merging:
+        return Merging(self)
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """Those of `discretize` that it was made with."""
+        return dict(self._options)
+
+    @property
+    def warnings(self) -> list[str]:
+        """What was untidy in the input, and what was done about it."""
+        return [told(text) for text in self._mesh.warnings]
+
+    @property
+    def tags(self) -> Integers:
+        """Of each n-cell the tag of its simplices, 0 where they have different ones; or empty."""
+        return self._mesh.tags
+
+    @property
+    def facet_tags(self) -> Integers:
+        """Of each (n-1)-cell the tag of its facets; or empty."""
+        return self._mesh.facet_tags
+
+    @property
+    def unit(self) -> float:
+        """The length, in those of the input, that points and volumes are measured in: mostly 1."""
+        return self._mesh.unit
+
+    @property
+    def star_kind(self) -> str:
+        """Which stars it has: "circumcentric", "galerkin", "hybrid", "barycentric" or "own"."""
+        return self._mesh.star_kind
+
+    def report(self) -> dict[str, Any]:
+        """What the mesh is, and what can be done on it: what ``polydec info --json`` says.
+
+        >>> import polydec
+        >>> report = polydec.discretize(polydec.meshes.torus(8, 6)).report()
+        >>> report["betti"]["merged"], report["orientable"], report["cells"]["merged"]
+        ([1, 2, 1], True, [48, 96, 48])
+        """
+        result: dict[str, Any] = json.loads(self._mesh.report())
+        result["advice"] = [told(text) for text in result["advice"]]
+        return result
+
+    # ---- places
+
+    def centers(self, k: int) -> Floats:
+        """Circumcenters of the k-cells, a row each."""
+        return self._mesh.centers(k)
+
+    def centroids(self, k: int) -> Floats:
+        """Centroids of the k-cells, where vector fields made of forms belong, a row each."""
+        return self._mesh.centroids(k)
+
+    def dual_sites(self) -> Floats:
+        """Where values of dual 0-forms are: centers of the n-cells, or centroids by the stars."""
+        return self._mesh.dual_sites()
+
+    def facet_sites(self) -> Floats:
+        """Where values on the boundary and through it are: places on the (n-1)-cells."""
+        return self._mesh.facet_sites()
+
+    def cells(self, k: int) -> CellList:
+        """The vertices of the k-cells: around them for k = 2, else ascending.
+
+        >>> import polydec
+        >>> square = polydec.discretize(polydec.meshes.grid(1, 1)).cells(2)
+        >>> len(square), square.cell(0)
+        (1, array([1, 0, 2, 3], dtype=int32))
+        """
+        return CellList(*self._mesh.cells(k))
+
+    def polygons(self) -> Polygons:
+        """The 2-cells of a surface as they lie in space, after flips cut along the input's edges."""
+        return Polygons(*self._mesh.polygons())
+
+    # ---- stars
+
+    def with_star(self, k: int, star: Any) -> Complex:
+        """The same with a symmetric positive definite sparse matrix as the star of k-forms."""
+        parts = matrix_parts(star, f"the star of degree {k}")
+        return Complex(self._mesh.with_star_matrix(k, parts), None, self._options)
+
+    def with_stars(self, kind: str) -> Complex:
+        """The same with stars of another kind, as the option ``star`` of `discretize`."""
+        return Complex(self._mesh.with_star(kind), self._given, {**self._options, "star": kind})
+
+    def material_star(self, k: int, weights: npt.ArrayLike) -> Any:
+        """Galerkin's star of k-forms, each n-cell's part times a positive weight."""
+        return self._mesh.material_star(k, floats(weights, "weights"))
+
+    def conductivity_star(self, tensors: npt.ArrayLike) -> Any:
+        """Galerkin's star of (n-1)-forms by a symmetric n x n conductivity of each n-cell."""
+        return self._mesh.tensor_star(floats(tensors, "tensors", 3))
+
+    # ---- forms
+
+    def cochain(self, values: npt.ArrayLike, degree: int, side: str = "primal") -> Cochain:
+        """A form on these cells."""
+        return Cochain(values, degree, side, self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._given is None:
+            raise InvalidInput("a complex with stars of its own cannot be pickled: pickle what it "
+                               "was made of, and take with_star again")
+        return _made_again, (self._given, self._options)
+
+
+def _made_again(given: Mesh | LengthMesh, options: dict[str, Any]) -> Complex:
+    return discretize(given, **options)
+
+
+class Merging:
+    """What the cells of a `Complex` are made of, and the maps between these and the simplices.
+
+    Forms on simplices are those on ``complex.input``; `lift` and `diamond` are of the pieces, which
+    are the same unless edges were flipped.
+    """
+
+    def __init__(self, complex: Complex) -> None:
+        self._complex = complex
+        self._mesh = complex._mesh
+
+    @property
+    def is_identity(self) -> bool:
+        """Whether nothing was merged."""
+        return self._mesh.is_identity
+
+    def diamond(self, k: int) -> Any:
+        """The orientation, 1 or -1, of each k-piece in its cell: a view, of type int8.
+
+        Primal k-forms on pieces are mapped to cells by it, and the map commutes with d.
+        """
+        return self._mesh.diamond(k)
+
+    def carriers(self, k: int) -> tuple[Integers, Integers]:
+        """Of each k-piece the cell in whose interior it lies: dimensions and numbers."""
+        return self._mesh.carriers(k)
+
+    def lift(self, k: int) -> Any:
+        """Primal k-forms on cells as forms on pieces: ``diamond(k) @ lift(k)`` is the identity, and
+        it commutes with d."""
+        return self._mesh.lift(k)
+
+    def to_merged(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
+        """The form on merged cells of a form on the input's simplices: sums, or means of duals."""
+        return self._form(_core.transfer(self._mesh, "to_merged", *as_form(form, degree, side)),
+                          self._complex)
+
+    def to_input(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
+        """The form on the input's simplices of a form on merged cells: shares by volume, or copies.
+
+        Before derivatives take `lifted`.
+        """
+        return self._form(_core.transfer(self._mesh, "to_input", *as_form(form, degree, side)),
+                          self._complex.input)
+
+    def lifted(self, form: Form, degree: int | None = None) -> Cochain:
+        """The primal form on the input's simplices that has the same d there as on the cells."""
+        return self._form(_core.transfer(self._mesh, "lifted", *as_form(form, degree)),
+                          self._complex.input)
+
+    def consistency(self, form: Form, degree: int | None = None,
+                    side: str = "dual") -> dict[str, Any]:
+        """How far a dual form on the simplices is from being one on merged cells.
+
+        A dict of ``worst``, the largest deviation, and ``cell``, ``found``, ``expected`` and
+        ``description`` of where it is.
+        """
+        return _core.consistency(self._mesh, *as_form(form, degree, side))
+
+    @staticmethod
+    def _form(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:
+        side, degree, values = parts
+        return Cochain(values, degree, side, cells)
+
+
+def discretize(mesh: Mesh | LengthMesh, *, tolerance: float = 1e-4,
+               angle_tolerance: float | None = None, merge: bool = True,
+               delaunay: str | None = None, materials: str = "join", star: str = "circumcentric",
+               centers: str = "circumcenters", progress: Progress | None = None) -> Complex:
+    """Makes a mesh ready for calculus: complex, merging of cospherical simplices, volumes, stars.
+
+    Parameters
+    ----------
+    mesh : Mesh or LengthMesh
+    tolerance : float
+        Facets with a relative dual length up to this are merged across.
+    angle_tolerance : float, optional
+        Merge instead where the angles opposite to a facet add up to pi within so many radians.
+    merge : bool
+        False: nothing is merged.
+    delaunay : {None, "flips", "flips_and_splits"}
+        Whether edges of a surface are flipped before, and boundary edges split, until no dual is
+        negative. The surface stays as it is.
+    materials : {"join", "keep_apart"}
+        Whether simplices of different tags may become one cell.
+    star : {"circumcentric", "galerkin", "hybrid", "barycentric", "automatic"}
+        The kind of the Hodge stars; "automatic" is positive on every mesh.
+    centers : {"circumcenters", "centroids"}
+        Between which centers duals are; with centroids nothing is merged.
+    progress : callable, optional
+        Told the name of each stage, a str, as it begins. What it raises ends the work.
+
+    Returns
+    -------
+    Complex
+
+    Raises
+    ------
+    InvalidInput
+        For what cannot be used; ``cells`` and ``vertices`` say where.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> cube = polydec.discretize(polydec.meshes.kuhn([2, 2, 2]))
+    >>> cube.shape        # 8 cubes, not 48 tetrahedra
+    (27, 54, 36, 8)
+    """
+    options = {"tolerance": tolerance, "angle_tolerance": angle_tolerance, "merge": merge,
+               "delaunay": delaunay, "materials": materials, "star": star, "centers": centers}
+    criterion = "none" if not merge else "dual_length" if angle_tolerance is None else "angle"
+    made = _core.discretize(mesh._mesh, criterion,
+                            tolerance if angle_tolerance is None else angle_tolerance,
+                            delaunay or "off", materials, star, centers, progress)
+    return Complex(made, mesh, options)
