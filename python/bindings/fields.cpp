@@ -32,7 +32,7 @@ Cochain integrated(const Discretization& mesh, int components, const py::functio
     const auto width = static_cast<Index>(mesh.points().cols());
     const auto count = static_cast<Index>(places.size()) / std::max<Index>(width, 1);
     Points points = Eigen::Map<const Points>(places.data(), count, width);
-    const Numbers values = form(array(std::move(points)), components).cast<Numbers>();
+    const Numbers values = form(array(std::move(points))).cast<Numbers>();
     check_as_many("values of the form", static_cast<Index>(values.size()), count * components);
     const double* value = values.data();
     const SmoothForm known = [&](const Vector&) -> Vector {
@@ -119,6 +119,10 @@ void add_fields_of_vectors(py::module_& module) {
                             }}});
         const Cochain given = form(side, degree, values);
         return array(unlocked([&] { return sharp(mesh, given); }));
+    });
+    module.def("whitney_form", [](const Discretization& mesh, const std::string& side, int degree,
+                                  const Numbers& values, Index top, const Numbers& barycentric) {
+        return array(whitney_form(mesh, form(side, degree, values), top, vector(barycentric)));
     });
     module.def("contraction", [](const Discretization& mesh, const std::string& what,
                                  const Numbers& field, int k, const std::string& sampling) {

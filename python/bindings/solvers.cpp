@@ -7,6 +7,7 @@
 #include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
 #include "solvers/surfaces/geodesic_distance.h"
+#include "solvers/surfaces/parallel_transport.h"
 
 #include <mutex>
 
@@ -205,6 +206,39 @@ void add_distance(py::module_& module) {
         });
 }
 
+/// The edge of each vertex from which angles are measured: the vertices that it leads from and to.
+Simplices reference_edges(const GluedSurface& surface, const TangentFrames& frames) {
+    Simplices ends(surface.vertices(), 2);
+    for (Index v = 0; v < surface.vertices(); ++v)
+        ends.row(v) << v, surface.head(frames.reference[v]);
+    return ends;
+}
+
+void add_transport(py::module_& module) {
+    using Solver = Guarded<ParallelTransport>;
+    py::class_<Solver>(module, "ParallelTransport")
+        .def(py::init([](const Discretization& mesh, double time_scale, const std::string& engine) {
+            return guarded<ParallelTransport>(GluedSurface(mesh.pieces()),
+                                              mesh.piece_volumes().primal(1),
+                                              TransportOptions{time_scale, engine});
+        }))
+        .def("reference",
+             [](const Solver& self, const Discretization& mesh) {
+                 return array(reference_edges(GluedSurface(mesh.pieces()), self.solver.frames()));
+             })
+        .def("extend", [](Solver& self, const Integers& sources, const Numbers& real,
+                          const Numbers& imaginary) {
+            TangentVectors given(static_cast<Eigen::Index>(real.size()));
+            given.real() = vector(real);
+            given.imag() = vector(imaginary);
+            const TangentVectors found =
+                self.use([&, from = indices(sources)](const ParallelTransport& transport) {
+                    return transport.extend(from, given);
+                });
+            return py::make_tuple(array(Vector(found.real())), array(Vector(found.imag())));
+        });
+}
+
 } // namespace
 
 void add_solvers(py::module_& module) {
@@ -214,6 +248,7 @@ void add_solvers(py::module_& module) {
     add_heat(module);
     add_waves(module);
     add_distance(module);
+    add_transport(module);
 }
 
 } // namespace polydec::python

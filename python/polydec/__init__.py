@@ -6,7 +6,7 @@
     >>> sphere.shape                      # vertices, edges, pentagons and hexagons
     (320, 480, 162)
     >>> modes = polydec.spectrum(sphere, side="dual", count=4)
-    >>> (abs(modes.eigenvalues - [0, 2, 2, 2]) < 0.02).all()
+    >>> bool((abs(modes.eigenvalues - [0, 2, 2, 2]) < 0.02).all())
     True
 
 Matrices are ``scipy.sparse.csr_matrix``, forms are arrays or `Cochain` objects, and errors are
@@ -17,8 +17,15 @@ from ._cells import Cells, ConditionedCells
 from ._cochain import Cochain
 from ._complex import CellList, Complex, Merging, Polygons, discretize
 from ._engines import (Backend, Solution, backends, load_engine, register_eigen_solver,
-                       register_linear_solver, solve)
+                       register_linear_solver, set_memory_limit, solve)
 from ._errors import BackendUnavailable, Error, InvalidInput, IoError, SolverFailure
-from ._solvers import PoissonSolver, poisson
+from ._fields import (de_rham, flat, flux_form, flux_sharp, gradient, inflow, interior_product,
+                      lie_derivative, primal_dual_wedge, sharp_pd, sharp_pp, wedge,
+                      whitney_at_centroids, whitney_form)
+from ._plot import plot, to_meshio, to_pyvista, write_vtu
+from ._solvers import (DarcyFlow, DarcySolver, GeodesicDistance, HeatSolver, HodgeParts,
+                       HodgeSolver, Leapfrog, ParallelTransport, PoissonSolver, darcy,
+                       geodesic_distance, harmonic_forms, heat, hodge_decomposition, poisson,
+                       stable_step, wave)
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
 from .meshes import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh

@@ -155,3 +155,8 @@ def solve(A: Any, b: npt.ArrayLike, *, engine: str = "auto", symmetric: bool | N
     columns = given.reshape(len(given), -1)
     values, report = _core.solve(parts, columns, engine, bool(symmetric), positive)
     return Solution(values.reshape(given.shape), report)
+
+
+def set_memory_limit(size: int) -> None:
+    """How many bytes a mesh may take; what needs more is refused with `IoError`."""
+    _core.set_memory_limit(size)

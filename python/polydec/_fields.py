@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: MIT
+"""Forms of functions and fields, fields of forms, and products."""
+from __future__ import annotations
+
+from math import comb
+from typing import Any, Callable
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, floats
+from ._cells import Form, as_form
+from ._cochain import Cochain
+from ._complex import Complex
+from ._errors import InvalidInput
+
+
+def _given_back(complex: Complex, parts: tuple[str, int, Floats], *given: Form) -> Any:
+    """A form as a Cochain if one was given, else its values."""
+    side, degree, values = parts
+    if any(isinstance(form, Cochain) for form in given):
+        return Cochain(values, degree, side, complex)
+    return values
+
+
+def de_rham(complex: Complex, k: int, form: Callable[[Floats], npt.ArrayLike], *,
+            side: str = "primal", quadrature_degree: int = 5) -> Floats:
+    """The de Rham map: integrals of a smooth k-form over the cells, or over their duals.
+
+    Parameters
+    ----------
+    complex : Complex
+    k : int
+        Degree of the form.
+    form : callable
+        Takes all points at which it is asked for, an array (m, N), in one call, and returns the
+        coefficients at dx_I for the k-subsets I of 0..N-1 in lexicographic order, (m, N over k);
+        or (m,) where there is one. For k = 1 these are the components of the field whose
+        circulation it is; for the flux of a field see `flux_form`.
+    side : {"primal", "dual"}
+    quadrature_degree : int
+        Polynomials up to this degree are integrated exactly.
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
+    >>> round(polydec.de_rham(square, 2, lambda x: x[:, 0] * x[:, 1]).sum(), 12)
+    0.25
+    >>> dx = polydec.de_rham(square, 1, lambda x: [1, 0] + 0 * x)
+    >>> np.allclose(dx, square.d(0) @ square.points[:, 0])
+    True
+    """
+    N = complex.points.shape[1]
+    components = comb(N, k) if 0 <= k <= N else 0
+
+    def coefficients(points: Floats) -> Floats:
+        values = np.asarray(form(points))
+        if values.shape == () and components == 1:
+            values = np.full(len(points), values[()])
+        if values.ndim == 1 and components == 1:
+            values = values[:, None]
+        if values.shape != (len(points), components):
+            raise InvalidInput(f"the form gives an array of shape {values.shape} at {len(points)} "
+                               f"points: expected ({len(points)}, {components})")
+        return floats(values, "values of the form", 2)
+
+    return _core.de_rham(complex._mesh, side, k, coefficients, quadrature_degree)[2]
+
+
+def flux_form(field: Callable[[Floats], npt.ArrayLike]) -> Callable[[Floats], Floats]:
+    """The (N-1)-form whose integrals are the flux of a vector field, for `de_rham`.
+
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
+    >>> flux = polydec.de_rham(square, 1, polydec.flux_form(lambda x: x))   # of divergence 2
+    >>> np.allclose(square.d(1) @ flux, 2 * square.volumes(2))
+    True
+    """
+    def coefficients(points: Floats) -> Floats:
+        values = floats(field(points), "values of the field", 2)
+        signs = (-1.0) ** np.arange(values.shape[1])
+        return np.ascontiguousarray((values * signs)[:, ::-1])
+
+    return coefficients
+
+
+def wedge(complex: Complex, a: Form, b: Form, *, degrees: tuple[int, int] | None = None,
+          side: str = "primal", weights: str = "uniform") -> Any:
+    """Exterior product of two forms of one side.
+
+    Parameters
+    ----------
+    a, b : Cochain or array_like
+        Arrays need `degrees` and `side`; what is returned is a Cochain if one of them is.
+    weights : {"uniform", "circumcentric"}
+        Of primal forms: uniform weights have Leibniz' rule exactly; circumcentric ones are
+        Hirani's.
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(3, 3))
+    >>> dx, dy = (square.cochain(x, 0).d() for x in square.points.T)
+    >>> np.allclose(dx.wedge(dy), square.volumes(2))
+    True
+    """
+    k, l = degrees if degrees is not None else (None, None)
+    left, right = as_form(a, k, side), as_form(b, l, side)
+    kind = weights if left[0] == "primal" else "dual"
+    return _given_back(complex, _core.product(complex._mesh, kind, *left, *right), a, b)
+
+
+def primal_dual_wedge(complex: Complex, a: Form, b: Form, *, degree: int | None = None) -> Floats:
+    """Product of a primal k-form and a dual (n-k)-form: a number for each k-cell.
+
+    With ``b = star a`` these add to the squared norm. Arrays need the degree k.
+    """
+    left = as_form(a, degree, "primal")
+    right = as_form(b, None if degree is None else complex.dim - degree, "dual")
+    return _core.primal_dual_wedge(complex._mesh, *left, *right)
+
+
+def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
+    """The 1-form of a vector field.
+
+    Parameters
+    ----------
+    kind : {"ppp", "pdp", "dpp", "ppd", "pdd", "dpd"}
+        Where the vectors are (p at vertices, d at n-cells), how they are continued, and where the
+        1-form lives (p on edges, d on dual edges).
+    field : array_like, shape (vertices or n-cells, N)
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.well_centered(4))
+    >>> form = polydec.flat(square, "ppp", np.ones_like(square.points))
+    >>> np.allclose(polydec.sharp_pp(square, form), 1.0)
+    True
+    """
+    side, degree, values = _core.flat(complex._mesh, kind, floats(field, "vectors", 2))
+    return Cochain(values, degree, side, complex)
+
+
+def sharp_pp(complex: Complex, form: Form) -> Floats:
+    """Vectors at the vertices of a primal 1-form, (size(0), N); constants are exact."""
+    return _core.sharp(complex._mesh, "pp", *as_form(form, 1))
+
+
+def sharp_pd(complex: Complex, form: Form) -> Floats:
+    """Vectors at the centroids of the n-cells of a primal 1-form, (size(n), N).
+
+    Exact for differentials of linear functions on flat cells of any shape: so
+    ``sharp_pd(c, c.d(0) @ u)`` is the gradient of u; see `gradient`.
+    """
+    return _core.sharp(complex._mesh, "pd", *as_form(form, 1))
+
+
+def flux_sharp(complex: Complex, form: Form) -> Floats:
+    """Vectors at the centroids of the n-cells of the field whose fluxes a primal (n-1)-form holds."""
+    return _core.sharp(complex._mesh, "flux", *as_form(form, complex.dim - 1))
+
+
+def gradient(complex: Complex, u: Form) -> Floats:
+    """Gradient of a primal 0-form at the centroids of the n-cells, (size(n), N): ``sharp_pd d u``.
+
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.hexagons(4))
+    >>> np.allclose(polydec.gradient(square, square.points @ [3, -1]), [3, -1])
+    True
+    """
+    return sharp_pd(complex, complex.d(0) @ as_form(u, 0)[2])
+
+
+def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = None) -> Floats:
+    """The Whitney form of a primal k-form at the centroids of the input's simplices.
+
+    A row of N over k coefficients for each; constant forms are exact on flat meshes.
+    """
+    return _core.sharp(complex._mesh, "whitney", *as_form(form, degree))
+
+
+def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayLike, *,
+                 degree: int | None = None) -> Floats:
+    """The Whitney form of a primal k-form at a point of the input's n-simplex `top`.
+
+    The point is given by its n + 1 barycentric coordinates; N over k coefficients are returned.
+    """
+    return _core.whitney_form(complex._mesh, *as_form(form, degree), top,
+                              floats(barycentric, "barycentric coordinates"))
+
+
+def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
+                     sampling: str = "centered") -> Any:
+    """Interior product i_X of primal k-forms, a sparse matrix of size(k-1) x size(k).
+
+    Parameters
+    ----------
+    field : array_like, shape (size(0), N)
+        X at the vertices.
+    sampling : {"centered", "upwind"}
+        From which simplices around a cell a form is taken.
+    """
+    return _core.contraction(complex._mesh, "interior_product", floats(field, "vectors", 2), k,
+                             sampling)
+
+
+def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
+                   sampling: str = "centered") -> Any:
+    """Lie derivative of primal k-forms, ``i_X d + d i_X``, a sparse matrix; commutes with d."""
+    return _core.contraction(complex._mesh, "lie_derivative", floats(field, "vectors", 2), k,
+                             sampling)
+
+
+def inflow(complex: Complex, field: npt.ArrayLike, k: int) -> Any:
+    """The rate at which values of a k-form outside come in, for the upwind `lie_derivative`."""
+    return _core.contraction(complex._mesh, "inflow", floats(field, "vectors", 2), k, "upwind")

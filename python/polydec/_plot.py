@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: MIT
+"""Pictures, and the way to other programs' meshes."""
+from __future__ import annotations
+
+import os
+from typing import Any, Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, Integers, floats
+from ._cells import Form, as_form
+from ._cochain import Cochain
+from ._complex import Complex
+from ._errors import InvalidInput
+
+
+def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
+    """Corners in space of the 2-cells to be seen, and their numbers; of solids the boundary."""
+    if complex.dim == 3:
+        cells = complex.cells(2)
+        points, offsets, corners = complex.points, cells.offsets, cells.corners
+        seen = np.flatnonzero(complex.boundary_facets())
+    elif complex.dim == 2:
+        points, offsets, corners = complex.polygons()
+        seen = np.arange(len(offsets) - 1)
+    else:
+        raise InvalidInput(f"a complex of dimension {complex.dim} is to be drawn: expected 2 or 3")
+    starts = offsets[seen]
+    return points, [points[corners[a:b]] for a, b in zip(starts, offsets[seen + 1])], seen
+
+
+def plot(complex: Complex, values: Form | None = None, *, degree: int | None = None,
+         side: str = "primal", ax: Any = None, **style: Any) -> Any:
+    """Draws the cells with matplotlib, colored by a form on vertices or on the cells seen.
+
+    Cells that `complex` merged are one polygon each; of a solid the boundary is shown.
+
+    Parameters
+    ----------
+    values : Cochain or array_like, optional
+        A primal 0-form, shown as its mean over each polygon; a form on the polygons, of primal
+        degree 2 or the dual degree n - 2; or any array with a number for each polygon.
+    degree, side
+        Of an array of values; without a degree it is told from their number.
+    ax : matplotlib axes, optional
+        Made if there are none: of three dimensions for points in space.
+    **style
+        For matplotlib's ``PolyCollection`` or ``Poly3DCollection``, such as ``cmap``.
+
+    Returns
+    -------
+    matplotlib collection
+        As ``plt.colorbar`` takes it; its axes are ``.axes``.
+    """
+    import matplotlib.pyplot as plt
+    from matplotlib.collections import PolyCollection
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+    points, polygons, seen = _polygons(complex)
+    in_plane = points.shape[1] == 2
+    if ax is None:
+        ax = plt.figure().add_subplot(projection=None if in_plane else "3d")
+    style = {"edgecolor": "#333333", "linewidth": 0.4, **style}
+    collection = (PolyCollection if in_plane else Poly3DCollection)(polygons, **style)
+    if values is not None:
+        collection.set_array(_colors(complex, values, degree, side, seen))
+    elif not {"facecolor", "facecolors", "color"} & style.keys():
+        collection.set_facecolor("#e4e9ef")
+    if in_plane:
+        ax.add_collection(collection)
+        ax.autoscale_view()
+        ax.set_aspect("equal")
+    else:
+        ax.add_collection3d(collection)
+        corners = np.concatenate(polygons)
+        for axis, bounds in zip("xyz", np.stack([corners.min(0), corners.max(0)], axis=1)):
+            getattr(ax, f"set_{axis}lim")(bounds)
+        ax.set_box_aspect(np.maximum(np.ptp(corners, axis=0), 1e-9))
+    return collection
+
+
+def _colors(complex: Complex, values: Form, degree: int | None, side: str,
+            seen: Integers) -> Floats:
+    if isinstance(values, Cochain):
+        side, degree, array = as_form(values, None)
+    else:
+        array = floats(values, "values")
+        if degree is None:
+            side, degree = "primal", 0 if len(array) == complex.size(0) else 2
+    cells = degree if side == "primal" else complex.dim - degree
+    if cells not in (0, 2) or len(array) != complex.size(cells):
+        raise InvalidInput(f"a {side} {degree}-form of {len(array)} values is to be shown: "
+                           f"expected {complex.size(0)} values on vertices or {complex.size(2)} "
+                           "on 2-cells")
+    if cells == 2:
+        return np.asarray(array[seen])
+    lists = complex.cells(2)
+    sums = np.add.reduceat(array[lists.corners], lists.offsets[:-1])
+    return np.asarray((sums / np.diff(lists.offsets))[seen])
+
+
+def write_vtu(path: str | os.PathLike[str], complex: Complex,
+              forms: Mapping[str, Form] | None = None, *, degree: int = 0,
+              side: str = "primal") -> None:
+    """Writes the cells with forms on them for ParaView.
+
+    Parameters
+    ----------
+    forms : mapping of str to Cochain or array_like, optional
+        All of one kind; arrays are of the degree and side given.
+    """
+    given = [(name, *as_form(form, degree, side)) for name, form in (forms or {}).items()]
+    kinds = {k if of == "primal" else complex.dim - k for _, of, k, _ in given}
+    if len(kinds) > 1:
+        raise InvalidInput("forms on cells of several degrees are given: expected those of one, "
+                           "since a file has cells of one degree")
+    _core.write_vtu(os.fspath(path), complex._mesh, kinds.pop() if kinds else 0, given)
+
+
+def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None) -> Any:
+    """A ``meshio.Mesh`` of the cells: lines, polygons by their number of corners, or polyhedra as
+    the tetrahedra that they are made of; `forms` on vertices or n-cells become its data.
+    """
+    import meshio
+
+    n = complex.dim
+    points = complex.points
+    lists = complex.cells(n)
+    sizes = np.diff(lists.offsets)
+    if n not in (1, 2) and not (n == 3 and (sizes == 4).all()):
+        raise InvalidInput("meshio knows no polyhedra as polydec merges them: write_vtu does")
+    names = {1: {2: "line"}, 2: {3: "triangle", 4: "quad"}, 3: {4: "tetra"}}[n]
+    blocks, numbers = [], []
+    for size in np.unique(sizes):
+        of_size = np.flatnonzero(sizes == size)
+        corners = lists.corners[lists.offsets[of_size][:, None] + np.arange(size)]
+        if n == 3:
+            corners = _positive(points, corners)
+        blocks.append((names.get(int(size), f"polygon{size}" if meshio.__version__ < "5" else
+                                 "polygon"), corners))
+        numbers.append(of_size)
+    point_data, cell_data = {}, {}
+    for name, values in (forms or {}).items():
+        array = floats(np.asarray(values), name)
+        if len(array) == len(points):
+            point_data[name] = array
+        elif len(array) == len(lists):
+            cell_data[name] = [array[of_size] for of_size in numbers]
+        else:
+            raise InvalidInput(f"{name} has {len(array)} values: expected {len(points)} on "
+                               f"vertices or {len(lists)} on {n}-cells")
+    return meshio.Mesh(points, blocks, point_data=point_data, cell_data=cell_data)
+
+
+def _positive(points: Floats, corners: Integers) -> Integers:
+    """Tetrahedra turned so that their determinants are positive."""
+    edges = points[corners[:, 1:]] - points[corners[:, :1]]
+    turned = corners.copy()
+    inverted = np.linalg.det(edges) < 0
+    turned[inverted, 2:] = turned[inverted, :1:-1]
+    return turned
+
+
+def to_pyvista(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None) -> Any:
+    """A ``pyvista.PolyData`` of the 2-cells to be seen, with forms on vertices or on 2-cells."""
+    import pyvista
+
+    points, polygons, seen = _polygons(complex)
+    lists = complex.cells(2) if complex.dim == 3 else complex.polygons()
+    faces = [np.concatenate([[b - a], lists.corners[a:b]])
+             for a, b in zip(lists.offsets[seen], lists.offsets[seen + 1])]
+    result = pyvista.PolyData(np.pad(points, ((0, 0), (0, 3 - points.shape[1]))),
+                              np.concatenate(faces))
+    for name, values in (forms or {}).items():
+        array = floats(np.asarray(values), name)
+        if len(array) == len(points):
+            result.point_data[name] = array
+        else:
+            result.cell_data[name] = array[seen]
+    return result
