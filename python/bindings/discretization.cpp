@@ -63,6 +63,7 @@ void add_discretize(py::module_& module) {
 
 /// The corners of all cells of a degree, and where each one's begin.
 py::tuple cells(const Discretization& mesh, int k) {
+    check_number("the list of cells of degree", k, 0, mesh.dimension());
     std::vector<Index> corners, begins{0};
     unlocked([&] {
         for (Index cell = 0; cell < mesh.complex().size(k); ++cell) {

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+"""The meshes that the laws are swept over."""
+import numpy as np
+import pytest
+
+import polydec
+from polydec import meshes
+
+MAKERS = {
+    "segments": lambda: meshes.kuhn([5]),
+    "grid": lambda: meshes.grid(4, 3, 2.0, 1.0),
+    "hexagons": lambda: meshes.hexagons(4),
+    "well_centered": lambda: meshes.well_centered(4),
+    "goldberg": lambda: meshes.goldberg(3),
+    "torus": lambda: meshes.torus(8, 6),
+    "flange": lambda: meshes.flange(12),
+    "moebius": lambda: meshes.moebius(9, 3),
+    "kuhn": lambda: meshes.kuhn([2, 2, 2]),
+    "bcc": lambda: meshes.bcc(2),
+    "fcc": lambda: meshes.fcc(1),
+    "clusters": lambda: meshes.sphere_clusters(cells_per_side=4, points_on_sphere=12),
+    "tesseract": lambda: meshes.kuhn([1, 1, 1, 1]),
+}
+_made = {}
+
+
+def complex_of(name):
+    """The merged complex of a mesh, made once."""
+    if name not in _made:
+        _made[name] = polydec.discretize(MAKERS[name]())
+    return _made[name]
+
+
+def degrees(names=MAKERS, more=0):
+    """Pairs of a name and a degree 0..n."""
+    dims = {"segments": 1, "kuhn": 3, "bcc": 3, "fcc": 3, "clusters": 3, "tesseract": 4}
+    return [(name, k) for name in names for k in range(dims.get(name, 2) + 1 + more)]
+
+
+def inverted(star):
+    """The inverse of a diagonal star, and whether there is one."""
+    with np.errstate(divide="ignore"):
+        return 1 / star
+
+
+def near(a, b, tolerance=1e-12):
+    """Whether two matrices or arrays agree, relative to their size."""
+    difference = a - b
+    size = max(abs(a).max() if a.size else 0, abs(b).max() if b.size else 0, 1e-300)
+    return (abs(difference).max() if difference.size else 0) <= tolerance * size
+
+
+@pytest.fixture
+def square():
+    return complex_of("well_centered")
+
+
+@pytest.fixture
+def sphere():
+    return complex_of("goldberg")

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""Laws of forms and fields."""
+import numpy as np
+import pytest
+
+import polydec
+from conftest import complex_of
+
+FLAT = ["grid", "hexagons", "well_centered", "kuhn", "bcc", "tesseract"]
+
+
+@pytest.mark.parametrize("name", FLAT)
+def test_de_rham_commutes_with_d(name):
+    c = complex_of(name)
+    f = lambda x: np.prod(1 + x, axis=1)
+    gradient = lambda x: np.prod(1 + x, axis=1)[:, None] / (1 + x)
+    assert np.allclose(polydec.de_rham(c, 0, f), f(c.points))
+    assert np.allclose(polydec.de_rham(c, 1, gradient), c.d(0) @ f(c.points))
+    assert np.isclose(polydec.de_rham(c, c.dim, lambda x: 1.0).sum(), c.volumes(c.dim).sum())
+
+
+@pytest.mark.parametrize("name", FLAT)
+def test_stokes_for_fluxes(name):
+    c = complex_of(name)
+    flux = polydec.de_rham(c, c.dim - 1, polydec.flux_form(lambda x: x))
+    density = polydec.de_rham(c, c.dim, lambda x: c.dim)
+    assert np.allclose(c.d(c.dim - 1) @ flux, density)
+    assert np.allclose(polydec.flux_sharp(c, flux), c.centroids(c.dim), atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["well_centered", "goldberg", "kuhn"])
+def test_duals_of_constants(name):
+    c = complex_of(name)
+    form = polydec.de_rham(c, 0, lambda x: x[:, 0], side="dual")
+    assert np.allclose(form, c.dual_sites()[:, 0])
+
+
+def test_functions_are_called_once(square):
+    calls = []
+    polydec.de_rham(square, 1, lambda x: calls.append(x.shape) or x)
+    assert len(calls) == 1 and calls[0][1] == 2
+    with pytest.raises(ZeroDivisionError): # what they raise passes through
+        polydec.de_rham(square, 1, lambda x: 1 / 0)
+    with pytest.raises(polydec.InvalidInput, match="finite"):
+        polydec.de_rham(square, 0, lambda x: np.full(len(x), np.nan))
+
+
+@pytest.mark.parametrize("name", FLAT + ["goldberg", "torus"])
+def test_leibniz(name):
+    c = complex_of(name)
+    u = c.cochain(np.sin(np.arange(c.size(0))), 0)
+    a = c.cochain(np.cos(np.arange(c.size(1))), 1)
+    left = polydec.wedge(c, u, a).d()
+    right = polydec.wedge(c, u.d(), a) + polydec.wedge(c, u, a.d())
+    assert np.allclose(left, right)
+    assert np.allclose(polydec.wedge(c, a, u), polydec.wedge(c, u, a))
+    arrays = polydec.wedge(c, u.values, a.values, degrees=(0, 1))
+    assert isinstance(arrays, np.ndarray) and np.array_equal(arrays, u.wedge(a))
+    one = c.cochain(np.ones(c.size(0)), 0)
+    assert np.allclose(one.wedge(a), a)
+    assert np.allclose(polydec.wedge(c, one, a, weights="circumcentric"), a)
+
+
+def test_products_of_duals(square):
+    a = square.cochain(np.sin(np.arange(square.size(1))), 1)
+    pairs = polydec.primal_dual_wedge(square, a, a.star())
+    assert np.isclose(pairs.sum(), a.norm() ** 2)
+    dx, dy = (square.cochain(x, 0).d().star() for x in square.points.T)
+    assert np.allclose(polydec.wedge(square, dx, dy), -polydec.wedge(square, dy, dx).values)
+    with pytest.raises(polydec.InvalidInput):
+        a.wedge(a).wedge(a)
+
+
+@pytest.mark.parametrize("kind, places", [("ppp", "p"), ("pdp", "p"), ("dpp", "d"), ("ppd", "p"),
+                                          ("pdd", "p"), ("dpd", "d")])
+@pytest.mark.parametrize("name", ["well_centered", "kuhn"])
+def test_flats_of_constants(name, kind, places):
+    c = complex_of(name)
+    X = np.arange(1.0, c.points.shape[1] + 1)
+    form = polydec.flat(c, kind, np.tile(X, (c.size(0) if places == "p" else c.size(c.dim), 1)))
+    assert form.degree == 1 and form.side == ("primal" if kind[2] == "p" else "dual")
+    if form.side == "primal":
+        assert np.allclose(form, c.d(0) @ c.points @ X)
+        assert np.allclose(polydec.sharp_pp(c, form), X)
+        assert np.allclose(polydec.sharp_pd(c, form), X)
+
+
+@pytest.mark.parametrize("name", ["grid", "kuhn"])
+def test_lie_derivative_is_cartans(name):
+    c = complex_of(name)
+    X = 1 + 0.3 * c.points
+    for sampling in ("centered", "upwind"):
+        for k in range(c.dim + 1):
+            into = polydec.interior_product(c, X, k, sampling=sampling)
+            assert into.shape == (c.size(k - 1), c.size(k))
+        L0 = polydec.lie_derivative(c, X, 0, sampling=sampling)
+        L1 = polydec.lie_derivative(c, X, 1, sampling=sampling)
+        assert abs(c.d(0) @ L0 - L1 @ c.d(0)).max() < 1e-12
+    assert np.allclose(polydec.lie_derivative(c, X, 0) @ c.points[:, 0], X[:, 0])
+    assert polydec.inflow(c, X, 0).shape == (c.size(0), c.size(0))
+
+
+def test_whitney(square):
+    dx = polydec.de_rham(square, 1, lambda x: [3, -1] + 0 * x)
+    assert np.allclose(polydec.whitney_at_centroids(square, dx, degree=1), [3, -1])
+    assert np.allclose(polydec.whitney_form(square, dx, 4, [0.2, 0.3, 0.5], degree=1), [3, -1])
+
+
+@pytest.mark.parametrize("name", ["hexagons", "kuhn"])
+def test_forms_go_to_the_input_and_back(name):
+    c = complex_of(name)
+    for k in range(c.dim + 1):
+        form = c.cochain(np.sin(np.arange(c.size(k))), k)
+        there = c.merging.to_input(form)
+        assert there.complex.shape == c.input.shape
+        assert np.allclose(c.merging.to_merged(there), form)
+        assert np.allclose(c.merging.to_merged(c.merging.lifted(form)), form)
+        if k < c.dim:
+            assert np.allclose(c.merging.lifted(form).d(), c.merging.lifted(form.d()))
+    dual = c.cochain(np.sin(np.arange(c.size(c.dim - 1))), 1, "dual")
+    assert c.merging.consistency(c.merging.to_input(dual))["worst"] < 1e-12
+
+
+def test_arithmetic_of_cochains(square):
+    a = square.cochain(np.arange(square.size(1)), 1)
+    assert np.array_equal((2 * a - a / 2 + a * 0.5 + -a), a)
+    assert isinstance(np.float64(2) * a, polydec.Cochain)
+    assert len(a) == square.size(1) and np.asarray(a).dtype == np.float64
+    assert a.d().d().values.shape == (0,)
+    assert np.isclose(square.inner_product(a.delta(), square.cochain(square.points[:, 0], 0)),
+                      square.inner_product(a, square.cochain(square.points[:, 0], 0).d()))
+    assert np.allclose(a.star().star(), -a)
+    with pytest.raises(polydec.InvalidInput, match="on which complex"):
+        polydec.Cochain([1.0], 0).d()

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+"""Arrays of any layout, and refusals that say what is wrong, where, to people and to programs."""
+import numpy as np
+import pytest
+import scipy.sparse as sp
+
+import polydec
+
+POINTS = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
+TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
+
+
+@pytest.mark.parametrize("points", [
+    POINTS.tolist(), POINTS.astype(np.float32), POINTS.astype(int), np.asfortranarray(POINTS),
+    np.repeat(POINTS, 2, axis=0)[::2], POINTS[::-1][::-1], POINTS.astype(bool),
+    POINTS.astype(">f8"), POINTS.astype(np.float16)])
+def test_points_of_any_layout(points):
+    assert np.array_equal(polydec.Mesh(points, TRIANGLES).points, POINTS)
+
+
+@pytest.mark.parametrize("kind", [np.int8, np.int16, np.int32, np.int64, np.uint8, np.uint64, ">i4"])
+def test_simplices_of_any_type(kind):
+    mesh = polydec.Mesh(POINTS, TRIANGLES.astype(kind))
+    assert mesh.simplices.dtype == np.int32 and np.array_equal(mesh.simplices, TRIANGLES)
+    columns = np.asfortranarray(TRIANGLES.astype(kind))
+    assert np.array_equal(polydec.Mesh(POINTS, columns).simplices, TRIANGLES)
+    wide = np.zeros((2, 6), dtype=kind)
+    wide[:, ::2] = TRIANGLES
+    assert np.array_equal(polydec.Mesh(POINTS, wide[:, ::2]).simplices, TRIANGLES)
+
+
+@pytest.mark.parametrize("points, simplices, message", [
+    (POINTS[0], TRIANGLES, r"points have the shape \(2,\): expected a row for each, 2 axes"),
+    (POINTS, TRIANGLES[0], r"simplices have the shape \(3,\): expected a row for each, 2 axes"),
+    (POINTS * 1j, TRIANGLES, "points are of the type complex128: expected real numbers"),
+    (POINTS, TRIANGLES + 0.5, "simplices are of the type float64: expected whole numbers"),
+    ([["a", "b"]], TRIANGLES, "points are of the type <U1: expected real numbers"),
+    ([[0, 0], [1]], TRIANGLES, "points are no array"),
+    (POINTS, [[0, 1, 2 ** 40]], "1099511627776 in row 0 does not fit into 32 bits"),
+    (POINTS, np.array([[0, 1, 2 ** 63]], dtype=np.uint64), "does not fit into 32 bits"),
+])
+def test_arrays_that_are_refused(points, simplices, message):
+    with pytest.raises(polydec.InvalidInput, match=message):
+        polydec.Mesh(points, simplices)
+
+
+def refused(mesh, **options):
+    with pytest.raises(polydec.InvalidInput) as caught:
+        polydec.discretize(mesh, **options)
+    return caught.value
+
+
+def test_meshes_that_are_refused_say_where():
+    outside = refused(polydec.Mesh(POINTS, [[0, 1, 2], [0, 2, 9]]))
+    assert "9" in str(outside) and isinstance(outside, ValueError)
+    negative = refused(polydec.Mesh(POINTS, [[0, 1, 2], [0, 2, -3]]))
+    assert "-3" in str(negative)
+    nan = POINTS.copy()
+    nan[3, 1] = np.nan
+    assert "3" in str(refused(polydec.Mesh(nan, TRIANGLES)))
+    inf = POINTS.copy()
+    inf[2, 0] = np.inf
+    assert "2" in str(refused(polydec.Mesh(inf, TRIANGLES)))
+    assert refused(polydec.Mesh(np.zeros((0, 2)), np.zeros((0, 3), int)))
+    assert refused(polydec.Mesh([], []))
+    assert refused(polydec.Mesh(POINTS, TRIANGLES, tags=[1, 2, 3]))
+
+
+def test_places_of_errors():
+    c = polydec.discretize(polydec.meshes.hexagons(12))
+    with pytest.raises(polydec.InvalidInput) as caught:
+        c.inverse_star(1)
+    assert caught.value.degree == 1 and len(caught.value.cells) == len(c.zeros(1)) > 5
+    assert caught.value.path is None and caught.value.line is None
+
+
+def test_options_that_there_are_not():
+    mesh = polydec.Mesh(POINTS, TRIANGLES)
+    assert 'delaunay is "always": expected one of "off", "flips"' in str(
+        refused(mesh, delaunay="always"))
+    assert 'star is "own": expected one of "circumcentric"' in str(refused(mesh, star="own"))
+    assert "tolerance" in str(refused(mesh, tolerance=-1.0))
+    with pytest.raises(TypeError):
+        polydec.discretize(mesh, 1e-4) # by name alone
+
+
+def test_files(tmp_path):
+    with pytest.raises(polydec.IoError) as missing:
+        polydec.read_mesh(tmp_path / "none.off")
+    assert missing.value.path == str(tmp_path / "none.off") and isinstance(missing.value, OSError)
+    broken = tmp_path / "broken.off"
+    broken.write_text("OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n")
+    with pytest.raises(polydec.InvalidInput) as malformed:
+        polydec.read_mesh(broken)
+    assert malformed.value.path == str(broken) and malformed.value.line == 4
+    mesh = polydec.Mesh(POINTS, TRIANGLES, tags=[4, 5], facets=[[0, 1]], facet_tags=[9])
+    polydec.write_mesh(tmp_path / "square.mesh", mesh)
+    again = polydec.read_mesh(tmp_path / "square.mesh")
+    assert np.array_equal(again.points, POINTS) and list(again.tags) == [4, 5]
+    assert again.facets.tolist() == [[0, 1]] and list(again.facet_tags) == [9]
+    lengths = polydec.meshes.length_mesh(mesh)
+    polydec.write_lengths(str(tmp_path / "square.nsl"), lengths)
+    assert np.array_equal(polydec.read_lengths(tmp_path / "square.nsl").lengths, lengths.lengths)
+
+
+def test_lengths_alone():
+    mesh = polydec.meshes.length_mesh(polydec.meshes.well_centered(4))
+    c = polydec.discretize(mesh)
+    assert np.allclose(c.volumes(2).sum(), 1.0) and c.points.shape[1] == 0
+    assert np.allclose(polydec.spectrum(c, count=4).eigenvalues,
+                       polydec.spectrum(polydec.discretize(polydec.meshes.well_centered(4)),
+                                        count=4).eigenvalues)
+    with pytest.raises(polydec.InvalidInput, match="lengths"):
+        polydec.de_rham(c, 1, lambda x: x)
+    with pytest.raises(polydec.InvalidInput):
+        polydec.LengthMesh([[0, 1, 2]], [[0, 1], [1, 2]], [1.0, 1.0])
+
+
+def test_matrices_of_any_format():
+    A = sp.random(30, 30, 0.2, random_state=1)
+    A = A @ A.T + sp.identity(30)
+    expected = np.linalg.solve(A.toarray(), np.ones(30))
+    for given in [A.tocsr(), A.tocsc(), A.tocoo(), A.todia(), A.tolil(), A.toarray(),
+                  A.tocsr().astype(np.float32).astype(np.float64), sp.csr_array(A)]:
+        assert np.allclose(polydec.solve(given, np.ones(30)), expected)
+    doubled = sp.coo_matrix((np.r_[A.tocoo().data / 2, A.tocoo().data / 2],
+                             (np.tile(A.tocoo().row, 2), np.tile(A.tocoo().col, 2))))
+    assert np.allclose(polydec.solve(doubled, np.ones(30)), expected)
+    unsorted = A.tocsr()[:, ::-1].tocsr()
+    assert np.allclose(polydec.solve(unsorted, unsorted @ np.ones(30)), np.ones(30))
+    with pytest.raises(polydec.InvalidInput, match="complex128"):
+        polydec.solve(A * 1j, np.ones(30))
+    with pytest.raises(polydec.InvalidInput):
+        polydec.solve(A, np.ones(29))
+    with pytest.raises(polydec.InvalidInput):
+        polydec.solve(A.tocsr()[:20], np.ones(20))
+    with pytest.raises(polydec.InvalidInput, match=r"\(3, 4\)|NaN|nan"):
+        B = A.tolil()
+        B[3, 4] = np.nan
+        polydec.solve(B, np.ones(30))
+
+
+def test_forms_that_do_not_fit(square):
+    with pytest.raises(polydec.InvalidInput, match="a primal 1-form of 59 values is given"):
+        square.cochain(square.points[:, 0], 1)
+    with pytest.raises(polydec.InvalidInput, match="without its degree"):
+        square.norm(square.points[:, 0])
+    with pytest.raises(polydec.InvalidInput, match="not of one kind"):
+        square.cochain(square.points[:, 0], 0) + square.cochain(square.volumes(2), 2)
+    with pytest.raises(polydec.InvalidInput):
+        square.norm(np.full(square.size(0), np.nan), 0)
+    with pytest.raises(polydec.InvalidInput, match="3 values of f are given: expected 59"):
+        polydec.poisson(square, [1, 2, 3])
+    with pytest.raises(polydec.InvalidInput, match="essential is of the type int64"):
+        polydec.poisson(square, 1.0, essential=[0, 1])
+    with pytest.raises(polydec.InvalidInput, match="essential has the shape"):
+        polydec.poisson(square, 1.0, essential=[True, False])
+    with pytest.raises(polydec.InvalidInput, match="the form gives an array of shape"):
+        polydec.de_rham(square, 1, lambda x: x[:, 0])
+
+
+def test_words_of_messages():
+    c = polydec.discretize(polydec.meshes.perturbed(polydec.meshes.grid(9, 9), 0.1, 2))
+    advice = c.report()["advice"]
+    assert advice and not any("::" in text for text in advice)
+    with pytest.raises(polydec.InvalidInput) as caught:
+        polydec.spectrum(polydec.discretize(polydec.meshes.perturbed(polydec.meshes.fcc(1), 0.05)),
+                         degree=1)
+    assert "::" not in str(caught.value) and caught.value.cells

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: MIT
+"""Every operator is what scipy makes of its definition, on every mesh in every degree."""
+import numpy as np
+import pytest
+import scipy.sparse as sp
+
+import polydec
+from conftest import MAKERS, complex_of, degrees, near
+
+
+def has_inverse(c, k):
+    return 0 <= k <= c.dim and len(c.zeros(k)) == 0
+
+
+def test_near_can_fail():
+    assert not near(np.ones(3), np.ones(3) + 1e-6)
+
+
+@pytest.mark.parametrize("name, k", degrees())
+def test_derivatives(name, k):
+    c = complex_of(name)
+    d = c.d(k)
+    assert d.shape == (c.size(k + 1), c.size(k)) and d.dtype == np.float64
+    assert (d != c.incidence(k)).nnz == 0
+    assert (c.d(k + 1) @ d).count_nonzero() == 0 if k < c.dim else d.nnz == 0
+    assert (c.boundary(k + 1) != d.T).nnz == 0
+    # dual (n-k-1)-forms live on the (k+1)-cells
+    if k < c.dim:
+        dual = c.d(c.dim - k - 1, "dual")
+        assert (dual != (-1) ** (k + 1) * d.T).nnz == 0
+        assert (c.boundary(c.dim - k, "dual") != dual.T).nnz == 0
+
+
+@pytest.mark.parametrize("name, k", degrees())
+def test_stars_are_ratios_of_volumes(name, k):
+    c = complex_of(name)
+    assert np.array_equal(c.star(k), c.dual_volumes(k) / c.volumes(k))
+    zeros = c.zeros(k)
+    if len(zeros):
+        with pytest.raises(polydec.InvalidInput) as caught:
+            c.inverse_star(k)
+        assert caught.value.degree == k and list(caught.value.cells) == list(zeros)
+    else:
+        assert near(c.inverse_star(k) * c.star(k), np.ones(c.size(k)), 1e-15)
+
+
+@pytest.mark.parametrize("name, k", degrees())
+def test_codifferential_is_the_adjoint_of_d(name, k):
+    c = complex_of(name)
+    if k == 0:
+        assert c.codifferential(0).shape == (0, c.size(0))
+    elif has_inverse(c, k - 1):
+        expected = sp.diags(1 / c.star(k - 1)) @ c.d(k - 1).T @ sp.diags(c.star(k))
+        assert near(c.codifferential(k), expected, 4e-16)
+    else:
+        with pytest.raises(polydec.InvalidInput):
+            c.codifferential(k)
+
+
+@pytest.mark.parametrize("name, k", degrees())
+def test_dual_codifferential(name, k):
+    c = complex_of(name)
+    j = c.dim - k
+    if j > 0 and has_inverse(c, k):
+        expected = (-1) ** (k + 1) * sp.diags(c.star(k + 1)) @ c.d(k) @ sp.diags(1 / c.star(k))
+        assert near(c.codifferential(j, "dual"), expected, 4e-16)
+
+
+@pytest.mark.parametrize("name, k", degrees())
+def test_laplacian_is_d_delta_and_delta_d(name, k):
+    c = complex_of(name)
+    needed = ([k - 1] if k > 0 else []) + ([k] if k < c.dim else [])
+    if not all(has_inverse(c, i) for i in needed):
+        with pytest.raises(polydec.InvalidInput):
+            c.laplacian(k)
+        return
+    expected = sp.csr_matrix((c.size(k), c.size(k)))
+    if k > 0:
+        expected = expected + c.d(k - 1) @ c.codifferential(k)
+    if k < c.dim:
+        expected = expected + c.codifferential(k + 1) @ c.d(k)
+    assert near(c.laplacian(k), expected, 1e-13)
+    assert near(c.stiffness(k), sp.diags(c.star(k)) @ expected, 1e-13)
+    assert near(c.stiffness(k), c.stiffness(k).T, 1e-14)
+    if has_inverse(c, k):
+        dual = sp.diags(c.star(k)) @ expected @ sp.diags(1 / c.star(k))
+        assert near(c.laplacian(c.dim - k, "dual"), dual, 1e-12)
+
+
+@pytest.mark.parametrize("name", MAKERS)
+def test_volumes_fill_the_mesh(name):
+    c = complex_of(name)
+    from math import comb
+    whole = c.volumes(c.dim).sum()
+    for k in range(c.dim + 1):
+        assert np.isclose((c.volumes(k) * c.dual_volumes(k)).sum(), comb(c.dim, k) * whole)
+
+
+@pytest.mark.parametrize("name", MAKERS)
+def test_euler_and_betti(name):
+    c = complex_of(name)
+    assert sum((-1) ** k * size for k, size in enumerate(c.shape)) == sum(
+        (-1) ** k * b for k, b in enumerate(c.betti_numbers()))
+    assert c.betti_numbers() == c.input.betti_numbers()
+    for k, b in enumerate(c.betti_numbers()):
+        cycles = c.homology_generators(k)
+        assert cycles.shape == (c.size(k), b)
+        assert abs(c.boundary(k) @ cycles).max() == 0 if b and k else True
+
+
+@pytest.mark.parametrize("name, k", degrees())
+def test_merging_is_a_cochain_map(name, k):
+    c = complex_of(name)
+    merging = c.merging
+    diamond = merging.diamond(k).astype(float)
+    assert near((diamond @ merging.lift(k)), sp.identity(c.size(k), format="csr"), 1e-12)
+    if k < c.dim:
+        assert near(merging.diamond(k + 1).astype(float) @ c.pieces.d(k), c.d(k) @ diamond, 0)
+        assert near(c.pieces.d(k) @ merging.lift(k), merging.lift(k + 1) @ c.d(k), 1e-12)
+    assert near(diamond @ c.pieces.volumes(k), diamond @ c.input.volumes(k), 1e-15)
+    dimensions, numbers = merging.carriers(k)
+    assert len(dimensions) == c.pieces.size(k) and (dimensions >= k).all()
+    pieces = dimensions == k
+    assert np.isclose(np.bincount(numbers[pieces], c.pieces.volumes(k)[pieces]),
+                      c.volumes(k)).all()
+
+
+@pytest.mark.parametrize("kind", ["galerkin", "hybrid", "barycentric", "automatic"])
+def test_other_stars(kind):
+    c = polydec.discretize(polydec.meshes.perturbed(polydec.meshes.grid(6, 6), 0.04, 3), star=kind)
+    assert c.star_kind == ("hybrid" if kind == "automatic" else kind)
+    for k in range(3):
+        star = c.star(k)
+        matrix = star if sp.issparse(star) else sp.diags(star)
+        assert np.linalg.eigvalsh(matrix.toarray()).min() > 0
+        values = np.arange(c.size(k), dtype=float)
+        back = c.inverse_star(k) * values if isinstance(star, np.ndarray) else (
+            c.inverse_star(k) @ values)
+        assert np.allclose(matrix @ back, values)
+        applied = c.laplacian(k) @ values
+        assert np.allclose(matrix @ applied, c.cochain(values, k).laplacian().star())
+    assert np.allclose(c[1].star @ np.ones(c.size(1)), c.cochain(np.ones(c.size(1)), 1).star())
+    u = np.sin(np.arange(c.size(0))) # the codifferential is no matrix where it inverts one
+    assert np.allclose(c.codifferential(1) @ (c.d(0) @ u), c.laplacian(0) @ u)
+
+
+def test_own_stars():
+    c = complex_of("grid")
+    doubled = c.with_star(1, 2 * c[1].star)
+    assert near(doubled.stiffness(0), 2 * c.stiffness(0), 1e-15)
+    assert doubled.star_kind == "own" and isinstance(doubled, polydec.Complex)
+    assert near(polydec.Cells.with_star(c, 1, 2 * c[1].star).stiffness(0), doubled.stiffness(0), 0)
+    with pytest.raises(polydec.InvalidInput, match="20 rows of the star of 1-cells are given: expected 31"):
+        c.with_star(1, np.eye(20))
+
+
+def test_material_stars():
+    c = polydec.discretize(polydec.meshes.grid(4, 4), star="galerkin")
+    assert near(c.material_star(1, np.full(c.size(2), 3.0)), 3 * c.star(1), 1e-14)
+    tensors = np.broadcast_to(np.eye(2) / 3, (c.size(2), 2, 2))
+    assert near(c.conductivity_star(tensors), 3 * c.star(1), 1e-14)
+
+
+def test_own_cells():
+    n = 8
+    s = np.arange(n * n).reshape(n, n)
+    right, above = np.roll(s, -1, 0), np.roll(s, -1, 1)
+    rows = np.arange(2 * n * n)
+    ends = np.concatenate([right.ravel(), above.ravel()])
+    starts = np.concatenate([s.ravel(), s.ravel()])
+    d0 = sp.csr_matrix((np.r_[-np.ones(2 * n * n), np.ones(2 * n * n)],
+                        (np.r_[rows, rows], np.r_[starts, ends])))
+    y = n * n
+    sides = np.concatenate([s.ravel(), (y + right).ravel(), above.ravel(), (y + s).ravel()])
+    d1 = sp.csr_matrix((np.repeat([1.0, 1.0, -1.0, -1.0], n * n),
+                        (np.tile(s.ravel(), 4), sides)))
+    ones = [np.ones(n * n), np.ones(2 * n * n), np.ones(n * n)]
+    torus = polydec.Cells.of([d0, d1], ones, ones)
+    assert torus.shape == (64, 128, 64) and torus.betti_numbers() == [1, 2, 1]
+    values = polydec.spectrum(torus, degree=1, count=4).eigenvalues
+    assert np.allclose(values, [0, 0, *[4 * np.sin(np.pi / n) ** 2] * 2], atol=1e-9)
+    u = polydec.poisson(torus, np.eye(64)[0])
+    assert np.allclose(torus.laplacian(0) @ u, np.eye(64)[0] - 1 / 64)
+    with pytest.raises(polydec.InvalidInput, match="from 0-cell 0 to 2-cell 0: the faces of the latter do not close up"):
+        polydec.Cells.of([d0, abs(d1)], ones, ones)
+
+
+def test_conditions_leave_cells_out(square):
+    inside = square.conditioned(degree=0)
+    assert [len(cells) for cells in inside.cells] == list(inside.shape)
+    on_boundary = square.boundary_facets()
+    vertices = np.unique(square.incidence(0)[on_boundary].indices)
+    kept = np.setdiff1d(np.arange(square.size(0)), vertices)
+    assert np.array_equal(inside.cells[0], kept)
+    assert near(inside.stiffness(0), square.stiffness(0)[kept][:, kept], 1e-15)
+    values = np.arange(len(kept), dtype=float)
+    assert np.array_equal(inside.restrict(0, inside.extend(0, values)), values)
+    half = square.conditioned(on_boundary & (square.centers(1)[:, 0] < 0.5))
+    assert inside.size(0) < half.size(0) < square.size(0)
+
+
+def test_degrees_that_there_are_not(square):
+    for call in [square.volumes, square.star, square.d, square.laplacian, square.centers,
+                 square.cells, square.merging.diamond, square.merging.lift]:
+        with pytest.raises(polydec.InvalidInput):
+            call(4)
+    with pytest.raises(polydec.InvalidInput, match='side is "left": expected one of'):
+        square.laplacian(0, "left")
+    with pytest.raises(IndexError):
+        square[3]
+    assert square.size(7) == 0 and len(square) == 3
+    assert [cells.num_simplices for cells in square] == list(square.shape)
+
+
+def test_names_of_pydec(square):
+    for k in range(3):
+        assert near(square[k].d, square.d(k), 0) if k < 2 else square[k].d.nnz == 0
+        assert near(square[k].star.diagonal(), square.star(k), 0)
+        assert near((square[k].star @ square[k].star_inv).diagonal(), np.ones(square.size(k)))
+        assert square[k].primal_volume.base is not None
+        assert near(square[k].dual_volume / square[k].primal_volume, square.star(k), 0)

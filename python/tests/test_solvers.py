@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""Problems with known solutions."""
+import numpy as np
+import pytest
+
+import polydec
+from conftest import complex_of
+
+
+def plane(x):
+    return 1 + x @ np.arange(1.0, x.shape[1] + 1)
+
+
+@pytest.mark.parametrize("name", ["grid", "hexagons", "well_centered", "kuhn", "bcc", "tesseract"])
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_linear_functions_are_exact(name, side):
+    c = complex_of(name)
+    solver = polydec.PoissonSolver(c, side=side)
+    u = solver.solve(0.0, plane)
+    assert np.allclose(u, plane(solver.sites), atol=1e-11)
+    assert u.report["residual"] < 1e-10 and u.report["engine"]
+    # given as what flows through
+    slope = np.arange(1.0, c.points.shape[1] + 1)
+    low = lambda x: x[:, 0] < 1e-9
+    outward = np.sign(solver.flux_sites - 0.5) * (abs(abs(solver.flux_sites - [
+        c.points.max(0) / 2]) - c.points.max(0) / 2) < 1e-9)
+    mixed = polydec.poisson(c, 0.0, plane, outward @ slope, side=side, essential=low)
+    assert np.allclose(mixed, plane(solver.sites), atol=1e-10)
+
+
+def test_convergence():
+    def error(n):
+        c = polydec.discretize(polydec.meshes.hexagons(n))
+        exact = lambda x: np.sin(np.pi * x[:, 0]) * np.sin(np.pi * x[:, 1])
+        u = polydec.poisson(c, lambda x: 2 * np.pi ** 2 * exact(x))
+        return np.sqrt(c.star(0) @ (u - exact(c.points)) ** 2)
+
+    assert np.log2(error(8) / error(16)) > 1.8
+
+
+def test_values_may_be_numbers_arrays_and_functions(square):
+    f = square.points[:, 0]
+    u = polydec.poisson(square, f).values
+    assert np.array_equal(polydec.poisson(square, lambda x: x[:, 0]).values, u)
+    assert np.array_equal(polydec.poisson(square, list(f)).values, u)
+    both = polydec.poisson(square, np.c_[f, 2 * f]).values
+    assert both.shape == (len(f), 2) and np.allclose(both, np.c_[u, 2 * u])
+    three = polydec.PoissonSolver(square, conductivity=np.full(square.size(2), 3.0)).solve(f)
+    assert np.allclose(3 * three.values, u)
+
+
+def test_free_components(square):
+    u = polydec.poisson(square, lambda x: x[:, 0], essential=False)
+    assert u.report["free_components"] == 1 and u.report["incompatible"] > 0.1
+    assert abs(square.star(0) @ u) < 1e-10
+
+
+def test_darcy():
+    c = complex_of("hexagons")
+    slope = np.array([2.0, -1.0])
+    flow = polydec.darcy(c, 0.0, lambda x: x @ slope)
+    sites = polydec.DarcySolver(c).sites
+    assert np.allclose(flow.pressure, sites @ slope)
+    assert np.allclose(polydec.flux_sharp(c, flow.flux), -slope)
+    assert (flow.pressure.side, flow.flux.side, flow.flux.degree) == ("dual", "primal", 1)
+
+
+@pytest.mark.parametrize("name, k", [("torus", 1), ("goldberg", 1), ("kuhn", 1), ("kuhn", 2),
+                                     ("flange", 1)])
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_hodge_decompositions(name, k, side):
+    c = complex_of(name)
+    form = c.cochain(np.cos(np.arange(c.size(k, side))), k, side)
+    parts = polydec.hodge_decomposition(c, form)
+    assert np.allclose(parts.exact + parts.coexact + parts.harmonic, form)
+    assert np.allclose(parts.potential.d(), parts.exact, atol=1e-9)
+    assert np.allclose(parts.copotential.d(), parts.coexact.star(), atol=1e-9)
+    for a, b in [("exact", "coexact"), ("exact", "harmonic"), ("coexact", "harmonic")]:
+        product = c.inner_product(getattr(parts, a), getattr(parts, b))
+        assert abs(product) < 1e-9 * form.norm() ** 2
+    harmonic = polydec.harmonic_forms(c, k, side=side)
+    cells = k if side == "primal" else c.dim - k
+    assert harmonic.shape == (c.size(cells), c.betti_numbers()[k] if side == "primal"
+                              else c.betti_numbers()[c.dim - k])
+
+
+def test_heat_follows_the_matrix(square):
+    u = np.sin(np.arange(square.size(0)))
+    M = np.diag(square.star(0))
+    step = np.linalg.solve(M + 0.1 * square.stiffness(0).toarray(), M @ u)
+    assert np.allclose(polydec.heat(square, u, 0.1), step)
+    solver = polydec.HeatSolver(square, 0.1)
+    assert np.allclose(solver.step(u, 3), solver.step(solver.step(solver.step(u))))
+    half = M + 0.05 * square.stiffness(0).toarray()
+    crank = np.linalg.solve(half, (2 * M - half) @ u)
+    assert np.allclose(polydec.heat(square, u, 0.1, scheme="crank_nicolson"), crank)
+    cold = polydec.heat(square, u, 0.1, essential=True)
+    assert abs(np.delete(cold, square.conditioned().cells[0])).max() == 0
+    with pytest.raises(polydec.InvalidInput, match="time step"):
+        polydec.HeatSolver(square, -1.0)
+
+
+def test_leapfrog_conserves_energy():
+    box = complex_of("kuhn").conditioned(degree=1)
+    step = 0.9 * polydec.stable_step(box, 1)
+    waves = polydec.Leapfrog(box, 1, step)
+    E, B = np.cos(np.arange(box.size(1))), np.zeros(box.size(2))
+    energy = waves.energy(E, B)
+    E1, B1 = waves.step(E, B)
+    assert np.allclose(B1, -step * (box.d(1) @ E))
+    assert np.allclose(E1, E + step * (box.d(1).T @ (box.star(2) * B1)) / box.star(1))
+    E2, B2 = waves.step(E, B, 200)
+    assert np.isclose(waves.energy(E2, B2), energy)
+    with pytest.raises(polydec.InvalidInput, match="below"):
+        polydec.Leapfrog(box, 1, 2 * step)
+
+
+def test_distances(sphere):
+    north = int(sphere.points[:, 2].argmax())
+    distance = polydec.geodesic_distance(sphere, north)
+    exact = np.arccos(np.clip(sphere.points @ sphere.points[north], -1, 1))
+    assert distance[north] == 0 and abs(distance - exact).max() < 0.25
+    solver = polydec.GeodesicDistance(sphere)
+    assert np.array_equal(solver.to([north]), distance)
+    assert (solver.to([north, 0]) <= np.maximum(distance, 1e-9) + 0.1).all()
+    for sources in ([], [-1], [sphere.size(0)], [0.5]):
+        with pytest.raises(polydec.InvalidInput):
+            solver.to(sources)
+
+
+def test_parallel_transport():
+    flat = complex_of("well_centered")
+    transport = polydec.ParallelTransport(flat)
+    directions = transport.directions
+    assert np.allclose(np.linalg.norm(directions, axis=1), 1)
+    vectors = transport.extend(5, 2.0)
+    angles = np.arctan2(directions[:, 1], directions[:, 0])
+    in_plane = vectors * np.exp(1j * angles)
+    assert np.allclose(in_plane, in_plane[5], atol=1e-3) and np.allclose(abs(vectors), 2.0)
+
+
+def test_flips_make_stars_positive():
+    mesh = polydec.meshes.perturbed(polydec.meshes.grid(8, 8), 0.05, 4)
+    bad = polydec.discretize(mesh)
+    good = polydec.discretize(mesh, delaunay="flips_and_splits")
+    assert min(bad.star(1)) < 0 < min(good.star(1))
+    assert good.report()["intrinsic"]["flips"] > 0
+    u = polydec.poisson(good, 0.0, plane)
+    assert np.allclose(u, plane(good.points))
+    form = good.cochain(good.points[:, 0], 0).d()
+    back = good.merging.to_input(form)
+    assert np.allclose(back, good.input.d(0) @ mesh.points[:, 0])

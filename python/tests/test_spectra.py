@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""Spectra are those that scipy finds, and none is missing."""
+import numpy as np
+import pytest
+import scipy.sparse as sp
+import scipy.sparse.linalg
+
+import polydec
+from conftest import complex_of
+
+
+@pytest.mark.parametrize("name", ["well_centered", "goldberg", "flange", "kuhn"])
+@pytest.mark.parametrize("k", [0, 1, 2])
+def test_spectra_are_those_of_dense_matrices(name, k):
+    c = complex_of(name)
+    modes = polydec.spectrum(c, degree=k, count=8)
+    M = sp.diags(c.star(k)).toarray()
+    root = np.sqrt(c.star(k))
+    dense = np.linalg.eigvalsh(c.stiffness(k).toarray() / root / root[:, None])
+    assert np.allclose(modes.eigenvalues, dense[:8], atol=1e-11 * dense[-1])
+    assert modes.certificate.complete
+    assert modes.certificate.below_shift == modes.certificate.returned_below_shift
+    assert np.allclose(modes.modes.T @ M @ modes.modes, np.eye(8), atol=1e-9)
+    assert (modes.side, modes.degree) == ("primal", k) and modes.residuals.shape == (8,)
+    dual = polydec.spectrum(c, degree=c.dim - k, side="dual", count=4)
+    assert dual.modes.shape == (c.size(k), 4)
+
+
+def test_spectrum_of_scipy():
+    c = complex_of("flange")
+    ours = polydec.spectrum(c, count=12).eigenvalues
+    theirs = scipy.sparse.linalg.eigsh(c.stiffness(0), 12, sp.diags(c.star(0)), sigma=-1e-2)[0]
+    assert np.allclose(ours, np.sort(theirs), rtol=1e-9, atol=1e-9)
+
+
+def test_spherical_harmonics(sphere):
+    for side in ("primal", "dual"):
+        modes = polydec.spectrum(sphere, count=16, side=side)
+        assert modes.certificate.complete
+        for l in range(4):
+            assert np.allclose(modes.eigenvalues[l * l:(l + 1) ** 2], l * (l + 1), rtol=0.1)
+    assert "16 values" in repr(modes) and "complete" in repr(modes)
+
+
+def test_conditions(square):
+    natural = polydec.spectrum(square, count=5)
+    assert abs(natural.eigenvalues[0]) < 1e-10
+    essential = polydec.spectrum(square, count=5, essential=True)
+    assert np.allclose(essential.eigenvalues[0], 2 * np.pi ** 2, rtol=0.1)
+    inside = square.conditioned()
+    assert np.allclose(polydec.spectrum(inside, count=5).eigenvalues, essential.eigenvalues)
+    on_boundary = np.setdiff1d(np.arange(square.size(0)), inside.cells[0])
+    assert abs(essential.modes[on_boundary]).max() == 0
+    left = polydec.spectrum(square, count=3, essential=lambda x: x[:, 0] < 1e-9)
+    assert np.allclose(left.eigenvalues[0], np.pi ** 2 / 4, rtol=0.1)
+
+
+def test_coexact_spectrum():
+    box = complex_of("kuhn")
+    curl = polydec.spectrum(box, degree=1, count=5, coexact=True, essential=True)
+    d, star = box.conditioned(degree=1).d(1), box.conditioned(degree=1).star(2)
+    kept = box.conditioned(degree=1).cells[1]
+    for value, mode in zip(curl.eigenvalues, curl.modes[kept].T):
+        curl_curl = d.T @ (star * (d @ mode))
+        assert np.allclose(curl_curl, value * box.star(1)[kept] * mode, atol=1e-8)
+
+
+def test_smallest_eigenpairs():
+    A = sp.diags(np.repeat([3.0, -1.0, 7.0], 10))
+    pairs = polydec.smallest_eigenpairs(A, count=15)
+    assert np.allclose(pairs.eigenvalues, [-1] * 10 + [3] * 5)
+    assert pairs.certificate.complete
+    pairs = polydec.smallest_eigenpairs(A, np.full(30, 2.0), 3)
+    assert np.allclose(pairs.eigenvalues, -0.5)
+    M = sp.random(30, 30, 0.2, random_state=2)
+    M = M @ M.T + sp.identity(30)
+    import scipy.linalg
+    pairs = polydec.smallest_eigenpairs(A, M, 30)
+    assert np.allclose(pairs.eigenvalues, scipy.linalg.eigh(A.toarray(), M.toarray())[0])
+    waived = polydec.smallest_eigenpairs(A, count=2, certified=False)
+    assert not waived.certificate.complete or waived.certificate.below_shift >= 2
+
+
+@pytest.mark.parametrize("A, M, message", [
+    (np.triu(np.ones((4, 4))), None, "symmetric"),
+    (np.eye(4), -np.ones(4), "mass|positive"),
+    (np.eye(4), np.ones(3), "3|4"),
+    (np.eye(4) * np.nan, None, "not finite|NaN|nan|number"),
+])
+def test_matrices_that_are_refused(A, M, message):
+    with pytest.raises(polydec.InvalidInput, match=message):
+        polydec.smallest_eigenpairs(A, M, 2)
+
+
+def test_counts_that_are_refused(square):
+    for count in (0, -1, square.size(0) + 1):
+        with pytest.raises(polydec.InvalidInput):
+            polydec.spectrum(square, count=count)
+    with pytest.raises(polydec.InvalidInput, match="known|engine|nonsense"):
+        polydec.spectrum(square, linear_solver="nonsense")
