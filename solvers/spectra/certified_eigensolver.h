@@ -25,7 +25,7 @@ struct EigensolverOptions {
     /// Whether A is known to be positive semidefinite; if not, its inertia is looked at first.
     Definiteness definiteness = Definiteness::indefinite;
     Index zeros = 0; ///< hint: as many eigenvalues are known to be zero
-    std::function<void(std::string_view)> progress = {}; ///< told what is being done; may be empty
+    std::function<void(std::string_view)> progress = {}; ///< told what is being done, at each step
 };
 
 /// Proof that no eigenvalue is missing: by Sylvester's law of inertia `below_shift` eigenvalues lie

@@ -15,7 +15,7 @@ struct SpectrumOptions {
     std::string linear_solver = "auto";
     std::string eigen_solver = "auto"; ///< or the name of an engine
     Certification certification = Certification::required;
-    std::function<void(std::string_view)> progress = {}; ///< told what is being done; may be empty
+    std::function<void(std::string_view)> progress = {}; ///< told what is being done, at each step
 };
 
 /// Smallest eigenpairs of a Laplace-de Rham operator.
