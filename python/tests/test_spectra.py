@@ -35,11 +35,12 @@ def test_spectrum_of_scipy():
 
 def test_spherical_harmonics(sphere):
     for side in ("primal", "dual"):
-        modes = polydec.spectrum(sphere, count=16, side=side)
+        modes = polydec.spectrum(sphere, count=9, side=side)
         assert modes.certificate.complete
-        for l in range(4):
-            assert np.allclose(modes.eigenvalues[l * l:(l + 1) ** 2], l * (l + 1), rtol=0.1)
-    assert "16 values" in repr(modes) and "complete" in repr(modes)
+        for l in range(3):
+            assert np.allclose(modes.eigenvalues[l * l:(l + 1) ** 2], l * (l + 1), rtol=0.1,
+                               atol=1e-9)
+    assert "9 values" in repr(modes) and "complete" in repr(modes)
 
 
 def test_conditions(square):
