@@ -5,11 +5,13 @@ of a surface, in memory, to the stiffness matrix of functions, d^T star d. Each 
 and one thread of its own; its matrix is compared with polydec's, and one that differs is said to.
 
     benchmarks/other_codes.py                          a sphere of a million triangles
-    benchmarks/other_codes.py --triangles 20000 --only polydec --only scipy
+    benchmarks/other_codes.py --triangles 20000 --only scipy --only pydec
     benchmarks/other_codes.py --mesh bunny.off --json times.json
+    benchmarks/other_codes.py --list                   what it knows, and what is installed
 
 Needs the Python package of polydec: PYTHONPATH=build/release/python, or installed."""
 import argparse
+import importlib
 import importlib.util
 import json
 import os
@@ -20,6 +22,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from typing import Callable, NamedTuple
 
 TOLERANCE = 1e-10  # of the largest entry; rounding of another order of operations is 1e-14
 
@@ -49,7 +52,7 @@ def scipy(points, triangles):
 def pydec(points, triangles):
     from pydec import simplicial_complex
     complex_ = simplicial_complex((points, triangles))
-    return complex_[0].d.T * complex_[1].star * complex_[0].d
+    return complex_[0].d.T @ complex_[1].star @ complex_[0].d
 
 
 def igl(points, triangles):
@@ -57,15 +60,19 @@ def igl(points, triangles):
     return -code.cotmatrix(points, triangles)
 
 
+def igl_arrays(points, triangles):
+    return points, triangles.astype("int64")
+
+
 def potpourri3d(points, triangles):
     import potpourri3d as code
-    return code.cotan_laplacian(points, triangles)
+    return code.cotan_laplacian(points, triangles, denom_eps=0.0)
 
 
-def dolfin(points, triangles):
+def dolfin_mesh(points, triangles):
+    """Is made vertex by vertex in Python, which is no matter of DOLFIN's."""
     import dolfin as code
     import numpy as np
-    from scipy.sparse import csr_matrix
     mesh, editor = code.Mesh(), code.MeshEditor()
     editor.open(mesh, "triangle", 2, points.shape[1])
     editor.init_vertices(len(points))
@@ -75,6 +82,12 @@ def dolfin(points, triangles):
     for i, triangle in enumerate(triangles):
         editor.add_cell(i, triangle.astype(np.uintp))
     editor.close(True)
+    return (mesh,)
+
+
+def dolfin(mesh):
+    import dolfin as code
+    from scipy.sparse import csr_matrix
     code.parameters["linear_algebra_backend"] = "Eigen"
     space = code.FunctionSpace(mesh, "P", 1)
     u, v = code.TrialFunction(space), code.TestFunction(space)
@@ -83,33 +96,68 @@ def dolfin(points, triangles):
     return csr_matrix(matrix.sparray())[vertices][:, vertices]
 
 
-# name, what it does, how to get it
-CODES = [
-    (polydec, "complex, volumes, stars; errors of all volumes", "build polydec with pybind11-dev"),
-    (scipy, "numpy.unique, cotangents, triple product", "apt-get install python3-scipy"),
-    (pydec, "simplicial_complex, triple product", "pip install pydec"),
-    (igl, "cotmatrix; no complex", "pip install libigl"),
-    (potpourri3d, "cotan_laplacian; no complex", "pip install potpourri3d"),
-    (dolfin, "P1 elements, assembled; no complex", "apt-get install python3-dolfin"),
-]
-BY_NAME = {make.__name__: make for make, _, _ in CODES}
+class Code(NamedTuple):
+    work: Callable  # from what it is given to the matrix; named as the module that it imports
+    what: str
+    how: str  # to install it
+    given: Callable = lambda points, triangles: (points, triangles)  # made before the clock runs
 
 
-def work(name, mesh, rounds):
-    """What runs in a process of its own: prints times and memory, and keeps the matrix."""
+CODES = {code.work.__name__: code for code in (
+    Code(polydec, "complex, volumes, all stars; errors of all volumes",
+         "build polydec with pybind11-dev"),
+    Code(scipy, "edges by numpy.unique, cotangents, triple product",
+         "apt-get install python3-scipy"),
+    Code(pydec, "complex, volumes, all stars; triple product",
+         "pip install . in a copy of hirani/pydec; the package index has another pydec"),
+    Code(igl, "cotmatrix; no complex", "pip install libigl", igl_arrays),
+    Code(potpourri3d, "cotan_laplacian; no complex", "pip install potpourri3d"),
+    Code(dolfin, "P1 elements, assembled; its mesh is there; no complex",
+         "apt-get install python3-dolfin", dolfin_mesh),
+)}
+
+
+def peak():
+    """In bytes, so far. A process begins with the peak of that which starts it: that must be small,
+    so what takes memory is done in processes of their own."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+
+
+def measure(name, folder, options):
+    """In a process of its own: runs the code, and compares its matrix with that of polydec."""
     import numpy as np
-    from scipy.sparse import csr_matrix, save_npz
-    given = np.load(mesh)
-    points, triangles = given["points"], given["triangles"]
-    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    seconds = []
-    for _ in range(rounds + 1):  # the first one loads the code
-        begin = time.perf_counter()
-        matrix = BY_NAME[name](points, triangles)
-        seconds.append(time.perf_counter() - begin)
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
-    save_npz(mesh.with_name(f"{name}.npz"), csr_matrix(matrix))
-    print(json.dumps({"seconds": seconds[1:], "bytes": peak * 1024 / len(triangles)}))
+    from scipy.sparse import csr_matrix, load_npz, save_npz
+    importlib.import_module(name)
+    mesh = np.load(folder / "mesh.npz")
+    count = len(mesh["triangles"])
+    given = CODES[name].given(mesh["points"], mesh["triangles"])
+    before, begin, seconds = peak(), time.perf_counter(), []
+    while len(seconds) <= options.rounds:  # the first one is left out
+        if seconds and time.perf_counter() - begin > options.seconds:
+            break
+        start = time.perf_counter()
+        matrix = CODES[name].work(*given)
+        seconds.append(time.perf_counter() - start)
+    used = peak() - before
+    matrix, reference = csr_matrix(matrix), folder / "matrix.npz"
+    if name == "polydec":
+        save_npz(reference, matrix)
+    return {"seconds": seconds[1:] or seconds, "bytes": used / count,
+            "difference": difference(matrix, load_npz(reference))}
+
+
+def keep_mesh(folder, options):
+    """In a process of its own: writes the mesh that all get, and tells how many triangles it has."""
+    import numpy as np
+    import polydec as code
+    if options.mesh:
+        mesh = code.read_mesh(options.mesh)
+    else:
+        mesh = code.meshes.icosphere(max(1, round((options.triangles / 20) ** 0.5)))
+    if mesh.simplices.shape[1] != 3 or mesh.points.shape[1] != 3:
+        raise ValueError(f"{options.mesh}: expected triangles in space")
+    np.savez(folder / "mesh.npz", points=mesh.points, triangles=mesh.simplices)
+    return {"triangles": len(mesh.simplices)}
 
 
 def difference(matrix, right):
@@ -119,46 +167,44 @@ def difference(matrix, right):
     return float(abs(matrix - right).max() / abs(right).max())
 
 
-def run(name, mesh, options):
-    """What a code needed, or why it did not do it, and its matrix."""
-    from scipy.sparse import load_npz
+def verdict(off):
+    return f"the same to {off:.0e}" if off <= TOLERANCE else f"DIFFERS by {off:.0e}"
+
+
+def run(task, folder):
+    """What a task, a code or `mesh`, answers from its process, or why it did not."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    answer = subprocess.run([sys.executable, "-B", __file__, "--work", name, "--mesh", mesh,
-                             "--rounds", str(options.rounds)], env=environment,
-                            capture_output=True, text=True)
+    answer = subprocess.run([sys.executable, "-B", __file__, *sys.argv[1:], "--task", task,
+                             "--folder", folder], env=environment, capture_output=True, text=True)
     if answer.returncode:
         said = [line for line in answer.stderr.splitlines() if any(map(str.isalpha, line))]
-        return {"failed": (said or [f"code {answer.returncode}"])[-1].strip("* ")}, None
-    return json.loads(answer.stdout.splitlines()[-1]), load_npz(mesh.with_name(f"{name}.npz"))
+        return {"failed": (said or [f"code {answer.returncode}"])[-1].strip("* ")}
+    return json.loads(answer.stdout.splitlines()[-1])
 
 
-def table(results, what):
-    lines = ["| code | minimum | median | peak, bytes a triangle | beside polydec | matrix | what |",
-             "| --- | --- | --- | --- | --- | --- | --- |"]
-    ours = min(results["polydec"]["seconds"])
+def table(results):
+    header = ["code", "minimum", "median", "rounds", "peak, bytes a triangle", "beside polydec",
+              "matrix", "what"]
+    rows = [header, ["---"] * len(header)]
     for name, found in results.items():
         if "failed" in found:
-            lines.append(f"| {name} | - | - | - | - | failed: {found['failed']} | {what[name]} |")
-            continue
-        least, off = min(found["seconds"]), found["difference"]
-        verdict = f"the same to {off:.0e}" if off <= TOLERANCE else f"DIFFERS by {off:.0e}"
-        lines.append(f"| {name} | {least:.3f} s | {statistics.median(found['seconds']):.3f} s | "
-                     f"{found['bytes']:,.0f} | {least / ours:.2f} | {verdict} | {what[name]} |")
-    return "\n".join(lines)
+            cells = ["-", "-", "-", "-", "-", f"failed: {found['failed']}"]
+        else:
+            least = min(found["seconds"])
+            cells = [f"{least:.3f} s", f"{statistics.median(found['seconds']):.3f} s",
+                     str(len(found["seconds"])), f"{found['bytes']:,.0f}",
+                     f"{least / min(results['polydec']['seconds']):.2f}",
+                     "compared with" if name == "polydec" else verdict(found["difference"])]
+        rows.append([name, *cells, CODES[name].what])
+    return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 
 
-def keep_mesh(options, path):
-    """Writes the mesh that all get, and gives the number of its triangles."""
-    import numpy as np
-    import polydec as code
-    if options.mesh:
-        mesh = code.read_mesh(options.mesh)
-    else:
-        mesh = code.meshes.icosphere(max(1, round((options.triangles / 20) ** 0.5)))
-    if mesh.simplices.shape[1] != 3 or mesh.points.shape[1] != 3:
-        sys.exit(f"{options.mesh}: expected triangles in space")
-    np.savez(path, points=mesh.points, triangles=mesh.simplices)
-    return len(mesh.simplices)
+def chosen(only):
+    """The codes that are asked for and installed; a line for each that is not."""
+    asked = [name for name in CODES if not only or name in only or name == "polydec"]
+    found = [name for name in asked if importlib.util.find_spec(name)]
+    return found, [f"{name} is not installed and left out: {CODES[name].how}"
+                   for name in asked if name not in found]
 
 
 def arguments():
@@ -166,45 +212,50 @@ def arguments():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--mesh", type=Path, help="triangles in space, of any format of polydec")
     parser.add_argument("--triangles", type=int, default=1_000_000, help="of a sphere else")
-    parser.add_argument("--only", action="append", choices=list(BY_NAME), help="and polydec")
-    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--only", action="append", choices=list(CODES), help="and polydec")
+    parser.add_argument("--rounds", type=int, default=5, help="after a first one that is left out")
+    parser.add_argument("--seconds", type=float, default=60,
+                        help="no code begins another round after these")
     parser.add_argument("--json", type=Path, help="write what was measured")
-    parser.add_argument("--work", choices=list(BY_NAME), help=argparse.SUPPRESS)
+    parser.add_argument("--list", action="store_true", help="the codes, and measure nothing")
+    parser.add_argument("--task", choices=["mesh", *CODES], help=argparse.SUPPRESS)
+    parser.add_argument("--folder", type=Path, help=argparse.SUPPRESS)
     return parser.parse_args()
 
 
 def main():
     options = arguments()
-    if options.rounds < 1:
-        sys.exit(f"--rounds is {options.rounds}: expected 1 or more")
-    if options.work:
-        return work(options.work, options.mesh, options.rounds)
-    if not importlib.util.find_spec("polydec"):
+    if options.rounds < 1 or options.triangles < 1:
+        sys.exit("--rounds and --triangles: expected 1 or more")
+    if options.task:
+        print(json.dumps(keep_mesh(options.folder, options) if options.task == "mesh"
+                         else measure(options.task, options.folder, options)))
+        return
+    names, left_out = chosen(options.only)
+    if options.list:
+        print("\n".join([f"{name}: {CODES[name].what}" for name in names] + left_out))
+        return
+    for line in left_out:
+        print(line, file=sys.stderr)
+    if "polydec" not in names:
         sys.exit("the Python package of polydec is not there: build it, and set "
                  "PYTHONPATH=build/release/python")
-    results, right = {}, None
+    load = os.getloadavg()[0]
     with tempfile.TemporaryDirectory() as folder:
-        mesh = Path(folder) / "mesh.npz"
-        count = keep_mesh(options, mesh)
-        for make, _, how in CODES:
-            name = make.__name__
-            if options.only and name not in options.only and name != "polydec":
-                continue
-            if not importlib.util.find_spec(name):
-                print(f"{name} is left out: {how}", file=sys.stderr)
-                continue
-            results[name], matrix = run(name, mesh, options)
-            if name == "polydec" and matrix is None:
-                sys.exit(f"polydec: {results[name]['failed']}")
-            right = matrix if right is None else right
-            if matrix is not None:
-                results[name]["difference"] = difference(matrix, right)
-    print(f"{count:,} triangles, one thread, {options.rounds} rounds\n")
-    print(table(results, {make.__name__: what for make, what, _ in CODES}))
+        mesh, results = run("mesh", folder), {}
+        for name in names if "failed" not in mesh else []:
+            results[name] = run(name, folder)
+            if "failed" in results["polydec"]:
+                break
+    failed = mesh.get("failed") or results["polydec"].get("failed")
+    if failed:
+        sys.exit(f"polydec: {failed}")
+    print(f"{mesh['triangles']:,} triangles, one thread, load at the beginning {load:.1f}\n")
+    print(table(results))
     if options.json:
-        options.json.write_text(json.dumps(results, indent=1) + "\n")
-    return 0
+        told = {**mesh, "load": load, "codes": results}
+        options.json.write_text(json.dumps(told, indent=1) + "\n")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
