@@ -147,7 +147,7 @@ def measure(name, folder, options):
 
 
 def keep_mesh(folder, options):
-    """In a process of its own: writes the mesh that all get, and tells how many triangles it has."""
+    """In a process of its own: writes the mesh that all get, tells how large it is."""
     import numpy as np
     import polydec as code
     if options.mesh:
