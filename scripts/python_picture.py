@@ -25,15 +25,18 @@ def main():
     figure.colorbar(drawn, ax=left, shrink=0.6, label="eigenfunction, of norm 1")
     left.set_title(f"On hexagons: eigenvalue {modes.eigenvalues[6]:.4f} (exact 6)", fontsize=10)
 
-    torus = polydec.discretize(polydec.meshes.torus(24, 12))
-    form = torus.cochain(polydec.de_rham(torus, 1, lambda p: np.column_stack(
-        [-p[:, 1], p[:, 0], np.sin(3 * p[:, 0])])), 1)
-    parts = polydec.hodge_decomposition(torus, form)
-    right = figure.add_subplot(1, 2, 2, projection="3d")
-    polydec.plot(torus, ax=right, linewidth=0.3)
-    places, arrows = torus.centers(2), polydec.sharp_pd(torus, parts.harmonic)
-    right.quiver(*places[::2].T, *arrows[::2].T, length=0.25, color="C3", linewidth=0.8)
-    right.set_title("On quads: harmonic part of a 1-form", fontsize=10)
+    square = polydec.discretize(polydec.meshes.grid(14, 14))
+    form = square.cochain(polydec.de_rham(square, 1, lambda p: np.column_stack(
+        [np.sin(np.pi * p[:, 1]), np.sin(2 * np.pi * p[:, 0])])), 1)
+    parts = polydec.hodge_decomposition(square, form)
+    right = figure.add_subplot(1, 2, 2)
+    drawn = polydec.plot(square, parts.potential.values, degree=0, ax=right, cmap="RdBu",
+                         linewidth=0.3)
+    figure.colorbar(drawn, ax=right, shrink=0.6, label="its potential, at vertices")
+    places, arrows = square.centers(2), polydec.sharp_pd(square, parts.exact)
+    right.quiver(*places.T, *arrows.T, color="k")
+    right.set_title("Exact part of a 1-form, a vector on each polygon", fontsize=10)
+    right.set_aspect("equal")
     for axes in (left, right):
         axes.set_axis_off()
     figure.tight_layout()
