@@ -135,10 +135,11 @@ void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiten
 
 /// Asks for `count` eigenpairs above the shift and apart from those found; how many came.
 Index CertifiedEigensolver::State::ask(Index count) {
+    tell("iterating");
     count = std::min(count, size() - found());
     choose_engine(count);
     const auto apply = [&](const auto& X, auto& Y) {
-        tell("iterating");
+        tell("a step of the iteration");
         if (found() == 0) {
             Y = solve(X);
             return;
