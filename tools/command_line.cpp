@@ -43,6 +43,7 @@ std::unique_ptr<CLI::App> command_line() {
     add_info(*app);
     add_operators(*app);
     add_merge(*app);
+    add_view(*app);
     add_spectrum(*app);
     add_poisson(*app);
     add_distance(*app);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "io/pictures/draw_cells.h"
-#include "io/pictures/vtu.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
+#include "tools/picture.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -43,10 +43,14 @@ std::vector<Index> cells_of(const Discretization& mesh, const std::vector<Index>
     return cells;
 }
 
-void draw(const Discretization& mesh, const std::filesystem::path& out, const Vector& distance) {
-    auto grid = draw_cells(mesh, 0);
-    add_form(grid, mesh, "distance", {Side::primal, 0, distance});
-    write_vtu(out, grid);
+void draw(const Discretization& mesh, const DistanceArguments& arguments, const Vector& distance,
+          const Log& log) {
+    PageText text;
+    text.title = fmt::format("{}: geodesic distance", arguments.mesh.mesh.filename().string());
+    text.facts = {fmt::format("Distance along the surface from vertex {}, by the heat method.",
+                              fmt::join(arguments.from, ", "))};
+    const NamedForm form("distance", {Side::primal, 0, distance}, "in units of length of the file");
+    write_picture(arguments.out, mesh, {&form, 1}, std::move(text), log);
 }
 
 struct Distances : Answer {
@@ -97,7 +101,7 @@ void run_distance(const DistanceArguments& arguments) {
                              raised, flip_advice(mesh)));
     if (!arguments.out.empty()) {
         log.timing.begin("write");
-        draw(mesh, arguments.out, distance);
+        draw(mesh, arguments, distance, log);
     }
 
     Eigen::Index farthest = 0;
@@ -123,7 +127,8 @@ void add_distance(CLI::App& app) {
         ->add_option("--time-scale", arguments->geodesic.time_scale,
                      "heat flows for this times the squared mean length of edges")
         ->capture_default_str();
-    command->add_option("-o,--out", arguments->out, "write the distances to this .vtu file");
+    command->add_option("-o,--out", arguments->out,
+                        "write the distances to this .vtu or\n.html file");
     command->add_option("--engine", arguments->geodesic.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer("Every component of the surface needs a vertex. Triangles far from Delaunay "

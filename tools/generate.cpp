@@ -7,6 +7,7 @@
 #include "tools/commands.h"
 #include "tools/options.h"
 #include "tools/outputs.h"
+#include "tools/picture.h"
 
 #include <fmt/format.h>
 
@@ -111,10 +112,13 @@ CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
     auto* command = generate.add_subcommand(name, help);
     const auto out = std::make_shared<std::filesystem::path>();
     const auto options = std::make_shared<TellOptions>();
-    command->add_option("-o,--out", *out, "mesh file: .off .obj .ply .stl .mesh .nsc")->required();
+    command
+        ->add_option("-o,--out", *out,
+                     "mesh file: .off .obj .ply .stl .mesh .nsc; or\na page that shows it, .html")
+        ->required();
     add_common_options(*command, *options);
     command->callback([out, options, make = std::move(make)] {
-        check_output_file(*out, {".off", ".obj", ".ply", ".stl", ".mesh", ".nsc"}, {});
+        check_output_file(*out, {".off", ".obj", ".ply", ".stl", ".mesh", ".nsc", ".html"}, {});
         Log log;
         write_generated(*out, make(), log, *options);
     });
@@ -123,7 +127,14 @@ CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
 
 void write_generated(const std::filesystem::path& out, const Mesh& mesh, Log& log,
                      const TellOptions& options) {
-    write_mesh(out, mesh);
+    if (is_page(out)) {
+        const Discretization cells = discretize(mesh);
+        check_drawable(cells);
+        for (const auto& warning : cells.warnings())
+            log.warn(warning);
+        write_picture(out, page_of_cells(out, cells, out.stem()), log);
+    } else
+        write_mesh(out, mesh);
     Generated answer;
     answer.out = out.string();
     answer.points = mesh.points.rows();

@@ -25,7 +25,7 @@ struct FillArguments {
 };
 
 void fill(const FillArguments& arguments) {
-    check_output_file(arguments.out, {".mesh", ".nsc"}, mesh_files(arguments.surface));
+    check_output_file(arguments.out, {".mesh", ".nsc", ".html"}, mesh_files(arguments.surface));
     Points holes(static_cast<Eigen::Index>(arguments.holes.size()), 3);
     for (Eigen::Index i = 0; i < holes.rows(); ++i)
         holes.row(i) = Eigen::RowVector3d(arguments.holes[static_cast<std::size_t>(i)].data());

@@ -5,6 +5,8 @@
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/messages.h"
+#include "tools/outputs.h"
+#include "tools/picture.h"
 
 #include <fmt/ranges.h>
 
@@ -182,25 +184,49 @@ struct Info : Answer {
     }
 };
 
-void run(const MeshArguments& arguments) {
+struct InfoArguments {
+    MeshArguments mesh;
+    std::filesystem::path out;
+};
+
+/// The cells, with the whole answer beside them.
+void draw(const InfoArguments& arguments, const Discretization& mesh, const Info& answer,
+          const Log& log) {
+    Text text;
+    answer.write(text);
+    Page page = page_of_cells(arguments.out, mesh, arguments.mesh.mesh);
+    page.text.facts = {std::string(text.view())};
+    write_picture(arguments.out, std::move(page), log);
+}
+
+void run(const InfoArguments& arguments) {
     Log log;
-    const Discretization mesh = load(arguments, log);
-    const Info answer(arguments.mesh.string(),
+    if (!arguments.out.empty())
+        check_output_file(arguments.out, {".html"}, mesh_files(arguments.mesh.mesh));
+    const Discretization mesh = load(arguments.mesh, log);
+    if (!arguments.out.empty())
+        check_drawable(mesh);
+    const Info answer(arguments.mesh.mesh.string(),
                       diagnose(mesh, [&](std::string_view stage) { log.timing.begin(stage); }),
                       mesh.chosen_stars());
     if (answer.facts.lacks_numbers())
         log.warn("volumes that are no numbers of double precision in the units of the file are "
                  "left out");
-    tell(answer, log, arguments.tell);
+    if (!arguments.out.empty()) {
+        log.timing.begin("write");
+        draw(arguments, mesh, answer, log);
+    }
+    tell(answer, log, arguments.mesh.tell);
 }
 
 } // namespace
 
 void add_info(CLI::App& app) {
     auto* command = app.add_subcommand("info", "what the mesh is and what DEC can do on it");
-    const auto arguments = std::make_shared<MeshArguments>();
-    add_mesh_arguments(*command, *arguments);
-    add_star(*command, *arguments, StarKind::circumcentric);
+    const auto arguments = std::make_shared<InfoArguments>();
+    add_mesh_arguments(*command, arguments->mesh);
+    add_star(*command, arguments->mesh, StarKind::circumcentric);
+    command->add_option("-o,--out", arguments->out, "write a page, .html, that shows the mesh too");
     command->footer("Examples:\n  polydec info fandisk.off\n  polydec info bunny.ply --delaunay\n"
                     "  polydec info hand.mesh --star automatic");
     command->callback([arguments] { run(*arguments); });

@@ -3,10 +3,12 @@
 #include "examples/paper/usage.h"
 #include "tools/command_line.h"
 #include "tools/messages.h"
+#include "tools/picture.h"
 
 namespace {
 
 int run(int argc, char** argv) {
+    polydec::tools::set_command_text(argc, argv);
     const auto app = polydec::tools::command_line();
     try {
         polydec::tools::reworded(polydec::tools::told, [&] { app->parse(argc, argv); });

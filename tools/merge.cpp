@@ -3,12 +3,11 @@
 #include "base/printable.h"
 #include "io/meshes/write_mesh.h"
 #include "io/pictures/draw_cells.h"
-#include "io/pictures/draw_overlay.h"
-#include "io/pictures/vtu.h"
 #include "io/source_file.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/outputs.h"
+#include "tools/picture.h"
 
 #include <fmt/format.h>
 
@@ -24,18 +23,15 @@ struct MergeArguments {
     std::filesystem::path out;
 };
 
-void write_merged(const std::filesystem::path& out, const Discretization& mesh) {
+void write_merged(const MergeArguments& arguments, const Discretization& mesh, const Log& log) {
+    const auto& out = arguments.out;
     if (mesh.dimension() > 3)
         throw InvalidInput(fmt::format("{}: no format holds merged cells of dimension {}; the "
                                        "subcommand operators writes them as matrices",
                                        out.string(), mesh.dimension()));
-    if (lower_extension(out) == ".vtu") {
-        auto grid =
-            !mesh.passage().is_identity() ? draw_overlay(mesh) : draw_cells(mesh, mesh.dimension());
-        if (!mesh.tags().empty())
-            grid.cell_data.push_back({"tag", mesh.tags()});
-        write_vtu(out, grid);
-    } else if (mesh.dimension() == 2)
+    if (lower_extension(out) == ".vtu" || is_page(out))
+        write_picture(out, page_of_cells(out, mesh, arguments.mesh.mesh), log);
+    else if (mesh.dimension() == 2)
         write_mesh(out, polygon_mesh(mesh));
     else
         throw InvalidInput(fmt::format("{}: merged cells of dimension {} cannot be written in this "
@@ -70,11 +66,11 @@ private:
 
 void run_merge(const MergeArguments& arguments) {
     Log log;
-    check_output_file(arguments.out, {".off", ".obj", ".ply", ".vtu"},
+    check_output_file(arguments.out, {".off", ".obj", ".ply", ".vtu", ".html"},
                       mesh_files(arguments.mesh.mesh));
     const Discretization mesh = load(arguments.mesh, log);
     log.timing.begin("write");
-    write_merged(arguments.out, mesh);
+    write_merged(arguments, mesh, log);
     const int n = mesh.dimension();
     tell(Merged(arguments.out.string(), n, mesh.input().size(n), mesh.complex().size(n)), log,
          arguments.mesh.tell);
@@ -86,7 +82,7 @@ void add_merge(CLI::App& app) {
     auto* command = app.add_subcommand("merge", "writes the merged complex");
     const auto arguments = std::make_shared<MergeArguments>();
     add_mesh_arguments(*command, arguments->mesh);
-    command->add_option("-o,--out", arguments->out, ".off .obj .ply (surfaces) or .vtu")
+    command->add_option("-o,--out", arguments->out, ".off .obj .ply (surfaces), .vtu or .html")
         ->required();
     command->footer("With --delaunay polygons have edges that cross the input's triangles: the "
                     "triangles are\nwritten as they are cut by them.\n\nExamples:\n  polydec merge "

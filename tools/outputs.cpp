@@ -93,7 +93,7 @@ void check_picture(const Path& out, const Path& mesh, const Paths& others) {
         return;
     Paths inputs = mesh_files(mesh);
     inputs.insert(inputs.end(), others.begin(), others.end());
-    check_output_file(out, {".vtu"}, inputs);
+    check_output_file(out, {".vtu", ".html"}, inputs);
 }
 
 void check_output_folder(const Path& out) {

@@ -3,8 +3,6 @@
 
 #include "dec/fields/cell_centers.h"
 #include "io/diagnosis_json.h"
-#include "io/pictures/draw_cells.h"
-#include "io/pictures/vtu.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -12,6 +10,7 @@
 #include "tools/expression.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
+#include "tools/picture.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -112,12 +111,16 @@ Errors errors(const Discretization& mesh, Side side, const Vector& difference) {
             largest};
 }
 
-void draw(const Discretization& mesh, const PoissonArguments& arguments, const Vector& u) {
-    const int k = arguments.poisson.side == Side::primal ? 0 : mesh.dimension();
-    auto grid = draw_cells(mesh, k);
+void draw(const Discretization& mesh, const PoissonArguments& arguments, const Vector& values,
+          const Solved& answer, const Log& log) {
     const auto side = arguments.poisson.side;
-    add_form(grid, mesh, "u", {side, 0, u});
-    write_vtu(arguments.out, grid);
+    PageText text;
+    text.title = fmt::format("{}: Poisson problem", arguments.mesh.mesh.filename().string());
+    text.facts = {fmt::format("Delta u = f with f = {}", arguments.rhs), answer.conditions,
+                  fmt::format("u from {:.10g} to {:.10g}; residual {:.2e} with {}", answer.min,
+                              answer.max, answer.residual, answer.report.engine)};
+    const NamedForm u("u", {side, 0, values}, fmt::format("the solution, a {} 0-form", name(side)));
+    write_picture(arguments.out, mesh, {&u, 1}, std::move(text), log);
 }
 
 void warn_of_compatibility(const Compatibility& compatibility, Log& log) {
@@ -209,7 +212,7 @@ void run_poisson(PoissonArguments arguments) {
                                solution.values - data.exact->at(mesh.unit() * solver.sites()));
     if (!arguments.out.empty()) {
         log.timing.begin("write");
-        draw(mesh, arguments, solution.values);
+        draw(mesh, arguments, solution.values, answer, log);
     }
     tell(answer, log, arguments.mesh.tell);
 }
@@ -239,7 +242,7 @@ void add_poisson(CLI::App& app) {
                         "solve -div(kappa grad u) = f, kappa > 0 in each merged cell:\n"
                         "expression (also in `group`, the cell's physical group) or file");
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
-    command->add_option("-o,--out", arguments->out, "write u to this .vtu file");
+    command->add_option("-o,--out", arguments->out, "write u to this .vtu or .html file");
     command->add_option("--engine", arguments->poisson.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer(

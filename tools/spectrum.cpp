@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "io/diagnosis_json.h"
-#include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_modes.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
@@ -11,6 +10,7 @@
 #include "tools/conditions.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
+#include "tools/picture.h"
 
 #include <fmt/format.h>
 
@@ -61,6 +61,16 @@ struct Eigenvalues : Answer {
         write_stars(json, stars);
     }
 
+    std::string certified() const {
+        const auto& certificate = spectrum.certificate;
+        if (!certificate.complete)
+            return "not certified: copies of multiple eigenvalues may be missing";
+        return fmt::format("certified: {} eigenvalues lie below {:.8g} by inertia, {} were "
+                           "computed, each within its radius of the value",
+                           certificate.below_shift, certificate.shift,
+                           certificate.returned_below_shift);
+    }
+
     void write(Text& text) const override {
         text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n{}\n{}\n\n"
              "{:>5}  {:>20}  {:>10}  {:>10}\n",
@@ -69,13 +79,7 @@ struct Eigenvalues : Answer {
         for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
             text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
                  spectrum.radii[i], spectrum.residuals[i]);
-        const auto& certificate = spectrum.certificate;
-        if (certificate.complete)
-            text("\ncertified: {} eigenvalues lie below {:.8g} by inertia, {} were computed, each "
-                 "within its radius of the value\n",
-                 certificate.below_shift, certificate.shift, certificate.returned_below_shift);
-        else
-            text("\nnot certified: copies of multiple eigenvalues may be missing\n");
+        text("\n{}\n", certified());
         text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
     }
 };
@@ -130,6 +134,29 @@ void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
                  fmt::format("a spectrum of {} eigenpairs of {} values", options.count, rows));
 }
 
+void draw(const SpectrumArguments& arguments, const Discretization& mesh, const Eigenvalues& answer,
+          const Log& log) {
+    const auto& found = answer.spectrum;
+    PageText text;
+    text.title = fmt::format("{}: eigenfunctions", arguments.mesh.mesh.filename().string());
+    text.facts = {fmt::format("The smallest eigenvalues, in length^-2, of the Laplace-de Rham "
+                              "operator on {} {}-forms, and their modes, of norm 1.",
+                              name(found.side), found.degree),
+                  answer.conditions, in_words(answer.stars)};
+    text.table = {.columns = {"", "eigenvalue", "radius", "residual"}, .below = answer.certified()};
+    std::vector<NamedForm> modes;
+    for (Index i = 0; i < found.eigenvalues.size(); ++i) {
+        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(mesh, found, i),
+                           fmt::format("{} {}-form, eigenvalue {:.10g}", name(found.side),
+                                       found.degree, found.eigenvalues[i]));
+        text.table.rows.push_back({std::to_string(i), fmt::format("{:.12g}", found.eigenvalues[i]),
+                                   fmt::format("{:.2e}", found.radii[i]),
+                                   fmt::format("{:.2e}", found.residuals[i])});
+        text.table.fields.push_back(modes.back().name);
+    }
+    write_picture(arguments.out, mesh, modes, std::move(text), log);
+}
+
 void run_spectrum(SpectrumArguments arguments) {
     Log log;
     const ConditionValues asked(arguments.conditions);
@@ -159,14 +186,14 @@ void run_spectrum(SpectrumArguments arguments) {
             "beside the largest one hides the rest; mind the radii, and improve "
             "cells of extreme shape",
             result.rough.size(), result.rough.front(), result.rough.size() == 1 ? "is" : "are"));
+    use_input_units(result, mesh.unit());
+    const Eigenvalues answer(result, in_words(boundary, mesh.complex(), result.degree),
+                             mesh.chosen_stars(), seconds.count());
     if (!arguments.out.empty()) {
         log.timing.begin("write");
-        write_vtu(arguments.out, draw_modes(mesh, result));
+        draw(arguments, mesh, answer, log);
     }
-    use_input_units(result, mesh.unit());
-    tell(Eigenvalues(result, in_words(boundary, mesh.complex(), result.degree), mesh.chosen_stars(),
-                     seconds.count()),
-         log, arguments.mesh.tell);
+    tell(answer, log, arguments.mesh.tell);
 }
 
 } // namespace
@@ -187,7 +214,7 @@ void add_spectrum(CLI::App& app) {
                    "values 0 (Dirichlet) at boundary facets where this is not 0, of\n"
                    "forms of degree 1 .. n-1 the tangential part; no flow through\n"
                    "the others");
-    command->add_option("-o,--out", arguments->out, "write the modes to this .vtu file");
+    command->add_option("-o,--out", arguments->out, "write the modes to this .vtu or .html file");
     command->add_flag("!--no-certificate", arguments->certify, "do without the proof");
     command->add_option("--engine", arguments->spectrum.linear_solver, "linear solver")
         ->capture_default_str();

@@ -124,12 +124,6 @@ void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string n
 
 namespace {
 
-/// Cells whose corners have points: those of the input where edges were flipped.
-Merging drawn(const Discretization& discretization) {
-    return discretization.passage().is_identity() ? discretization.merging()
-                                                  : unmerged(discretization.input());
-}
-
 /// Rows of the input's vertices where its numbers say, those of vertices of no cell between them.
 Points by_number(const Discretization& mesh, const Points& rows, const Points& others) {
     Points result(rows.rows() + others.rows(), rows.cols());
@@ -154,8 +148,12 @@ Naming numbers_of_input(const Discretization& mesh) {
 
 } // namespace
 
+Merging drawn_cells(const Discretization& mesh) {
+    return mesh.passage().is_identity() ? mesh.merging() : unmerged(mesh.input());
+}
+
 VtuGrid draw_cells(const Discretization& mesh, int k) {
-    const Merging cells = drawn(mesh);
+    const Merging cells = drawn_cells(mesh);
     auto grid = draw(
         cells.merged(), mesh.input_points(), k, [&](Index cell) { return corners(cells, cell); },
         numbers_of_input(mesh));
@@ -163,7 +161,8 @@ VtuGrid draw_cells(const Discretization& mesh, int k) {
     return grid;
 }
 
-void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const Cochain& form) {
+void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const Cochain& form,
+              std::string about) {
     const int k = cell_degree(mesh.complex(), form.side, form.degree);
     check(mesh.complex(), form);
     Cochain shown = form;
@@ -175,7 +174,9 @@ void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const
     }
     if (k == 0)
         shown.values = by_number(mesh, shown.values, Vector::Zero(mesh.isolated().rows()));
-    (k > 0 ? grid.cell_data : grid.point_data).push_back(vtu_array(std::move(name), shown.values));
+    auto& list = k > 0 ? grid.cell_data : grid.point_data;
+    list.push_back(vtu_array(std::move(name), shown.values));
+    list.back().about = std::move(about);
 }
 
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {

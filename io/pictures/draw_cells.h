@@ -34,7 +34,10 @@ void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string n
 /// 1-forms are shown by the primal ones that they are stars of.
 VtuGrid draw_cells(const Discretization& discretization, int k);
 void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
-              const Cochain& form);
+              const Cochain& form, std::string about = {});
+
+/// The cells that these draw: the merged ones, or those of the input where edges were flipped.
+Merging drawn_cells(const Discretization& discretization);
 
 /// The merged 2-cells of a surface as polygons; of a bundle with the numbers and places of the
 /// input, and after intrinsic flips those of draw_overlay.

@@ -8,22 +8,24 @@
 
 namespace polydec {
 
-VtuGrid draw_modes(const Discretization& discretization, const Spectrum& spectrum) {
-    const int k = spectrum.side == Side::primal ? spectrum.degree
-                                                : discretization.dimension() - spectrum.degree;
-    auto grid = draw_cells(discretization, k);
-    // of norm 1 in the units of the input too; stars of k-forms are there unit^(n-2k) times as
-    // large
-    const bool primal = spectrum.side == Side::primal ||
-                        (!discretization.passage().is_identity() && k < discretization.dimension());
-    const double half_power = (discretization.dimension() - 2 * k) / 2.0;
-    for (Index i = 0; i < spectrum.modes.cols(); ++i) {
-        const Vector mode =
+Cochain shown_mode(const Discretization& discretization, const Spectrum& spectrum, Index i) {
+    const int n = discretization.dimension();
+    const int k = cell_degree(discretization.complex(), spectrum.side, spectrum.degree);
+    // stars of k-forms are unit^(n-2k) times as large in the units of the input
+    const bool primal =
+        spectrum.side == Side::primal || (!discretization.passage().is_identity() && k < n);
+    const double half_power = (n - 2 * k) / 2.0;
+    return {spectrum.side, spectrum.degree,
             in_input_units(spectrum.modes.col(i), discretization.unit(),
-                           primal ? -half_power : half_power, fmt::format("mode {}", i));
+                           primal ? -half_power : half_power, fmt::format("mode {}", i))};
+}
+
+VtuGrid draw_modes(const Discretization& discretization, const Spectrum& spectrum) {
+    auto grid = draw_cells(discretization,
+                           cell_degree(discretization.complex(), spectrum.side, spectrum.degree));
+    for (Index i = 0; i < spectrum.modes.cols(); ++i)
         add_form(grid, discretization, fmt::format("mode_{}", i),
-                 {spectrum.side, spectrum.degree, mode});
-    }
+                 shown_mode(discretization, spectrum, i));
     return grid;
 }
 

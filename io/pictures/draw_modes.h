@@ -2,10 +2,14 @@
 #pragma once
 
 #include "dec/discretization.h"
+#include "dec/forms/cochain.h"
 #include "io/pictures/vtu.h"
 #include "solvers/spectra/spectrum.h"
 
 namespace polydec {
+
+/// A mode of a spectrum as a form of norm 1 in the units of the input.
+Cochain shown_mode(const Discretization& discretization, const Spectrum& spectrum, Index i);
 
 /// The modes of a spectrum on the merged cells they live on, as arrays mode_0, mode_1, ..: point
 /// data for forms on vertices, else cell data. Throws like draw_cells.

@@ -289,8 +289,12 @@ VtuArray vtu_array(std::string name, const Eigen::Ref<const DenseMatrix>& values
     return {std::move(name), std::move(numbers), components};
 }
 
-void write_vtu(const std::filesystem::path& path, const VtuGrid& grid) {
+void check_grid(const std::filesystem::path& path, const VtuGrid& grid) {
     Checker(path, grid).check();
+}
+
+void write_vtu(const std::filesystem::path& path, const VtuGrid& grid) {
+    check_grid(path, grid);
     AtomicFile file(path);
     file.write("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
                "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n");

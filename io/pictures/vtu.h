@@ -27,7 +27,8 @@ enum class VtuCell : std::uint8_t {
 struct VtuArray {
     std::string name;
     std::variant<std::vector<double>, std::vector<Index>> values;
-    int components = 1; ///< 1, or 3 for vectors
+    int components = 1;     ///< 1, or 3 for vectors
+    std::string about = {}; ///< what they are, in words with units, for who reads a page
 };
 
 /// What a VTU file holds. Cells are appended with `add_cell` and `add_polyhedron`.
@@ -52,6 +53,9 @@ void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces)
 /// A point or cell array of one number each, or of a vector each: a row of two or three numbers, of
 /// which two get a third that is 0. Throws InvalidInput, naming the array, for other rows.
 VtuArray vtu_array(std::string name, const Eigen::Ref<const DenseMatrix>& values);
+
+/// Throws InvalidInput as write_vtu does, before anything is written to that path.
+void check_grid(const std::filesystem::path& path, const VtuGrid& grid);
 
 /// Writes the grid as VTK's XML UnstructuredGrid (.vtu): binary arrays in base64, inline.
 /// The file appears whole or not at all.

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "io/meshes/vtu_file.h"
+
+#include "io/scanner.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace polydec {
+
+VtuFile::VtuFile(const SourceFile& file) : file_(file), reader_(file) {
+    XmlTag tag;
+    while (!has_appended_ && reader_.next(tag)) {
+        keep_text(tag);
+        if (tag.opens)
+            read_tag(std::move(tag));
+    }
+    if (!has_grid_)
+        reader_.fail("the file has no element VTKFile; expected XML of VTK; check the format");
+}
+
+void VtuFile::read_tag(XmlTag tag) {
+    const auto outer = std::string(outer_element(tag));
+    if (tag.name == "VTKFile")
+        read_file_tag(tag);
+    else if (tag.name == "Piece")
+        read_piece(tag);
+    else if (tag.name == "AppendedData")
+        read_appended(tag);
+    else if (tag.name == "DataArray")
+        keep_array(std::move(tag), outer);
+}
+
+std::string_view VtuFile::outer_element(const XmlTag& tag) const {
+    const auto& path = reader_.path();
+    const std::size_t own = tag.closes ? 0 : 1;
+    return path.size() > own ? path[path.size() - own - 1] : std::string_view();
+}
+
+void VtuFile::read_file_tag(const XmlTag& tag) {
+    const auto type = tag.attribute("type");
+    if (type != "UnstructuredGrid") {
+        reader_.fail(fmt::format("a file of the type {}; expected UnstructuredGrid; convert it, "
+                                 "for instance with ParaView",
+                                 quote_word(type)));
+    }
+    encoding_ = vtu_encoding(tag, reader_);
+    has_grid_ = true;
+}
+
+/// Neighboring pieces repeat the points between them, so that they would come apart.
+void VtuFile::read_piece(const XmlTag& tag) {
+    piece_is_empty_ = tag.attribute("NumberOfCells") == "0";
+    pieces_ += piece_is_empty_ ? 0 : 1;
+    if (pieces_ > 1) {
+        reader_.fail("a second piece of the grid; expected one; merge them into one, for "
+                     "instance with ParaView's filters Merge Blocks and Clean to Grid");
+    }
+}
+
+void VtuFile::read_appended(const XmlTag& tag) {
+    const auto encoding = tag.attribute("encoding", "base64");
+    const auto mark = reader_.rest().find('_');
+    if ((encoding != "raw" && encoding != "base64") || mark == std::string_view::npos) {
+        reader_.fail(fmt::format("AppendedData in the encoding {}; expected raw or base64, and "
+                                 "a _ in front of the data; export it again",
+                                 quote_word(encoding)));
+    }
+    encoding_.appended_is_raw = encoding == "raw";
+    encoding_.appended = reader_.rest().substr(mark + 1);
+    has_appended_ = true;
+}
+
+void VtuFile::keep_array(XmlTag tag, const std::string& outer) {
+    const auto name = tag.attribute("Name");
+    const bool is_of_cells = name == "connectivity" || name == "offsets" || name == "types";
+    const bool is_needed = outer == "Points" || (outer == "Cells" && is_of_cells);
+    if (piece_is_empty_)
+        return;
+    if (is_needed && find(outer, outer == "Points" ? "" : name) != nullptr) {
+        reader_.fail(fmt::format("the array {} is there a second time; expected one; export "
+                                 "it again",
+                                 quote_word(name)));
+    }
+    const bool has_text = !tag.closes;
+    const auto line = tag.line;
+    arrays_.push_back({outer, VtuText{std::move(tag), {}, line}});
+    is_array_open_ = has_text;
+    array_depth_ = reader_.path().size();
+}
+
+/// The text of an array stands in front of its end, or of what it holds besides.
+void VtuFile::keep_text(const XmlTag& tag) {
+    if (!is_array_open_)
+        return;
+    const auto depth = reader_.path().size() + (tag.opens ? 0 : 1) - (tag.closes ? 0 : 1);
+    const bool is_blank = reader_.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
+    if (depth == array_depth_ && !is_blank) {
+        arrays_.back().array.text = reader_.text();
+        arrays_.back().array.text_line = reader_.text_line();
+    }
+    if (tag.name == "DataArray" && tag.closes)
+        is_array_open_ = false;
+}
+
+const VtuText* VtuFile::find(std::string_view section, std::string_view name) const {
+    for (const auto& [outer, array] : arrays_)
+        if (outer == section && (name.empty() || array.name() == name))
+            return &array;
+    return nullptr;
+}
+
+std::vector<double> VtuFile::values(const VtuText* array, const char* name) const {
+    if (array == nullptr) {
+        reader_.fail(fmt::format("the grid has no array {}; expected Points and Cells with "
+                                 "connectivity, offsets and types; export it again",
+                                 name));
+    }
+    return vtu_values(*array, encoding_, file_);
+}
+
+std::vector<double> VtuFile::points() const {
+    const auto* array = find("Points");
+    if (array != nullptr && array->tag.attribute("NumberOfComponents", "3") != "3") {
+        reader_.fail("the points have not three components; expected three, the last may be "
+                     "0; export it again");
+    }
+    return values(array, "of points");
+}
+
+} // namespace polydec

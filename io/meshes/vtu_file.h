@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/meshes/vtu_arrays.h"
+#include "io/source_file.h"
+#include "io/xml_reader.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polydec {
+
+/// The arrays of a .vtu file with one piece, where they stand; read when asked for. Throws
+/// InvalidInput, with the line, where the file does not fit. The file must outlive it.
+class VtuFile {
+public:
+    struct Array {
+        std::string section; ///< Points, Cells, PointData or CellData
+        VtuText array;
+    };
+
+    explicit VtuFile(const SourceFile& file);
+
+    const std::vector<Array>& arrays() const { return arrays_; }
+
+    /// The first array of a section with this name, or any name; null if there is none.
+    const VtuText* find(std::string_view section, std::string_view name = "") const;
+
+    /// Its numbers; refused by this name if it is null. And the coordinates, three a point.
+    std::vector<double> values(const VtuText* array, const char* name) const;
+    std::vector<double> points() const;
+
+    [[noreturn]] void fail(const std::string& text) const { reader_.fail(text); }
+
+private:
+    void read_tag(XmlTag tag);
+    /// The element around the one that this tag opened, and may have closed.
+    std::string_view outer_element(const XmlTag& tag) const;
+    void read_file_tag(const XmlTag& tag);
+    void read_piece(const XmlTag& tag);
+    void read_appended(const XmlTag& tag);
+    void keep_array(XmlTag tag, const std::string& outer);
+    void keep_text(const XmlTag& tag);
+
+    const SourceFile& file_;
+    XmlReader reader_;
+    VtuEncoding encoding_;
+    std::vector<Array> arrays_;
+    std::size_t array_depth_ = 0;
+    bool is_array_open_ = false; ///< the last one
+    bool has_grid_ = false;
+    bool has_appended_ = false;
+    bool piece_is_empty_ = false;
+    int pieces_ = 0;
+};
+
+} // namespace polydec

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The numbers of a page: base64, deflate, and the coding of io/pages/page_data.h.
+
+function bytesOfBase64(text) {
+    const raw = atob(text);
+    const bytes = new Uint8Array(raw.length);
+    for (let i = 0; i < raw.length; ++i)
+        bytes[i] = raw.charCodeAt(i);
+    return bytes;
+}
+
+/** By the browser where it can, else by inflate.js. */
+async function inflated(bytes) {
+    let decompression;
+    try {
+        decompression = new DecompressionStream("deflate-raw");
+    } catch {
+        return inflate(bytes);
+    }
+    const stream = new Blob([bytes]).stream().pipeThrough(decompression);
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** The four bytes of each number, which stand far from each other. */
+function wordsOf(bytes, at, count) {
+    const words = new Uint32Array(count);
+    for (let i = 0; i < count; ++i)
+        words[i] = bytes[at + i] | bytes[at + count + i] << 8 | bytes[at + 2 * count + i] << 16 |
+            bytes[at + 3 * count + i] << 24;
+    return words;
+}
+
+/** From differences with the row before. */
+function sums(words, width) {
+    const numbers = new Int32Array(words.buffer);
+    for (let i = 0; i < words.length; ++i) {
+        const difference = words[i] >>> 1 ^ -(words[i] & 1);
+        numbers[i] = (i < width ? 0 : numbers[i - width]) + difference;
+    }
+    return numbers;
+}
+
+/** An array that the header's directory tells of: Int32Array or Float64Array. */
+function arrayOf(bytes, entry) {
+    const words = wordsOf(bytes, entry.at, entry.count);
+    if (entry.kind === "whole")
+        return sums(words, entry.width);
+    if (entry.kind === "rounded")
+        return Float64Array.from(sums(words, entry.width), n => entry.low + entry.step * n);
+    // in two steps, since the power itself may be no number
+    const half = 2 ** Math.trunc(entry.exponent / 2), rest = 2 ** (entry.exponent -
+        Math.trunc(entry.exponent / 2));
+    return Float64Array.from(new Float32Array(words.buffer), x => x * half * rest);
+}
+
+/** All arrays by name. */
+async function readArrays(header, text) {
+    const bytes = await inflated(bytesOfBase64(text));
+    const arrays = {};
+    for (const [name, entry] of Object.entries(header.arrays))
+        arrays[name] = arrayOf(bytes, entry);
+    return arrays;
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/page.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/fields/sharp.h"
+#include "dec/forms/star.h"
+#include "io/pages/page_header.h"
+#include "io/pages/page_template.h"
+#include "io/pages/page_text.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace polydec {
+
+namespace {
+
+constexpr std::size_t most_bytes = 64 << 20;
+
+std::string table_html(const PageTable& table, const VtuGrid& grid) {
+    if (table.rows.empty())
+        return "";
+    std::map<std::string, std::size_t> numbers;
+    for (const auto* list : {&grid.point_data, &grid.cell_data})
+        for (const auto& array : *list)
+            numbers.emplace(array.name, numbers.size());
+
+    std::string html = "<table id=\"table\"><thead><tr>";
+    for (const auto& column : table.columns)
+        html += fmt::format("<th scope=\"col\">{}</th>", html_text(column));
+    html += "</tr></thead>\n<tbody>\n";
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const auto field = i < table.fields.size() ? numbers.find(table.fields[i]) : numbers.end();
+        html +=
+            field == numbers.end() ? "<tr>" : fmt::format("<tr data-field=\"{}\">", field->second);
+        for (const auto& entry : table.rows[i])
+            html += fmt::format("<td>{}</td>", html_text(entry));
+        html += "</tr>\n";
+    }
+    html += "</tbody></table>\n";
+    if (!table.below.empty())
+        html += fmt::format("<p id=\"certificate\">{}</p>\n", html_text(table.below));
+    return html;
+}
+
+/// Paragraphs in a section with a heading; nothing where there are none.
+std::string section_html(const char* id, const char* heading,
+                         const std::vector<std::string>& paragraphs) {
+    if (paragraphs.empty())
+        return "";
+    std::string html = fmt::format("<section id=\"{}\"><h2>{}</h2>\n", id, heading);
+    for (const auto& paragraph : paragraphs)
+        html +=
+            fmt::format(fmt::runtime(paragraph.find('\n') == std::string::npos ? "<p>{}</p>\n"
+                                                                               : "<pre>{}</pre>\n"),
+                        html_text(paragraph));
+    return html + "</section>\n";
+}
+
+/// The template with each mark {{name}} replaced; what is put in is not looked at again.
+std::string filled(std::string_view text, const std::map<std::string_view, std::string>& parts) {
+    std::string result;
+    for (std::size_t at; (at = text.find("{{")) != std::string_view::npos;) {
+        const auto end = text.find("}}", at);
+        result += text.substr(0, at);
+        result += parts.at(text.substr(at + 2, end - at - 2));
+        text.remove_prefix(end + 2);
+    }
+    return result += text;
+}
+
+} // namespace
+
+void add_arrows(Page& page, const std::string& field, const Discretization& mesh,
+                const Cochain& form) {
+    const int n = mesh.dimension();
+    if (form.degree != 1 || n < 2)
+        return;
+    try {
+        PageArrows arrows{field, mesh.unit() * cell_centroids(mesh, n), {}};
+        if (form.side == Side::primal)
+            arrows.vectors = sharp_pd(mesh, form);
+        else
+            arrows.vectors =
+                flux_sharp(mesh, {Side::primal, n - 1, mesh.stars()[n - 1].solve(form.values)});
+        page.arrows.push_back(std::move(arrows));
+    } catch (const InvalidInput& error) {
+        page.text.warnings.push_back(fmt::format("`{}` has no arrows: {}", field, error.what()));
+    }
+}
+
+std::string to_html(const Page& page) {
+    PageHeader header = page_header(page);
+    const auto& text = page.text;
+    std::string command;
+    if (!text.command.empty())
+        command =
+            fmt::format("<p id=\"command\">Made by <code>{}</code></p>", html_text(text.command));
+    std::string html = filled(page_template("page.html"),
+                              {{"style", std::string(page_template("page.css"))},
+                               {"script", std::string(page_template("page.js"))},
+                               {"title", html_text(text.title)},
+                               {"command", command},
+                               {"still", header.still},
+                               {"warnings", section_html("warnings", "Warnings", text.warnings)},
+                               {"notes", section_html("notes", "About this page", header.notes)},
+                               {"facts", section_html("facts", "What is shown", text.facts)},
+                               {"table", table_html(text.table, page.grid)},
+                               {"header", std::move(header.json)},
+                               {"data", std::move(header.data)}});
+    if (html.size() > most_bytes)
+        throw InvalidInput(
+            fmt::format("the page would take {} MB, more than the {} MB that "
+                        "browsers open well: show fewer fields, or write a .vtu file",
+                        html.size() >> 20, most_bytes >> 20));
+    return html;
+}
+
+void write_page(const std::filesystem::path& path, const Page& page) {
+    const std::string html = to_html(page);
+    AtomicFile file(path);
+    file.write(html);
+    file.commit();
+}
+
+} // namespace polydec

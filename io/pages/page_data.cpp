@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/page_data.h"
+
+#include "io/base64.h"
+#include "io/deflate.h"
+#include "io/number_text.h"
+#include "io/pages/page_text.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+/// Differences from the row before, modulo 2^32; small ones of either sign are small numbers.
+std::vector<std::uint32_t> differences(std::vector<std::uint32_t> numbers, int width) {
+    for (std::size_t i = numbers.size(); i-- > static_cast<std::size_t>(width);) {
+        const std::uint32_t d = numbers[i] - numbers[i - static_cast<std::size_t>(width)];
+        numbers[i] = d << 1 ^ (d >> 31 ? 0xFFFFFFFFU : 0U);
+    }
+    for (std::size_t i = 0; i < std::min(numbers.size(), static_cast<std::size_t>(width)); ++i)
+        numbers[i] = numbers[i] << 1 ^ (numbers[i] >> 31 ? 0xFFFFFFFFU : 0U);
+    return numbers;
+}
+
+std::string number(double value) {
+    std::string text;
+    append_number(text, value);
+    return text;
+}
+
+} // namespace
+
+void PageData::add(std::string_view name, const std::vector<std::uint32_t>& words, int width,
+                   std::string_view more) {
+    if (!directory_.empty())
+        directory_ += ",";
+    directory_ += fmt::format("{}:{{\"at\":{},\"count\":{},\"width\":{}{}}}", json_text(name),
+                              bytes_.size(), words.size(), width, more);
+    bytes_.reserve(bytes_.size() + 4 * words.size());
+    for (unsigned shift = 0; shift < 32; shift += 8)
+        for (const std::uint32_t word : words)
+            bytes_ += static_cast<char>(word >> shift & 255U);
+}
+
+void PageData::add(std::string_view name, std::span<const Index> numbers, int width) {
+    add(name, differences({numbers.begin(), numbers.end()}, width), width, ",\"kind\":\"whole\"");
+}
+
+void PageData::add_floats(std::string_view name, const Eigen::Ref<const DenseMatrix>& rows) {
+    const double largest = rows.size() > 0 ? rows.cwiseAbs().maxCoeff() : 0;
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+    std::vector<std::uint32_t> words;
+    words.reserve(static_cast<std::size_t>(rows.size()));
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+        for (Eigen::Index j = 0; j < rows.cols(); ++j)
+            words.push_back(std::bit_cast<std::uint32_t>(
+                static_cast<float>(std::ldexp(rows(i, j), -exponent))));
+    // a power of two below the least number is told by its exponent
+    add(name, words, static_cast<int>(rows.cols()),
+        fmt::format(",\"kind\":\"float\",\"exponent\":{}", exponent));
+}
+
+void PageData::add_rounded(std::string_view name, const Eigen::Ref<const DenseMatrix>& rows,
+                           int bits) {
+    const double low = rows.size() > 0 ? rows.minCoeff() : 0;
+    const double high = rows.size() > 0 ? rows.maxCoeff() : 0;
+    const double most = std::ldexp(1.0, bits) - 1;
+    const double step = high / most - low / most; // no difference that would be no number
+    std::vector<std::uint32_t> words;
+    words.reserve(static_cast<std::size_t>(rows.size()));
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+        for (Eigen::Index j = 0; j < rows.cols(); ++j)
+            words.push_back(step > 0 ? static_cast<std::uint32_t>(std::min(
+                                           most, std::round(rows(i, j) / step - low / step)))
+                                     : 0);
+    add(name, differences(std::move(words), static_cast<int>(rows.cols())),
+        static_cast<int>(rows.cols()),
+        fmt::format(",\"kind\":\"rounded\",\"low\":{},\"step\":{}", number(low), number(step)));
+}
+
+std::string PageData::text() const {
+    std::string text;
+    Base64Writer writer([&](std::string_view piece) { text += piece; });
+    const std::string stream = deflate(bytes_);
+    writer.write(std::span<const char>(stream));
+    writer.finish();
+    return text;
+}
+
+} // namespace polydec

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/page_faces.h"
+
+#include "meshes/polygons.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+using Ends = std::pair<Index, Index>;
+
+Ends ends_of_side(Index a, Index b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+/// The faces of a tetrahedron, by its corners.
+constexpr std::array<std::array<int, 3>, 4> tetra_faces{
+    {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+
+/// A polygon around a cell.
+struct Ring {
+    std::vector<Index> sorted, corners;
+    Index cell;
+
+    Ring(std::vector<Index> list, Index owner)
+        : sorted(list), corners(std::move(list)), cell(owner) {
+        std::sort(sorted.begin(), sorted.end());
+    }
+};
+
+/// The faces of all 3-cells of a grid, as often as they are met.
+std::vector<Ring> rings_of_solids(const VtuGrid& grid) {
+    std::vector<Ring> rings;
+    std::int64_t begin = 0;
+    std::size_t faces_begin = 0;
+    for (std::size_t cell = 0; cell < grid.types.size(); ++cell) {
+        const auto owner = static_cast<Index>(cell);
+        const auto* corners = grid.corners.data() + begin;
+        if (grid.types[cell] == VtuCell::tetra)
+            for (const auto& [a, b, c] : tetra_faces)
+                rings.push_back({{corners[a], corners[b], corners[c]}, owner});
+        if (grid.types[cell] == VtuCell::polyhedron) {
+            const Index* next = grid.faces.data() + faces_begin;
+            for (Index left = *next++; left > 0; --left) {
+                const Index size = *next++;
+                rings.push_back({{next, next + size}, owner});
+                next += size;
+            }
+        }
+        if (grid.face_offsets[cell] >= 0)
+            faces_begin = static_cast<std::size_t>(grid.face_offsets[cell]);
+        begin = grid.offsets[cell];
+    }
+    return rings;
+}
+
+void add_ring(PageRings& rings, const Index* begin, const Index* end, Index owner, Index other) {
+    rings.corners.insert(rings.corners.end(), begin, end);
+    rings.offsets.push_back(static_cast<Index>(rings.corners.size()));
+    rings.owners.push_back({owner, other});
+}
+
+/// Faces that two solids share are one.
+PageRings shared_rings(std::vector<Ring> all) {
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Ring& a, const Ring& b) { return a.sorted < b.sorted; });
+    PageRings rings;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool shared = i + 1 < all.size() && all[i].sorted == all[i + 1].sorted;
+        const auto& [sorted, corners, cell] = all[i];
+        add_ring(rings, corners.data(), corners.data() + corners.size(), cell,
+                 shared ? all[i + 1].cell : -1);
+        i += shared ? 1 : 0;
+    }
+    return rings;
+}
+
+/// Which sides of the triangles are true edges: those of the ring that they are split from.
+void mark_sides(PageFaces& faces, const PageRings& rings, const std::vector<Index>& ring_of) {
+    std::vector<Ends> sides;
+    Index known = -1;
+    for (Index t = 0; t < faces.size(); ++t) {
+        const Index ring = ring_of[t];
+        if (ring != known) {
+            sides.clear();
+            const Index begin = rings.offsets[ring], end = rings.offsets[ring + 1];
+            for (Index i = begin; i < end; ++i)
+                sides.push_back(
+                    ends_of_side(rings.corners[i], rings.corners[i + 1 < end ? i + 1 : begin]));
+            std::sort(sides.begin(), sides.end());
+            known = ring;
+        }
+        Index bits = 0;
+        for (int i = 0; i < 3; ++i)
+            if (std::binary_search(
+                    sides.begin(), sides.end(),
+                    ends_of_side(faces.corners[3 * t + i], faces.corners[3 * t + (i + 1) % 3])))
+                bits |= PageFaces::edge << 2 * i;
+        faces.sides.push_back(bits);
+    }
+}
+
+/// True edges between polygons of one group were merged away.
+void mark_removed(PageFaces& faces, const std::vector<Index>& groups) {
+    std::vector<std::tuple<Ends, Index, Index>> sides; // ends, group, number of the side
+    for (Index i = 0; i < 3 * faces.size(); ++i)
+        if ((faces.sides[i / 3] >> 2 * (i % 3) & 3) == PageFaces::edge)
+            sides.emplace_back(
+                ends_of_side(faces.corners[i], faces.corners[i % 3 < 2 ? i + 1 : i - 2]),
+                groups[faces.owners[i / 3][0]], i);
+    std::sort(sides.begin(), sides.end());
+    const auto is_same = [](const auto& a, const auto& b) {
+        return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
+    };
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+        if (is_same(sides[i], sides[i + 1]))
+            for (const auto& side : {sides[i], sides[i + 1]}) {
+                const Index number = std::get<2>(side);
+                Index& bits = faces.sides[number / 3];
+                bits &= ~(3 << 2 * (number % 3));
+                bits |= PageFaces::removed << 2 * (number % 3);
+            }
+}
+
+void add_lines(PageFaces& faces, const VtuGrid& grid) {
+    std::int64_t begin = 0;
+    for (std::size_t cell = 0; cell < grid.types.size(); begin = grid.offsets[cell++])
+        if (grid.types[cell] == VtuCell::line) {
+            faces.lines.insert(faces.lines.end(), {grid.corners[begin], grid.corners[begin + 1]});
+            faces.owners.push_back({static_cast<Index>(cell), -1});
+        }
+}
+
+/// The 3-cells on both sides of each 2-cell.
+std::vector<std::array<Index, 2>> cells_at_faces(const CellComplex& complex) {
+    std::vector<std::array<Index, 2>> owners(static_cast<std::size_t>(complex.size(2)), {-1, -1});
+    for (Index cell = 0; cell < complex.size(3); ++cell)
+        for (const SignedFace& f : complex.incidences(2)[cell]) {
+            auto& both = owners[f.face];
+            both[both[0] < 0 ? 0 : 1] = cell;
+        }
+    return owners;
+}
+
+/// The pieces of a curve.
+void add_pieces_of_curve(PageFaces& faces, const Merging& merging) {
+    const auto& K = merging.pieces();
+    for (Index s = 0; s < K.size(1); ++s) {
+        for (const int end : {0, 1})
+            faces.lines.push_back(K.vertex_number(K.simplices(1)(s, end)));
+        faces.owners.push_back({merging.carriers(1)[s].cell, -1});
+    }
+}
+
+} // namespace
+
+int cell_dimension(VtuCell type) {
+    switch (type) {
+    case VtuCell::vertex:
+        return 0;
+    case VtuCell::line:
+        return 1;
+    case VtuCell::triangle:
+    case VtuCell::polygon:
+    case VtuCell::quad:
+        return 2;
+    case VtuCell::tetra:
+    case VtuCell::polyhedron:
+        return 3;
+    }
+    return 0;
+}
+
+int grid_dimension(const VtuGrid& grid) {
+    int dimension = 0;
+    for (const VtuCell type : grid.types)
+        dimension = std::max(dimension, cell_dimension(type));
+    return dimension;
+}
+
+PageRings page_rings(const VtuGrid& grid) {
+    if (grid_dimension(grid) > 2)
+        return shared_rings(rings_of_solids(grid));
+    PageRings rings;
+    std::int64_t begin = 0;
+    for (std::size_t cell = 0; cell < grid.types.size(); begin = grid.offsets[cell++])
+        if (cell_dimension(grid.types[cell]) == 2)
+            add_ring(rings, grid.corners.data() + begin, grid.corners.data() + grid.offsets[cell],
+                     static_cast<Index>(cell), -1);
+    return rings;
+}
+
+PageFaces page_faces(const VtuGrid& grid, const std::vector<Index>& groups) {
+    PageFaces faces;
+    faces.dimension = grid_dimension(grid);
+    if (faces.dimension < 2) {
+        add_lines(faces, grid);
+        return faces;
+    }
+    const PageRings rings = page_rings(grid);
+    std::vector<Index> numbers(rings.owners.size());
+    for (std::size_t ring = 0; ring < numbers.size(); ++ring)
+        numbers[ring] = static_cast<Index>(ring);
+    const Mesh split =
+        split_polygons({grid.points, rings.corners, rings.offsets, std::move(numbers)});
+    faces.corners.assign(split.simplices.data(), split.simplices.data() + split.simplices.size());
+    for (const Index ring : split.tags)
+        faces.owners.push_back(rings.owners[ring]);
+    mark_sides(faces, rings, split.tags);
+    if (!groups.empty())
+        mark_removed(faces, groups);
+    return faces;
+}
+
+PageFaces page_faces(const Merging& merging) {
+    const auto& K = merging.pieces();
+    const auto& P = merging.merged();
+    PageFaces faces;
+    faces.dimension = P.dimension();
+    if (faces.dimension < 2) {
+        add_pieces_of_curve(faces, merging);
+        return faces;
+    }
+    const auto owners = cells_at_faces(P);
+    const auto &edges = merging.carriers(1), &triangles = merging.carriers(2);
+    for (Index s = 0; s < K.size(2); ++s) {
+        const auto [dimension, face] = triangles[s];
+        if (dimension > 2)
+            continue; // within a merged solid
+        faces.owners.push_back(faces.dimension > 2 ? owners[face] : std::array<Index, 2>{face, -1});
+        faces.faces.push_back(face);
+        Index bits = 0;
+        for (int i = 0; i < 3; ++i) {
+            const auto& carrier = edges[K.face(2, s, (i + 2) % 3)];
+            const bool is_edge = carrier.dimension == 1;
+            bits |= (is_edge ? PageFaces::edge : PageFaces::removed) << 2 * i;
+            faces.edges.push_back(is_edge ? carrier.cell : -1);
+            faces.corners.push_back(K.vertex_number(K.simplices(2)(s, i)));
+        }
+        faces.sides.push_back(bits);
+    }
+    return faces;
+}
+
+} // namespace polydec

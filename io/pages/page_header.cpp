@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/page_header.h"
+
+#include "base/errors.h"
+#include "dec/fields/cell_centers.h"
+#include "io/number_text.h"
+#include "io/pages/page_data.h"
+#include "io/pages/page_faces.h"
+#include "io/pages/page_text.h"
+#include "io/pages/still_picture.h"
+#include "io/pictures/draw_cells.h"
+#include "io/pictures/draw_solid.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+constexpr Index most_dual_cells = 200000;
+constexpr Index most_arrows = 4000;
+constexpr Index most_triangles = 8000000; ///< what textures hold everywhere
+constexpr std::size_t most_exact_values = 600000;
+constexpr Eigen::Index most_exact_points = 100000;
+
+std::string number(double value) {
+    std::string text;
+    append_number(text, value);
+    return text;
+}
+
+DenseMatrix rows_of(const VtuArray& array) {
+    return std::visit(
+        [&](const auto& values) {
+            const auto width = array.components;
+            DenseMatrix rows(static_cast<Eigen::Index>(values.size()) / width, width);
+            for (Eigen::Index i = 0; i < rows.size(); ++i)
+                rows(i / width, i % width) =
+                    static_cast<double>(values[static_cast<std::size_t>(i)]);
+            return rows;
+        },
+        array.values);
+}
+
+std::size_t size_of(const VtuArray& array) {
+    return std::visit([](const auto& values) { return values.size(); }, array.values);
+}
+
+/// Makes the header, part after part.
+class Maker {
+public:
+    explicit Maker(const Page& page) : page_(page) {
+        check_grid("a page", page.grid);
+        const int degree = grid_dimension(page.grid);
+        if (page.mesh && degree < page.mesh->dimension())
+            own_ = draw_cells(*page.mesh, 0);
+        faces_ =
+            page.mesh ? page_faces(drawn_cells(*page.mesh)) : page_faces(page.grid, page.groups);
+        const char* const places[] = {"vertex", "edge", "face", "cell"};
+        place_ = degree == faces_.dimension ? "cell" : places[degree];
+    }
+
+    PageHeader make() {
+        if (faces_.size() > most_triangles || page_.grid.points.rows() > most_triangles)
+            throw InvalidInput(fmt::format("a page of {} triangles and {} points cannot be shown: "
+                                           "it holds {} of each; write a .vtu file",
+                                           faces_.size(), page_.grid.points.rows(),
+                                           most_triangles));
+        add_points();
+        add_faces();
+        add_fields();
+        add_arrows_of_fields();
+        add_dual();
+        PageHeader header;
+        header.json = fmt::format(
+            "{{\"dimension\":{},\"cells\":{},\"points\":{},\"origin\":{},\"maps\":{},"
+            "\"fields\":{},\"shown\":{},\"steps\":{},\"arrows\":{},\"arrays\":{}}}",
+            faces_.dimension, cells().types.size(), page_.grid.points.rows(),
+            json_array({number(origin_[0]), number(origin_[1]), number(origin_[2])}), maps(),
+            json_array(fields_), shown_, steps(), json_array(arrows_), data_.directory());
+        header.data = data_.text();
+        header.still = still_picture(cells(), faces_, first());
+        header.notes = std::move(notes_);
+        return header;
+    }
+
+private:
+    const VtuGrid& cells() const { return own_ ? *own_ : page_.grid; }
+
+    /// The array that is seen first, if it is one that the still picture can show.
+    const VtuArray* first() const {
+        for (const auto& array : page_.grid.point_data)
+            if (array.name == page_.shown && !own_)
+                return &array;
+        for (const auto& array : page_.grid.cell_data)
+            if (array.name == page_.shown && !own_)
+                return &array;
+        return nullptr;
+    }
+
+    static std::string maps() {
+        constexpr int steps = 30; // of which both maps have their corners among them
+        std::vector<std::string> sequential, diverging;
+        for (int i = 0; i <= steps; ++i) {
+            const double t = static_cast<double>(i) / steps;
+            sequential.push_back(json_text(color_at(ColorMap::sequential, t)));
+            diverging.push_back(json_text(color_at(ColorMap::diverging, t)));
+        }
+        return fmt::format("{{\"sequential\":{},\"diverging\":{}}}", json_array(sequential),
+                           json_array(diverging));
+    }
+
+    /// Rows of three coordinates around the middle of the extent.
+    Points centered(const Points& points) const {
+        Points result = Points::Zero(points.rows(), 3);
+        for (Eigen::Index c = 0; c < points.cols(); ++c)
+            result.col(c) = points.col(c).array() - origin_[c];
+        return result;
+    }
+
+    void add_points() {
+        const auto& points = page_.grid.points;
+        for (Eigen::Index c = 0; c < points.cols() && points.rows() > 0; ++c)
+            origin_[c] = points.col(c).minCoeff() / 2 + points.col(c).maxCoeff() / 2;
+        const bool many = points.rows() > most_exact_points;
+        data_.add_rounded("points", centered(points), many ? 18 : 24);
+    }
+
+    void add_faces() {
+        if (faces_.dimension < 2) {
+            std::vector<Index> owners;
+            for (const auto& [cell, other] : faces_.owners)
+                owners.push_back(cell);
+            data_.add("lines", faces_.lines, 2);
+            data_.add("line_cells", owners, 1);
+            return;
+        }
+        std::vector<Index> owners;
+        for (const auto& [cell, other] : faces_.owners) {
+            owners.push_back(cell);
+            if (faces_.dimension > 2)
+                owners.push_back(other);
+        }
+        data_.add("corners", faces_.corners, 3);
+        data_.add("owners", owners, faces_.dimension > 2 ? 2 : 1);
+        data_.add("sides", faces_.sides, 1);
+        if (place_ == "edge")
+            data_.add("edges", faces_.edges, 3);
+        if (place_ == "face")
+            data_.add("faces", faces_.faces, 1);
+    }
+
+    void add_fields() {
+        std::size_t values = 0;
+        for (const auto* list : {&page_.grid.point_data, &page_.grid.cell_data})
+            for (const auto& array : *list)
+                values += size_of(array);
+        is_rounded_ = values * std::max<std::size_t>(1, page_.steps.size()) > most_exact_values;
+        add_list(page_.grid.point_data, "vertex", &PageStep::point_data);
+        add_list(page_.grid.cell_data, place_.c_str(), &PageStep::cell_data);
+        if (is_rounded_ && !fields_.empty())
+            notes_.push_back("values are rounded to 1/65535 of their range, since there are many");
+    }
+
+    void add_list(const std::vector<VtuArray>& list, const char* place,
+                  std::vector<VtuArray> PageStep::*of_step) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const auto& array = list[i];
+            if (array.name == page_.shown)
+                shown_ = static_cast<int>(fields_.size());
+            const auto field = fields_.size();
+            fields_.push_back(fmt::format(
+                "{{\"name\":{},\"about\":{},\"place\":\"{}\",\"components\":{}}}",
+                json_text(array.name), json_text(array.about), place, array.components));
+            if (page_.steps.empty())
+                add_values(fmt::format("f{}", field), array);
+            for (std::size_t s = 0; s < page_.steps.size(); ++s) {
+                const auto& later = page_.steps[s].*of_step;
+                if (later.size() != list.size() || later[i].name != array.name ||
+                    later[i].components != array.components || size_of(later[i]) != size_of(array))
+                    throw InvalidInput(fmt::format("step {} of a page has not the arrays of the "
+                                                   "others: expected the same names and sizes",
+                                                   s));
+                add_values(fmt::format("f{}.{}", field, s), later[i]);
+            }
+        }
+    }
+
+    void add_values(const std::string& name, const VtuArray& array) {
+        if (const auto* whole = std::get_if<std::vector<Index>>(&array.values))
+            return data_.add(name, *whole, array.components);
+        if (is_rounded_)
+            data_.add_rounded(name, rows_of(array), 16);
+        else
+            data_.add_floats(name, rows_of(array));
+    }
+
+    std::string steps() const {
+        std::vector<std::string> times;
+        for (const auto& step : page_.steps)
+            times.push_back(json_text(step.time));
+        return json_array(times);
+    }
+
+    void add_arrows_of_fields() {
+        for (const auto& arrows : page_.arrows) {
+            if (arrows.sites.rows() != arrows.vectors.rows())
+                throw InvalidInput(fmt::format("{} vectors stand at {} sites of the arrows `{}`: "
+                                               "expected as many",
+                                               arrows.vectors.rows(), arrows.sites.rows(),
+                                               arrows.field));
+            const Index rows = static_cast<Index>(arrows.sites.rows());
+            const Index stride = 1 + (rows - 1) / most_arrows;
+            Points sites((rows + stride - 1) / stride, arrows.sites.cols());
+            Points vectors = Points::Zero(sites.rows(), 3);
+            for (Index i = 0; i < rows; i += stride) {
+                sites.row(i / stride) = arrows.sites.row(i);
+                vectors.row(i / stride).head(arrows.vectors.cols()) = arrows.vectors.row(i);
+            }
+            const auto i = arrows_.size();
+            data_.add_floats(fmt::format("sites{}", i), centered(sites));
+            data_.add_floats(fmt::format("vectors{}", i), vectors);
+            arrows_.push_back(
+                fmt::format("{{\"field\":{},\"stride\":{}}}", json_text(arrows.field), stride));
+        }
+    }
+
+    /// From the center of each cell to those of its facets.
+    void add_dual() {
+        if (!page_.mesh)
+            return;
+        const auto& mesh = *page_.mesh;
+        const int n = mesh.dimension();
+        if (!mesh.passage().is_identity() || mesh.complex().size(n) > most_dual_cells) {
+            notes_.push_back(mesh.passage().is_identity()
+                                 ? fmt::format("the dual mesh is left out: there are more than {} "
+                                               "cells",
+                                               most_dual_cells)
+                                 : "edges were flipped: fields are shown on the input's cells, and "
+                                   "the dual mesh is left out");
+            return;
+        }
+        const Points cells = cell_centers(mesh, n), facets = cell_centers(mesh, n - 1);
+        Points both(cells.rows() + facets.rows(), cells.cols());
+        both << cells, facets;
+        std::vector<Index> lines;
+        for (Index cell = 0; cell < mesh.complex().size(n); ++cell)
+            for (const SignedFace& f : mesh.complex().incidences(n - 1)[cell]) {
+                lines.push_back(cell);
+                lines.push_back(static_cast<Index>(cells.rows()) + f.face);
+            }
+        data_.add_floats("dual_points", centered(mesh.unit() * both));
+        data_.add("dual_lines", lines, 2);
+    }
+
+    const Page& page_;
+    std::optional<VtuGrid> own_; ///< top cells, if the grid has others
+    PageFaces faces_;
+    std::string place_; ///< where values of cells of the grid are
+    std::array<double, 3> origin_{};
+    PageData data_;
+    std::vector<std::string> fields_, arrows_, notes_;
+    int shown_ = -1;
+    bool is_rounded_ = false;
+};
+
+} // namespace
+
+PageHeader page_header(const Page& page) {
+    return Maker(page).make();
+}
+
+} // namespace polydec

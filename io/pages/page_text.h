@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polydec {
+
+/// Text as it stands in HTML, between tags or in quotes: what marks do in it, and what would turn
+/// the direction of writing, is shown and not done.
+std::string html_text(std::string_view text);
+
+/// Text as JSON that may stand in an element `script`: in quotes, without < > &.
+std::string json_text(std::string_view text);
+
+/// A JSON array of values that are JSON.
+std::string json_array(const std::vector<std::string>& values);
+
+} // namespace polydec

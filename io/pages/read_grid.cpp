@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/read_grid.h"
+
+#include "base/errors.h"
+#include "io/meshes/readers.h"
+#include "io/meshes/vtu_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+/// The faces of the solids that become polyhedra, by their corners.
+using FaceList = std::vector<std::vector<int>>;
+const FaceList voxel_faces{{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                           {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+const FaceList hexahedron_faces{{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+const FaceList wedge_faces{{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+const FaceList pyramid_faces{{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+
+class GridReader {
+public:
+    explicit GridReader(const SourceFile& source) : vtu_(source) {
+        grid_.points = points_from(vtu_.points());
+        corners_ = whole(vtu_.values(vtu_.find("Cells", "connectivity"), "connectivity"));
+        ends_ = whole(vtu_.values(vtu_.find("Cells", "offsets"), "offsets"));
+        types_ = whole(vtu_.values(vtu_.find("Cells", "types"), "types"));
+        if (ends_.size() != types_.size())
+            vtu_.fail("there are not as many offsets as types; export it again");
+        if (const auto* faces = vtu_.find("Cells", "faces"))
+            faces_ = whole(vtu_.values(faces, "faces"));
+        if (const auto* ends = vtu_.find("Cells", "faceoffsets"))
+            face_ends_ = whole(vtu_.values(ends, "faceoffsets"));
+    }
+
+    VtuGrid read() {
+        Index begin = 0, faces_begin = 0;
+        for (std::size_t cell = 0; cell < types_.size(); begin = ends_[cell++]) {
+            if (ends_[cell] < begin || ends_[cell] > static_cast<Index>(corners_.size()))
+                refuse(cell, "has corners that are not there");
+            const std::vector<Index> corners(corners_.begin() + begin,
+                                             corners_.begin() + ends_[cell]);
+            if (types_[cell] == 42)
+                faces_begin = add_faces(cell, faces_begin);
+            else
+                add(cell, corners);
+        }
+        read_arrays();
+        return std::move(grid_);
+    }
+
+private:
+    [[noreturn]] void refuse(std::size_t cell, const std::string& what) const {
+        vtu_.fail(
+            fmt::format("cell {} of VTK's type {} {}; export it again", cell, types_[cell], what));
+    }
+
+    std::vector<Index> whole(const std::vector<double>& numbers) const {
+        std::vector<Index> result;
+        result.reserve(numbers.size());
+        for (const double number : numbers) {
+            if (!(std::abs(number) <= std::numeric_limits<Index>::max()) ||
+                number != std::floor(number))
+                vtu_.fail(fmt::format("{} among numbers of cells; expected whole ones", number));
+            result.push_back(static_cast<Index>(number));
+        }
+        return result;
+    }
+
+    void add(std::size_t cell, const std::vector<Index>& corners) {
+        switch (types_[cell]) {
+        case 1:
+        case 3:
+        case 5:
+        case 7:
+        case 9:
+        case 10:
+            return add_cell(grid_, static_cast<VtuCell>(types_[cell]), corners);
+        case 8:
+            if (corners.size() == 4)
+                return add_cell(grid_, VtuCell::quad,
+                                std::array{corners[0], corners[1], corners[3], corners[2]});
+            break;
+        case 11:
+            return add_solid(cell, corners, voxel_faces, 8);
+        case 12:
+            return add_solid(cell, corners, hexahedron_faces, 8);
+        case 13:
+            return add_solid(cell, corners, wedge_faces, 6);
+        case 14:
+            return add_solid(cell, corners, pyramid_faces, 5);
+        default:
+            break;
+        }
+        refuse(cell, "is none that a page shows");
+    }
+
+    void add_solid(std::size_t cell, const std::vector<Index>& corners, const FaceList& list,
+                   std::size_t expected) {
+        if (corners.size() != expected)
+            refuse(cell, fmt::format("has {} corners", corners.size()));
+        std::vector<std::vector<Index>> faces;
+        for (const auto& face : list) {
+            faces.emplace_back();
+            for (const int corner : face)
+                faces.back().push_back(corners[static_cast<std::size_t>(corner)]);
+        }
+        add_polyhedron(grid_, faces);
+    }
+
+    /// Returns where the faces of the cell end.
+    Index add_faces(std::size_t cell, Index begin) {
+        const Index end = cell < face_ends_.size() ? face_ends_[cell] : -1;
+        if (end <= begin || end > static_cast<Index>(faces_.size()))
+            refuse(cell, "has faces that are not there");
+        std::vector<std::vector<Index>> faces;
+        for (Index at = begin + 1; at < end;) {
+            const Index size = faces_[at++];
+            if (size < 3 || size > end - at)
+                refuse(cell, "has faces that are not there");
+            faces.emplace_back(faces_.begin() + at, faces_.begin() + at + size);
+            at += size;
+        }
+        add_polyhedron(grid_, faces);
+        return end;
+    }
+
+    void read_arrays() {
+        for (const auto& [section, array] : vtu_.arrays()) {
+            const std::string count = array.tag.attribute("NumberOfComponents", "1");
+            if ((section != "PointData" && section != "CellData") || (count != "1" && count != "3"))
+                continue;
+            auto& list = section == "PointData" ? grid_.point_data : grid_.cell_data;
+            list.push_back({array.name(), vtu_.values(&array, "of values"), count == "3" ? 3 : 1});
+        }
+    }
+
+    VtuFile vtu_;
+    VtuGrid grid_;
+    std::vector<Index> corners_, ends_, types_, faces_, face_ends_;
+};
+
+/// The files that a series lists, with their times.
+std::vector<std::pair<std::string, std::string>> listed(const SourceFile& source) {
+    XmlReader reader(source);
+    XmlTag tag;
+    std::vector<std::pair<std::string, std::string>> files;
+    while (reader.next(tag))
+        if (tag.opens && tag.name == "DataSet") {
+            files.emplace_back(tag.attribute("timestep", std::to_string(files.size())),
+                               tag.attribute("file"));
+            if (tag.attribute("part", "0") != "0")
+                reader.fail("a second part of a step; expected one; merge them into one");
+        }
+    if (files.empty())
+        reader.fail("the series lists no files; expected elements DataSet");
+    return files;
+}
+
+} // namespace
+
+VtuGrid read_grid(const std::filesystem::path& path) {
+    const SourceFile source = read_source_file(path);
+    return GridReader(source).read();
+}
+
+Page read_series(const std::filesystem::path& path) {
+    Page page;
+    for (const auto& [time, file] : listed(read_source_file(path))) {
+        VtuGrid grid = read_grid(path.parent_path() / file);
+        page.steps.push_back({time, grid.point_data, grid.cell_data});
+        if (page.steps.size() == 1)
+            page.grid = std::move(grid);
+        else if (grid.corners != page.grid.corners || grid.points != page.grid.points)
+            throw InvalidInput(fmt::format("{}: the cells or points of {} are not those of the "
+                                           "first file; expected the same in all",
+                                           path.string(), file),
+                               {.path = path});
+    }
+    return page;
+}
+
+} // namespace polydec

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/pages/page.h"
+
+#include <filesystem>
+
+namespace polydec {
+
+/// The cells and all arrays of one or three components of a .vtu file, as they stand there; cells
+/// of VTK's types that VtuGrid lacks are refused, but hexahedra, wedges and pyramids, which become
+/// polyhedra. Reads what read_mesh reads of such files, and polyhedra.
+/// Throws InvalidInput, naming the file; IoError if it cannot be read.
+VtuGrid read_grid(const std::filesystem::path& path);
+
+/// The grids of a .pvd file, which lists .vtu files with times: cells and points of the first one,
+/// and a step for each. Throws like read_grid, and if the files have not the same arrays, or more
+/// than one part.
+Page read_series(const std::filesystem::path& path);
+
+} // namespace polydec

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// The mesh as it is drawn: around the origin, of radius 1.
+
+class Scene {
+    constructor(header, arrays) {
+        this.header = header;
+        this.arrays = arrays;
+        this.isSolid = header.dimension === 3;
+        this.isCurve = header.dimension < 2;
+        this.size = this.isCurve ? arrays.line_cells.length : arrays.sides.length;
+        this.extent = arrays.points.reduce((most, x) => Math.max(most, Math.abs(x)), 0) || 1;
+        this.radius = 1;
+        this.radius = this.farthest(this.places(arrays.points)) || 1;
+        this.points = this.places(arrays.points);
+        this.isFlat = this.points.every((x, i) => i % 3 < 2 || x === 0);
+        this.centers = this.isCurve ? new Float64Array(3) : this.cellCenters();
+    }
+
+    /** Places of the file, less its origin, in the scene. */
+    places(numbers) {
+        return Float64Array.from(numbers, x => x / this.extent / this.radius);
+    }
+
+    /** And back: coordinates of the file. */
+    original(p) {
+        return p.map((x, i) => this.header.origin[i] + x * this.extent * this.radius);
+    }
+
+    farthest(points) {
+        let most = 0;
+        for (let i = 0; i < points.length; i += 3)
+            most = Math.max(most, points[i] ** 2 + points[i + 1] ** 2 + points[i + 2] ** 2);
+        return Math.sqrt(most);
+    }
+
+    point(v) {
+        return [this.points[3 * v], this.points[3 * v + 1], this.points[3 * v + 2]];
+    }
+
+    corners(t) {
+        return this.arrays.corners.subarray(3 * t, 3 * t + 3);
+    }
+
+    /** The cells at a triangle, one or two; -1: none. */
+    owners(t) {
+        const owners = this.arrays.owners;
+        return this.isSolid ? [owners[2 * t], owners[2 * t + 1]] : [owners[t], -1];
+    }
+
+    /** Of each cell the mean of the corners of its triangles. */
+    cellCenters() {
+        const sums = new Float64Array(3 * this.header.cells), counts = new Float64Array(this.header.cells);
+        for (let t = 0; t < this.size; ++t)
+            for (const cell of this.owners(t)) {
+                if (cell < 0)
+                    continue;
+                counts[cell] += 3;
+                for (const v of this.corners(t))
+                    for (let i = 0; i < 3; ++i)
+                        sums[3 * cell + i] += this.points[3 * v + i];
+            }
+        return sums.map((x, i) => x / (counts[Math.floor(i / 3)] || 1));
+    }
+
+    center(cell) {
+        return [0, 1, 2].map(i => this.centers[3 * cell + i]);
+    }
+
+    /** The vertices at the true edges of a cell, ascending; linear time. */
+    vertices(cell) {
+        const found = new Set();
+        for (let t = 0; t < this.size; ++t) {
+            if (!this.owners(t).includes(cell))
+                continue;
+            for (let s = 0; s < 3; ++s)
+                if ((this.arrays.sides[t] >> 2 * s & 3) === 1) {
+                    found.add(this.corners(t)[s]);
+                    found.add(this.corners(t)[(s + 1) % 3]);
+                }
+        }
+        return [...found].sort((a, b) => a - b);
+    }
+
+    /** Lines as the shader reads them: both ends, each with a number beside it. */
+    lineTexels(count, ends) {
+        const texels = new Float32Array(8 * count);
+        for (let i = 0; i < count; ++i)
+            texels.set(ends(i).flat(), 8 * i);
+        return texels;
+    }
+
+    dualLines() {
+        const {dual_points: points, dual_lines: lines} = this.arrays;
+        const places = this.places(points);
+        const place = v => [places[3 * v], places[3 * v + 1], places[3 * v + 2]];
+        return this.lineTexels(lines.length / 2, i => [
+            [...place(lines[2 * i]), 0], [...place(lines[2 * i + 1]), lines[2 * i]]]);
+    }
+
+    curveLines(field, values) {
+        const {lines, line_cells: cells} = this.arrays;
+        const value = (v, i) => !field ? 0 : values[field.place === "vertex" ? v : cells[i]];
+        return this.lineTexels(lines.length / 2, i => [0, 1].map(end => [
+            ...this.point(lines[2 * i + end]), value(lines[2 * i + end], i)]));
+    }
+
+    /** Arrows of a field, or none: of its own vectors, or of those that come with it. */
+    arrowLines(field, step) {
+        if (!field)
+            return null;
+        const given = this.header.arrows.findIndex(each => each.field === field.name);
+        if (given >= 0)
+            return this.arrowTexels(this.places(this.arrays[`sites${given}`]),
+                this.arrays[`vectors${given}`], 1);
+        if (field.components < 3)
+            return null;
+        const sites = field.place === "vertex" ? this.points : this.centers;
+        const count = sites.length / 3;
+        return this.arrowTexels(sites, field.rows[step], Math.ceil(count / 4000));
+    }
+
+    /** As long as the places are apart, the longest one. */
+    arrowTexels(sites, vectors, stride) {
+        const count = Math.ceil(sites.length / 3 / stride);
+        let most = 0;
+        for (let i = 0; i < vectors.length; i += 3)
+            most = Math.max(most, Math.hypot(vectors[i], vectors[i + 1], vectors[i + 2]));
+        const length = 2.4 / Math.sqrt(this.isSolid ? count ** (2 / 3) : count) / (most || 1);
+        return this.lineTexels(count, i => [0, 1].map(end => [0, 1, 2].map(c =>
+            end ? vectors[3 * stride * i + c] * length : sites[3 * stride * i + c]).concat(0)));
+    }
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "base/printable.h"
+#include "io/pages/read_grid.h"
+#include "io/source_file.h"
+#include "tools/commands.h"
+#include "tools/common.h"
+#include "tools/outputs.h"
+#include "tools/picture.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct ViewArguments {
+    MeshArguments mesh;
+    std::filesystem::path out;
+};
+
+struct Viewed : Answer {
+    std::string out;
+    std::uintmax_t bytes = 0;
+    std::size_t cells = 0, fields = 0;
+
+    void write(JsonWriter& json) const override {
+        json.member("out", out);
+        json.member("bytes", bytes);
+        json.member("cells", cells);
+        json.member("fields", fields);
+    }
+
+    void write(Text& text) const override { text("{}\n", printable(out)); }
+};
+
+/// What a file with results shows: the arrays that it has.
+Page page_of_results(const std::filesystem::path& file) {
+    Page page;
+    if (lower_extension(file) == ".pvd")
+        page = read_series(file);
+    else
+        page.grid = read_grid(file);
+    for (auto* list : {&page.grid.point_data, &page.grid.cell_data})
+        for (auto& array : *list)
+            if (page.shown.empty())
+                page.shown = array.name;
+    page.text.facts = {fmt::format("{} cells and {} points, as they stand in the file.",
+                                   page.grid.types.size(), page.grid.points.rows())};
+    return page;
+}
+
+void run_view(ViewArguments arguments) {
+    Log log;
+    const auto& file = arguments.mesh.mesh;
+    if (arguments.out.empty())
+        arguments.out = file.stem().string() + ".html";
+    check_output_file(arguments.out, {".html"}, mesh_files(file));
+    const std::string extension = lower_extension(file);
+    Page page;
+    if (extension == ".vtu" || extension == ".pvd") {
+        log.timing.begin("read");
+        page = page_of_results(file);
+    } else {
+        const Discretization mesh = load(arguments.mesh, log);
+        check_drawable(mesh);
+        page = page_of_cells(arguments.out, mesh, file);
+    }
+    page.text.title = file.filename().string();
+    log.timing.begin("write");
+    Viewed answer;
+    answer.out = arguments.out.string();
+    answer.cells = page.grid.types.size();
+    answer.fields = page.grid.point_data.size() + page.grid.cell_data.size();
+    write_picture(arguments.out, std::move(page), log);
+    answer.bytes = std::filesystem::file_size(arguments.out);
+    tell(answer, log, arguments.mesh.tell);
+}
+
+} // namespace
+
+void add_view(CLI::App& app) {
+    auto* command = app.add_subcommand("view", "writes a page that shows a mesh or results");
+    const auto arguments = std::make_shared<ViewArguments>();
+    add_mesh_arguments(*command, arguments->mesh);
+    command->add_option("-o,--out", arguments->out,
+                        "the page, .html (default: the mesh's name with that\n"
+                        "extension, in this folder)");
+    command->footer("The page is one file that every browser opens, without a network. Meshes are "
+                    "merged as by\nthe other commands; .vtu files, and .pvd files that list them "
+                    "with times, are shown as they\nare, with all their fields. Every option "
+                    "-o NAME.vtu writes such a page as -o NAME.html.\n\nExamples:\n"
+                    "  polydec view fandisk.off\n"
+                    "  polydec view cubes.nsc -o cubes-page.html\n"
+                    "  polydec view modes.vtu\n"
+                    "  polydec view heat.pvd -o heat.html");
+    command->callback([arguments] { run_view(*arguments); });
+}
+
+} // namespace polydec::tools
