@@ -197,7 +197,7 @@ class Renderer {
 
     drawFaces(all, look) {
         const {gl, scene} = this;
-        this.use("faces", {...all, ...look, solid: scene.isSolid,
+        this.use("faces", {...look, ...all, solid: scene.isSolid,
             place: this.field ? places[this.field.place] : 0});
         gl.drawArrays(gl.TRIANGLES, 0, 3 * scene.size);
     }
