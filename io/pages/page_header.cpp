@@ -75,9 +75,9 @@ public:
         add_dual();
         PageHeader header;
         header.json = fmt::format(
-            "{{\"dimension\":{},\"cells\":{},\"points\":{},\"origin\":{},\"maps\":{},"
+            "{{\"dimension\":{},\"flat\":{},\"cells\":{},\"points\":{},\"origin\":{},\"maps\":{},"
             "\"fields\":{},\"shown\":{},\"steps\":{},\"arrows\":{},\"arrays\":{}}}",
-            faces_.dimension, cells().types.size(), page_.grid.points.rows(),
+            faces_.dimension, is_flat(), cells().types.size(), page_.grid.points.rows(),
             json_array({number(origin_[0]), number(origin_[1]), number(origin_[2])}), maps(),
             json_array(fields_), shown_, steps(), json_array(arrows_), data_.directory());
         header.data = data_.text();
@@ -110,6 +110,13 @@ private:
         }
         return fmt::format("{{\"sequential\":{},\"diverging\":{}}}", json_array(sequential),
                            json_array(diverging));
+    }
+
+    /// Whether all points lie in one plane z = constant.
+    bool is_flat() const {
+        const auto& points = page_.grid.points;
+        return points.cols() < 3 || points.rows() == 0 ||
+               points.col(2).minCoeff() == points.col(2).maxCoeff();
     }
 
     /// Rows of three coordinates around the middle of the extent.

@@ -12,7 +12,9 @@ class Scene {
         this.radius = 1;
         this.radius = this.farthest(this.places(arrays.points)) || 1;
         this.points = this.places(arrays.points);
-        this.isFlat = this.points.every((x, i) => i % 3 < 2 || x === 0);
+        this.isFlat = header.flat;
+        if (this.isFlat) // but for rounding
+            this.points = this.points.map((x, i) => i % 3 < 2 ? x : 0);
         this.centers = this.isCurve ? new Float64Array(3) : this.cellCenters();
     }
 

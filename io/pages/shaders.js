@@ -100,8 +100,8 @@ void main() {
     vec3 heights = 1.0 / max(slope, 1e-6); // of the triangle, pixels
     float room = smoothstep(2.0, 7.0, min(heights.x, min(heights.y, heights.z)) / pixel);
     float x = (value - range.x) / max(range.y - range.x, 1e-30) * 16.0;
-    float steep = max(fwidth(x), 1e-6);
-    if (levels && place == 1 && range.y > range.x)
+    float steep = fwidth(x);
+    if (levels && place == 1 && steep > 1e-5)
         c = mix(c, level_color, 0.75 * band(abs(fract(x - 0.5) - 0.5) / steep, 0.6 * pixel) *
             (1.0 - smoothstep(0.2, 0.5, steep)));
     c *= brightness;

@@ -97,9 +97,11 @@ class Viewer {
         element("legend").hidden = !look.scale;
         if (!look.scale)
             return;
-        const {ends, isConstant} = look.scale, {name, about, components} = this.field;
+        const {ends, isConstant} = look.scale, {name, about, place, components} = this.field;
         element("legend-name").textContent = name;
-        element("legend-about").textContent = [about, components > 1 ? "colors show the length" : "",
+        const isSigned = place === "edge" || place === "face";
+        element("legend-about").textContent = [about,
+            isSigned ? `one value for each ${place}, whose sign goes with its orientation` : "", components > 1 ? "colors show the length" : "",
             isConstant ? "the same everywhere, but for rounding" : ""].filter(Boolean).join("; ");
         element("legend-bar").style.background = gradient(look.scale);
         const numbers = [ends[0], ends[0] / 2 + ends[1] / 2, ends[1]];
