@@ -3,7 +3,6 @@
 
 #include "io/base64.h"
 #include "io/deflate.h"
-#include "io/number_text.h"
 #include "io/pages/page_text.h"
 
 #include <fmt/format.h>
@@ -26,12 +25,6 @@ std::vector<std::uint32_t> differences(std::vector<std::uint32_t> numbers, int w
     for (std::size_t i = 0; i < std::min(numbers.size(), static_cast<std::size_t>(width)); ++i)
         numbers[i] = numbers[i] << 1 ^ (numbers[i] >> 31 ? 0xFFFFFFFFU : 0U);
     return numbers;
-}
-
-std::string number(double value) {
-    std::string text;
-    append_number(text, value);
-    return text;
 }
 
 } // namespace
@@ -81,7 +74,8 @@ void PageData::add_rounded(std::string_view name, const Eigen::Ref<const DenseMa
                                      : 0);
     add(name, differences(std::move(words), static_cast<int>(rows.cols())),
         static_cast<int>(rows.cols()),
-        fmt::format(",\"kind\":\"rounded\",\"low\":{},\"step\":{}", number(low), number(step)));
+        fmt::format(",\"kind\":\"rounded\",\"low\":{},\"step\":{}", json_number(low),
+                    json_number(step)));
 }
 
 std::string PageData::text() const {

@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
-#include "io/number_text.h"
 #include "io/pages/page_data.h"
 #include "io/pages/page_faces.h"
 #include "io/pages/page_text.h"
@@ -24,12 +23,6 @@ constexpr Index most_arrows = 4000;
 constexpr Index most_triangles = 8000000; ///< what textures hold everywhere
 constexpr std::size_t most_exact_values = 600000;
 constexpr Eigen::Index most_exact_points = 100000;
-
-std::string number(double value) {
-    std::string text;
-    append_number(text, value);
-    return text;
-}
 
 DenseMatrix rows_of(const VtuArray& array) {
     return std::visit(
@@ -78,8 +71,8 @@ public:
             "{{\"dimension\":{},\"flat\":{},\"cells\":{},\"points\":{},\"origin\":{},\"maps\":{},"
             "\"fields\":{},\"shown\":{},\"steps\":{},\"arrows\":{},\"arrays\":{}}}",
             faces_.dimension, is_flat(), cells().types.size(), page_.grid.points.rows(),
-            json_array({number(origin_[0]), number(origin_[1]), number(origin_[2])}), maps(),
-            json_array(fields_), shown_, steps(), json_array(arrows_), data_.directory());
+            json_array({json_number(origin_[0]), json_number(origin_[1]), json_number(origin_[2])}),
+            maps(), json_array(fields_), shown_, steps(), json_array(arrows_), data_.directory());
         header.data = data_.text();
         header.still = still_picture(cells(), faces_, first());
         header.notes = std::move(notes_);

@@ -2,6 +2,7 @@
 #include "io/pages/page_text.h"
 
 #include "base/printable.h"
+#include "io/number_text.h"
 #include "io/xml_text.h"
 
 #include <fmt/format.h>
@@ -28,6 +29,12 @@ std::string json_text(std::string_view text) {
             plain ? std::string(1, c) : fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
     }
     return result + "\"";
+}
+
+std::string json_number(double value) {
+    std::string text;
+    append_number(text, value);
+    return text;
 }
 
 std::string json_array(const std::vector<std::string>& values) {

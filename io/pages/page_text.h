@@ -14,6 +14,9 @@ std::string html_text(std::string_view text);
 /// Text as JSON that may stand in an element `script`: in quotes, without < > &.
 std::string json_text(std::string_view text);
 
+/// A finite number as JSON, which reads back as the same.
+std::string json_number(double value);
+
 /// A JSON array of values that are JSON.
 std::string json_array(const std::vector<std::string>& values);
 

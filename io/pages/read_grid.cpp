@@ -4,10 +4,12 @@
 #include "base/errors.h"
 #include "io/meshes/readers.h"
 #include "io/meshes/vtu_file.h"
+#include "io/scanner.h"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -132,13 +134,28 @@ private:
     }
 
     void read_arrays() {
-        for (const auto& [section, array] : vtu_.arrays()) {
-            const std::string count = array.tag.attribute("NumberOfComponents", "1");
-            if ((section != "PointData" && section != "CellData") || (count != "1" && count != "3"))
-                continue;
-            auto& list = section == "PointData" ? grid_.point_data : grid_.cell_data;
-            list.push_back({array.name(), vtu_.values(&array, "of values"), count == "3" ? 3 : 1});
-        }
+        for (const auto& [section, array] : vtu_.arrays())
+            if (section == "PointData" || section == "CellData")
+                add_array(section == "PointData" ? grid_.point_data : grid_.cell_data, array);
+    }
+
+    /// Vectors of the plane get a third number; of tensors each component is an array of its own.
+    void add_array(std::vector<VtuArray>& list, const VtuText& array) const {
+        const std::string name = array.name();
+        const std::string count = array.tag.attribute("NumberOfComponents", "1");
+        const std::vector<double> values = vtu_.values(&array, "of values");
+        Eigen::Index width = 0;
+        std::from_chars(count.data(), count.data() + count.size(), width);
+        const auto size = static_cast<Eigen::Index>(values.size());
+        if (width < 1 || width > 9 || size % width != 0)
+            vtu_.fail(fmt::format("{} numbers of {} components in the array {}; expected 1 to 9 "
+                                  "components of each point or cell",
+                                  size, quote_word(count), quote_word(name)));
+        const Eigen::Map<const DenseMatrix> rows(values.data(), width, size / width);
+        if (width <= 3)
+            return list.push_back(vtu_array(name, rows.transpose()));
+        for (Eigen::Index i = 0; i < width; ++i)
+            list.push_back(vtu_array(fmt::format("{} {}", name, i), rows.row(i).transpose()));
     }
 
     VtuFile vtu_;

@@ -7,10 +7,10 @@
 
 namespace polydec {
 
-/// The cells and all arrays of one or three components of a .vtu file, as they stand there; cells
-/// of VTK's types that VtuGrid lacks are refused, but hexahedra, wedges and pyramids, which become
-/// polyhedra. Reads what read_mesh reads of such files, and polyhedra.
-/// Throws InvalidInput, naming the file; IoError if it cannot be read.
+/// The cells and all arrays of a .vtu file, as they stand there; of arrays of 4 to 9 components
+/// each component by itself. Cells of VTK's types that VtuGrid lacks are refused, but hexahedra,
+/// wedges and pyramids, which become polyhedra. Reads what read_mesh reads of such files, and
+/// polyhedra. Throws InvalidInput, naming the file; IoError if it cannot be read.
 VtuGrid read_grid(const std::filesystem::path& path);
 
 /// The grids of a .pvd file, which lists .vtu files with times: cells and points of the first one,

@@ -16,10 +16,10 @@ from command import TestCase, golden
 SPECTRUM = ("--side", "primal", "--degree", 0, "--count", 2)
 # Of every command with a file as output: arguments without it, and the extensions it takes.
 WRITERS = {
-    "merge": ((), ".off .obj .ply .vtu"),
-    "spectrum": (SPECTRUM, ".vtu"),
-    "poisson": (("--side", "primal", "--rhs", "1"), ".vtu"),
-    "distance": (("--from", 0), ".vtu"),
+    "merge": ((), ".off .obj .ply .vtu .html"),
+    "spectrum": (SPECTRUM, ".vtu .html"),
+    "poisson": (("--side", "primal", "--rhs", "1"), ".vtu .html"),
+    "distance": (("--from", 0), ".vtu .html"),
 }
 
 
@@ -39,7 +39,7 @@ class Files(TestCase):
                             f"stands for no format that can be written here; use {known}",
                             *self.arguments(name, "no-such.off", out))
         self.refuse(2, "cannot write a.vtu: the extension '.vtu' stands for no format that can be "
-                    "written here; use .off .obj .ply .stl .mesh .nsc",
+                    "written here; use .off .obj .ply .stl .mesh .nsc .html",
                     "generate", "grid", "-o", "a.vtu")
 
     def test_the_case_of_extensions_does_not_matter(self):
@@ -47,6 +47,8 @@ class Files(TestCase):
         for name in WRITERS:
             self.succeed(*self.arguments(name, "MESH.OFF", f"{name}.VTU"))
             self.assertIn("VTKFile", self.read(f"{name}.VTU")[:100])
+            self.succeed(*self.arguments(name, "MESH.OFF", f"{name}.HTML"))
+            self.assertIn("<!doctype html>", self.read(f"{name}.HTML")[:100])
         self.succeed("generate", "grid", "-o", "GRID.Nsc")
         self.succeed("info", "GRID.Nsc")
         self.write("tri.NODE", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n")
