@@ -76,6 +76,7 @@
 #include "io/meshes/length_file.h"
 #include "io/meshes/read_mesh.h"
 #include "io/meshes/write_mesh.h"
+#include "io/pages/album.h"
 #include "io/pages/page.h"
 #include "io/pages/read_grid.h"
 #include "io/pictures/draw_cells.h"

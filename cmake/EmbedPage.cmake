@@ -8,6 +8,7 @@ foreach(name IN LISTS scripts)
     string(APPEND script "${text}")
 endforeach()
 file(READ "${FOLDER}/page.html" html)
+file(READ "${FOLDER}/album.html" album)
 file(READ "${FOLDER}/page.css" css)
 
 # In pieces, since a compiler need not take longer literals than 64 kB.
@@ -23,6 +24,7 @@ function(literal text out)
     set(${out} "${result}" PARENT_SCOPE)
 endfunction()
 literal("${html}" html)
+literal("${album}" album)
 literal("${css}" css)
 literal("${script}" script)
 file(WRITE "${OUT}" "// SPDX-License-Identifier: MIT
@@ -33,6 +35,8 @@ namespace polydec {
 std::string_view page_template(std::string_view name) {
     if (name == \"page.html\")
         return ${html};
+    if (name == \"album.html\")
+        return ${album};
     if (name == \"page.css\")
         return ${css};
     return ${script};

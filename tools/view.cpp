@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "base/printable.h"
+#include "io/pages/album.h"
 #include "io/pages/read_grid.h"
 #include "io/source_file.h"
 #include "tools/commands.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <vector>
 
 namespace polydec::tools {
 
@@ -18,17 +20,19 @@ namespace {
 
 struct ViewArguments {
     MeshArguments mesh;
+    std::vector<std::filesystem::path> more;
     std::filesystem::path out;
 };
 
 struct Viewed : Answer {
     std::string out;
     std::uintmax_t bytes = 0;
-    std::size_t cells = 0, fields = 0;
+    std::size_t pages = 1, cells = 0, fields = 0;
 
     void write(JsonWriter& json) const override {
         json.member("out", out);
         json.member("bytes", bytes);
+        json.member("pages", pages);
         json.member("cells", cells);
         json.member("fields", fields);
     }
@@ -52,7 +56,31 @@ Page page_of_results(const std::filesystem::path& file) {
     return page;
 }
 
+/// One page of all that are named.
+void bind_pages(const ViewArguments& arguments) {
+    Log log;
+    Paths pages{arguments.mesh.mesh};
+    pages.insert(pages.end(), arguments.more.begin(), arguments.more.end());
+    for (const auto& page : pages)
+        if (!is_page(page))
+            throw InvalidInput(fmt::format("{} beside other files: only pages, .html, can be bound "
+                                           "together; make it one by `polydec view`",
+                                           printable(page.string())));
+    if (arguments.out.empty())
+        throw InvalidInput("pages that are bound together need a name: add -o NAME.html");
+    check_output_file(arguments.out, {".html"}, pages);
+    log.timing.begin("write");
+    write_album(arguments.out, arguments.out.stem().string(), pages);
+    Viewed answer;
+    answer.out = arguments.out.string();
+    answer.bytes = std::filesystem::file_size(arguments.out);
+    answer.pages = pages.size();
+    tell(answer, log, arguments.mesh.tell);
+}
+
 void run_view(ViewArguments arguments) {
+    if (is_page(arguments.mesh.mesh) || !arguments.more.empty())
+        return bind_pages(arguments);
     Log log;
     const auto& file = arguments.mesh.mesh;
     if (arguments.out.empty())
@@ -85,6 +113,8 @@ void add_view(CLI::App& app) {
     auto* command = app.add_subcommand("view", "writes a page that shows a mesh or results");
     const auto arguments = std::make_shared<ViewArguments>();
     add_mesh_arguments(*command, arguments->mesh);
+    command->add_option("PAGES", arguments->more,
+                        "with MESH a page, .html: further pages, to be bound into one");
     command->add_option("-o,--out", arguments->out,
                         "the page, .html (default: the mesh's name with that\n"
                         "extension, in this folder)");
@@ -95,7 +125,8 @@ void add_view(CLI::App& app) {
                     "  polydec view fandisk.off\n"
                     "  polydec view cubes.nsc -o cubes-page.html\n"
                     "  polydec view modes.vtu\n"
-                    "  polydec view heat.pvd -o heat.html");
+                    "  polydec view heat.pvd -o heat.html\n"
+                    "  polydec view sphere.html torus.html -o both.html");
     command->callback([arguments] { run_view(*arguments); });
 }
 

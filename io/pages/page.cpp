@@ -18,8 +18,6 @@ namespace polydec {
 
 namespace {
 
-constexpr std::size_t most_bytes = 64 << 20;
-
 std::string table_html(const PageTable& table, const VtuGrid& grid) {
     if (table.rows.empty())
         return "";
@@ -60,18 +58,6 @@ std::string section_html(const char* id, const char* heading,
     return html + "</section>\n";
 }
 
-/// The template with each mark {{name}} replaced; what is put in is not looked at again.
-std::string filled(std::string_view text, const std::map<std::string_view, std::string>& parts) {
-    std::string result;
-    for (std::size_t at; (at = text.find("{{")) != std::string_view::npos;) {
-        const auto end = text.find("}}", at);
-        result += text.substr(0, at);
-        result += parts.at(text.substr(at + 2, end - at - 2));
-        text.remove_prefix(end + 2);
-    }
-    return result += text;
-}
-
 } // namespace
 
 void add_arrows(Page& page, const std::string& field, const Discretization& mesh,
@@ -99,24 +85,18 @@ std::string to_html(const Page& page) {
     if (!text.command.empty())
         command =
             fmt::format("<p id=\"command\">Made by <code>{}</code></p>", html_text(text.command));
-    std::string html = filled(page_template("page.html"),
-                              {{"style", std::string(page_template("page.css"))},
-                               {"script", std::string(page_template("page.js"))},
-                               {"title", html_text(text.title)},
-                               {"command", command},
-                               {"still", header.still},
-                               {"warnings", section_html("warnings", "Warnings", text.warnings)},
-                               {"notes", section_html("notes", "About this page", header.notes)},
-                               {"facts", section_html("facts", "What is shown", text.facts)},
-                               {"table", table_html(text.table, page.grid)},
-                               {"header", std::move(header.json)},
-                               {"data", std::move(header.data)}});
-    if (html.size() > most_bytes)
-        throw InvalidInput(
-            fmt::format("the page would take {} MB, more than the {} MB that "
-                        "browsers open well: show fewer fields, or write a .vtu file",
-                        html.size() >> 20, most_bytes >> 20));
-    return html;
+    return filled_page(page_template("page.html"),
+                       {{"style", std::string(page_template("page.css"))},
+                        {"script", std::string(page_template("page.js"))},
+                        {"title", html_text(text.title)},
+                        {"command", command},
+                        {"still", header.still},
+                        {"warnings", section_html("warnings", "Warnings", text.warnings)},
+                        {"notes", section_html("notes", "About this page", header.notes)},
+                        {"facts", section_html("facts", "What is shown", text.facts)},
+                        {"table", table_html(text.table, page.grid)},
+                        {"header", std::move(header.json)},
+                        {"data", std::move(header.data)}});
 }
 
 void write_page(const std::filesystem::path& path, const Page& page) {

@@ -2,11 +2,13 @@
 //
 // Pages without a browser: which triangles and lines they show, what they refuse, and that they
 // hold what they were given. What a browser makes of them is tested in tests/pages.
+#include "io/pages/album.h"
 #include "io/pages/page.h"
 #include "io/pages/page_faces.h"
 #include "io/pages/page_text.h"
 #include "io/pages/read_grid.h"
 #include "io/pictures/draw_cells.h"
+#include "io/xml_text.h"
 #include "polydec.h"
 #include "tests/io/support.h"
 #include "tests/support/families.h"
@@ -161,6 +163,24 @@ TEST(Pages, KeepHostileWordsAsText) {
     EXPECT_EQ(html.find('\x1b'), std::string::npos);
     EXPECT_GT(count_of(html, "&lt;/script&gt;&lt;script&gt;alert(1)"), 5U);
     EXPECT_EQ(json_text("</a>\"\\\n\x01"), "\"\\u003c/a\\u003e\\u0022\\u005c\\u000a\\u005cx01\"");
+}
+
+TEST(Pages, AreBoundIntoAnAlbum) {
+    auto second = simple_page();
+    second.text.title = "b <&\"";
+    const std::vector<std::string> pages{to_html(simple_page()), to_html(second)};
+    const auto album = album_html("both", pages);
+    EXPECT_EQ(count_of(album, "<iframe"), 2U);
+    EXPECT_EQ(count_of(album, "<script"), 0U) << "they stand in attributes, as text";
+    EXPECT_EQ(count_of(album, "srcdoc=\"" + xml_escaped(pages[1]) + "\""), 1U);
+    EXPECT_EQ(count_of(album, "<a id=\"to-1\" href=\"#page-1\">b &lt;&amp;&quot;</a>"), 1U);
+    EXPECT_EQ(error_of([&] { album_html("none", {}); }),
+              "InvalidInput: an album without pages: name at least one");
+    EXPECT_EQ(
+        error_of([&] {
+            album_html("a", {pages[0], "<html><title>x</title></html>"});
+        }),
+        "InvalidInput: page 1 of an album is none that polydec wrote; make it with write_page");
 }
 
 TEST(Pages, RefuseWhatDoesNotFit) {

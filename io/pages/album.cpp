@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/album.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "base/printable.h"
+#include "io/pages/page_template.h"
+#include "io/pages/page_text.h"
+#include "io/source_file.h"
+#include "io/xml_text.h"
+
+#include <fmt/format.h>
+
+namespace polydec {
+
+namespace {
+
+/// The title of a page, in HTML; empty if the text is no page of ours.
+std::string title_of(std::string_view page) {
+    constexpr std::string_view open = "<title>", close = "</title>";
+    const auto begin = page.find(open), end = page.find(close);
+    const bool is_page = begin < end && end != std::string_view::npos &&
+                         page.find("id=\"page-header\"") != std::string_view::npos;
+    if (!is_page)
+        return "";
+    const std::string_view title = page.substr(begin + open.size(), end - begin - open.size());
+    return title.find_first_of("<>\"'") == std::string_view::npos ? std::string(title) : "";
+}
+
+} // namespace
+
+std::string album_html(const std::string& title, const std::vector<std::string>& pages) {
+    if (pages.empty())
+        throw InvalidInput("an album without pages: name at least one");
+    std::string links, sections, chosen;
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        const std::string name = title_of(pages[i]);
+        if (name.empty())
+            throw InvalidInput(
+                fmt::format("page {} of an album is none that polydec wrote; make it "
+                            "with write_page",
+                            i));
+        links += fmt::format("\n<a id=\"to-{0}\" href=\"#page-{0}\">{1}</a>", i, name);
+        chosen += fmt::format("body:has(#page-{0}:target) #to-{0} {{ font-weight: bold; }}\n", i);
+        // the first one comes last, so that the choice of another can hide it
+        sections.insert(0, fmt::format("\n<section id=\"page-{0}\"{1}><iframe title=\"{2}\" "
+                                       "loading=\"lazy\" sandbox=\"allow-scripts\" srcdoc=\"{3}\">"
+                                       "</iframe></section>",
+                                       i, i == 0 ? " class=\"first\"" : "", name,
+                                       xml_escaped(pages[i])));
+    }
+    return filled_page(page_template("album.html"),
+                       {{"title", html_text(title)},
+                        {"style", std::string(page_template("page.css"))},
+                        {"chosen", std::move(chosen)},
+                        {"links", std::move(links)},
+                        {"pages", std::move(sections)}});
+}
+
+void write_album(const std::filesystem::path& path, const std::string& title,
+                 const std::vector<std::filesystem::path>& pages) {
+    std::vector<std::string> texts;
+    for (const auto& page : pages) {
+        texts.push_back(read_source_file(page).text);
+        if (title_of(texts.back()).empty())
+            throw InvalidInput(
+                fmt::format("{} is no page that polydec wrote; make it with write_page",
+                            printable(page.string())),
+                {.path = page});
+    }
+    AtomicFile file(path);
+    file.write(album_html(title, texts));
+    file.commit();
+}
+
+} // namespace polydec
