@@ -77,6 +77,7 @@
 #include "io/meshes/read_mesh.h"
 #include "io/meshes/write_mesh.h"
 #include "io/pages/album.h"
+#include "io/pages/draw_page.h"
 #include "io/pages/page.h"
 #include "io/pages/read_grid.h"
 #include "io/pictures/draw_cells.h"

@@ -194,7 +194,7 @@ void draw(const InfoArguments& arguments, const Discretization& mesh, const Info
           const Log& log) {
     Text text;
     answer.write(text);
-    Page page = page_of_cells(arguments.out, mesh, arguments.mesh.mesh);
+    Page page = draw_page(mesh, arguments.mesh.mesh.filename().string());
     page.text.facts = {std::string(text.view())};
     write_picture(arguments.out, std::move(page), log);
 }

@@ -3,6 +3,7 @@
 #include "base/printable.h"
 #include "io/meshes/write_mesh.h"
 #include "io/pictures/draw_cells.h"
+#include "io/pictures/draw_overlay.h"
 #include "io/source_file.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -29,8 +30,10 @@ void write_merged(const MergeArguments& arguments, const Discretization& mesh, c
         throw InvalidInput(fmt::format("{}: no format holds merged cells of dimension {}; the "
                                        "subcommand operators writes them as matrices",
                                        out.string(), mesh.dimension()));
-    if (lower_extension(out) == ".vtu" || is_page(out))
-        write_picture(out, page_of_cells(out, mesh, arguments.mesh.mesh), log);
+    if (lower_extension(out) == ".vtu")
+        write_vtu(out, draw_mesh(mesh));
+    else if (is_page(out))
+        write_picture(out, draw_page(mesh, arguments.mesh.mesh.filename().string()), log);
     else if (mesh.dimension() == 2)
         write_mesh(out, polygon_mesh(mesh));
     else

@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "io/diagnosis_json.h"
-#include "io/pictures/draw_modes.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -61,16 +60,6 @@ struct Eigenvalues : Answer {
         write_stars(json, stars);
     }
 
-    std::string certified() const {
-        const auto& certificate = spectrum.certificate;
-        if (!certificate.complete)
-            return "not certified: copies of multiple eigenvalues may be missing";
-        return fmt::format("certified: {} eigenvalues lie below {:.8g} by inertia, {} were "
-                           "computed, each within its radius of the value",
-                           certificate.below_shift, certificate.shift,
-                           certificate.returned_below_shift);
-    }
-
     void write(Text& text) const override {
         text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n{}\n{}\n\n"
              "{:>5}  {:>20}  {:>10}  {:>10}\n",
@@ -79,7 +68,7 @@ struct Eigenvalues : Answer {
         for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
             text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
                  spectrum.radii[i], spectrum.residuals[i]);
-        text("\n{}\n", certified());
+        text("\n{}\n", in_words(spectrum.certificate));
         text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
     }
 };
@@ -136,25 +125,12 @@ void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
 
 void draw(const SpectrumArguments& arguments, const Discretization& mesh, const Eigenvalues& answer,
           const Log& log) {
-    const auto& found = answer.spectrum;
-    PageText text;
-    text.title = fmt::format("{}: eigenfunctions", arguments.mesh.mesh.filename().string());
-    text.facts = {fmt::format("The smallest eigenvalues, in length^-2, of the Laplace-de Rham "
-                              "operator on {} {}-forms, and their modes, of norm 1.",
-                              name(found.side), found.degree),
-                  answer.conditions, in_words(answer.stars)};
-    text.table = {.columns = {"", "eigenvalue", "radius", "residual"}, .below = answer.certified()};
-    std::vector<NamedForm> modes;
-    for (Index i = 0; i < found.eigenvalues.size(); ++i) {
-        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(mesh, found, i),
-                           fmt::format("{} {}-form, eigenvalue {:.10g}", name(found.side),
-                                       found.degree, found.eigenvalues[i]));
-        text.table.rows.push_back({std::to_string(i), fmt::format("{:.12g}", found.eigenvalues[i]),
-                                   fmt::format("{:.2e}", found.radii[i]),
-                                   fmt::format("{:.2e}", found.residuals[i])});
-        text.table.fields.push_back(modes.back().name);
-    }
-    write_picture(arguments.out, mesh, modes, std::move(text), log);
+    Page page =
+        draw_page(mesh, answer.spectrum,
+                  fmt::format("{}: eigenfunctions", arguments.mesh.mesh.filename().string()));
+    auto& facts = page.text.facts;
+    facts.insert(facts.begin() + 1, {answer.conditions, in_words(answer.stars)});
+    write_picture(arguments.out, std::move(page), log);
 }
 
 void run_spectrum(SpectrumArguments arguments) {

@@ -94,7 +94,7 @@ void run_view(ViewArguments arguments) {
     } else {
         const Discretization mesh = load(arguments.mesh, log);
         check_drawable(mesh);
-        page = page_of_cells(arguments.out, mesh, file);
+        page = draw_page(mesh, file.filename().string());
     }
     page.text.title = file.filename().string();
     log.timing.begin("write");

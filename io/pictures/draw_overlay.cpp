@@ -5,6 +5,8 @@
 #include "io/pictures/draw_cells.h"
 
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace polydec {
 
@@ -23,6 +25,23 @@ VtuGrid draw_overlay(const Discretization& discretization) {
     }
     grid.cell_data.push_back({"cell", std::move(cell)});
     grid.cell_data.push_back({"triangle", std::move(pieces.input)});
+    return grid;
+}
+
+VtuGrid draw_mesh(const Discretization& discretization) {
+    const bool is_input = discretization.passage().is_identity();
+    VtuGrid grid = is_input ? draw_cells(discretization, discretization.dimension())
+                            : draw_overlay(discretization);
+    std::vector<Index> tags = discretization.tags();
+    if (!tags.empty() && !is_input) {
+        const auto& cells = std::get<std::vector<Index>>(grid.cell_data.front().values);
+        std::vector<Index> of_pieces;
+        for (const Index cell : cells)
+            of_pieces.push_back(tags[cell]);
+        tags = std::move(of_pieces);
+    }
+    if (!tags.empty())
+        grid.cell_data.push_back({"tag", std::move(tags), 1, "physical group of each cell"});
     return grid;
 }
 

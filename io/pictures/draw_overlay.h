@@ -12,4 +12,8 @@ namespace polydec {
 /// check_drawable.
 VtuGrid draw_overlay(const Discretization& discretization);
 
+/// The merged cells of largest dimension, with their tags as the array `tag` where there are any;
+/// after intrinsic flips draw_overlay's pieces, each with the tag of its cell. Throws like both.
+VtuGrid draw_mesh(const Discretization& discretization);
+
 } // namespace polydec

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/draw_page.h"
+
+#include "base/errors.h"
+#include "io/pictures/draw_cells.h"
+#include "io/pictures/draw_modes.h"
+#include "io/pictures/draw_overlay.h"
+#include "meshes/unit_of_length.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <utility>
+#include <variant>
+
+namespace polydec {
+
+namespace {
+
+/// How many vertices each merged n-cell has.
+std::vector<Index> corner_counts(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    std::vector<Index> counts;
+    for (Index cell = 0; cell < mesh.complex().size(n); ++cell)
+        counts.push_back(static_cast<Index>(mesh.merging().vertices(n, cell).size()));
+    return counts;
+}
+
+/// Of the cells of the file, in its units.
+void add_measures(VtuGrid& grid, const Discretization& mesh) {
+    const int n = mesh.dimension();
+    constexpr std::array names{"length", "area", "volume"};
+    grid.cell_data.push_back(
+        {"corners", corner_counts(mesh), 1, "number of vertices of each cell"});
+    add_form(grid, mesh, names[static_cast<std::size_t>(n - 1)],
+             {Side::primal, n,
+              in_input_units(mesh.volumes().primal(n), mesh.unit(), n, "volumes of cells")},
+             fmt::format("of each cell, in units of length^{}", n));
+}
+
+std::vector<std::string> facts_of(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    std::vector<Index> input, merged;
+    for (int k = 0; k <= n; ++k) {
+        input.push_back(mesh.input().size(k));
+        merged.push_back(mesh.complex().size(k));
+    }
+    return {fmt::format("Dimension {} in {} coordinates.", n, mesh.points().cols()),
+            fmt::format("Cells of degree 0 .. {}: {} in the input, {} after merging.", n,
+                        fmt::join(input, ", "), fmt::join(merged, ", "))};
+}
+
+PageTable table_of(const Spectrum& spectrum, const std::vector<NamedForm>& modes) {
+    PageTable table{.columns = {"", "eigenvalue", "radius", "residual"},
+                    .below = in_words(spectrum.certificate)};
+    for (Index i = 0; i < spectrum.eigenvalues.size(); ++i) {
+        table.rows.push_back({std::to_string(i), fmt::format("{:.12g}", spectrum.eigenvalues[i]),
+                              fmt::format("{:.2e}", spectrum.radii[i]),
+                              fmt::format("{:.2e}", spectrum.residuals[i])});
+        table.fields.push_back(modes[static_cast<std::size_t>(i)].name);
+    }
+    return table;
+}
+
+} // namespace
+
+Page draw_page(const Discretization& mesh, std::string title) {
+    Page page;
+    page.text.title = std::move(title);
+    page.text.facts = facts_of(mesh);
+    page.grid = draw_mesh(mesh);
+    if (mesh.passage().is_identity()) {
+        page.mesh = mesh;
+        add_measures(page.grid, mesh);
+    } else {
+        page.groups = std::get<std::vector<Index>>(page.grid.cell_data.front().values);
+        page.text.facts.emplace_back("Edges were flipped: cells are shown as they lie over the "
+                                     "input's triangles, whose other edges count as merged away.");
+    }
+    return page;
+}
+
+Page draw_page(const Discretization& mesh, std::span<const NamedForm> forms, std::string title) {
+    if (forms.empty())
+        throw InvalidInput("a page of no forms: name one, or draw the cells alone");
+    const auto& first = forms.front().form;
+    Page page;
+    page.text.title = std::move(title);
+    page.text.facts = facts_of(mesh);
+    page.grid = draw_cells(mesh, cell_degree(mesh.complex(), first.side, first.degree));
+    for (const auto& [name, form, about] : forms) {
+        add_form(page.grid, mesh, name, form, about);
+        add_arrows(page, name, mesh, form);
+    }
+    page.shown = forms.front().name;
+    page.mesh = mesh;
+    return page;
+}
+
+Page draw_page(const Discretization& mesh, const Spectrum& spectrum, std::string title) {
+    std::vector<NamedForm> modes;
+    for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
+        modes.emplace_back(fmt::format("mode_{}", i), shown_mode(mesh, spectrum, i),
+                           fmt::format("{} {}-form, eigenvalue {:.10g}", name(spectrum.side),
+                                       spectrum.degree, spectrum.eigenvalues[i]));
+    Page page = draw_page(mesh, modes, std::move(title));
+    page.text.facts.insert(page.text.facts.begin(),
+                           fmt::format("The smallest eigenvalues, in length^-2, of the Laplace-de "
+                                       "Rham operator on {} {}-forms, and their modes, of norm 1.",
+                                       name(spectrum.side), spectrum.degree));
+    page.text.table = table_of(spectrum, modes);
+    return page;
+}
+
+std::string in_words(const Certificate& certificate) {
+    if (!certificate.complete)
+        return "not certified: copies of multiple eigenvalues may be missing";
+    return fmt::format("certified: {} eigenvalues lie below {:.8g} by inertia, {} were computed, "
+                       "each within its radius of the value",
+                       certificate.below_shift, certificate.shift,
+                       certificate.returned_below_shift);
+}
+
+} // namespace polydec
