@@ -5,5 +5,5 @@ int main() {
     const auto fandisk = polydec::discretize(polydec::read_mesh("fandisk.off"));
     const auto modes =
         polydec::spectrum(fandisk, {.side = polydec::Side::dual, .degree = 0, .count = 20});
-    polydec::write_vtu("modes.vtu", polydec::draw_modes(fandisk, modes));
+    polydec::write_page("modes.html", polydec::draw_page(fandisk, modes));
 }

@@ -29,4 +29,12 @@ int main() {
                                                                                          : "some")
               << ", of the harmonic part: "
               << (loops.transpose() * parts.harmonic.values).transpose() << '\n';
+
+    polydec::write_page("hodge_decomposition.html",
+                        polydec::draw_page(torus,
+                                           {{"wind", wind},
+                                            {"exact", parts.exact, "a gradient"},
+                                            {"coexact", parts.coexact, "a curl"},
+                                            {"harmonic", parts.harmonic, "around the loops"}},
+                                           "A wind on a torus, and its three parts"));
 }

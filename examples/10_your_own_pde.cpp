@@ -40,7 +40,8 @@ int main() {
     std::cout << "still between 0 and 1: " << (u.minCoeff() > 0 && u.maxCoeff() < 1 ? "yes" : "no")
               << '\n';
 
-    auto grid = polydec::draw_cells(sphere, 0);
-    polydec::add_form(grid, sphere, "temperature", {polydec::Side::primal, 0, u});
-    polydec::write_vtu("temperature.vtu", grid);
+    polydec::write_page(
+        "temperature.html",
+        polydec::draw_page(sphere, {{"temperature", {polydec::Side::primal, 0, u}, "after 2"}},
+                           "A hot spot, blown around a sphere"));
 }

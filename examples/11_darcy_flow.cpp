@@ -58,7 +58,8 @@ int main() {
         }
     std::ofstream("darcy_flow.svg") << polydec::to_svg(drawing);
 
-    auto grid = polydec::draw_cells(box, 3);
-    polydec::add_cochain(grid, box.complex(), 3, "pressure", flow.pressure.values);
-    polydec::write_vtu("darcy_flow.vtu", grid);
+    auto page = polydec::draw_page(box, {{"pressure", flow.pressure, "arrows: velocity"}},
+                                   "Water around a block of clay");
+    page.arrows.push_back({"pressure", places, velocity});
+    polydec::write_page("darcy_flow.html", page);
 }

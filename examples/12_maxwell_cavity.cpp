@@ -38,7 +38,7 @@ int main() {
     std::ofstream("maxwell_cavity.svg") << polydec::to_svg(polydec::draw_solid(
         solid, {.eye = Eigen::Vector3d(1.1, -1.5, 1), .title = "Energy of six standing waves"}));
 
-    auto grid = polydec::draw_cells(box, 3);
-    polydec::add_cochain(grid, box.complex(), 3, "energy", energy);
-    polydec::write_vtu("maxwell_cavity.vtu", grid);
+    polydec::write_page("maxwell_cavity.html",
+                        polydec::draw_page(box, {{"energy", {polydec::Side::dual, 0, energy}}},
+                                           "Energy of six standing waves"));
 }

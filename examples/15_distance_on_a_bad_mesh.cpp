@@ -65,14 +65,15 @@ int main(int count, char** words) {
               << " polygons, after the flips into " << after.complex().size(2) << '\n';
 
     const std::vector<Index> source{count > 1 ? 0 : number(0, rows / 2)};
-    auto picture = polydec::draw_cells(before, 0);
+    std::vector<polydec::NamedForm> fields;
     for (const auto& [name, surface] : {std::pair("without", &before), {"with", &after}}) {
         const polydec::Vector distance = polydec::geodesic_distance(*surface, source);
         std::cout << name << " flips: distances up to " << distance.maxCoeff();
         if (count == 1)
             std::cout << ", mean error " << (distance - exact()).cwiseAbs().mean();
         std::cout << '\n';
-        polydec::add_form(picture, *surface, name, {polydec::Side::primal, 0, distance});
+        fields.push_back({name, {polydec::Side::primal, 0, distance}, "distance to the source"});
     }
-    polydec::write_vtu("distance.vtu", picture);
+    polydec::write_page("distance.html",
+                        polydec::draw_page(before, fields, "Without and with intrinsic flips"));
 }

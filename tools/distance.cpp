@@ -50,7 +50,7 @@ void draw(const Discretization& mesh, const DistanceArguments& arguments, const 
     text.facts = {fmt::format("Distance along the surface from vertex {}, by the heat method.",
                               fmt::join(arguments.from, ", "))};
     const NamedForm form("distance", {Side::primal, 0, distance}, "in units of length of the file");
-    write_picture(arguments.out, mesh, {&form, 1}, std::move(text), log);
+    write_picture(arguments.out, mesh, {form}, std::move(text), log);
 }
 
 struct Distances : Answer {

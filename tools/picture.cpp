@@ -58,7 +58,7 @@ void write_picture(const std::filesystem::path& out, Page page, const Log& log) 
 }
 
 void write_picture(const std::filesystem::path& out, const Discretization& mesh,
-                   std::span<const NamedForm> forms, PageText text, const Log& log) {
+                   const std::vector<NamedForm>& forms, PageText text, const Log& log) {
     Page page = draw_page(mesh, forms);
     std::swap(page.text, text);
     append(page.text.facts, text.facts);

@@ -5,9 +5,8 @@
 #include "tools/answer.h"
 
 #include <filesystem>
-#include <span>
 #include <string>
-#include <utility>
+#include <vector>
 
 /// What a command shows of what it found, as a file by its extension: .vtu or .html.
 namespace polydec::tools {
@@ -22,7 +21,7 @@ bool is_page(const std::filesystem::path& out);
 /// Writes what draw_page makes of these forms. In a page the text stands beside them, with the
 /// log's warnings and the command line.
 void write_picture(const std::filesystem::path& out, const Discretization& mesh,
-                   std::span<const NamedForm> forms, PageText text, const Log& log);
+                   const std::vector<NamedForm>& forms, PageText text, const Log& log);
 
 /// The same for a page made otherwise, whose grid a .vtu file would have too.
 void write_picture(const std::filesystem::path& out, Page page, const Log& log);

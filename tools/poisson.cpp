@@ -120,7 +120,7 @@ void draw(const Discretization& mesh, const PoissonArguments& arguments, const V
                   fmt::format("u from {:.10g} to {:.10g}; residual {:.2e} with {}", answer.min,
                               answer.max, answer.residual, answer.report.engine)};
     const NamedForm u("u", {side, 0, values}, fmt::format("the solution, a {} 0-form", name(side)));
-    write_picture(arguments.out, mesh, {&u, 1}, std::move(text), log);
+    write_picture(arguments.out, mesh, {u}, std::move(text), log);
 }
 
 void warn_of_compatibility(const Compatibility& compatibility, Log& log) {

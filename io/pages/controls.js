@@ -10,6 +10,7 @@ class Controls {
         this.offer("field", [["-1", "cells without values"],
             ...fields.map((field, i) => [String(i), `${field.name} (${field.place})`])]);
         element("field").value = String(this.first(fields));
+        element("removed").checked = this.first(fields) < 0; // they would drown a field
         this.hideWhatIsNotThere(scene, header, fields);
         element("step").max = header.steps.length - 1;
         element("controls").addEventListener("input", () => this.changed());

@@ -81,7 +81,7 @@ Page draw_page(const Discretization& mesh, std::string title) {
     return page;
 }
 
-Page draw_page(const Discretization& mesh, std::span<const NamedForm> forms, std::string title) {
+Page draw_page(const Discretization& mesh, const std::vector<NamedForm>& forms, std::string title) {
     if (forms.empty())
         throw InvalidInput("a page of no forms: name one, or draw the cells alone");
     const auto& first = forms.front().form;

@@ -4,9 +4,9 @@
 #include "io/pages/page.h"
 #include "solvers/spectra/spectrum.h"
 
-#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace polydec {
 
@@ -27,7 +27,7 @@ Page draw_page(const Discretization& mesh, std::string title = {});
 /// A page of forms that live on the same cells: all primal or dual, on k-cells of one k. 1-forms
 /// have arrows too, where a sharp gives them. Throws InvalidInput for no form, and like draw_cells
 /// and add_form.
-Page draw_page(const Discretization& mesh, std::span<const NamedForm> forms,
+Page draw_page(const Discretization& mesh, const std::vector<NamedForm>& forms,
                std::string title = {});
 
 /// A page of modes as draw_modes names them, with the table of eigenvalues, radii and residuals,
