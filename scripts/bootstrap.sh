@@ -11,12 +11,14 @@ fail() {
     exit "$code"
 }
 
-# Names in packages.txt, those above the line `# optional` (required) or below it (optional).
+# Names in packages.txt: those above its line `# optional` (required), those below it (optional), or
+# those below its line `# for ./test alone` (tests).
 listed_packages() {
     case $1 in
-        required) sed -e '/^# optional/,$d' -e '/^#/d' -e '/^[[:space:]]*$/d' packages.txt ;;
-        optional) sed -e '1,/^# optional/d' -e '/^#/d' -e '/^[[:space:]]*$/d' packages.txt ;;
-    esac
+        required) sed '/^# optional/,$d' packages.txt ;;
+        optional) sed -e '1,/^# optional/d' -e '/^# for .\/test alone/,$d' packages.txt ;;
+        tests) sed '1,/^# for .\/test alone/d' packages.txt ;;
+    esac | sed -e '/^#/d' -e '/^[[:space:]]*$/d'
 }
 
 # Of the names on stdin, those that are not installed.
@@ -57,7 +59,8 @@ apt_install() {
 }
 lists_fetched=
 
-# Installs what packages.txt lists and is missing; ends with code 4 if a required one cannot be had.
+# install_packages PART ..: installs what is missing of the required packages and of these parts;
+# ends with code 4 if a required one cannot be had.
 install_packages() {
     if [ "${POLYDEC_PACKAGES:-}" = skip ]; then
         say "POLYDEC_PACKAGES=skip: trusting that what packages.txt lists is there."
@@ -78,13 +81,13 @@ install_packages() {
 Install them by hand, or set POLYDEC_PACKAGES=skip if you have them from elsewhere."
     fi
 
-    missing=$(listed_packages optional | missing_packages)
-    if [ -n "$missing" ]; then
-        say "Installing (optional):" $missing
+    for part; do
+        missing=$(listed_packages "$part" | missing_packages)
+        [ -z "$missing" ] || say "Installing ($part):" $missing
         for name in $missing; do
             apt_install "$name" || say "Notice: going on without $name."
         done
-    fi
+    done
 }
 
 # How many compilers at once: POLYDEC_JOBS, or the number of processors but at most 2, since a
