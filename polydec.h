@@ -80,6 +80,7 @@
 #include "io/pages/draw_page.h"
 #include "io/pages/page.h"
 #include "io/pages/read_grid.h"
+#include "io/pages/series.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_modes.h"
 #include "io/pictures/draw_overlay.h"

@@ -31,17 +31,16 @@ int main() {
     const auto x = sphere.points().col(0);
     polydec::Vector u = (x.array() > 0.8).cast<double>(); // a hot spot
     const double begin = mass.dot(u) / mass.sum();
-    for (int step = 0; step < 100; ++step) {
+    polydec::Series film("temperature.html", sphere, "A hot spot, blown around a sphere");
+    for (int step = 0; step <= 100; ++step) {
+        if (step % 4 == 0)
+            film.add(dt * step, {{"temperature", {polydec::Side::primal, 0, u}}});
         const polydec::Vector moved = u - dt * (transport * u);
         u = solver->solve(mass.cwiseProduct(moved));
     }
+    film.close();
     std::cout << "temperature from " << u.minCoeff() << " to " << u.maxCoeff() << ", mean "
               << mass.dot(u) / mass.sum() << " after " << begin << '\n';
     std::cout << "still between 0 and 1: " << (u.minCoeff() > 0 && u.maxCoeff() < 1 ? "yes" : "no")
               << '\n';
-
-    polydec::write_page(
-        "temperature.html",
-        polydec::draw_page(sphere, {{"temperature", {polydec::Side::primal, 0, u}, "after 2"}},
-                           "A hot spot, blown around a sphere"));
 }

@@ -29,24 +29,24 @@ void run(const std::string& name, const polydec::Mesh& mesh) {
     polydec::Vector B = polydec::Vector::Zero(inside.complex.size(2));
     const double begin = light.energy(E, B);
     double drift = 0;
+    polydec::Series film(name + ".html", box, "A pulse of light: the electric field upwards");
+    polydec::Vector vertical; // component of the field in each cell
     for (int i = 0; i < steps; ++i) {
         light.step(E, B);
+        const polydec::Cochain field{polydec::Side::primal, 1, inside.extend(1, E)};
+        vertical = polydec::sharp_pd(box, field).col(2);
+        film.add(0.4 * (i + 1) / steps, {{"E_z", {polydec::Side::dual, 0, vertical}}});
         drift = std::max(drift, std::abs(light.energy(E, B) / begin - 1));
     }
     std::cout << name << ": " << E.size() << " edges, " << steps << " steps, energy "
               << (drift < 1e-12 ? "kept to rounding" : "lost") << '\n';
 
-    // the vertical component in the rear half
-    const polydec::Cochain field{polydec::Side::primal, 1, inside.extend(1, E)};
-    const polydec::Vector vertical = polydec::sharp_pd(box, field).col(2);
+    // the rear half at the end
     const auto solid = polydec::kept_faces(
         box, [](const auto& x) { return x[1] > 0.5 + 1e-9; }, vertical);
     std::ofstream(name + ".svg") << polydec::to_svg(
         polydec::draw_solid(solid, {.eye = Eigen::Vector3d(0.5, -1.2, 0.6),
                                     .title = "A pulse at time 0.4: E upwards"}));
-    auto grid = polydec::draw_cells(box, 3);
-    polydec::add_cochain(grid, box.complex(), 3, "E_z", vertical);
-    polydec::write_vtu(name + ".vtu", grid);
 }
 
 } // namespace

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/pages/draw_page.h"
+#include "io/pages/page.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+/// Pictures of one mesh at ascending times, as a file by its extension: .pvd, a list of .vtu files
+/// in a folder beside it that has its name, as ParaView reads them; or .html, a page in which the
+/// time can be chosen and played. Every file appears whole or not at all, and is written while
+/// steps are added: what a killed program leaves can be read. A .pvd file then lacks at most the
+/// last 1 of 32 steps, whose files are there; a page at most the last half.
+class Series {
+public:
+    /// Removes an earlier series of this name: the list, then its steps. Throws InvalidInput for
+    /// another extension; IoError if nothing can be written there.
+    Series(std::filesystem::path path, const Discretization& mesh, std::string title = {});
+
+    /// The same for cells as write_vtu writes them, in the grid of this page; its arrays and steps
+    /// are replaced by those that are added, arrows are left out.
+    Series(std::filesystem::path path, Page page);
+
+    /// Closes it, but tells of no error.
+    ~Series();
+    Series(const Series&) = delete;
+    Series& operator=(const Series&) = delete;
+
+    /// Forms as draw_page takes them, with the same names, sides and degrees at every time. Throws
+    /// InvalidInput, naming the step, if a form is another one than before or a time is not above
+    /// the last one, and like draw_page; IoError if writing fails. Then the step is not there.
+    void add(double time, const std::vector<NamedForm>& forms);
+
+    /// The same for arrays of points and of cells.
+    void add(double time, std::vector<VtuArray> point_data, std::vector<VtuArray> cell_data);
+
+    /// Writes what is not written yet. Throws like add. Nothing can be added afterwards.
+    void close();
+
+    std::size_t size() const { return steps_.size(); }
+
+private:
+    struct Step {
+        std::string time, file;
+    };
+
+    void check_time(double time) const;
+    void check_arrays(const std::vector<VtuArray>& arrays,
+                      const std::vector<VtuArray>& first) const;
+    void write_step(const std::string& time);
+    void write_list();
+    void write_due(bool at_end);
+
+    std::filesystem::path path_;
+    bool is_page_ = false, is_closed_ = false;
+    std::optional<Discretization> mesh_ = {}; ///< whose cells are not drawn yet
+    Page page_;
+    double last_ = 0;
+    std::vector<Step> steps_ = {};
+    std::size_t written_ = 0; ///< steps that the list or the page has
+};
+
+} // namespace polydec

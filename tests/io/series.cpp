@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "io/pages/series.h"
+
+#include "io/pages/read_grid.h"
+#include "meshes/generate.h"
+#include "tests/io/support.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <limits>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace polydec::tests {
+
+namespace {
+
+Discretization square() {
+    return discretize(grid(3, 2));
+}
+
+/// A form that is another one at every time.
+Cochain moving(const Discretization& mesh, Side side, int degree, double time) {
+    const int k = side == Side::primal ? degree : mesh.dimension() - degree;
+    Vector values(mesh.complex().size(k));
+    for (Index i = 0; i < values.size(); ++i)
+        values[i] = std::sin(time * (i + 1));
+    return {side, degree, values};
+}
+
+/// How many steps a page has.
+std::size_t steps_in(const std::filesystem::path& page) {
+    const std::string text = read_text(page), begin = "\"steps\":[";
+    const auto at = text.find(begin) + begin.size(), end = text.find(']', at);
+    return at == end ? 0
+                     : 1 + static_cast<std::size_t>(
+                               std::count(text.begin() + at, text.begin() + end, ','));
+}
+
+} // namespace
+
+TEST(Series, HoldsEveryFormAtEveryTime) {
+    const auto mesh = square();
+    const TemporaryFolder folder;
+    for (const Side side : {Side::primal, Side::dual})
+        for (int degree = 0; degree <= 2; ++degree) {
+            Series series(folder.path("a.pvd"), mesh);
+            for (const double time : {0.0, 0.1, 2.5})
+                series.add(time, {{"u", moving(mesh, side, degree, time)},
+                                  {"v", moving(mesh, side, degree, -time)}});
+            series.close();
+            const auto found = read_series(folder.path("a.pvd"));
+            ASSERT_EQ(found.steps.size(), 3U);
+            EXPECT_EQ(found.steps[1].time, "0.1");
+            const auto& last = found.steps[2];
+            const auto& arrays = last.point_data.empty() ? last.cell_data : last.point_data;
+            ASSERT_EQ(arrays.size(), 2U);
+            const Vector wanted = moving(mesh, side, degree, 2.5).values;
+            const auto& values = std::get<std::vector<double>>(arrays[0].values);
+            ASSERT_EQ(values.size(), static_cast<std::size_t>(wanted.size()));
+            for (Index i = 0; i < wanted.size(); ++i)
+                EXPECT_EQ(values[static_cast<std::size_t>(i)], wanted[i]);
+            EXPECT_NE(arrays[0].values, arrays[1].values);
+        }
+}
+
+TEST(Series, CanBeReadWhileItIsWritten) {
+    const auto mesh = square();
+    const TemporaryFolder folder;
+    Series list(folder.path("a.pvd"), mesh), page(folder.path("a.html"), mesh);
+    for (std::size_t n = 1; n <= 100; ++n) {
+        const double time = static_cast<double>(n);
+        list.add(time, {{"u", moving(mesh, Side::primal, 0, time)}});
+        page.add(time, {{"u", moving(mesh, Side::primal, 0, time)}});
+        EXPECT_GE(32 * read_series(folder.path("a.pvd")).steps.size(), 31 * n) << n;
+        EXPECT_GE(2 * steps_in(folder.path("a.html")), n) << n;
+    }
+    list.close();
+    page.close();
+    EXPECT_EQ(read_series(folder.path("a.pvd")).steps.size(), 100U);
+    EXPECT_EQ(steps_in(folder.path("a.html")), 100U);
+    EXPECT_EQ(error_of([&] { list.add(1000, {}); }),
+              "InvalidInput: a step after the end of a series: it is closed");
+}
+
+TEST(Series, OfAKilledProgramCanBeRead) {
+    const auto mesh = square();
+    const TemporaryFolder folder;
+    for (int run = 0; run < 20; ++run) {
+        const auto path = folder.path(fmt::format("{}.pvd", run % 5)); // some are there already
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            alarm(20); // whatever becomes of the parent
+            Series series(path, mesh);
+            for (int step = 0; step < 1000; ++step)
+                series.add(step, {{"u", moving(mesh, Side::dual, 0, step)}});
+            pause();
+        }
+        usleep(static_cast<unsigned>(1000 + 2000 * run));
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        if (!std::filesystem::exists(path))
+            continue;
+        const auto found = read_series(path);
+        for (std::size_t step = 0; step < found.steps.size(); ++step)
+            EXPECT_EQ(std::get<std::vector<double>>(found.steps[step].cell_data[0].values)[1],
+                      std::sin(2 * static_cast<double>(step)));
+    }
+}
+
+TEST(Series, RemovesStepsOfAnEarlierOneAndNothingElse) {
+    const auto mesh = square();
+    const TemporaryFolder folder;
+    Series(folder.path("a.pvd"), mesh).add(0, {{"u", moving(mesh, Side::dual, 0, 1)}});
+    for (const char* name : {"a_0007.vtu", "a_7.vtu", "a_x.vtu", "b_0001.vtu", "notes.txt"})
+        folder.write(std::string("a/") + name, "text");
+    Series(folder.path("a.pvd"), mesh).close();
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a/a_0000.vtu")));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a/a_0007.vtu")));
+    for (const char* name : {"a_x.vtu", "b_0001.vtu", "notes.txt"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path("a") / name)) << name;
+}
+
+TEST(Series, RefusesWhatDoesNotFit) {
+    const auto mesh = square();
+    const TemporaryFolder folder;
+    const NamedForm u("u", moving(mesh, Side::primal, 0, 1));
+    EXPECT_EQ(error_of([&] { Series("a.vtu", mesh); }),
+              "InvalidInput: cannot write a.vtu: a series is a .pvd file, or a page, .html");
+    for (const char* name : {"a.pvd", "a.html"}) {
+        Series series(folder.path(name), mesh);
+        const auto adding = [&](double time, std::vector<NamedForm> forms) {
+            return error_of([&] { series.add(time, forms); });
+        };
+        EXPECT_EQ(adding(0, {}).substr(0, 12), "InvalidInput");
+        EXPECT_EQ(adding(1, {u}), "");
+        for (const double time : {1.0, 0.5, std::numeric_limits<double>::quiet_NaN()})
+            EXPECT_EQ(adding(time, {u}), fmt::format("InvalidInput: step 1 of a series at the time "
+                                                     "{}: expected a time above that of the step "
+                                                     "before",
+                                                     time));
+        const std::string other =
+            "InvalidInput: step 1 of a series has not the arrays of the steps "
+            "before: expected the same names, kinds and sizes";
+        EXPECT_EQ(adding(2, {NamedForm("v", u.form)}), other);
+        EXPECT_EQ(adding(2, {u, u}), other);
+        EXPECT_EQ(adding(2, {NamedForm("u", moving(mesh, Side::dual, 0, 1))}), other);
+        Cochain broken = u.form;
+        broken.values[2] = std::numeric_limits<double>::infinity();
+        EXPECT_EQ(adding(2, {NamedForm("u", broken)}).substr(0, 12), "InvalidInput");
+        EXPECT_EQ(series.size(), 1U);
+        EXPECT_EQ(adding(2, {u}), "");
+        EXPECT_EQ(series.size(), 2U);
+    }
+}
+
+} // namespace polydec::tests
