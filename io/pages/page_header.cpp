@@ -37,10 +37,6 @@ DenseMatrix rows_of(const VtuArray& array) {
         array.values);
 }
 
-std::size_t size_of(const VtuArray& array) {
-    return std::visit([](const auto& values) { return values.size(); }, array.values);
-}
-
 /// Makes the header, part after part.
 class Maker {
 public:
@@ -156,7 +152,7 @@ private:
         std::size_t values = 0;
         for (const auto* list : {&page_.grid.point_data, &page_.grid.cell_data})
             for (const auto& array : *list)
-                values += size_of(array);
+                values += array.size();
         is_rounded_ = values * std::max<std::size_t>(1, page_.steps.size()) > most_exact_values;
         add_list(page_.grid.point_data, "vertex", &PageStep::point_data);
         add_list(page_.grid.cell_data, place_.c_str(), &PageStep::cell_data);
@@ -179,7 +175,7 @@ private:
             for (std::size_t s = 0; s < page_.steps.size(); ++s) {
                 const auto& later = page_.steps[s].*of_step;
                 if (later.size() != list.size() || later[i].name != array.name ||
-                    later[i].components != array.components || size_of(later[i]) != size_of(array))
+                    later[i].components != array.components || later[i].size() != array.size())
                     throw InvalidInput(fmt::format("step {} of a page has not the arrays of the "
                                                    "others: expected the same names and sizes",
                                                    s));

@@ -15,17 +15,12 @@
 #include <exception>
 #include <system_error>
 #include <utility>
-#include <variant>
 
 namespace polydec {
 
 namespace {
 
 constexpr std::size_t most_unlisted = 32; ///< one of so many steps may be missing in the list
-
-std::size_t size_of(const VtuArray& array) {
-    return std::visit([](const auto& values) { return values.size(); }, array.values);
-}
 
 /// The folder of the steps, without those of an earlier series.
 void make_folder(const std::filesystem::path& folder, const std::string& stem) {
@@ -94,7 +89,7 @@ void Series::check_arrays(const std::vector<VtuArray>& arrays,
     for (std::size_t i = 0; fits && i < arrays.size(); ++i)
         fits = arrays[i].name == first[i].name && arrays[i].components == first[i].components &&
                arrays[i].values.index() == first[i].values.index() &&
-               size_of(arrays[i]) == size_of(first[i]);
+               arrays[i].size() == first[i].size();
     if (!fits)
         throw InvalidInput(
             fmt::format("step {} of a series has not the arrays of the steps before: "

@@ -157,8 +157,7 @@ private:
     }
 
     void check_array(const VtuArray& array, std::size_t count, const char* plural) const {
-        const auto size =
-            std::visit([](const auto& values) { return values.size(); }, array.values);
+        const auto size = array.size();
         const auto components = static_cast<std::size_t>(array.components);
         if ((components != 1 && components != 3) || size != count * components) {
             refuse(path_, fmt::format("the array '{}' has {} values of {} components; expected one "

@@ -29,6 +29,11 @@ struct VtuArray {
     std::variant<std::vector<double>, std::vector<Index>> values;
     int components = 1;     ///< 1, or 3 for vectors
     std::string about = {}; ///< what they are, in words with units, for who reads a page
+
+    /// Numbers of all components together.
+    std::size_t size() const {
+        return std::visit([](const auto& all) { return all.size(); }, values);
+    }
 };
 
 /// What a VTU file holds. Cells are appended with `add_cell` and `add_polyhedron`.
