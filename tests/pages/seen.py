@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: MIT
+"""What a page shows in a browser: colors are those of values, values those of files."""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "tools"))
+
+import browser  # noqa: E402
+
+browser.skip_if_missing()
+
+import command  # noqa: E402
+from browser import Browser  # noqa: E402
+from command import TestCase, golden  # noqa: E402
+from page_file import PageFile, map_color  # noqa: E402
+
+ROUNDING = 2.5 # of 255, of a color
+
+
+def spots(size, count=7):
+    """Places all over a canvas."""
+    width, height = size
+    return [(width * (i + 1) // (count + 1), height * (j + 1) // (count + 1))
+            for i in range(count) for j in range(count)]
+
+
+def distance(first, second):
+    return max(abs(a - b) for a, b in zip(first, second))
+
+
+class Seen(TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser()
+        cls.addClassCleanup(cls.browser.driver.quit)
+
+    def page(self, *arguments, out="a.html"):
+        self.succeed(*arguments, "-o", out)
+        self.browser.open(self.path(out))
+        return PageFile(self.path(out))
+
+    def check_colors(self, page, name, choice, colors, ends):
+        """At places where a cell is hit, the color is that of the value there."""
+        tab, field = self.browser, page.fields[name]
+        values = page.values(name)
+        tab.plain()
+        tab.set(field=list(page.fields).index(name), map=choice)
+        hits = 0
+        for x, y in spots(tab.size()):
+            color = tab.pixel(x, y)
+            found = tab.click(x, y)
+            if not found or hits == 12:
+                continue
+            value = found["here"] if field["place"] == "vertex" else found["value"]
+            number = int(found["number"])
+            self.assertLess(abs(found["value"] - values[number]),
+                            1e-6 * max(map(abs, values)) + 1e-300)
+            t = (value - ends[0]) / ((ends[1] - ends[0]) or 1)
+            self.assertLess(distance(color, map_color(colors, t)), ROUNDING, (name, x, y, found))
+            wrong = (t + 0.4) % 1
+            self.assertGreater(distance(color, map_color(colors, wrong)), ROUNDING)
+            hits += 1
+        self.assertGreater(hits, 5)
+
+    def check_all_maps(self, page, name):
+        values, maps = page.values(name), page.header["maps"]
+        largest = max(map(abs, values))
+        own = (min(values), max(values))
+        self.check_colors(page, name, "sequential", maps["sequential"], own)
+        self.check_colors(page, name, "diverging", maps["diverging"], (-largest, largest))
+        self.check_colors(page, name, "gray", ["#f2f2f2", "#1c1c1c"], own)
+
+    def test_colors_of_vertices(self):
+        page = self.page("spectrum", golden("uv8.off"), "--side", "primal", "--degree", 0, "--count",
+                         4)
+        self.check_all_maps(page, "mode_3")
+
+    def test_colors_of_cells(self):
+        page = self.page("spectrum", golden("uv8.off"), "--side", "dual", "--degree", 0, "--count", 4)
+        self.check_all_maps(page, "mode_2")
+
+    def test_colors_of_solids(self):
+        for mesh, side in (("kuhn3.nsc", "dual"), ("fcc1.nsc", "dual"), ("kuhn3.nsc", "primal")):
+            page = self.page("poisson", golden(mesh), "--side", side, "--rhs", "x-y+2*z",
+                             "--natural")
+            self.check_colors(page, "u", "sequential", page.header["maps"]["sequential"],
+                              (min(page.values("u")), max(page.values("u"))))
+
+    def test_colors_of_faces_of_solids(self):
+        page = self.page("spectrum", golden("kuhn3.nsc"), "--side", "primal", "--degree", 2,
+                         "--count", 2)
+        largest = max(map(abs, page.values("mode_1")))
+        self.check_colors(page, "mode_1", "diverging", page.header["maps"]["diverging"],
+                          (-largest, largest))
+
+    def test_edges_carry_the_colors_of_their_values(self):
+        page = self.page("spectrum", golden("grid4.nsc"), "--side", "primal", "--degree", 1,
+                         "--count", 2)
+        tab, values = self.browser, page.values("mode_1")
+        tab.plain()
+        tab.set(field=1)
+        largest, colors = max(map(abs, values)), page.header["maps"]["diverging"]
+        wanted = {tuple(map(round, map_color(colors, (v / largest + 1) / 2))) for v in values}
+        width, height = tab.size()
+        seen = {tab.pixel(x, height // 2 + 7) for x in range(width // 5, 4 * width // 5)}
+        self.assertTrue(any(distance(a, b) < ROUNDING for a in seen for b in wanted))
+        self.assertFalse(any(distance(a, (9, 200, 9)) < ROUNDING for a in seen))
+
+    def test_a_cut_takes_cells_away_and_shows_those_behind(self):
+        page = self.page("view", golden("kuhn3.nsc"))
+        tab = self.browser
+        width, height = tab.size()
+        tab.plain()
+        before = tab.click(width // 2, height // 2)["cell"]
+        tab.set(axis=1, cut=100)
+        self.assertEqual(tab.click(width // 2, height // 2)["cell"], before)
+        tab.set(axis=2, cut=40)
+        cells = {tab.click(x, y)["cell"] for x, y in spots((width, height)) if tab.picked()
+                 or tab.click(x, y)}
+        points, corners = page.points(), page.arrays["corners"]
+        owners = page.arrays["owners"]
+        for cell in cells:
+            mine = [points[v][2] for t in range(len(corners) // 3)
+                    if cell in owners[2 * t:2 * t + 2] for v in corners[3 * t:3 * t + 3]]
+            self.assertLess((min(mine) + max(mine)) / 2, 0.5, "a cell above the cut is seen")
+        self.assertGreater(len(cells), 3)
+
+    def test_steps_of_a_series_are_shown(self):
+        self.succeed("spectrum", golden("uv8.off"), "--side", "primal", "--degree", 0, "--count", 3,
+                     "-o", "a.vtu")
+        text = self.read("a.vtu")
+        for step in (1, 2):
+            one = text.replace(f'"mode_{step}"', '"u"').replace(f'"mode_{3 - step}"', '"v"')
+            self.write(f"s{step}.vtu", one)
+        self.write("s.pvd", '<VTKFile type="Collection"><Collection>'
+                   '<DataSet timestep="0.5" file="s1.vtu"/><DataSet timestep="0.75" file="s2.vtu"/>'
+                   '</Collection></VTKFile>')
+        self.assertIn("not the arrays of the others", self.fail_with(2, "view", "s.pvd", "-o",
+                                                                      "s.html"))
+        order = self.read("s2.vtu").replace('"u"', '"w"').replace('"v"', '"u"').replace('"w"', '"v"')
+        self.write("s2.vtu", order)
+        page = self.page("view", "s.pvd")
+        tab = self.browser
+        tab.set(field=list(page.fields).index("u"))
+        for step, time in ((1, "0.75"), (0, "0.5")):
+            tab.set(step=step)
+            self.assertEqual(tab.text("time"), time)
+            found = tab.click(*(n // 2 for n in tab.size()))
+            self.assertAlmostEqual(found["value"], page.values("u", step)[int(found["number"])],
+                                   delta=1e-6)
+
+    def test_no_request_leaves_the_page_and_nobody_complains(self):
+        self.browser.requests()
+        self.page("spectrum", golden("uv8.off"), "--side", "primal", "--degree", 1, "--count", 3)
+        self.browser.click(*(n // 2 for n in self.browser.size()))
+        addresses = self.browser.requests()
+        self.assertEqual(len(addresses), 1, addresses)
+        self.assertEqual(self.browser.complaints(), [])
+        self.browser.run("const i = new Image(); i.src = 'https://example.org/a.png'")
+        self.browser.frames()
+        self.assertIn("Content Security Policy", " ".join(self.browser.complaints()),
+                      "a request is forbidden, and told")
+
+    def test_pages_of_few_cells(self):
+        for name, text in (("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+                           ("two.off", "OFF\n4 2 0\n0 0 0\n4 0 0\n3 1 0\n1 1 0\n3 0 1 2\n3 0 2 3\n"),
+                           ("curve.nsc", "1 3 4 3\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n0 1\n1 2\n2 3\n"),
+                           ("tet.nsc", "3 3 4 1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 2 3\n")):
+            with self.subTest(name):
+                self.write(name, text)
+                self.page("view", name)
+                self.assertEqual(self.browser.complaints(), [])
+                width, height = self.browser.size()
+                middle = [self.browser.click(x, height // 2)
+                          for x in range(width // 2 - 200, width // 2 + 200, 50)]
+                self.assertTrue(any(middle), name)
+
+    def test_albums_show_one_page_at_a_time(self):
+        for name in ("uv8.off", "kuhn3.nsc"):
+            self.succeed("view", golden(name), "-o", f"{name}.html")
+        self.succeed("view", "uv8.off.html", "kuhn3.nsc.html", "-o", "both.html")
+        tab = self.browser
+        tab.driver.get(f"file://{self.path('both.html')}")
+        shown = "return [...document.querySelectorAll('iframe')].map(f => f.offsetHeight > 99)"
+        self.assertEqual(sorted(tab.run(shown)), [False, True])
+        tab.driver.find_element("id", "to-1").click()
+        after = tab.run(shown)
+        tab.driver.find_element("id", "to-0").click()
+        self.assertEqual(tab.run(shown), after[::-1])
+        tab.driver.switch_to.frame(tab.driver.find_element("css selector", "#page-0 iframe"))
+        tab.wait(lambda: tab.state() == "ready")
+        tab.driver.switch_to.default_content()
+        self.assertEqual(tab.complaints(), [])
+
+
+if __name__ == "__main__":
+    command.main()
