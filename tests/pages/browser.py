@@ -113,7 +113,6 @@ class Browser:
         self.run("arguments[0].scrollIntoView({block: 'center'})", canvas)
         ActionChains(self.driver, duration=0).move_to_element_with_offset(
             canvas, x - width // 2, y - height // 2).click().perform()
-        self.frames()
         return self.picked()
 
     def picked(self):
