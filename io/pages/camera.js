@@ -9,6 +9,8 @@ class Camera {
 
     /** All of the mesh, from the front and above; flat ones from straight above. */
     reset() {
+        this.isMoved = false;
+        this.aspect = 0;
         this.zoom = 0.94;
         this.x = this.y = 0;
         this.axes = this.isFlat ? [[1, 0, 0], [0, 1, 0], [0, 0, 1]] : this.above();
@@ -21,10 +23,31 @@ class Camera {
         return [right, cross(eye, right), eye];
     }
 
+    /** Until somebody moves it, what is seen fills the view, as wide as `aspect` times its height. */
+    fill(points, aspect) {
+        if (this.isMoved || this.aspect === aspect)
+            return;
+        this.aspect = aspect;
+        const range = axis => {
+            let low = Infinity, high = -Infinity;
+            for (let i = 0; i < points.length; i += 3) {
+                const x = axis[0] * points[i] + axis[1] * points[i + 1] + axis[2] * points[i + 2];
+                low = Math.min(low, x);
+                high = Math.max(high, x);
+            }
+            return [low, high];
+        };
+        const [[left, right], [below, above]] = this.axes.slice(0, 2).map(range);
+        this.zoom = 1.88 * Math.min(aspect / (right - left || 1e-9), 1 / (above - below || 1e-9), 1e6);
+        this.x = -this.zoom * (left + right) / 2;
+        this.y = -this.zoom * (below + above) / 2;
+    }
+
     /** By angles around the upward and the rightward axis of the view. */
     turn(horizontal, vertical) {
         if (this.isFlat)
             return this.move(-horizontal, vertical);
+        this.isMoved = true;
         const [right, up, eye] = this.axes;
         const turned = (a, b, angle) => a.map((x, i) => x * Math.cos(angle) + b[i] * Math.sin(angle));
         let r = turned(right, eye, horizontal), e = turned(eye, right, -horizontal);
@@ -35,12 +58,14 @@ class Camera {
 
     /** In parts of half the height of the view. */
     move(x, y) {
+        this.isMoved = true;
         this.x += x;
         this.y += y;
     }
 
     /** Keeps the place (x, y) of the view where it is. */
     scale(factor, x = 0, y = 0) {
+        this.isMoved = true;
         const zoom = Math.min(5000, Math.max(0.2, this.zoom * factor));
         this.x = x + (this.x - x) * zoom / this.zoom;
         this.y = y + (this.y - y) * zoom / this.zoom;

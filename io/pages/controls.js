@@ -6,16 +6,18 @@ const element = id => document.getElementById(id);
 class Controls {
     constructor(viewer) {
         this.viewer = viewer;
+        this.calm = matchMedia("(prefers-reduced-motion: reduce)");
         const {scene, fields} = viewer, {header} = scene;
         this.offer("field", [["-1", "cells without values"],
             ...fields.map((field, i) => [String(i), `${field.name} (${field.place})`])]);
-        element("field").value = String(this.first(fields));
-        element("removed").checked = this.first(fields) < 0; // they would drown a field
+        element("field").value = String(header.shown);
+        element("removed").checked = header.shown < 0; // they would drown a field
         this.hideWhatIsNotThere(scene, header, fields);
         element("step").max = header.steps.length - 1;
         element("controls").addEventListener("input", () => this.changed());
         element("controls").addEventListener("submit", event => event.preventDefault());
         element("play").addEventListener("click", () => this.play());
+        this.namePlay();
         element("theme").addEventListener("click", () => this.turnTheme());
         document.addEventListener("keydown", event => this.key(event));
         element("canvas").addEventListener("keydown", event => this.canvasKey(event));
@@ -23,17 +25,6 @@ class Controls {
         this.prepareTable();
         for (const id of ["controls", "theme"])
             element(id).hidden = false;
-    }
-
-    /** The one asked for; of a constant one and its likes the first that is not. */
-    first(fields) {
-        const asked = fields.findIndex(field => field.isFirst);
-        const varies = field => field.high - field.low >
-            1e-6 * Math.max(Math.abs(field.low), Math.abs(field.high));
-        if (asked < 0 || varies(fields[asked]))
-            return asked;
-        const better = fields.findIndex((field, i) => i > asked && varies(field));
-        return better < 0 ? asked : better;
     }
 
     offer(id, choices) {
@@ -53,6 +44,7 @@ class Controls {
         hide("field", fields.length > 0);
         hide("map", fields.length > 0);
         hide("step", header.steps.length > 1);
+        hide("speed", header.steps.length > 1 && !this.calm.matches);
         hide("removed", [...kinds].some(bits => [0, 2, 4].some(s => (bits >> s & 3) === 2)));
         hide("edges", !scene.isCurve);
         hide("dual", scene.arrays.dual_lines !== undefined);
@@ -113,17 +105,34 @@ class Controls {
         this.changed();
     }
 
+    /** Plays or pauses; where motion is unwanted, goes one step on. */
     play() {
-        if (this.timer) {
-            clearInterval(this.timer);
-            this.timer = 0;
-            return;
-        }
-        this.timer = setInterval(() => {
-            const step = element("step");
-            step.value = Number(step.value) >= Number(step.max) ? 0 : Number(step.value) + 1;
-            this.changed();
-        }, 200);
+        if (this.calm.matches)
+            return this.advance();
+        const isPlaying = this.timer !== undefined;
+        clearTimeout(this.timer);
+        this.timer = undefined;
+        if (!isPlaying)
+            this.advanceLater();
+        this.namePlay();
+    }
+
+    advanceLater() {
+        this.timer = setTimeout(() => {
+            this.advance();
+            this.advanceLater();
+        }, 1000 / Number(element("speed").value));
+    }
+
+    advance() {
+        const step = element("step");
+        step.value = Number(step.value) >= Number(step.max) ? 0 : Number(step.value) + 1;
+        this.changed();
+    }
+
+    namePlay() {
+        element("play").firstChild.data = this.calm.matches ? "Next step "
+            : this.timer === undefined ? "Play " : "Pause ";
     }
 
     turnTheme() {
@@ -135,10 +144,14 @@ class Controls {
 
     /** Letters, wherever the focus is but in lists and sliders. */
     key(event) {
-        const isTyping = ["SELECT", "TEXTAREA"].includes(event.target.tagName);
-        if (isTyping || event.ctrlKey || event.altKey || event.metaKey)
+        if (event.ctrlKey || event.altKey || event.metaKey || event.defaultPrevented)
             return;
-        const control = document.querySelector(`[data-key="${CSS.escape(event.key.toLowerCase())}"]`);
+        // lists, buttons and switches have a use for some keys themselves
+        const {tagName, type} = event.target;
+        if (tagName === "SELECT" || event.key === " " && (tagName === "BUTTON" || type === "checkbox"))
+            return;
+        const key = event.key === " " ? "p" : event.key.toLowerCase();
+        const control = document.querySelector(`[data-key="${CSS.escape(key)}"]`);
         if (!control || control.closest("[hidden]"))
             return;
         if (control.tagName === "SELECT")
@@ -167,6 +180,8 @@ class Controls {
             camera.reset();
         else if (event.key === "Enter")
             this.viewer.pick([0, 0]);
+        else if (event.key === "Escape")
+            this.viewer.unpick();
         else
             return;
         event.preventDefault();

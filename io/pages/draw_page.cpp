@@ -51,9 +51,24 @@ std::vector<std::string> facts_of(const Discretization& mesh) {
                         fmt::join(input, ", "), fmt::join(merged, ", "))};
 }
 
+/// Modes of one eigenvalue are rotated at will: tells of those that their radii do not separate.
+std::string in_words_multiple(const Spectrum& spectrum) {
+    std::string text;
+    const auto& values = spectrum.eigenvalues;
+    for (Index first = 0, last = 0; first < values.size(); first = last) {
+        for (last = first + 1; last < values.size(); ++last)
+            if (values[last] - values[last - 1] > spectrum.radii[last] + spectrum.radii[last - 1])
+                break;
+        if (last - first > 1)
+            text += fmt::format("; modes {} to {} are one basis of a {}-fold eigenvalue", first,
+                                last - 1, last - first);
+    }
+    return text;
+}
+
 PageTable table_of(const Spectrum& spectrum, const std::vector<NamedForm>& modes) {
     PageTable table{.columns = {"", "eigenvalue", "radius", "residual"},
-                    .below = in_words(spectrum.certificate)};
+                    .below = in_words(spectrum.certificate) + in_words_multiple(spectrum)};
     for (Index i = 0; i < spectrum.eigenvalues.size(); ++i) {
         table.rows.push_back({std::to_string(i), fmt::format("{:.12g}", spectrum.eigenvalues[i]),
                               fmt::format("{:.2e}", spectrum.radii[i]),

@@ -34,7 +34,7 @@ function fieldsOf(header, arrays) {
                 high = Math.max(high, value);
             }
         const off = Math.max(...entries.map(entry => entry.kind === "rounded" ? entry.step / 2 : 0));
-        return {...field, rows, values, low, high, off, isFirst: i === header.shown};
+        return {...field, rows, values, low, high, off};
     });
 }
 

@@ -91,6 +91,7 @@ std::string to_html(const Page& page) {
                         {"title", html_text(text.title)},
                         {"command", command},
                         {"still", header.still},
+                        {"caption", html_text(header.caption)},
                         {"warnings", section_html("warnings", "Warnings", text.warnings)},
                         {"notes", section_html("notes", "About this page", header.notes)},
                         {"facts", section_html("facts", "What is shown", text.facts)},

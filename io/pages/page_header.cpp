@@ -37,6 +37,15 @@ DenseMatrix rows_of(const VtuArray& array) {
         array.values);
 }
 
+/// Whether the numbers, of vectors their lengths, differ by more than rounding.
+bool varies(const VtuArray& array) {
+    const DenseMatrix rows = rows_of(array);
+    if (rows.rows() == 0)
+        return false;
+    const Vector numbers = rows.cols() == 1 ? Vector(rows) : Vector(rows.rowwise().stableNorm());
+    return numbers.maxCoeff() - numbers.minCoeff() > 1e-6 * numbers.cwiseAbs().maxCoeff();
+}
+
 /// Makes the header, part after part.
 class Maker {
 public:
@@ -49,6 +58,7 @@ public:
             page.mesh ? page_faces(drawn_cells(*page.mesh)) : page_faces(page.grid, page.groups);
         const char* const places[] = {"vertex", "edge", "face", "cell"};
         place_ = degree == faces_.dimension ? "cell" : places[degree];
+        first_ = first();
     }
 
     PageHeader make() {
@@ -70,7 +80,9 @@ public:
             json_array({json_number(origin_[0]), json_number(origin_[1]), json_number(origin_[2])}),
             maps(), json_array(fields_), shown_, steps(), json_array(arrows_), data_.directory());
         header.data = data_.text();
-        header.still = still_picture(cells(), faces_, first());
+        header.still = still_picture(cells(), faces_, own_ ? nullptr : first_);
+        if (first_ != nullptr && !own_ && faces_.dimension > 1)
+            header.caption = fmt::format("Colors: {}. ", first_->name);
         header.notes = std::move(notes_);
         return header;
     }
@@ -78,15 +90,18 @@ public:
 private:
     const VtuGrid& cells() const { return own_ ? *own_ : page_.grid; }
 
-    /// The array that is seen first, if it is one that the still picture can show.
+    /// The array that is seen first: the one asked for; of a constant one and its likes the first
+    /// that is not.
     const VtuArray* first() const {
-        for (const auto& array : page_.grid.point_data)
-            if (array.name == page_.shown && !own_)
-                return &array;
-        for (const auto& array : page_.grid.cell_data)
-            if (array.name == page_.shown && !own_)
-                return &array;
-        return nullptr;
+        const VtuArray* asked = nullptr;
+        for (const auto* list : {&page_.grid.point_data, &page_.grid.cell_data})
+            for (const auto& array : *list) {
+                if (asked == nullptr && array.name == page_.shown)
+                    asked = &array;
+                if (asked != nullptr && (!page_.steps.empty() || varies(array)))
+                    return &array;
+            }
+        return asked;
     }
 
     static std::string maps() {
@@ -164,7 +179,7 @@ private:
                   std::vector<VtuArray> PageStep::*of_step) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             const auto& array = list[i];
-            if (array.name == page_.shown)
+            if (&array == first_)
                 shown_ = static_cast<int>(fields_.size());
             const auto field = fields_.size();
             fields_.push_back(fmt::format(
@@ -253,6 +268,7 @@ private:
 
     const Page& page_;
     std::optional<VtuGrid> own_; ///< top cells, if the grid has others
+    const VtuArray* first_ = nullptr;
     PageFaces faces_;
     std::string place_; ///< where values of cells of the grid are
     std::array<double, 3> origin_{};

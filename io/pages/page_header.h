@@ -13,6 +13,7 @@ struct PageHeader {
     std::string json;
     std::string data;
     std::string still;                   ///< an SVG picture
+    std::string caption = {};            ///< what its colors are; may be empty
     std::vector<std::string> notes = {}; ///< what was left out or rounded
 };
 

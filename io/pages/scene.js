@@ -15,7 +15,7 @@ class Scene {
         this.isFlat = header.flat;
         if (this.isFlat) // but for rounding
             this.points = this.points.map((x, i) => i % 3 < 2 ? x : 0);
-        this.centers = this.isCurve ? new Float64Array(3) : this.cellCenters();
+        this.centers = this.isCurve ? new Float32Array(3) : this.cellCenters();
     }
 
     /** Places of the file, less its origin, in the scene. */
@@ -49,7 +49,7 @@ class Scene {
         return this.isSolid ? [owners[2 * t], owners[2 * t + 1]] : [owners[t], -1];
     }
 
-    /** Of each cell the mean of the corners of its triangles. */
+    /** Of each cell the mean of the corners of its triangles, as the shaders know it. */
     cellCenters() {
         const sums = new Float64Array(3 * this.header.cells), counts = new Float64Array(this.header.cells);
         for (let t = 0; t < this.size; ++t)
@@ -61,7 +61,7 @@ class Scene {
                     for (let i = 0; i < 3; ++i)
                         sums[3 * cell + i] += this.points[3 * v + i];
             }
-        return sums.map((x, i) => x / (counts[Math.floor(i / 3)] || 1));
+        return Float32Array.from(sums, (x, i) => x / (counts[Math.floor(i / 3)] || 1));
     }
 
     center(cell) {

@@ -4,6 +4,7 @@
 class Viewer {
     constructor(canvas, scene, fields) {
         this.canvas = canvas;
+        this.label = canvas.getAttribute("aria-label");
         this.scene = scene;
         this.fields = fields;
         this.picked = null;
@@ -57,7 +58,7 @@ class Viewer {
             high = Math.max(high, this.scene.centers[i]);
         }
         plane[axis] = 1;
-        plane[3] = low + cut * (high - low) + 1e-6;
+        plane[3] = Math.fround(low + cut * (high - low) + 1e-6);
         return plane;
     }
 
@@ -83,6 +84,7 @@ class Viewer {
             this.canvas.width = width;
             this.canvas.height = height;
         }
+        this.camera.fill(this.scene.points, width / height);
         const look = this.look(), seen = `${look.field} ${look.step}`;
         if (seen !== this.seen) {
             this.seen = seen;
@@ -95,6 +97,7 @@ class Viewer {
 
     legend(look) {
         element("legend").hidden = !look.scale;
+        this.canvas.setAttribute("aria-label", this.label);
         if (!look.scale)
             return;
         const {ends, isConstant} = look.scale, {name, about, place, components} = this.field;
@@ -108,6 +111,13 @@ class Viewer {
         [...element("legend-numbers").children].forEach((span, i) => {
             span.textContent = numberText(numbers[i], 4);
         });
+        this.canvas.setAttribute("aria-label", `Colors of ${name}, from ${numberText(ends[0], 4)} to ` +
+            `${numberText(ends[1], 4)}. ${this.label}`);
+    }
+
+    unpick() {
+        this.picked = null;
+        this.pickedText();
     }
 
     /** Tells of what is at a place of the view, in parts of half its height. */

@@ -6,7 +6,22 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace polydec {
+
+namespace {
+
+/// 1 or -1, by the first value that is, but for rounding, the largest.
+double sign_of(const Vector& values) {
+    const double most = values.size() == 0 ? 0 : values.cwiseAbs().maxCoeff();
+    for (const double value : values)
+        if (std::abs(value) >= (1 - 1e-6) * most)
+            return value < 0 ? -1 : 1;
+    return 1;
+}
+
+} // namespace
 
 Cochain shown_mode(const Discretization& discretization, const Spectrum& spectrum, Index i) {
     const int n = discretization.dimension();
@@ -15,8 +30,9 @@ Cochain shown_mode(const Discretization& discretization, const Spectrum& spectru
     const bool primal =
         spectrum.side == Side::primal || (!discretization.passage().is_identity() && k < n);
     const double half_power = (n - 2 * k) / 2.0;
+    const Vector mode = spectrum.modes.col(i);
     return {spectrum.side, spectrum.degree,
-            in_input_units(spectrum.modes.col(i), discretization.unit(),
+            in_input_units(sign_of(mode) * mode, discretization.unit(),
                            primal ? -half_power : half_power, fmt::format("mode {}", i))};
 }
 

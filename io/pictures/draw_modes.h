@@ -8,7 +8,8 @@
 
 namespace polydec {
 
-/// A mode of a spectrum as a form of norm 1 in the units of the input.
+/// A mode of a spectrum as a form of norm 1 in the units of the input, with the sign, which is
+/// arbitrary, that makes its largest value positive; of several the first one.
 Cochain shown_mode(const Discretization& discretization, const Spectrum& spectrum, Index i);
 
 /// The modes of a spectrum on the merged cells they live on, as arrays mode_0, mode_1, ..: point
