@@ -12,8 +12,7 @@ function coordinatesIn(place, corners) {
 
 /** The triangle's cell that is seen: of two, the one that was not cut away. */
 function cellAt(scene, triangle, look) {
-    const isKept = cell => cell >= 0 && dot(look.cut, scene.center(cell)) <= look.cut[3];
-    return scene.owners(triangle).find(isKept);
+    return scene.owners(triangle).find(cell => scene.isKept(cell, look.cut));
 }
 
 /** The line of a curve that passes nearest to a place; -1: none within some pixels. */

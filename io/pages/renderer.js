@@ -48,7 +48,7 @@ class Renderer {
     }
 
     restoreFaces() {
-        const {arrays, size} = this.scene;
+        const {gl} = this, {arrays, size} = this.scene;
         this.programs.faces = this.program(faceVertices, faceColors);
         this.keep("points", "float4", this.scene.points.length / 3, v => [...this.scene.point(v), 0]);
         this.keep("triangles", "whole4", size, t => [...this.scene.corners(t), arrays.sides[t]]);
@@ -59,6 +59,18 @@ class Renderer {
         this.keep("edges", "whole4", arrays.edges ? size : 1, t => arrays.edges
             ? [...arrays.edges.subarray(3 * t, 3 * t + 3)].map(e => e + 1).concat(0) : [0, 0, 0, 0]);
         this.keepTexels("values", new Float32Array(1), "float1");
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+        this.cut = null;
+    }
+
+    /** Keeps the triangles that a cut leaves to be seen: of a solid there are far fewer than all. */
+    keepSeen(cut) {
+        if (this.cut && this.cut.every((x, i) => x === cut[i]))
+            return;
+        const {gl} = this, seen = this.scene.seenCorners(cut);
+        this.cut = [...cut];
+        this.seen = seen.length;
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, seen, gl.DYNAMIC_DRAW);
     }
 
     program(vertices, colors) {
@@ -197,9 +209,10 @@ class Renderer {
 
     drawFaces(all, look) {
         const {gl, scene} = this;
+        this.keepSeen(look.cut);
         this.use("faces", {...look, ...all, solid: scene.isSolid,
             place: this.field ? places[this.field.place] : 0});
-        gl.drawArrays(gl.TRIANGLES, 0, 3 * scene.size);
+        gl.drawElements(gl.TRIANGLES, this.seen, gl.UNSIGNED_INT, 0);
     }
 
     /** The triangle at a pixel, counted from below; -1: none. */

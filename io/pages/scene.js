@@ -68,6 +68,28 @@ class Scene {
         return [0, 1, 2].map(i => this.centers[3 * cell + i]);
     }
 
+    /** Whether a plane leaves a cell: cells are taken away whole, by their centers. */
+    isKept(cell, cut) {
+        const c = this.centers, i = 3 * cell;
+        return cell >= 0 && cut[0] * c[i] + cut[1] * c[i + 1] + cut[2] * c[i + 2] <= cut[3];
+    }
+
+    /** Of the triangles with one side at a cell that is kept, 3 numbers each, as shaders count. */
+    seenCorners(cut) {
+        const {owners} = this.arrays, sides = this.isSolid ? 2 : 1;
+        const isKept = new Uint8Array(this.header.cells + 1); // -1, no cell, is the last
+        for (let cell = 0; cell < this.header.cells; ++cell)
+            isKept[cell] = this.isKept(cell, cut) ? 1 : 0;
+        const at = cell => isKept[cell < 0 ? this.header.cells : cell];
+        const seen = new Uint32Array(3 * this.size);
+        let size = 0;
+        for (let t = 0; t < this.size; ++t)
+            if (at(owners[sides * t]) !== (this.isSolid ? at(owners[2 * t + 1]) : 0))
+                for (let i = 0; i < 3; ++i)
+                    seen[size++] = 3 * t + i;
+        return seen.subarray(0, size);
+    }
+
     /** The vertices at the true edges of a cell, ascending; linear time. */
     vertices(cell) {
         const found = new Set();
