@@ -39,6 +39,9 @@ int main() {
         solid, {.eye = Eigen::Vector3d(1.1, -1.5, 1), .title = "Energy of six standing waves"}));
 
     polydec::write_page("maxwell_cavity.html",
-                        polydec::draw_page(box, {{"energy", {polydec::Side::dual, 0, energy}}},
+                        polydec::draw_page(box,
+                                           {{"energy",
+                                             {polydec::Side::dual, 0, energy},
+                                             "|E|^2, the sum over six modes of norm 1"}},
                                            "Energy of six standing waves"));
 }

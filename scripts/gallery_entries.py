@@ -104,5 +104,5 @@ ENTRIES = (
           "The electric field upwards, by leapfrog on octahedra and tetrahedra, a value for each "
           "cell; the page plays the steps. A cut takes the front half away.",
           ("13_electromagnetic_pulse",), "pulse_on_octahedra.html",
-          {"axis": "1", "cut": "50", "step": "17"}, (LEFT,) * 3),
+          {"axis": "0", "cut": "50", "step": "17"}, (LEFT,) * 7),
 )

@@ -176,7 +176,9 @@ void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const
         shown.values = by_number(mesh, shown.values, Vector::Zero(mesh.isolated().rows()));
     auto& list = k > 0 ? grid.cell_data : grid.point_data;
     list.push_back(vtu_array(std::move(name), shown.values));
-    list.back().about = std::move(about);
+    list.back().about = about.empty()
+                            ? fmt::format("a {} {}-form", polydec::name(form.side), form.degree)
+                            : std::move(about);
 }
 
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {
