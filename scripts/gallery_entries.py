@@ -99,7 +99,7 @@ ENTRIES = (
           ("12_maxwell_cavity",), "maxwell_cavity.html", {"axis": "0", "cut": "50"}, (LEFT,) * 7),
     Entry("hot_spot", "A hot spot, blown around a sphere",
           "A PDE of one's own: transport by a wind with upwind sampling, and heat, on quads.",
-          ("10_your_own_pde",), "temperature.html", {"step": "25", "levels": True}, (RIGHT,) * 20),
+          ("10_your_own_pde",), "temperature.html", {"step": "8", "levels": True}, (RIGHT,) * 20),
     Entry("pulse", "A pulse of light among octahedra",
           "The electric field upwards, by leapfrog on octahedra and tetrahedra, a value for each "
           "cell; the page plays the steps. A cut takes the front half away.",
