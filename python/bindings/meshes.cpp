@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/length_file.h"
 #include "io/meshes/read_mesh.h"
+#include "io/meshes/vtk_cells.h"
 #include "io/meshes/write_mesh.h"
 #include "meshes/generate.h"
 #include "meshes/length_mesh.h"
 #include "meshes/peel.h"
+#include "meshes/polygons.h"
 #include "meshes/rearrange.h"
 #include "meshes/tetrahedralize.h"
 #include "python/bindings/convert.h"
@@ -77,6 +79,7 @@ void add_files(py::module_& module) {
         unlocked([&] { write_lengths(path, mesh); });
     });
     module.def("is_length_file", [](const Path& path) { return is_length_file(path); });
+    module.def("is_tag_name", [](const std::string& name) { return is_tag_name(name); });
 }
 
 void add_generators(py::module_& module) {
@@ -123,6 +126,10 @@ void add_changes(py::module_& module) {
         Renumbered result = along_morton_curve(mesh);
         return py::make_tuple(std::move(result.mesh), array(std::move(result.vertices)),
                               array(std::move(result.cells)));
+    });
+    module.def("split_polygons", [](const Numbers& points, const Integers& corners,
+                                    const Integers& offsets, const Integers& tags) {
+        return split_polygons({rows(points), indices(corners), indices(offsets), indices(tags)});
     });
     module.def("length_mesh", &length_mesh);
     module.def("peeled", [](const Mesh& mesh) { return unlocked([&] { return peeled(mesh); }); });

@@ -16,16 +16,17 @@ from . import meshes
 from ._cells import Cells, ConditionedCells
 from ._cochain import Cochain
 from ._complex import CellList, Complex, Merging, Polygons, discretize
+from ._distance import GeodesicDistance, ParallelTransport, geodesic_distance
 from ._engines import (Backend, Solution, backends, load_engine, register_eigen_solver,
                        register_linear_solver, set_memory_limit, solve)
 from ._errors import BackendUnavailable, Error, InvalidInput, IoError, SolverFailure
+from ._evolution import HeatSolver, Leapfrog, heat, stable_step, wave
 from ._fields import (de_rham, flat, flux_form, flux_sharp, gradient, inflow, interior_product,
                       lie_derivative, primal_dual_wedge, sharp_pd, sharp_pp, wedge,
                       whitney_at_centroids, whitney_form)
+from ._given import as_mesh, split_polygons
+from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
 from ._plot import plot, to_meshio, to_pyvista, write_vtu
-from ._solvers import (DarcyFlow, DarcySolver, GeodesicDistance, HeatSolver, HodgeParts,
-                       HodgeSolver, Leapfrog, ParallelTransport, PoissonSolver, darcy,
-                       geodesic_distance, harmonic_forms, heat, hodge_decomposition, poisson,
-                       stable_step, wave)
+from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonSolver, darcy,
+                       harmonic_forms, hodge_decomposition, poisson)
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
-from .meshes import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh

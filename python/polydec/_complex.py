@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import json
-from typing import Any, Callable, NamedTuple
+from typing import Any, Callable, NamedTuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Integers, floats, matrix_parts
+from ._arrays import Floats, Integers, floats, marks, matrix_parts
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
 from ._errors import InvalidInput, told
-from .meshes import LengthMesh, Mesh
+from ._given import MeshLike, as_mesh
+from ._mesh import LengthMesh, Mesh
 
 Progress = Callable[[str], object]
+#: Cells, or a mesh that they are made of.
+CellsLike = Union[Cells, MeshLike]
 
 
 class CellList(NamedTuple):
@@ -255,7 +258,7 @@ class Merging:
         return Cochain(values, degree, side, cells)
 
 
-def discretize(mesh: Mesh | LengthMesh, *, tolerance: float = 1e-4,
+def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
                angle_tolerance: float | None = None, merge: bool = True,
                delaunay: str | None = None, materials: str = "join", star: str = "circumcentric",
                centers: str = "circumcenters", progress: Progress | None = None) -> Complex:
@@ -263,7 +266,8 @@ def discretize(mesh: Mesh | LengthMesh, *, tolerance: float = 1e-4,
 
     Parameters
     ----------
-    mesh : Mesh or LengthMesh
+    mesh : Mesh, LengthMesh, path, pair of array_like, or meshio.Mesh
+        As `as_mesh` takes it: ``"bunny.off"`` and ``(points, triangles)`` will do.
     tolerance : float
         Facets with a relative dual length up to this are merged across.
     angle_tolerance : float, optional
@@ -301,7 +305,35 @@ def discretize(mesh: Mesh | LengthMesh, *, tolerance: float = 1e-4,
     options = {"tolerance": tolerance, "angle_tolerance": angle_tolerance, "merge": merge,
                "delaunay": delaunay, "materials": materials, "star": star, "centers": centers}
     criterion = "none" if not merge else "dual_length" if angle_tolerance is None else "angle"
-    made = _core.discretize(mesh._mesh, criterion,
+    given = as_mesh(mesh)
+    made = _core.discretize(given._mesh, criterion,
                             tolerance if angle_tolerance is None else angle_tolerance,
                             delaunay or "off", materials, star, centers, progress)
-    return Complex(made, mesh, options)
+    return Complex(made, given, options)
+
+
+def facet_marks(cells: Cells, essential: Any) -> list[bool]:
+    """Conditions for C++ from those of users, who may mark facets by their places."""
+    places = cells.facet_sites() if isinstance(cells, Complex) else np.zeros((0, 0))
+    return marks(essential, places, cells.size(cells.dim - 1))
+
+
+def mesh_of(complex: Complex) -> _core.Discretization:
+    """What is behind a complex on which values are given; nothing else will do."""
+    if not isinstance(complex, Complex):
+        raise InvalidInput(f"something of the type {type(complex).__name__} is given: expected the "
+                           "Complex that discretize makes of a mesh, since forms are on its cells")
+    return complex._mesh
+
+
+def as_cells(given: CellsLike) -> Cells:
+    """Cells as they are, and a mesh discretized without options."""
+    return given if isinstance(given, Cells) else discretize(given)
+
+
+def as_complex(given: CellsLike) -> Complex:
+    """Likewise, for what needs the places of cells."""
+    if isinstance(given, Cells) and not isinstance(given, Complex):
+        raise InvalidInput(f"{given!r} alone are given: expected the Complex that discretize makes "
+                           "of a mesh, since places of cells are needed")
+    return given if isinstance(given, Complex) else discretize(given)

@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import Floats, floats
 from ._cells import Form, as_form
 from ._cochain import Cochain
-from ._complex import Complex
+from ._complex import Complex, mesh_of
 from ._errors import InvalidInput
 
 
@@ -66,7 +66,7 @@ def de_rham(complex: Complex, k: int, form: Callable[[Floats], npt.ArrayLike], *
                                f"points: expected ({len(points)}, {components})")
         return floats(values, "values of the form", 2)
 
-    return _core.de_rham(complex._mesh, side, k, coefficients, quadrature_degree)[2]
+    return _core.de_rham(mesh_of(complex), side, k, coefficients, quadrature_degree)[2]
 
 
 def flux_form(field: Callable[[Floats], npt.ArrayLike]) -> Callable[[Floats], Floats]:
@@ -109,7 +109,7 @@ def wedge(complex: Complex, a: Form, b: Form, *, degrees: tuple[int, int] | None
     k, l = degrees if degrees is not None else (None, None)
     left, right = as_form(a, k, side), as_form(b, l, side)
     kind = weights if left[0] == "primal" else "dual"
-    return _given_back(complex, _core.product(complex._mesh, kind, *left, *right), a, b)
+    return _given_back(complex, _core.product(mesh_of(complex), kind, *left, *right), a, b)
 
 
 def primal_dual_wedge(complex: Complex, a: Form, b: Form, *, degree: int | None = None) -> Floats:
@@ -119,7 +119,7 @@ def primal_dual_wedge(complex: Complex, a: Form, b: Form, *, degree: int | None 
     """
     left = as_form(a, degree, "primal")
     right = as_form(b, None if degree is None else complex.dim - degree, "dual")
-    return _core.primal_dual_wedge(complex._mesh, *left, *right)
+    return _core.primal_dual_wedge(mesh_of(complex), *left, *right)
 
 
 def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
@@ -140,13 +140,13 @@ def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
     >>> np.allclose(polydec.sharp_pp(square, form), 1.0)
     True
     """
-    side, degree, values = _core.flat(complex._mesh, kind, floats(field, "vectors", 2))
+    side, degree, values = _core.flat(mesh_of(complex), kind, floats(field, "vectors", 2))
     return Cochain(values, degree, side, complex)
 
 
 def sharp_pp(complex: Complex, form: Form) -> Floats:
     """Vectors at the vertices of a primal 1-form, (size(0), N); constants are exact."""
-    return _core.sharp(complex._mesh, "pp", *as_form(form, 1))
+    return _core.sharp(mesh_of(complex), "pp", *as_form(form, 1))
 
 
 def sharp_pd(complex: Complex, form: Form) -> Floats:
@@ -155,12 +155,12 @@ def sharp_pd(complex: Complex, form: Form) -> Floats:
     Exact for differentials of linear functions on flat cells of any shape: so
     ``sharp_pd(c, c.d(0) @ u)`` is the gradient of u; see `gradient`.
     """
-    return _core.sharp(complex._mesh, "pd", *as_form(form, 1))
+    return _core.sharp(mesh_of(complex), "pd", *as_form(form, 1))
 
 
 def flux_sharp(complex: Complex, form: Form) -> Floats:
     """Vectors at the centroids of the n-cells of the field whose fluxes a primal (n-1)-form holds."""
-    return _core.sharp(complex._mesh, "flux", *as_form(form, complex.dim - 1))
+    return _core.sharp(mesh_of(complex), "flux", *as_form(form, complex.dim - 1))
 
 
 def gradient(complex: Complex, u: Form) -> Floats:
@@ -179,7 +179,7 @@ def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = N
 
     A row of N over k coefficients for each; constant forms are exact on flat meshes.
     """
-    return _core.sharp(complex._mesh, "whitney", *as_form(form, degree))
+    return _core.sharp(mesh_of(complex), "whitney", *as_form(form, degree))
 
 
 def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayLike, *,
@@ -188,7 +188,7 @@ def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayL
 
     The point is given by its n + 1 barycentric coordinates; N over k coefficients are returned.
     """
-    return _core.whitney_form(complex._mesh, *as_form(form, degree), top,
+    return _core.whitney_form(mesh_of(complex), *as_form(form, degree), top,
                               floats(barycentric, "barycentric coordinates"))
 
 
@@ -203,17 +203,17 @@ def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
     sampling : {"centered", "upwind"}
         From which simplices around a cell a form is taken.
     """
-    return _core.contraction(complex._mesh, "interior_product", floats(field, "vectors", 2), k,
+    return _core.contraction(mesh_of(complex), "interior_product", floats(field, "vectors", 2), k,
                              sampling)
 
 
 def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
                    sampling: str = "centered") -> Any:
     """Lie derivative of primal k-forms, ``i_X d + d i_X``, a sparse matrix; commutes with d."""
-    return _core.contraction(complex._mesh, "lie_derivative", floats(field, "vectors", 2), k,
+    return _core.contraction(mesh_of(complex), "lie_derivative", floats(field, "vectors", 2), k,
                              sampling)
 
 
 def inflow(complex: Complex, field: npt.ArrayLike, k: int) -> Any:
     """The rate at which values of a k-form outside come in, for the upwind `lie_derivative`."""
-    return _core.contraction(complex._mesh, "inflow", floats(field, "vectors", 2), k, "upwind")
+    return _core.contraction(mesh_of(complex), "inflow", floats(field, "vectors", 2), k, "upwind")

@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import Floats, Integers, floats
 from ._cells import Form, as_form
 from ._cochain import Cochain
-from ._complex import Complex
+from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput
 
 
@@ -31,7 +31,7 @@ def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
     return points, [points[corners[a:b]] for a, b in zip(starts, offsets[seen + 1])], seen
 
 
-def plot(complex: Complex, values: Form | None = None, *, degree: int | None = None,
+def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None = None,
          side: str = "primal", ax: Any = None, **style: Any) -> Any:
     """Draws the cells with matplotlib, colored by a form on vertices or on the cells seen.
 
@@ -58,6 +58,7 @@ def plot(complex: Complex, values: Form | None = None, *, degree: int | None = N
     from matplotlib.collections import PolyCollection
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
+    complex = as_complex(complex)
     points, polygons, seen = _polygons(complex)
     in_plane = points.shape[1] == 2
     if ax is None:
@@ -101,7 +102,7 @@ def _colors(complex: Complex, values: Form, degree: int | None, side: str,
     return np.asarray((sums / np.diff(lists.offsets))[seen])
 
 
-def write_vtu(path: str | os.PathLike[str], complex: Complex,
+def write_vtu(path: str | os.PathLike[str], complex: CellsLike,
               forms: Mapping[str, Form] | None = None, *, degree: int = 0,
               side: str = "primal") -> None:
     """Writes the cells with forms on them for ParaView.
@@ -111,6 +112,7 @@ def write_vtu(path: str | os.PathLike[str], complex: Complex,
     forms : mapping of str to Cochain or array_like, optional
         All of one kind; arrays are of the degree and side given.
     """
+    complex = as_complex(complex)
     given = [(name, *as_form(form, degree, side)) for name, form in (forms or {}).items()]
     kinds = {k if of == "primal" else complex.dim - k for _, of, k, _ in given}
     if len(kinds) > 1:

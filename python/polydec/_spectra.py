@@ -9,9 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, floats, marks, matrix_parts
-from ._cells import Cells
-from ._complex import Complex, Progress
+from ._arrays import Floats, floats, matrix_parts
+from ._complex import CellsLike, Progress, as_cells, facet_marks
 
 
 @dataclass(frozen=True)
@@ -77,7 +76,7 @@ def _eigenpairs(parts: dict[str, Any]) -> dict[str, Any]:
     return {**parts, "certificate": Certificate(**parts["certificate"])}
 
 
-def spectrum(complex: Cells, *, degree: int = 0, count: int = 10, side: str = "primal",
+def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str = "primal",
              essential: Any = None, coexact: bool = False, certified: bool = True,
              linear_solver: str = "auto", eigen_solver: str = "auto",
              progress: Progress | None = None) -> Spectrum:
@@ -85,7 +84,7 @@ def spectrum(complex: Cells, *, degree: int = 0, count: int = 10, side: str = "p
 
     Parameters
     ----------
-    complex : Cells
+    complex : Cells, or a mesh as `discretize` takes it
     degree, side
         Of the forms.
     count : int
@@ -124,10 +123,8 @@ def spectrum(complex: Cells, *, degree: int = 0, count: int = 10, side: str = "p
     >>> modes.certificate.complete
     True
     """
-    marked: list[bool] = []
-    if essential is not None:
-        places = complex.facet_sites() if isinstance(complex, Complex) else np.zeros((0, 0))
-        marked = marks(essential, places, complex.size(complex.dim - 1))
+    complex = as_cells(complex)
+    marked = [] if essential is None else facet_marks(complex, essential)
     parts = _core.spectrum(complex._calculus, side, degree, count, marked, coexact, certified,
                            linear_solver, eigen_solver, progress)
     return Spectrum(**_eigenpairs(parts), side=side, degree=degree)

@@ -1,198 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""Meshes: of arrays, of files, of generators.
+"""Meshes of generators, and changed ones.
 
 Every generator gives a `Mesh`; the same arguments give the same mesh on every machine.
 """
 from __future__ import annotations
 
-import os
-from typing import Any, NamedTuple, Sequence, Union
+from typing import Any, NamedTuple, Sequence
 
-import numpy as np
 import numpy.typing as npt
+import numpy as np
 
 from . import _core
-from ._arrays import Floats, Integers, floats, integers
-
-Path = Union[str, "os.PathLike[str]"]
-
-
-class Mesh:
-    """Points of R^N and simplices of one dimension n on them.
-
-    Parameters
-    ----------
-    points : array_like, shape (vertices, N)
-        Coordinates, of any layout and real type.
-    simplices : array_like of int, shape (simplices, n + 1)
-        Vertex numbers, counted from 0. Their order gives the orientation.
-    tags : array_like of int, shape (simplices,), optional
-        The number of a physical group or region, 0 for none.
-    facets, facet_tags : array_like of int, shapes (facets, n) and (facets,), optional
-        Facets that have a tag of their own, as parts of a boundary have.
-
-    Attributes
-    ----------
-    points, simplices, tags, facets, facet_tags : numpy.ndarray
-        As above, read-only. Points and simplices are shared, not copied.
-    warnings : list of str
-        What was untidy in a file.
-
-    Raises
-    ------
-    InvalidInput
-        For arrays of other shapes or types; whether simplices make sense is seen by `discretize`.
-
-    Examples
-    --------
-    >>> import polydec
-    >>> mesh = polydec.Mesh([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
-    >>> mesh
-    Mesh(4 points in R^2, 2 simplices of dimension 2)
-    >>> mesh.points.dtype, mesh.points.flags.writeable
-    (dtype('float64'), False)
-    """
-
-    __slots__ = ("_mesh", "__weakref__")
-
-    def __init__(self, points: npt.ArrayLike, simplices: npt.ArrayLike,
-                 tags: npt.ArrayLike | None = None, *, facets: npt.ArrayLike | None = None,
-                 facet_tags: npt.ArrayLike | None = None) -> None:
-        none = np.zeros(0, dtype=np.int32)
-        self._mesh = _core.Mesh(
-            floats(points, "points", 2), integers(simplices, "simplices", 2),
-            none if tags is None else integers(tags, "tags"),
-            none.reshape(0, 0) if facets is None else integers(facets, "facets", 2),
-            none if facet_tags is None else integers(facet_tags, "facet_tags"), [])
-
-    @classmethod
-    def _of(cls, mesh: _core.Mesh) -> Mesh:
-        result = cls.__new__(cls)
-        result._mesh = mesh
-        return result
-
-    @property
-    def points(self) -> Floats:
-        return self._mesh.points
-
-    @property
-    def simplices(self) -> Integers:
-        return self._mesh.simplices
-
-    @property
-    def tags(self) -> Integers:
-        return self._mesh.tags
-
-    @property
-    def facets(self) -> Integers:
-        return self._mesh.facets
-
-    @property
-    def facet_tags(self) -> Integers:
-        return self._mesh.facet_tags
-
-    @property
-    def warnings(self) -> list[str]:
-        return self._mesh.warnings
-
-    @property
-    def dim(self) -> int:
-        """Dimension n of the simplices."""
-        return int(self.simplices.shape[1]) - 1
-
-    @property
-    def ambient_dim(self) -> int:
-        """Dimension N of the space around them."""
-        return int(self.points.shape[1])
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _unpickled, (np.array(self.points), np.array(self.simplices), np.array(self.tags),
-                            np.array(self.facets), np.array(self.facet_tags), self.warnings)
-
-    def __repr__(self) -> str:
-        return (f"Mesh({len(self.points)} points in R^{self.ambient_dim}, "
-                f"{len(self.simplices)} simplices of dimension {self.dim})")
-
-
-def _unpickled(*parts: Any) -> Mesh:
-    return Mesh._of(_core.Mesh(*parts))
-
-
-class LengthMesh:
-    """Simplices, and how long their edges are, without points.
-
-    Parameters
-    ----------
-    simplices : array_like of int, shape (simplices, n + 1)
-        Vertex numbers, counted from 0.
-    edges : array_like of int, shape (edges, 2)
-        Every edge of the simplices exactly once, in any order.
-    lengths : array_like, shape (edges,)
-        Their lengths.
-    vertices : int, optional
-        The number of vertices; without it, one more than the largest number.
-
-    Raises
-    ------
-    InvalidInput
-        Naming the row or the edge, unless every edge of the simplices is there exactly once.
-
-    Examples
-    --------
-    >>> import polydec
-    >>> triangle = polydec.LengthMesh([[0, 1, 2]], [[0, 1], [1, 2], [0, 2]], [3, 4, 5])
-    >>> polydec.discretize(triangle).volumes(2)
-    array([6.])
-    """
-
-    __slots__ = ("_mesh", "__weakref__")
-
-    def __init__(self, simplices: npt.ArrayLike, edges: npt.ArrayLike, lengths: npt.ArrayLike, *,
-                 vertices: int | None = None) -> None:
-        rows = integers(simplices, "simplices", 2)
-        if vertices is None:
-            vertices = int(rows.max(initial=-1)) + 1
-        self._mesh = _core.LengthMesh(rows, vertices, integers(edges, "edges", 2),
-                                      floats(lengths, "lengths"))
-
-    @classmethod
-    def _of(cls, mesh: _core.LengthMesh) -> LengthMesh:
-        result = cls.__new__(cls)
-        result._mesh = mesh
-        return result
-
-    @property
-    def simplices(self) -> Integers:
-        return self._mesh.simplices
-
-    @property
-    def edges(self) -> Integers:
-        return self._mesh.edges
-
-    @property
-    def lengths(self) -> Floats:
-        return self._mesh.lengths
-
-    @property
-    def vertices(self) -> int:
-        return self._mesh.vertices
-
-    @property
-    def dim(self) -> int:
-        """Dimension n of the simplices."""
-        return int(self.simplices.shape[1]) - 1
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _unpickled_lengths, (np.array(self.simplices), np.array(self.edges),
-                                    np.array(self.lengths), self.vertices)
-
-    def __repr__(self) -> str:
-        return (f"LengthMesh({self.vertices} vertices, {len(self.simplices)} simplices of "
-                f"dimension {self.dim})")
-
-
-def _unpickled_lengths(simplices: Any, edges: Any, lengths: Any, vertices: int) -> LengthMesh:
-    return LengthMesh(simplices, edges, lengths, vertices=vertices)
+from ._arrays import Integers, floats
+from ._mesh import (LengthMesh, Mesh, read_lengths, read_mesh, write_lengths,  # noqa: F401
+                    write_mesh)
 
 
 class Renumbered(NamedTuple):
@@ -201,40 +22,6 @@ class Renumbered(NamedTuple):
     mesh: Mesh
     vertices: Integers
     cells: Integers
-
-
-def read_mesh(path: Path) -> Mesh:
-    """Reads a mesh; the extension says the format.
-
-    Triangles in R^3 of .off, .obj, .ply and .stl; the cells of largest dimension of .mesh, .msh,
-    .vtk, .vtu and .node or .ele; simplices of any dimension of .nsc. Polygons are split.
-
-    Raises
-    ------
-    IoError
-        If the file cannot be read; ``path`` says which.
-    InvalidInput
-        If it is malformed; ``path`` and ``line`` say where.
-    """
-    return Mesh._of(_core.read_mesh(os.fspath(path)))
-
-
-def write_mesh(path: Path, mesh: Mesh) -> None:
-    """Writes a mesh; the extension says the format: .nsc, .mesh, .off, .obj, .ply or .stl.
-
-    Numbers read back exactly, except in STL. Of these formats .nsc holds every mesh.
-    """
-    _core.write_mesh(os.fspath(path), mesh._mesh)
-
-
-def read_lengths(path: Path) -> LengthMesh:
-    """Reads simplices and the lengths of their edges from an .nsl file."""
-    return LengthMesh._of(_core.read_lengths(os.fspath(path)))
-
-
-def write_lengths(path: Path, mesh: LengthMesh) -> None:
-    """Writes an .nsl file; numbers read back exactly."""
-    _core.write_lengths(os.fspath(path), mesh._mesh)
 
 
 def length_mesh(mesh: Mesh) -> LengthMesh:

@@ -167,3 +167,73 @@ def test_words_of_messages():
         polydec.spectrum(polydec.discretize(polydec.meshes.perturbed(polydec.meshes.fcc(1), 0.05)),
                          degree=1)
     assert "::" not in str(caught.value) and caught.value.cells
+
+
+def test_what_stands_for_a_mesh(tmp_path):
+    path = tmp_path / "square.nsc"
+    polydec.write_mesh(path, polydec.Mesh(POINTS, TRIANGLES))
+    lengths = tmp_path / "square.nsl"
+    polydec.write_lengths(lengths, polydec.meshes.length_mesh(polydec.Mesh(POINTS, TRIANGLES)))
+    for given in [path, str(path), lengths, str(lengths), (POINTS, TRIANGLES),
+                  [POINTS.tolist(), TRIANGLES.tolist()], polydec.Mesh(POINTS, TRIANGLES)]:
+        assert polydec.discretize(given).shape == (4, 4, 1)
+        assert np.allclose(polydec.spectrum(given, count=2).eigenvalues, [0, 4])
+    assert polydec.harmonic_forms(str(path), 1).shape == (4, 0)
+    assert np.allclose(polydec.poisson(path, 0.0, 7.0), 7.0)
+    assert polydec.geodesic_distance(path, 0)[0] == 0
+
+
+@pytest.mark.parametrize("given, message", [
+    (POINTS, r"an array of shape \(4, 2\) is given for a mesh: expected a Mesh, the path of a file"),
+    (None, "something of the type NoneType is given for a mesh"),
+    ((POINTS, TRIANGLES, 1), "something of the type tuple is given for a mesh"),
+    ((POINTS, TRIANGLES + 0.5), "simplices are of the type float64"),
+    ((TRIANGLES, POINTS), "simplices are of the type float64")])
+def test_what_stands_for_no_mesh(given, message):
+    for taken in (polydec.discretize, polydec.spectrum, polydec.plot):
+        with pytest.raises(polydec.InvalidInput, match=message):
+            taken(given)
+
+
+def test_where_cells_alone_do_not_suffice(square):
+    with pytest.raises(polydec.InvalidInput, match="alone are given: expected the Complex"):
+        polydec.geodesic_distance(square.input, 0)
+    with pytest.raises(polydec.InvalidInput, match="of the type Mesh is given: expected the Complex"):
+        polydec.de_rham(polydec.Mesh(POINTS, TRIANGLES), 1, lambda x: x)
+
+
+def test_missing_files_are_named():
+    with pytest.raises(polydec.IoError) as missing:
+        polydec.discretize("there is none.off")
+    assert missing.value.path == "there is none.off"
+
+
+def test_polygons(square):
+    hexagon = [[np.cos(a), np.sin(a)] for a in np.arange(6) * np.pi / 3]
+    points = hexagon + [[2, 0], [2, 1]]
+    c = polydec.discretize(polydec.split_polygons(points, [range(6), [0, 6, 7]], [3, 4]))
+    assert c.shape == (8, 9, 2) and sorted(c.tags) == [3, 4]
+    with pytest.raises(polydec.InvalidInput, match="9"):
+        polydec.split_polygons(points, [[0, 1, 9]])
+    with pytest.raises(polydec.InvalidInput, match="corners of polygon 1 are of the type float64"):
+        polydec.split_polygons(points, [[0, 1, 2], [0.5, 1, 2]])
+
+
+def test_meshes_of_meshio():
+    meshio = pytest.importorskip("meshio")
+    quads = [("triangle", [[0, 1, 4]]), ("quad", [[0, 1, 2, 3]]), ("line", [[0, 1], [1, 2]]),
+             ("vertex", [[0]])]
+    points = np.vstack([POINTS, [[0.5, -1]]])
+    tags = {"gmsh:physical": [np.array([7]), np.array([8]), np.array([5, 0]), np.array([1])]}
+    mesh = polydec.as_mesh(meshio.Mesh(points, quads, cell_data=tags))
+    assert mesh.simplices.tolist()[0] == [0, 1, 4] and list(mesh.tags) == [7, 8, 8]
+    assert mesh.facets.tolist() == [[0, 1]] and list(mesh.facet_tags) == [5]
+    assert polydec.discretize(mesh).shape == (5, 6, 2)
+    rough = {"gmsh:physical": [values + 0.5 for values in tags["gmsh:physical"]]}
+    assert len(polydec.as_mesh(meshio.Mesh(points, quads, cell_data=rough)).tags) == 0
+    cube = polydec.discretize(polydec.meshes.kuhn([1, 1, 1]), merge=False)
+    assert polydec.discretize(polydec.to_meshio(cube)).shape == (8, 12, 6, 1)
+    with pytest.raises(polydec.InvalidInput, match="cells of the type hexahedron: expected tetra"):
+        polydec.discretize(meshio.Mesh(np.zeros((8, 3)), [("hexahedron", [list(range(8))])]))
+    with pytest.raises(polydec.InvalidInput, match="the mesh has no cells"):
+        polydec.discretize(meshio.Mesh(points, [("vertex", [[0]])]))

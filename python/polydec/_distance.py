@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""Distances and directions along surfaces, by the heat method."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, floats, integers
+from ._complex import CellsLike, as_complex
+
+
+class GeodesicDistance:
+    """Distances along a surface by the heat method, with two factorizations for all sources."""
+
+    def __init__(self, complex: CellsLike, *, time_scale: float = 4.0,
+                 engine: str = "auto") -> None:
+        self._solver = _core.GeodesicDistance(as_complex(complex)._mesh, time_scale, engine)
+
+    def to(self, sources: npt.ArrayLike) -> Floats:
+        """The distance of every vertex from the nearest source vertex."""
+        return self._solver.to(integers(np.atleast_1d(np.asarray(sources)), "sources"))[0]
+
+
+def geodesic_distance(complex: CellsLike, sources: npt.ArrayLike, *, time_scale: float = 4.0,
+                      engine: str = "auto") -> Floats:
+    """The distance of every vertex from the nearest source vertex, along the surface.
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> sphere = polydec.discretize(polydec.meshes.icosphere(12))
+    >>> north = int(sphere.points[:, 2].argmax())
+    >>> far = polydec.geodesic_distance(sphere, north).max()
+    >>> bool(abs(far - np.pi) < 0.05)
+    True
+    """
+    return GeodesicDistance(complex, time_scale=time_scale, engine=engine).to(sources)
+
+
+class ParallelTransport:
+    """Tangent vectors carried along shortest ways over a two-sided surface.
+
+    A vector is a complex number in the polar coordinates of its vertex: its argument is the angle
+    from `directions`, the unit vectors in space along the reference edge of each vertex, in the
+    direction in which the triangles are oriented. After flips edges have no direction in space, and
+    `directions` is not to be had.
+    """
+
+    def __init__(self, complex: CellsLike, *, time_scale: float = 4.0,
+                 engine: str = "auto") -> None:
+        self._complex = as_complex(complex)
+        self._solver = _core.ParallelTransport(self._complex._mesh, time_scale, engine)
+
+    @property
+    def reference(self) -> Any:
+        """The edge of each vertex that has angle 0, as a row (vertex, vertex it leads to)."""
+        return self._solver.reference(self._complex._mesh)
+
+    @property
+    def directions(self) -> Floats:
+        """The unit vector along it, a row for each vertex."""
+        ends = self.reference
+        edges = self._complex.points[ends[:, 1]] - self._complex.points[ends[:, 0]]
+        return np.asarray(edges / np.linalg.norm(edges, axis=1)[:, None])
+
+    def extend(self, sources: npt.ArrayLike, vectors: npt.ArrayLike) -> npt.NDArray[np.complex128]:
+        """A vector at every vertex from one at each source vertex."""
+        given = np.atleast_1d(np.asarray(vectors, dtype=np.complex128))
+        real, imaginary = self._solver.extend(
+            integers(np.atleast_1d(np.asarray(sources)), "sources"),
+            floats(given.real, "vectors"), floats(given.imag, "vectors"))
+        return np.asarray(real + 1j * imaginary)

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""What may stand for a mesh."""
+from __future__ import annotations
+
+import os
+from typing import Any, NamedTuple, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Integers, floats, integers
+from ._errors import InvalidInput
+from ._mesh import LengthMesh, Mesh, Path, read_lengths, read_mesh
+
+#: A mesh, the path of its file, a pair of points and simplices, or a ``meshio.Mesh``.
+MeshLike = Union[Mesh, LengthMesh, Path, Tuple[npt.ArrayLike, npt.ArrayLike], Any]
+
+
+def as_mesh(given: MeshLike) -> Mesh | LengthMesh:
+    """What `discretize` takes for a mesh, as one.
+
+    Parameters
+    ----------
+    given : Mesh, LengthMesh, str, os.PathLike, pair of array_like, or meshio.Mesh
+        A path is that of a file as `read_mesh` and `read_lengths` take it; a pair is (points,
+        simplices), as for `Mesh`. Of a ``meshio.Mesh`` the cells of largest dimension are taken,
+        polygons split into triangles, with tags from its cell data.
+
+    Raises
+    ------
+    InvalidInput
+        If it is nothing of these; otherwise as the functions named.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> polydec.as_mesh(([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]))
+    Mesh(3 points in R^2, 1 simplices of dimension 2)
+    """
+    if isinstance(given, (Mesh, LengthMesh)):
+        return given
+    if isinstance(given, (str, os.PathLike)):
+        is_lengths = _core.is_length_file(os.fspath(given))
+        return read_lengths(given) if is_lengths else read_mesh(given)
+    if isinstance(given, (tuple, list)) and len(given) == 2:
+        return Mesh(given[0], given[1])
+    if hasattr(given, "points") and hasattr(given, "cells"):
+        return _of_meshio(given)
+    kind = f"an array of shape {given.shape}" if isinstance(given, np.ndarray) else \
+        f"something of the type {type(given).__name__}"
+    raise InvalidInput(f"{kind} is given for a mesh: expected a Mesh, the path of a file, a pair "
+                       "(points, simplices), or a meshio.Mesh")
+
+
+def split_polygons(points: npt.ArrayLike, polygons: Sequence[npt.ArrayLike],
+                   tags: npt.ArrayLike | None = None) -> Mesh:
+    """A surface of polygons, split into triangles; `discretize` merges those of a circle again.
+
+    Parameters
+    ----------
+    points : array_like, shape (vertices, N)
+    polygons : sequence of array_like of int
+        Vertex numbers around each; a table, if all have as many corners.
+    tags : array_like of int, shape (polygons,), optional
+        Which the triangles inherit.
+
+    Raises
+    ------
+    InvalidInput
+        If corners are no points; ``cells`` and ``vertices`` say where.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> house = polydec.split_polygons([[0, 0], [2, 0], [2, 2], [0, 2], [1, 3]],
+    ...                                [[0, 1, 2, 3], [3, 2, 4]])
+    >>> polydec.discretize(house).shape
+    (5, 6, 2)
+    """
+    corners = [integers(polygon, f"corners of polygon {i}") for i, polygon in enumerate(polygons)]
+    offsets = np.cumsum([0] + [len(each) for each in corners], dtype=np.int32)
+    none = np.zeros(0, dtype=np.int32)
+    return Mesh._of(_core.split_polygons(
+        floats(points, "points", 2), np.concatenate([none, *corners]), offsets,
+        none if tags is None else integers(tags, "tags")))
+
+
+class _Block(NamedTuple):
+    cells: Any
+    tags: Integers
+
+
+_DIMENSIONS = {"vertex": 0, "line": 1, "triangle": 2, "quad": 2, "polygon": 2, "tetra": 3}
+
+
+def _of_meshio(given: Any) -> Mesh:
+    blocks: list[list[_Block]] = [[] for _ in range(4)]
+    names = [name for name in given.cell_data if _core.is_tag_name(name)]
+    for number, block in enumerate(given.cells):
+        name = "polygon" if block.type.startswith("polygon") else block.type
+        if name not in _DIMENSIONS:
+            raise InvalidInput(f"the mesh has cells of the type {block.type}: expected tetra, "
+                               "triangle, quad, polygon or line; split or convert others before")
+        tags = np.zeros(len(block.data), dtype=np.int32)
+        if names and np.asarray(given.cell_data[names[0]][number]).dtype.kind in "iu":
+            tags = integers(given.cell_data[names[0]][number], names[0])
+        blocks[_DIMENSIONS[name]].append(_Block(block.data, tags))
+    n = max((k for k in (1, 2, 3) if blocks[k]), default=0)
+    if n == 0:
+        raise InvalidInput("the mesh has no cells: expected tetra, triangle, quad, polygon or line")
+
+    cells = [np.asarray(cell) for block in blocks[n] for cell in block.cells]
+    tags = np.concatenate([block.tags for block in blocks[n]])
+    if all(len(cell) == n + 1 for cell in cells):
+        made = Mesh(given.points, np.vstack(cells), tags if tags.any() else None)
+    else:
+        made = split_polygons(given.points, cells, tags if tags.any() else None)
+    facets = [(cell, tag) for block in blocks[n - 1] for cell, tag in zip(block.cells, block.tags)
+              if tag != 0 and len(cell) == n]
+    if not facets:
+        return made
+    return Mesh._of(_core.Mesh(
+        made.points, made.simplices, made.tags, integers([cell for cell, _ in facets], "facets", 2),
+        integers([tag for _, tag in facets], "tags of facets"), made.warnings))
