@@ -125,6 +125,7 @@ void add_meshes(py::module_& module);
 void add_calculus(py::module_& module);
 void add_discretization(py::module_& module);
 void add_fields(py::module_& module);
+void add_pages(py::module_& module);
 void add_solvers(py::module_& module);
 void add_spectra(py::module_& module);
 void add_engines(py::module_& module);

@@ -107,15 +107,6 @@ py::tuple polygons(const Discretization& mesh) {
                           array(std::move(found.corners)));
 }
 
-/// Writes the cells that carry some forms, with these: name, side, degree and values of each.
-void write_picture(const std::string& path, const Discretization& mesh, int k,
-                   const std::vector<std::tuple<std::string, std::string, int, Numbers>>& forms) {
-    VtuGrid grid = draw_cells(mesh, k);
-    for (const auto& [name, side, degree, values] : forms)
-        add_form(grid, mesh, name, form(side, degree, values));
-    unlocked([&] { write_vtu(path, grid); });
-}
-
 std::vector<DenseMatrix> matrices(const Numbers& tensors) {
     std::vector<DenseMatrix> result;
     const auto rows_of = tensors.shape(1), columns_of = tensors.shape(2);
@@ -215,7 +206,6 @@ void add_discretization(py::module_& module) {
     add_merging(type);
     add_places(type);
     add_stars(type);
-    module.def("write_vtu", &write_picture);
     add_discretize<Mesh>(module);
     add_discretize<LengthMesh>(module);
 }

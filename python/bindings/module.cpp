@@ -9,6 +9,7 @@ PYBIND11_MODULE(_core, module) {
     add_calculus(module);
     add_discretization(module);
     add_fields(module);
+    add_pages(module);
     add_solvers(module);
     add_spectra(module);
     add_engines(module);

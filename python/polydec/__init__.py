@@ -26,7 +26,8 @@ from ._fields import (de_rham, flat, flux_form, flux_sharp, gradient, inflow, in
                       whitney_at_centroids, whitney_form)
 from ._given import as_mesh, split_polygons
 from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
-from ._plot import plot, to_meshio, to_pyvista, write_vtu
+from ._plot import plot, to_meshio, to_pyvista
 from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonSolver, darcy,
                        harmonic_forms, hodge_decomposition, poisson)
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
+from ._view import Page, view, write_vtu

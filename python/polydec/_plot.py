@@ -2,13 +2,11 @@
 """Pictures, and the way to other programs' meshes."""
 from __future__ import annotations
 
-import os
 from typing import Any, Mapping
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
 from ._arrays import Floats, Integers, floats
 from ._cells import Form, as_form
 from ._cochain import Cochain
@@ -100,25 +98,6 @@ def _colors(complex: Complex, values: Form, degree: int | None, side: str,
     lists = complex.cells(2)
     sums = np.add.reduceat(array[lists.corners], lists.offsets[:-1])
     return np.asarray((sums / np.diff(lists.offsets))[seen])
-
-
-def write_vtu(path: str | os.PathLike[str], complex: CellsLike,
-              forms: Mapping[str, Form] | None = None, *, degree: int = 0,
-              side: str = "primal") -> None:
-    """Writes the cells with forms on them for ParaView.
-
-    Parameters
-    ----------
-    forms : mapping of str to Cochain or array_like, optional
-        All of one kind; arrays are of the degree and side given.
-    """
-    complex = as_complex(complex)
-    given = [(name, *as_form(form, degree, side)) for name, form in (forms or {}).items()]
-    kinds = {k if of == "primal" else complex.dim - k for _, of, k, _ in given}
-    if len(kinds) > 1:
-        raise InvalidInput("forms on cells of several degrees are given: expected those of one, "
-                           "since a file has cells of one degree")
-    _core.write_vtu(os.fspath(path), complex._mesh, kinds.pop() if kinds else 0, given)
 
 
 def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None) -> Any:

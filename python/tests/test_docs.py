@@ -9,7 +9,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 @pytest.mark.parametrize("page", ["docs/python.md"])
-def test_blocks_of_the_page(page):
+def test_blocks_of_the_page(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path) # for the files that it writes
     found = doctest.testfile(str(ROOT / page), module_relative=False)
     assert found.attempted > 30 and found.failed == 0
 

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: MIT
+"""Files to look at: pages for browsers, and grids for ParaView."""
+from __future__ import annotations
+
+import html
+import os
+from pathlib import Path
+from typing import Any, Mapping, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, floats
+from ._cells import Form
+from ._cochain import Cochain
+from ._complex import CellsLike, Complex, as_complex
+from ._errors import InvalidInput, IoError
+from ._spectra import Spectrum
+
+#: One form, several by their names, or the modes of a spectrum.
+Fields = Union[Form, Mapping[str, Form], Spectrum]
+_Named = tuple[str, str, int, Floats, str]
+
+
+class Page:
+    """One HTML file that shows cells and what was found on them; it needs no network.
+
+    A notebook shows it where it is the last value of a cell.
+
+    Attributes
+    ----------
+    html : str
+        All of it.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.html = text
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes it to a file, which every browser opens.
+
+        Raises
+        ------
+        IoError
+            If it cannot be written; ``path`` says which.
+        """
+        try:
+            Path(path).write_text(self.html, encoding="utf-8")
+        except OSError as error:
+            raise IoError(f"{os.fspath(path)} cannot be written: {error.strerror}",
+                          path=os.fspath(path)) from None
+
+    def _repr_html_(self) -> str:
+        return (f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="560" '
+                'style="border: 0" title="polydec"></iframe>')
+
+    def __repr__(self) -> str:
+        return f"Page({len(self.html) / 1e6:.2f} MB; save it, or show it in a notebook)"
+
+
+def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None = None,
+         side: str = "primal", times: Sequence[float] | None = None, title: str = "polydec",
+         facts: Sequence[str] = ()) -> Page:
+    """A page that shows the cells, merged as they are, with forms on them: to turn, cut and click.
+
+    Parameters
+    ----------
+    complex : Complex, or a mesh as `discretize` takes it
+        Of dimension 1 to 3 in at most 3 coordinates.
+    fields : Cochain, array_like, mapping of str to these, or Spectrum, optional
+        Forms of one kind, among which to choose; of 1-forms arrows are shown too. Of a `Spectrum`
+        all modes, with the table of eigenvalues and the certificate.
+    degree, side
+        Of arrays; without a degree it is 0 or n, as their number of values says.
+    times : sequence of float, optional
+        If given, arrays have a column for each of these times, which the page runs through.
+    title : str
+    facts : sequence of str
+        Paragraphs that stand beside the picture.
+
+    Returns
+    -------
+    Page
+
+    Raises
+    ------
+    InvalidInput
+        For forms of several kinds or wrong sizes, and for what cannot be drawn.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> sphere = polydec.discretize(polydec.meshes.goldberg(2))
+    >>> page = polydec.view(sphere, sphere.volumes(2), degree=2, title="Areas")
+    >>> "Areas" in page.html and "https://" not in page.html
+    True
+    """
+    complex = as_complex(complex)
+    table = _table(fields) if isinstance(fields, Spectrum) else {}
+    columns = _by_name(fields)
+    steps = []
+    if times is not None:
+        steps = [(f"{time:g}", _forms(complex, _at(columns, i, len(times)), degree, side))
+                 for i, time in enumerate(times)]
+        columns = _at(columns, 0, len(times))
+    forms = _forms(complex, columns, degree, side)
+    counts = ", ".join(map(str, complex.shape))
+    before = ", ".join(map(str, complex.input.shape))
+    said = [*facts, f"Cells of degree 0 .. {complex.dim}: {before} in the input, {counts} after "
+            "merging."]
+    return Page(_core.page(complex._mesh, _cells_of(complex, forms), forms, steps, title, said,
+                           table))
+
+
+def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | None = None, *,
+              degree: int | None = None, side: str = "primal") -> None:
+    """Writes the cells with forms on them for ParaView.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+    complex : Complex, or a mesh as `discretize` takes it
+    forms, degree, side
+        As for `view`.
+
+    Raises
+    ------
+    InvalidInput
+        As `view`.
+    IoError
+        If the file cannot be written; ``path`` says which.
+
+    Examples
+    --------
+    >>> import os, polydec, tempfile
+    >>> sphere = polydec.discretize(polydec.meshes.goldberg(2))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     polydec.write_vtu(folder + "/z.vtu", sphere, {"z": sphere.points[:, 2]})
+    ...     os.listdir(folder)
+    ['z.vtu']
+    """
+    complex = as_complex(complex)
+    given = _forms(complex, _by_name(forms), degree, side)
+    _core.write_vtu(os.fspath(path), complex._mesh, _cells_of(complex, given), given)
+
+
+def _by_name(fields: Fields | None) -> dict[str, Form]:
+    if fields is None:
+        return {}
+    if isinstance(fields, Spectrum):
+        return {f"mode_{i}": Cochain(mode, fields.degree, fields.side)
+                for i, mode in enumerate(fields.modes.T)}
+    return dict(fields) if isinstance(fields, Mapping) else {"values": fields}
+
+
+def _at(fields: Mapping[str, Form], i: int, times: int) -> dict[str, Form]:
+    """Column i of each of the fields."""
+    result: dict[str, Form] = {}
+    for name, values in fields.items():
+        table = floats(np.asarray(values), name, 2)
+        if table.shape[1] != times:
+            raise InvalidInput(f"{name} has {table.shape[1]} columns: expected one for each of "
+                               f"{times} times")
+        result[name] = table[:, i]
+    return result
+
+
+def _forms(complex: Complex, fields: Mapping[str, Form], degree: int | None,
+           side: str) -> list[_Named]:
+    forms = []
+    for name, values in fields.items():
+        if not isinstance(values, Cochain):
+            values = Cochain(values, _degree(complex, values, degree, side), side)
+        forms.append((name, values.side, values.degree, values.values,
+                      f"{values.side} {values.degree}-form"))
+    return forms
+
+
+def _degree(complex: Complex, values: npt.ArrayLike, degree: int | None, side: str) -> int:
+    if degree is not None:
+        return degree
+    return 0 if len(np.asarray(values)) == complex.size(0, side) else complex.dim
+
+
+def _cells_of(complex: Complex, forms: Sequence[_Named]) -> int:
+    """The degree of the cells that carry the forms."""
+    kinds = {k if side == "primal" else complex.dim - k for _, side, k, _, _ in forms}
+    if len(kinds) > 1:
+        raise InvalidInput("forms on cells of several degrees are given: expected those of one, "
+                           "since a picture has cells of one degree")
+    return kinds.pop() if kinds else complex.dim
+
+
+def _table(modes: Spectrum) -> dict[str, Any]:
+    proof = modes.certificate
+    below = (f"Complete: {proof.below_shift} eigenvalues lie below {proof.shift:.6g}, by "
+             f"Sylvester's law of inertia, and {proof.returned_below_shift} were found."
+             if proof.complete else "Not proved complete.")
+    rows = zip(modes.eigenvalues, modes.radii, modes.residuals)
+    return {"columns": ["", "eigenvalue", "radius", "residual"], "below": below,
+            "rows": [[str(i), f"{value:.12g}", f"{radius:.1e}", f"{residual:.1e}"]
+                     for i, (value, radius, residual) in enumerate(rows)],
+            "fields": [f"mode_{i}" for i in range(len(modes.eigenvalues))]}

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""Pages and grids hold what was given, under its names, and nothing from elsewhere."""
+import html
+import html.parser
+import re
+
+import numpy as np
+import pytest
+
+import polydec
+
+
+class Frames(html.parser.HTMLParser):
+    """What the frames of a text show."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.shown = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        if tag == "iframe":
+            self.shown.append(dict(attrs)["srcdoc"])
+
+
+@pytest.mark.parametrize("degree", [0, 1, 2])
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_forms_of_every_kind(sphere, side, degree):
+    values = np.arange(sphere.size(degree, side), dtype=float)
+    page = polydec.view(sphere, {"height <of> ground": values}, degree=degree, side=side,
+                        title="A & B", facts=["Two."])
+    assert "height \\u003cof\\u003e ground" in page.html
+    assert "A &amp; B" in page.html and "Two." in page.html
+    assert page.html == polydec.view(sphere, {"height <of> ground": values}, degree=degree,
+                                     side=side, title="A & B", facts=["Two."]).html
+    assert not re.search(r"(src|href)\s*=\s*.?https?:", page.html)
+    other = polydec.view(sphere, {"height <of> ground": values + np.eye(1, len(values))[0]},
+                         degree=degree, side=side, title="A & B", facts=["Two."])
+    assert other.html != page.html
+
+
+def test_meshes_of_every_dimension(tmp_path):
+    for cells in ([3], [2, 2], [2, 2, 2]):
+        mesh = polydec.meshes.kuhn(cells)
+        c = polydec.discretize(mesh)
+        counts = ", ".join(map(str, c.shape))
+        assert counts + " after merging" in polydec.view(mesh).html
+        polydec.write_vtu(tmp_path / "cells.vtu", c, c.volumes(c.dim))
+        assert polydec.view(c, c.volumes(c.dim)).html
+    with pytest.raises(polydec.InvalidInput, match="4"):
+        polydec.view(polydec.meshes.kuhn([1, 1, 1, 1]))
+
+
+def test_a_spectrum_with_its_proof(sphere):
+    modes = polydec.spectrum(sphere, count=4)
+    text = polydec.view(sphere, modes).html
+    assert all(f"mode_{i}" in text for i in range(4))
+    assert "Sylvester" in text and f"{modes.eigenvalues[3]:.12g}" in text
+    rough = polydec.spectrum(sphere, count=4, certified=False)
+    assert "Not proved complete" in polydec.view(sphere, rough).html
+
+
+def test_times(square):
+    u = np.outer(square.points[:, 0], [1.0, 0.5, 0.25])
+    moving = polydec.view(square, u, times=[0, 0.1, 0.2])
+    assert len(moving.html) > len(polydec.view(square, u[:, 0]).html)
+    with pytest.raises(polydec.InvalidInput, match="values has 3 columns: expected one for each of 2"):
+        polydec.view(square, u, times=[0, 0.1])
+
+
+def test_notebooks_show_the_page_in_a_frame(sphere):
+    page = polydec.view(sphere)
+    assert Frames(page._repr_html_()).shown == [page.html]
+    assert "MB" in repr(page)
+
+
+def test_files(sphere, tmp_path):
+    page = polydec.view(sphere)
+    page.save(tmp_path / "sphere.html")
+    assert (tmp_path / "sphere.html").read_text(encoding="utf-8") == page.html
+    with pytest.raises(polydec.IoError) as caught:
+        page.save(tmp_path / "none" / "sphere.html")
+    assert caught.value.path == str(tmp_path / "none" / "sphere.html")
+    with pytest.raises(polydec.IoError) as caught:
+        polydec.write_vtu(tmp_path / "none" / "sphere.vtu", sphere)
+    assert caught.value.path
+
+
+def test_what_cannot_be_drawn(sphere):
+    for draw in (polydec.view, lambda c, forms: polydec.write_vtu("none.vtu", c, forms)):
+        with pytest.raises(polydec.InvalidInput, match="forms on cells of several degrees"):
+            draw(sphere, {"a": sphere.cochain(sphere.volumes(1), 1),
+                          "b": sphere.cochain(sphere.volumes(2), 2)})
+        with pytest.raises(polydec.InvalidInput):
+            draw(sphere, np.ones(7))
+    with pytest.raises(polydec.InvalidInput):
+        polydec.view(polydec.meshes.length_mesh(polydec.meshes.goldberg(2)))
