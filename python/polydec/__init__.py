@@ -31,3 +31,18 @@ from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonS
                        harmonic_forms, hodge_decomposition, poisson)
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
 from ._view import Page, view, write_vtu
+
+__all__ = [
+    "meshes", "Backend", "BackendUnavailable", "CellList", "Cells", "Certificate", "Cochain",
+    "Complex", "ConditionedCells", "DarcyFlow", "DarcySolver", "Eigenpairs", "Error",
+    "GeodesicDistance", "HeatSolver", "HodgeParts", "HodgeSolver", "InvalidInput", "IoError",
+    "Leapfrog", "LengthMesh", "Merging", "Mesh", "Page", "ParallelTransport", "PoissonSolver",
+    "Polygons", "Solution", "SolverFailure", "Spectrum", "as_mesh", "backends", "darcy",
+    "de_rham", "discretize", "flat", "flux_form", "flux_sharp", "geodesic_distance", "gradient",
+    "harmonic_forms", "heat", "hodge_decomposition", "inflow", "interior_product",
+    "lie_derivative", "load_engine", "plot", "poisson", "primal_dual_wedge", "read_lengths",
+    "read_mesh", "register_eigen_solver", "register_linear_solver", "set_memory_limit",
+    "sharp_pd", "sharp_pp", "smallest_eigenpairs", "solve", "spectrum", "split_polygons",
+    "stable_step", "to_meshio", "to_pyvista", "view", "wave", "wedge", "whitney_at_centroids",
+    "whitney_form", "write_lengths", "write_mesh", "write_vtu",
+]

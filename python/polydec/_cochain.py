@@ -82,7 +82,8 @@ class Cochain:
         from ._complex import Complex
         if not isinstance(self.complex, Complex):
             raise InvalidInput("products of forms are those of a Complex")
-        return wedge(self.complex, self, other)
+        product: Cochain = wedge(self.complex, self, other)
+        return product
 
     def norm(self) -> float:
         """L2 norm."""

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from ._arrays import Floats, Integers, floats
 from ._cells import Form, as_form
 from ._cochain import Cochain
-from ._complex import CellsLike, Complex, as_complex
+from ._complex import CellList, CellsLike, Complex, Polygons, as_complex
 from ._errors import InvalidInput
 
 
@@ -149,7 +149,7 @@ def to_pyvista(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = Non
     import pyvista
 
     points, polygons, seen = _polygons(complex)
-    lists = complex.cells(2) if complex.dim == 3 else complex.polygons()
+    lists: CellList | Polygons = complex.cells(2) if complex.dim == 3 else complex.polygons()
     faces = [np.concatenate([[b - a], lists.corners[a:b]])
              for a, b in zip(lists.offsets[seen], lists.offsets[seen + 1])]
     result = pyvista.PolyData(np.pad(points, ((0, 0), (0, 3 - points.shape[1]))),

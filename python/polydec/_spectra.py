@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, floats, matrix_parts
+from ._arrays import Floats, MatrixParts, floats, matrix_parts
 from ._complex import CellsLike, Progress, as_cells, facet_marks
 
 
@@ -159,6 +159,6 @@ def smallest_eigenpairs(A: Any, M: Any = None, count: int = 10, *, certified: bo
     parts = matrix_parts(A, "A")
     if M is None:
         M = np.ones(parts[3])
-    mass = floats(M, "M") if np.ndim(M) == 1 else matrix_parts(M, "M")
+    mass: Floats | MatrixParts = floats(M, "M") if np.ndim(M) == 1 else matrix_parts(M, "M")
     return Eigenpairs(**_eigenpairs(_core.smallest_eigenpairs(
         parts, mass, count, certified, linear_solver, eigen_solver, progress)))

@@ -7,13 +7,20 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, Sequence
 
-import numpy.typing as npt
 import numpy as np
+import numpy.typing as npt
 
 from . import _core
 from ._arrays import Integers, floats
-from ._mesh import (LengthMesh, Mesh, read_lengths, read_mesh, write_lengths,  # noqa: F401
+from ._mesh import (LengthMesh, Mesh, read_lengths, read_mesh, write_lengths,
                     write_mesh)
+
+__all__ = [
+    "LengthMesh", "Mesh", "Renumbered", "along_morton_curve", "bcc", "d4", "fcc", "flange",
+    "goldberg", "grid", "hexagons", "icosphere", "kuhn", "length_mesh", "moebius", "peeled",
+    "perturbed", "read_lengths", "read_mesh", "shuffled", "sphere_clusters", "split_boxes",
+    "tetrahedralize", "torus", "uv_sphere", "well_centered", "write_lengths", "write_mesh",
+]
 
 
 class Renumbered(NamedTuple):
