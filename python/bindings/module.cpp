@@ -4,6 +4,7 @@
 PYBIND11_MODULE(_core, module) {
     using namespace polydec::python;
     module.doc() = "What the package polydec is made of; use that.";
+    module.attr("__version__") = POLYDEC_VERSION;
     add_errors(module);
     add_meshes(module);
     add_calculus(module);

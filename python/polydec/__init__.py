@@ -13,6 +13,7 @@ Matrices are ``scipy.sparse.csr_matrix``, forms are arrays or `Cochain` objects,
 those of this module, which are Python's own too. See `discretize` and `Complex` first.
 """
 from . import meshes
+from ._core import __version__
 from ._cells import Cells, ConditionedCells
 from ._cochain import Cochain
 from ._complex import CellList, Complex, Merging, Polygons, discretize
@@ -33,7 +34,7 @@ from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, sp
 from ._view import Page, view, write_vtu
 
 __all__ = [
-    "meshes", "Backend", "BackendUnavailable", "CellList", "Cells", "Certificate", "Cochain",
+    "__version__", "meshes", "Backend", "BackendUnavailable", "CellList", "Cells", "Certificate", "Cochain",
     "Complex", "ConditionedCells", "DarcyFlow", "DarcySolver", "Eigenpairs", "Error",
     "GeodesicDistance", "HeatSolver", "HodgeParts", "HodgeSolver", "InvalidInput", "IoError",
     "Leapfrog", "LengthMesh", "Merging", "Mesh", "Page", "ParallelTransport", "PoissonSolver",

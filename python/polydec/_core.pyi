@@ -8,6 +8,8 @@ import numpy.typing as npt
 
 from ._arrays import Floats, Integers, MatrixParts
 
+__version__: str
+
 _Form = tuple[str, int, Floats]
 _NamedForm = tuple[str, str, int, Floats, str]
 _Progress = Callable[[str], object] | None

@@ -36,10 +36,6 @@ def length_mesh(mesh: Mesh) -> LengthMesh:
     return LengthMesh._of(_core.length_mesh(mesh._mesh))
 
 
-def _counts(cells: int | Sequence[int], dimension: int) -> list[int]:
-    return [cells] * dimension if isinstance(cells, int) else list(cells)
-
-
 def grid(nx: int, ny: int, width: float = 1.0, height: float = 1.0) -> Mesh:
     """A rectangle of nx times ny equal rectangles, each split by the same diagonal.
 
