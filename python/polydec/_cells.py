@@ -203,7 +203,7 @@ class Cells:
                       side: str = "primal") -> float:
         """L2 product of two forms of one kind.
 
-        Arrays need their degree and side; `Cochain` objects bring theirs.
+        Arrays `a` and `b` need their degree and side; `Cochain` objects bring theirs.
         """
         a_side, a_degree, a_values = as_form(a, k, side)
         b_side, b_degree, b_values = as_form(b, k, side)

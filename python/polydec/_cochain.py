@@ -51,6 +51,7 @@ class Cochain:
 
     @property
     def complex(self) -> Cells:
+        """What it lives on; `InvalidInput` if that was not said."""
         if self._complex is None:
             raise InvalidInput("the form does not say on which complex it lives")
         return self._complex

@@ -13,7 +13,17 @@ from ._complex import CellsLike, as_complex
 
 
 class GeodesicDistance:
-    """Distances along a surface by the heat method, with two factorizations for all sources."""
+    """Distances along a surface by the heat method, with two factorizations for all sources.
+
+    Parameters
+    ----------
+    complex : Complex, or a mesh as `discretize` takes it
+        With ``delaunay="flips"`` distances are good on any triangles.
+    time_scale : float
+        Time of the heat flow, in squares of the mean edge: longer is smoother.
+    engine : str
+        A name of `backends`.
+    """
 
     def __init__(self, complex: CellsLike, *, time_scale: float = 4.0,
                  engine: str = "auto") -> None:
@@ -27,6 +37,11 @@ class GeodesicDistance:
 def geodesic_distance(complex: CellsLike, sources: npt.ArrayLike, *, time_scale: float = 4.0,
                       engine: str = "auto") -> Floats:
     """The distance of every vertex from the nearest source vertex, along the surface.
+
+    Parameters
+    ----------
+    sources : int or array_like of int
+        Numbers of vertices; the others are those of `GeodesicDistance`.
 
     Examples
     --------

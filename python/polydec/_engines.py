@@ -50,6 +50,16 @@ def load_engine(name: str | os.PathLike[str]) -> None:
         If there is no module of that name, or it cannot be loaded; the text says why.
     IoError
         If the file cannot be loaded.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> polydec.load_engine("eigen")            # always there
+    >>> try:
+    ...     polydec.load_engine("none/such.so")
+    ... except polydec.IoError as error:
+    ...     print(error.path.endswith("such.so"))
+    True
     """
     text = os.fspath(name)
     if os.sep in text or text.endswith(".so"):
@@ -88,6 +98,17 @@ def register_eigen_solver(name: str, largest: Callable[..., Any]) -> None:
         ``largest(A, count, krylov_dimension, tolerance, start)`` takes a symmetric
         ``scipy.sparse.linalg.LinearOperator``, and returns the `count` algebraically largest
         eigenvalues and their orthonormal vectors, columns, in any order.
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> def dense(A, count, krylov_dimension, tolerance, start):
+    ...     values, vectors = np.linalg.eigh(A @ np.eye(A.shape[0]))
+    ...     return values[-count:], vectors[:, -count:]
+    >>> polydec.register_eigen_solver("dense", dense)
+    >>> square = polydec.discretize(polydec.meshes.well_centered(4))
+    >>> polydec.spectrum(square, count=3, eigen_solver="dense").eigen_solver
+    'dense'
     """
     from scipy.sparse.linalg import LinearOperator
 
@@ -158,5 +179,9 @@ def solve(A: Any, b: npt.ArrayLike, *, engine: str = "auto", symmetric: bool | N
 
 
 def set_memory_limit(size: int) -> None:
-    """How many bytes a mesh may take; what needs more is refused with `IoError`."""
+    """How many bytes a mesh may take; what needs more is refused with `IoError`.
+
+    >>> import polydec
+    >>> polydec.set_memory_limit(8 << 30)
+    """
     _core.set_memory_limit(size)

@@ -23,6 +23,9 @@ class HeatSolver:
     degree, side
         Of the forms.
     scheme : {"backward_euler", "crank_nicolson"}
+        Of first order in time, and smoothing; or of second.
+    engine : str
+        A name of `backends`.
     essential : bool or array of bool or callable, optional
         As for `spectrum`.
     """
@@ -46,6 +49,8 @@ def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degre
          side: str = "primal", scheme: str = "backward_euler", essential: Any = None,
          engine: str = "auto") -> Floats:
     """The values of a form after so many steps of the heat equation.
+
+    Parameters are those of `HeatSolver`; for several runs make one of these.
 
     Examples
     --------
@@ -89,13 +94,30 @@ class Leapfrog:
 
 
 def stable_step(complex: CellsLike, k: int) -> float:
-    """The length that time steps of `Leapfrog` must stay below."""
+    """The length that time steps of `Leapfrog` must stay below.
+
+    >>> import polydec
+    >>> grid = polydec.discretize(polydec.meshes.kuhn([10], [1.0]))
+    >>> round(polydec.stable_step(grid, 0), 3)      # h = 0.1, and waves run 1 per unit of time
+    0.1
+    """
     return _core.stable_step(as_cells(complex)._calculus, k)
 
 
 def wave(complex: CellsLike, E: npt.ArrayLike, time: float, B: npt.ArrayLike | None = None, *,
          k: int = 0, time_step: float | None = None) -> tuple[Floats, Floats]:
     """E and B of a wave after some time, by steps of equal length, at most 0.9 `stable_step`.
+
+    Parameters
+    ----------
+    complex : Cells, or a mesh as `discretize` takes it
+    E, B : array_like, shapes (size(k),) and (size(k+1),)
+        At the time 0, and half a step later; B is 0 if left out.
+    time : float
+    k : int
+        Degree of E.
+    time_step : float, optional
+        The longest step.
 
     Examples
     --------

@@ -92,6 +92,7 @@ def wedge(complex: Complex, a: Form, b: Form, *, degrees: tuple[int, int] | None
 
     Parameters
     ----------
+    complex : Complex
     a, b : Cochain or array_like
         Arrays need `degrees` and `side`; what is returned is a Cochain if one of them is.
     weights : {"uniform", "circumcentric"}
@@ -115,7 +116,13 @@ def wedge(complex: Complex, a: Form, b: Form, *, degrees: tuple[int, int] | None
 def primal_dual_wedge(complex: Complex, a: Form, b: Form, *, degree: int | None = None) -> Floats:
     """Product of a primal k-form and a dual (n-k)-form: a number for each k-cell.
 
-    With ``b = star a`` these add to the squared norm. Arrays need the degree k.
+    With ``b = star a`` these add to the squared norm. Arrays need the degree k, of a.
+
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.well_centered(4))
+    >>> a = square.cochain(square.points[:, 0], 0).d()
+    >>> np.isclose(polydec.primal_dual_wedge(square, a, a.star()).sum(), a.norm() ** 2)
+    True
     """
     left = as_form(a, degree, "primal")
     right = as_form(b, None if degree is None else complex.dim - degree, "dual")
@@ -145,7 +152,13 @@ def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
 
 
 def sharp_pp(complex: Complex, form: Form) -> Floats:
-    """Vectors at the vertices of a primal 1-form, (size(0), N); constants are exact."""
+    """Vectors at the vertices of a primal 1-form, (size(0), N); constants are exact.
+
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
+    >>> np.allclose(polydec.sharp_pp(square, square.d(0) @ square.points[:, 1]), [0, 1])
+    True
+    """
     return _core.sharp(mesh_of(complex), "pp", *as_form(form, 1))
 
 
@@ -154,12 +167,24 @@ def sharp_pd(complex: Complex, form: Form) -> Floats:
 
     Exact for differentials of linear functions on flat cells of any shape: so
     ``sharp_pd(c, c.d(0) @ u)`` is the gradient of u; see `gradient`.
+
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.hexagons(4))
+    >>> np.allclose(polydec.sharp_pd(square, square.d(0) @ square.points[:, 1]), [0, 1])
+    True
     """
     return _core.sharp(mesh_of(complex), "pd", *as_form(form, 1))
 
 
 def flux_sharp(complex: Complex, form: Form) -> Floats:
-    """Vectors at the centroids of the n-cells of the field whose fluxes a primal (n-1)-form holds."""
+    """Vectors at the centroids of the n-cells of a field, by its fluxes, a primal (n-1)-form.
+
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
+    >>> east = polydec.flux_form(lambda x: [1, 0] + 0 * x)
+    >>> np.allclose(polydec.flux_sharp(square, polydec.de_rham(square, 1, east)), [1, 0])
+    True
+    """
     return _core.sharp(mesh_of(complex), "flux", *as_form(form, complex.dim - 1))
 
 
@@ -177,7 +202,14 @@ def gradient(complex: Complex, u: Form) -> Floats:
 def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = None) -> Floats:
     """The Whitney form of a primal k-form at the centroids of the input's simplices.
 
-    A row of N over k coefficients for each; constant forms are exact on flat meshes.
+    A row of N over k coefficients for each; constant forms are exact on flat meshes. Arrays need
+    their degree k.
+
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
+    >>> dx = square.cochain(square.points[:, 0], 0).d()
+    >>> np.allclose(polydec.whitney_at_centroids(square, dx), [1, 0])
+    True
     """
     return _core.sharp(mesh_of(complex), "whitney", *as_form(form, degree))
 
@@ -186,7 +218,28 @@ def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayL
                  degree: int | None = None) -> Floats:
     """The Whitney form of a primal k-form at a point of the input's n-simplex `top`.
 
-    The point is given by its n + 1 barycentric coordinates; N over k coefficients are returned.
+    Parameters
+    ----------
+    complex : Complex
+    form : Cochain or array_like
+        Arrays need their degree k, `degree`.
+    top : int
+        Number of the simplex.
+    barycentric : array_like, shape (n + 1,)
+        Coordinates of the point in it, which add up to 1.
+
+    Returns
+    -------
+    numpy.ndarray, shape (N over k,)
+        The coefficients at dx_I.
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
+    >>> dx = square.cochain(square.points[:, 0], 0).d()
+    >>> polydec.whitney_form(square, dx, 0, np.ones(3) / 3).round(12) + 0.0
+    array([1., 0.])
     """
     return _core.whitney_form(mesh_of(complex), *as_form(form, degree), top,
                               floats(barycentric, "barycentric coordinates"))
@@ -198,10 +251,20 @@ def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
 
     Parameters
     ----------
+    complex : Complex
     field : array_like, shape (size(0), N)
         X at the vertices.
     sampling : {"centered", "upwind"}
         From which simplices around a cell a form is taken.
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.well_centered(4))
+    >>> X = np.tile([2.0, 0.0], (square.size(0), 1))
+    >>> dx = square.d(0) @ square.points[:, 0]
+    >>> np.allclose(polydec.interior_product(square, X, 1) @ dx, 2.0)     # i_X dx
+    True
     """
     return _core.contraction(mesh_of(complex), "interior_product", floats(field, "vectors", 2), k,
                              sampling)
@@ -209,11 +272,30 @@ def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
 
 def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
                    sampling: str = "centered") -> Any:
-    """Lie derivative of primal k-forms, ``i_X d + d i_X``, a sparse matrix; commutes with d."""
+    """Lie derivative of primal k-forms, ``i_X d + d i_X``, a sparse matrix; commutes with d.
+
+    Parameters are those of `interior_product`.
+
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.well_centered(4))
+    >>> X = square.points                             # which stretches areas at the rate 2
+    >>> L = polydec.lie_derivative(square, X, 0)
+    >>> abs(square.d(0) @ L - polydec.lie_derivative(square, X, 1) @ square.d(0)).max() < 1e-12
+    True
+    """
     return _core.contraction(mesh_of(complex), "lie_derivative", floats(field, "vectors", 2), k,
                              sampling)
 
 
 def inflow(complex: Complex, field: npt.ArrayLike, k: int) -> Any:
-    """The rate at which values of a k-form outside come in, for the upwind `lie_derivative`."""
+    """The rate at which values of a k-form outside come in, for the upwind `lie_derivative`.
+
+    A sparse matrix, whose rows belong to the k-cells; parameters are those of `interior_product`.
+
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
+    >>> X = np.tile([1.0, 0.0], (square.size(0), 1))
+    >>> polydec.inflow(square, X, 0).shape[0] == square.size(0)
+    True
+    """
     return _core.contraction(mesh_of(complex), "inflow", floats(field, "vectors", 2), k, "upwind")

@@ -129,6 +129,11 @@ class LengthMesh:
     vertices : int, optional
         The number of vertices; without it, one more than the largest number.
 
+    Attributes
+    ----------
+    simplices, edges, lengths, vertices
+        As above, arrays read-only.
+
     Raises
     ------
     InvalidInput
@@ -204,6 +209,14 @@ def read_mesh(path: Path) -> Mesh:
         If the file cannot be read; ``path`` says which.
     InvalidInput
         If it is malformed; ``path`` and ``line`` say where.
+
+    Examples
+    --------
+    >>> import os, polydec, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     polydec.write_mesh(folder + "/sphere.off", polydec.meshes.icosphere(2))
+    ...     polydec.read_mesh(folder + "/sphere.off")
+    Mesh(42 points in R^3, 80 simplices of dimension 2)
     """
     return Mesh._of(_core.read_mesh(os.fspath(path)))
 
@@ -212,15 +225,48 @@ def write_mesh(path: Path, mesh: Mesh) -> None:
     """Writes a mesh; the extension says the format: .nsc, .mesh, .off, .obj, .ply or .stl.
 
     Numbers read back exactly, except in STL. Of these formats .nsc holds every mesh.
+
+    Raises
+    ------
+    InvalidInput
+        For what the format does not hold, such as tetrahedra in .off.
+    IoError
+        If it cannot be written; ``path`` says which.
+
+    Examples
+    --------
+    >>> import os, polydec, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     polydec.write_mesh(folder + "/cube.nsc", polydec.meshes.kuhn([1, 1, 1]))
+    ...     polydec.read_mesh(folder + "/cube.nsc").dim
+    3
     """
     _core.write_mesh(os.fspath(path), mesh._mesh)
 
 
 def read_lengths(path: Path) -> LengthMesh:
-    """Reads simplices and the lengths of their edges from an .nsl file."""
+    """Reads simplices and the lengths of their edges from an .nsl file.
+
+    Raises as `read_mesh`; for an example see `write_lengths`.
+
+    >>> import polydec
+    >>> try:
+    ...     polydec.read_lengths("none.nsl")
+    ... except polydec.IoError as error:
+    ...     print(error.path)
+    none.nsl
+    """
     return LengthMesh._of(_core.read_lengths(os.fspath(path)))
 
 
 def write_lengths(path: Path, mesh: LengthMesh) -> None:
-    """Writes an .nsl file; numbers read back exactly."""
+    """Writes an .nsl file; numbers read back exactly.
+
+    >>> import polydec, tempfile
+    >>> triangle = polydec.LengthMesh([[0, 1, 2]], [[0, 1], [1, 2], [0, 2]], [3, 4, 5])
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     polydec.write_lengths(folder + "/triangle.nsl", triangle)
+    ...     polydec.read_lengths(folder + "/triangle.nsl").lengths
+    array([3., 4., 5.])
+    """
     _core.write_lengths(os.fspath(path), mesh._mesh)

@@ -51,6 +51,15 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
     -------
     matplotlib collection
         As ``plt.colorbar`` takes it; its axes are ``.axes``.
+
+    Examples
+    --------
+    >>> import matplotlib, polydec
+    >>> matplotlib.use("Agg")
+    >>> hexagons = polydec.discretize(polydec.meshes.hexagons(4))
+    >>> drawn = polydec.plot(hexagons, hexagons.volumes(2), cmap="viridis")
+    >>> len(drawn.get_paths()) == hexagons.size(2)
+    True
     """
     import matplotlib.pyplot as plt
     from matplotlib.collections import PolyCollection
@@ -103,6 +112,11 @@ def _colors(complex: Complex, values: Form, degree: int | None, side: str,
 def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None) -> Any:
     """A ``meshio.Mesh`` of the cells: lines, polygons by their number of corners, or polyhedra as
     the tetrahedra that they are made of; `forms` on vertices or n-cells become its data.
+
+    >>> import polydec
+    >>> grid = polydec.discretize(polydec.meshes.grid(2, 2))
+    >>> [block.type for block in polydec.to_meshio(grid).cells]
+    ['quad']
     """
     import meshio
 

@@ -177,7 +177,16 @@ class HodgeParts:
 
 
 class HodgeSolver:
-    """Hodge decompositions of forms of one side and degree."""
+    """Hodge decompositions of forms of one side and degree, with factorizations for all of them.
+
+    Parameters
+    ----------
+    complex : Cells, or a mesh as `discretize` takes it
+    degree, side
+        Of the forms.
+    engine : str
+        A name of `backends`.
+    """
 
     def __init__(self, complex: CellsLike, *, degree: int, side: str = "primal",
                  engine: str = "auto") -> None:
@@ -202,7 +211,9 @@ class HodgeSolver:
 
 def hodge_decomposition(complex: CellsLike, form: Form, *, degree: int | None = None,
                         side: str = "primal", engine: str = "auto") -> HodgeParts:
-    """The Hodge decomposition of a form. For conditions on the boundary see `Cells.conditioned`.
+    """The Hodge decomposition of a form, as a `HodgeSolver` makes it.
+
+    For conditions on the boundary see `Cells.conditioned`.
 
     Examples
     --------
@@ -221,7 +232,7 @@ def hodge_decomposition(complex: CellsLike, form: Form, *, degree: int | None = 
 
 def harmonic_forms(complex: CellsLike, degree: int, *, side: str = "primal",
                    engine: str = "auto") -> Floats:
-    """A basis of the harmonic forms, a column each.
+    """A basis of the harmonic forms, a column each, as a `HodgeSolver` makes it.
 
     >>> import polydec
     >>> polydec.harmonic_forms(polydec.discretize(polydec.meshes.torus(12, 8)), 1).shape

@@ -32,14 +32,20 @@ class Renumbered(NamedTuple):
 
 
 def length_mesh(mesh: Mesh) -> LengthMesh:
-    """The simplices of a mesh with the lengths of their edges, without its points."""
+    """The simplices of a mesh with the lengths of their edges, without its points.
+
+    >>> from polydec import meshes
+    >>> meshes.length_mesh(meshes.grid(1, 1))
+    LengthMesh(4 vertices, 2 simplices of dimension 2)
+    """
     return LengthMesh._of(_core.length_mesh(mesh._mesh))
 
 
 def grid(nx: int, ny: int, width: float = 1.0, height: float = 1.0) -> Mesh:
     """A rectangle of nx times ny equal rectangles, each split by the same diagonal.
 
-    Vertex (i, j) has the number ``i * (ny + 1) + j``.
+    Vertex (i, j) has the number ``i * (ny + 1) + j`` and lies at ``(i * width / nx,
+    j * height / ny)``.
 
     >>> from polydec import meshes
     >>> meshes.grid(2, 1)
@@ -49,22 +55,42 @@ def grid(nx: int, ny: int, width: float = 1.0, height: float = 1.0) -> Mesh:
 
 
 def hexagons(columns: int) -> Mesh:
-    """The unit square in rows of hexagons with corners on circles, fanned into triangles."""
+    """The unit square in rows of hexagons with corners on circles, fanned into triangles.
+
+    >>> from polydec import discretize, meshes
+    >>> meshes.hexagons(4), discretize(meshes.hexagons(4)).size(2)
+    (Mesh(46 points in R^2, 72 simplices of dimension 2), 22)
+    """
     return Mesh._of(_core.hexagons(columns))
 
 
 def well_centered(rows: int) -> Mesh:
-    """The unit square in ``2 * rows`` rows of acute triangles: all duals are positive."""
+    """The unit square in ``2 * rows`` rows of acute triangles: all duals are positive.
+
+    >>> from polydec import discretize, meshes
+    >>> bool(discretize(meshes.well_centered(4)).dual_volumes(1).min() > 0)
+    True
+    """
     return Mesh._of(_core.well_centered(rows))
 
 
 def uv_sphere(meridians: int, bands: int) -> Mesh:
-    """Unit sphere of triangles at the poles, and trapezoids, each split by a diagonal."""
+    """Unit sphere of triangles at the poles, and trapezoids, each split by a diagonal.
+
+    >>> from polydec import meshes
+    >>> meshes.uv_sphere(8, 4)
+    Mesh(26 points in R^3, 48 simplices of dimension 2)
+    """
     return Mesh._of(_core.uv_sphere(meridians, bands))
 
 
 def icosphere(frequency: int) -> Mesh:
-    """Unit sphere of ``20 * frequency**2`` triangles from the icosahedron."""
+    """Unit sphere of ``20 * frequency**2`` triangles from the icosahedron.
+
+    >>> from polydec import meshes
+    >>> meshes.icosphere(2)
+    Mesh(42 points in R^3, 80 simplices of dimension 2)
+    """
     return Mesh._of(_core.icosphere(frequency))
 
 
@@ -82,17 +108,34 @@ def goldberg(frequency: int) -> Mesh:
 
 
 def torus(major: int, minor: int, major_radius: float = 1.0, minor_radius: float = 0.4) -> Mesh:
-    """Torus around the z axis of major times minor trapezoids, each split by a diagonal."""
+    """Torus around the z axis of major times minor trapezoids, each split by a diagonal.
+
+    The radii, `major_radius` and `minor_radius`, are those of the center line and of the tube.
+
+    >>> from polydec import meshes
+    >>> meshes.torus(8, 6)
+    Mesh(48 points in R^3, 96 simplices of dimension 2)
+    """
     return Mesh._of(_core.torus(major, minor, major_radius, minor_radius))
 
 
 def moebius(around: int, across: int, width: float = 0.6) -> Mesh:
-    """Moebius strip with the center line of radius 1; not orientable."""
+    """Moebius strip with the center line of radius 1; not orientable.
+
+    >>> from polydec import discretize, meshes
+    >>> discretize(meshes.moebius(9, 3)).report()["orientable"]
+    False
+    """
     return Mesh._of(_core.moebius(around, across, width))
 
 
 def flange(segments: int) -> Mesh:
-    """A machine part, closed, of genus 1: planar rectangles and trapezoids, each split."""
+    """A machine part, closed, of genus 1: planar rectangles and trapezoids, each split.
+
+    >>> from polydec import discretize, meshes
+    >>> discretize(meshes.flange(12)).betti_numbers()
+    [1, 2, 1]
+    """
     return Mesh._of(_core.flange(segments))
 
 
@@ -107,7 +150,12 @@ def kuhn(cells: Sequence[int], lengths: Sequence[float] = ()) -> Mesh:
 
 
 def split_boxes(cells: Sequence[int], lengths: Sequence[float] = (), seed: int = 1) -> Mesh:
-    """The same boxes, each split at random into n! simplices."""
+    """The same boxes as of `kuhn`, each split at random into n! simplices.
+
+    >>> from polydec import meshes
+    >>> meshes.split_boxes([2, 1], seed=3)
+    Mesh(6 points in R^2, 4 simplices of dimension 2)
+    """
     return Mesh._of(_core.split_boxes(list(cells), list(lengths), seed))
 
 
@@ -115,17 +163,31 @@ def bcc(cells: int | Sequence[int], edge: float | None = None) -> Mesh:
     """Body-centered cubic lattice: cells**3 cubes of the unit cube, or cells[k] along axis k.
 
     Around each inner square there are four congruent tetrahedra.
+
+    >>> from polydec import meshes
+    >>> meshes.bcc(2)
+    Mesh(35 points in R^3, 96 simplices of dimension 3)
     """
     return _lattice(_core.bcc, cells, edge, 3)
 
 
 def fcc(cells: int | Sequence[int], edge: float | None = None) -> Mesh:
-    """Face-centered cubic lattice: regular tetrahedra, and octahedra split into four."""
+    """Face-centered cubic lattice: regular tetrahedra, and octahedra split into four.
+
+    >>> from polydec import meshes
+    >>> meshes.fcc(1)
+    Mesh(14 points in R^3, 24 simplices of dimension 3)
+    """
     return _lattice(_core.fcc, cells, edge, 3)
 
 
 def d4(cells: int | Sequence[int], edge: float | None = None) -> Mesh:
-    """The lattice D4 in R^4: regular 16-cells, each split into 8 simplices."""
+    """The lattice D4 in R^4: regular 16-cells, each split into 8 simplices.
+
+    >>> from polydec import meshes
+    >>> meshes.d4(1).dim
+    4
+    """
     return _lattice(_core.d4, cells, edge, 4)
 
 
@@ -140,30 +202,74 @@ def sphere_clusters(dimension: int = 3, cells_per_side: int = 6, spheres: int = 
     """A random Delaunay mesh of the unit cube with empty spheres of many points on them.
 
     Each sphere becomes one cell with that many corners when it is merged.
+
+    Parameters
+    ----------
+    dimension : int
+    cells_per_side : int
+        Of the jittered grid that the points are of.
+    spheres, points_on_sphere : int
+        How many, and of how many points each.
+    radius : float
+        Of the spheres.
+    seed : int
+        Of the random numbers.
+
+    Examples
+    --------
+    >>> from polydec import discretize, meshes
+    >>> mesh = meshes.sphere_clusters(cells_per_side=4, points_on_sphere=12)
+    >>> cells = discretize(mesh).cells(3)
+    >>> max(len(cells.cell(i)) for i in range(len(cells)))
+    12
     """
     return Mesh._of(_core.sphere_clusters(dimension, cells_per_side, spheres, points_on_sphere,
                                           radius, seed))
 
 
 def perturbed(mesh: Mesh, amplitude: float, seed: int = 1) -> Mesh:
-    """The mesh with every coordinate moved at random by at most `amplitude`."""
+    """The mesh with every coordinate moved at random by at most `amplitude`.
+
+    >>> from polydec import meshes
+    >>> mesh = meshes.grid(2, 2)
+    >>> bool(0 < abs(meshes.perturbed(mesh, 0.1).points - mesh.points).max() <= 0.1)
+    True
+    """
     return Mesh._of(_core.perturbed(mesh._mesh, amplitude, seed))
 
 
 def shuffled(mesh: Mesh, seed: int = 1) -> Renumbered:
-    """The same mesh under random vertex and cell numbers."""
+    """The same mesh under random vertex and cell numbers.
+
+    >>> import numpy as np
+    >>> from polydec import meshes
+    >>> mesh = meshes.grid(2, 2)
+    >>> other = meshes.shuffled(mesh)
+    >>> np.array_equal(other.mesh.points, mesh.points[other.vertices])
+    True
+    """
     renumbered, vertices, cells = _core.shuffled(mesh._mesh, seed)
     return Renumbered(Mesh._of(renumbered), vertices, cells)
 
 
 def along_morton_curve(mesh: Mesh) -> Renumbered:
-    """The same mesh with numbers along Morton's curve: neighbors in space are near in memory."""
+    """The same mesh with numbers along Morton's curve: neighbors in space are near in memory.
+
+    >>> from polydec import meshes
+    >>> meshes.along_morton_curve(meshes.shuffled(meshes.grid(2, 2)).mesh).mesh
+    Mesh(9 points in R^2, 8 simplices of dimension 2)
+    """
     renumbered, vertices, cells = _core.along_morton_curve(mesh._mesh)
     return Renumbered(Mesh._of(renumbered), vertices, cells)
 
 
 def peeled(mesh: Mesh) -> Mesh:
-    """The mesh without the flat cells that meshers leave on its boundary."""
+    """The mesh without the flat cells that meshers leave on its boundary.
+
+    >>> from polydec import meshes
+    >>> len(meshes.peeled(meshes.grid(2, 2)).simplices)          # there are none
+    8
+    """
     return Mesh._of(_core.peeled(mesh._mesh))
 
 
@@ -184,6 +290,16 @@ def tetrahedralize(surface: Mesh, *, largest_volume: float = 0.0, quality: float
     ------
     BackendUnavailable
         If TetGen is not installed.
+
+    Examples
+    --------
+    >>> import polydec
+    >>> try:
+    ...     ball = polydec.meshes.tetrahedralize(polydec.meshes.icosphere(2))
+    ...     print(ball.dim)
+    ... except polydec.BackendUnavailable:
+    ...     print(3)
+    3
     """
     points = np.zeros((0, 3)) if holes is None else floats(holes, "holes", 2)
     return Mesh._of(_core.tetrahedralize(surface._mesh, largest_volume, quality, points))
