@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: MIT
 """Builds the module of the package for Python by CMake, for pip install . and its like.
 
-In the environment CMAKE_ARGS may hold more options for CMake, such as -DPOLYDEC_CHOLMOD=OFF, and
-POLYDEC_JOBS how many compilers run at once (default: processors, at most 2).
+In the environment POLYDEC_BUILD may name a build tree to take as it is, such as build/release, or
+CMAKE_ARGS hold more options for CMake, such as -DPOLYDEC_CHOLMOD=OFF; POLYDEC_JOBS is how many
+compilers run at once (default: processors, at most 2).
 """
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from setuptools import Extension, setup
@@ -21,16 +24,21 @@ class CMakeBuild(build_ext):
     """Installs what CMake builds beside the package's files."""
 
     def build_extension(self, ext):
-        binary = Path(self.build_temp).resolve()
-        site = Path(self.get_ext_fullpath(ext.name)).resolve().parents[1]
+        package = Path(self.get_ext_fullpath(ext.name)).resolve().parent
+        given = os.environ.get("POLYDEC_BUILD")
+        binary = Path(given or self.build_temp).resolve()
         jobs = os.environ.get("POLYDEC_JOBS") or str(min(2, os.cpu_count() or 1))
-        self.cmake("--preset", "release", "-B", binary, "-DPOLYDEC_PYTHON=ON",
-                   "-DPOLYDEC_COMMAND=OFF", "-DPOLYDEC_TESTS=OFF", "-DPOLYDEC_EXAMPLES=OFF",
-                   "-DPOLYDEC_PYTHON_SITE=.", f"-DPython_EXECUTABLE={sys.executable}",
-                   *shlex.split(os.environ.get("CMAKE_ARGS", "")))
+        if not given:
+            self.cmake("--preset", "release", "-B", binary, "-DPOLYDEC_PYTHON=ON",
+                       "-DPOLYDEC_COMMAND=OFF", "-DPOLYDEC_TESTS=OFF", "-DPOLYDEC_EXAMPLES=OFF",
+                       f"-DPython_EXECUTABLE={sys.executable}",
+                       *shlex.split(os.environ.get("CMAKE_ARGS", "")))
         self.cmake("--build", binary, "-j", jobs, "--target", "polydec_python", "polydec_modules")
-        for component in ("python", "python_engines"):
-            self.cmake("--install", binary, "--prefix", site, "--component", component)
+        with tempfile.TemporaryDirectory() as prefix:
+            for component in ("python", "python_engines"):
+                self.cmake("--install", binary, "--prefix", prefix, "--component", component)
+            installed = next(Path(prefix).rglob("_core.*.so")).parent
+            shutil.copytree(installed, package, dirs_exist_ok=True)
 
     @staticmethod
     def cmake(*words):

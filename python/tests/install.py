@@ -2,7 +2,8 @@
 """Installs the package by pip from a copy of the checkout, without a network, and uses it from
 another folder.
 
-Usage: install.py PYTHON VERSION [ENGINE ..]. Exit code: 0 all went well, 1 not, 77 what pip needs is not here.
+Usage: install.py PYTHON VERSION BUILD [ENGINE ..]. With ccache all is compiled anew, else what is in
+the build tree BUILD is taken. Exit code: 0 all went well, 1 not, 77 what pip needs is not here.
 """
 import os
 import shutil
@@ -45,7 +46,7 @@ def run(*words, cwd, **variables):
     return done.stdout
 
 
-def main(python, version, *engines):
+def main(python, version, build, *engines):
     missing = [package for module, package in NEEDED.items() if subprocess.run(
         [python, "-c", f"import {module}"], capture_output=True).returncode != 0]
     if missing:
@@ -58,10 +59,12 @@ def main(python, version, *engines):
             "build", ".git", ".cache", "demo-output", "__pycache__"))
         run(python, "-m", "venv", "--system-site-packages", folder / "venv", cwd=folder)
         own = folder / "venv" / "bin" / "python"
-        ccache = {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CCACHE_BASEDIR": str(copy),
-                  "CCACHE_NOHASHDIR": "1"} if shutil.which("ccache") else {}
+        how = {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CCACHE_BASEDIR": str(copy),
+               "CCACHE_NOHASHDIR": "1", "CMAKE_ARGS": " ".join(QUICK)}
+        if not shutil.which("ccache"):
+            how = {"POLYDEC_BUILD": build}
         run(own, "-m", "pip", "--isolated", "install", "--no-cache-dir", "--no-index",
-            "--no-build-isolation", ".", cwd=copy, **ccache, CMAKE_ARGS=" ".join(QUICK))
+            "--no-build-isolation", ".", cwd=copy, **how)
         shutil.rmtree(copy)
         print(run(own, "-c", USE, version, *engines, cwd=folder), end="")
     return 0

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+"""A PDE that the library has no solver for: heat that spreads on a sphere while a wind carries it
+around, du/dt = - L_X u - nu Delta u. A step is explicit in the wind and implicit in the heat."""
+import numpy as np
+from scipy.sparse import diags
+from scipy.sparse.linalg import splu
+
+import polydec
+
+sphere = polydec.discretize(polydec.meshes.uv_sphere(32, 16))
+nu, dt = 0.05, 0.02
+
+# a wind around the axis, given at the vertices
+x, y, z = sphere.points.T
+wind = np.column_stack([-y, x, 0 * z])
+transport = polydec.lie_derivative(sphere, wind, 0, sampling="upwind")
+
+# (star_0 + dt nu d^T star_1 d) u_new = star_0 (u - dt L_X u), factorized once
+mass = sphere.star(0)
+implicit = splu((diags(mass) + dt * nu * sphere.stiffness(0)).tocsc())
+
+u = (x > 0.8).astype(float) # a hot spot
+begin = mass @ u / mass.sum()
+for _ in range(100):
+    u = implicit.solve(mass * (u - dt * (transport @ u)))
+print(f"temperature from {u.min():g} to {u.max():g}, mean {mass @ u / mass.sum():g} "
+      f"after {begin:g}")
+print("still between 0 and 1:", "yes" if u.min() > 0 and u.max() < 1 else "no")
+
+polydec.view(sphere, {"temperature": u}, title="Heat in the wind").save("temperature.html")
