@@ -14,8 +14,8 @@ template <class Matrix>
 py::array array_of(Matrix values, bool by_columns) {
     auto kept = std::make_unique<Matrix>(std::move(values));
     const Matrix& numbers = *kept;
-    return view(numbers.data(), {numbers.rows(), numbers.cols()}, owner_of(std::move(kept)),
-                by_columns);
+    return writable(view(numbers.data(), {numbers.rows(), numbers.cols()},
+                         owner_of(std::move(kept)), by_columns));
 }
 
 template <class Scalar>
@@ -41,7 +41,7 @@ py::object csr_of(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor, Index>& mat
 py::array array(Vector values) {
     auto kept = std::make_unique<Vector>(std::move(values));
     const Vector& numbers = *kept;
-    return view(numbers.data(), {numbers.size()}, owner_of(std::move(kept)));
+    return writable(view(numbers.data(), {numbers.size()}, owner_of(std::move(kept))));
 }
 
 py::array array(Points rows) {
@@ -61,7 +61,10 @@ py::object csr(SparseMatrix matrix) {
     kept->swap(matrix); // Eigen would copy it where one moves it
     kept->makeCompressed();
     const SparseMatrix& shown = *kept;
-    return csr_of(shown, owner_of(std::move(kept)));
+    py::object result = csr_of(shown, owner_of(std::move(kept)));
+    for (const char* part : {"data", "indices", "indptr"})
+        writable(result.attr(part));
+    return result;
 }
 
 py::object csr(const IncidenceMatrix& matrix, py::handle owner) {

@@ -17,9 +17,10 @@
 #include <utility>
 #include <vector>
 
-/// Between numpy's arrays, scipy's matrices and polydec's. What is handed out shares memory, is
-/// read-only, and keeps alive what it belongs to; what comes in has been made contiguous and of the
-/// right type and shape in Python, where it has a name, and is copied.
+/// Between numpy's arrays, scipy's matrices and polydec's. What is handed out shares memory and
+/// keeps alive what it belongs to; it is read-only, unless it was made to be handed out. What comes
+/// in has been made contiguous and of the right type and shape in Python, where it has a name, and
+/// is copied.
 namespace polydec::python {
 
 namespace py = pybind11;
@@ -46,6 +47,12 @@ py::array view(const Scalar* numbers, std::vector<py::ssize_t> shape, py::handle
     return result;
 }
 
+/// Lets Python change an array that belongs to nobody else.
+inline py::array writable(py::array numbers) {
+    py::detail::array_proxy(numbers.ptr())->flags |= py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+    return numbers;
+}
+
 /// Something that lives as long as arrays of its numbers do.
 template <class Value>
 py::capsule owner_of(std::unique_ptr<Value> value) {
@@ -57,7 +64,7 @@ template <class Scalar>
 py::array array(std::vector<Scalar> values) {
     auto kept = std::make_unique<std::vector<Scalar>>(std::move(values));
     const auto& numbers = *kept;
-    return view(numbers.data(), {std::ssize(numbers)}, owner_of(std::move(kept)));
+    return writable(view(numbers.data(), {std::ssize(numbers)}, owner_of(std::move(kept))));
 }
 py::array array(Vector values);
 py::array array(Points rows);
