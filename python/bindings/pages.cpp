@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/pages/page.h"
+#include "io/pages/draw_page.h"
 #include "io/pictures/draw_cells.h"
 #include "python/bindings/convert.h"
 
@@ -7,57 +7,66 @@ namespace polydec::python {
 
 namespace {
 
-/// Forms on the k-cells, drawn: their name, side, degree and values, and what they are in words.
-using NamedForms = std::vector<std::tuple<std::string, std::string, int, Numbers, std::string>>;
+/// Forms as Python names them: name, side, degree, values, and what they are in words.
+using Given = std::vector<std::tuple<std::string, std::string, int, Numbers, std::string>>;
 
-void add_forms(VtuGrid& grid, const Discretization& mesh, const NamedForms& forms) {
-    for (const auto& [name, side, degree, values, about] : forms)
-        add_form(grid, mesh, name, form(side, degree, values), about);
+std::vector<NamedForm> forms_of(const Given& given) {
+    std::vector<NamedForm> forms;
+    for (const auto& [name, side, degree, values, about] : given)
+        forms.emplace_back(name, form(side, degree, values), about);
+    return forms;
 }
 
-/// Writes the cells that carry some forms, with these.
-void write_picture(const std::string& path, const Discretization& mesh, int k,
-                   const NamedForms& forms) {
+void add_forms(VtuGrid& grid, const Discretization& mesh, const Given& given) {
+    for (const auto& [name, values, about] : forms_of(given))
+        add_form(grid, mesh, name, values, about);
+}
+
+/// Writes the k-cells with the forms that they carry.
+void write_picture(const std::string& path, const Discretization& mesh, int k, const Given& forms) {
     VtuGrid grid = draw_cells(mesh, k);
     add_forms(grid, mesh, forms);
     unlocked([&] { write_vtu(path, grid); });
 }
 
-PageText text_of(const std::string& title, const std::vector<std::string>& facts,
-                 const py::dict& table, const Discretization& mesh) {
-    PageText text{.title = title, .facts = facts, .warnings = mesh.warnings()};
-    if (!table.empty()) {
-        text.table = {table["columns"].cast<std::vector<std::string>>(),
-                      table["rows"].cast<std::vector<std::vector<std::string>>>(),
-                      table["fields"].cast<std::vector<std::string>>(),
-                      table["below"].cast<std::string>()};
-    }
-    return text;
+std::string text_of(Page page, const Discretization& mesh, const std::vector<std::string>& facts) {
+    page.text.facts.insert(page.text.facts.begin(), facts.begin(), facts.end());
+    page.text.warnings = mesh.warnings();
+    return unlocked([&] { return to_html(page); });
 }
 
-/// The page of these forms; of several times those of each, in `steps`.
-std::string page(const Discretization& mesh, int k, const NamedForms& forms,
-                 const std::vector<std::pair<std::string, NamedForms>>& steps,
-                 const std::string& title, const std::vector<std::string>& facts,
-                 const py::dict& table) {
-    Page page;
-    page.text = text_of(title, facts, table, mesh);
-    page.grid = draw_cells(mesh, k);
-    VtuGrid bare = page.grid;
-    add_forms(page.grid, mesh, forms);
+/// The page of these forms on k-cells, or of cells alone; of several times those of each step.
+std::string page(const Discretization& mesh, int k, const Given& forms,
+                 const std::vector<std::pair<std::string, Given>>& steps, const std::string& title,
+                 const std::vector<std::string>& facts) {
+    Page drawn = forms.empty() ? draw_page(mesh, title) : draw_page(mesh, forms_of(forms), title);
+    if (!steps.empty())
+        drawn.arrows.clear(); // they would stand still
     for (const auto& [time, at_time] : steps) {
-        bare.point_data.clear();
-        bare.cell_data.clear();
-        add_forms(bare, mesh, at_time);
-        page.steps.push_back({time, bare.point_data, bare.cell_data});
+        VtuGrid grid = draw_cells(mesh, k);
+        add_forms(grid, mesh, at_time);
+        drawn.steps.push_back({time, std::move(grid.point_data), std::move(grid.cell_data)});
     }
-    if (steps.empty()) // arrows would stand still
-        for (const auto& [name, side, degree, values, about] : forms)
-            add_arrows(page, name, mesh, form(side, degree, values));
-    if (!forms.empty())
-        page.shown = std::get<0>(forms.front());
-    page.mesh = mesh;
-    return unlocked([&] { return to_html(page); });
+    return text_of(std::move(drawn), mesh, facts);
+}
+
+/// The page of modes, as the dict of their parts that spectrum() gave.
+std::string page_of_modes(const Discretization& mesh, const std::string& side, int degree,
+                          const Numbers& eigenvalues, const Numbers& modes, const Numbers& radii,
+                          const Numbers& residuals,
+                          const std::tuple<double, Index, Index, bool>& certificate,
+                          const std::string& title, const std::vector<std::string>& facts) {
+    Spectrum found;
+    found.side = side_of(side);
+    found.degree = degree;
+    found.eigenvalues = vector(eigenvalues);
+    found.modes = columns(modes);
+    found.radii = vector(radii);
+    found.residuals = vector(residuals);
+    auto& proof = found.certificate;
+    std::tie(proof.shift, proof.below_shift, proof.returned_below_shift, proof.complete) =
+        certificate;
+    return text_of(draw_page(mesh, found, title), mesh, facts);
 }
 
 } // namespace
@@ -65,6 +74,7 @@ std::string page(const Discretization& mesh, int k, const NamedForms& forms,
 void add_pages(py::module_& module) {
     module.def("write_vtu", &write_picture);
     module.def("page", &page);
+    module.def("page_of_modes", &page_of_modes);
 }
 
 } // namespace polydec::python

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import html
 import os
+from dataclasses import astuple
 from pathlib import Path
-from typing import Any, Mapping, Sequence, Union
+from typing import Mapping, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -97,7 +98,11 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
     True
     """
     complex = as_complex(complex)
-    table = _table(fields) if isinstance(fields, Spectrum) else {}
+    if isinstance(fields, Spectrum):
+        return Page(_core.page_of_modes(
+            complex._mesh, fields.side, fields.degree, fields.eigenvalues,
+            np.ascontiguousarray(fields.modes), fields.radii, fields.residuals,
+            astuple(fields.certificate), title, [*facts]))
     columns = _by_name(fields)
     steps = []
     if times is not None:
@@ -105,12 +110,7 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
                  for i, time in enumerate(times)]
         columns = _at(columns, 0, len(times))
     forms = _forms(complex, columns, degree, side)
-    counts = ", ".join(map(str, complex.shape))
-    before = ", ".join(map(str, complex.input.shape))
-    said = [*facts, f"Cells of degree 0 .. {complex.dim}: {before} in the input, {counts} after "
-            "merging."]
-    return Page(_core.page(complex._mesh, _cells_of(complex, forms), forms, steps, title, said,
-                           table))
+    return Page(_core.page(complex._mesh, _cells_of(complex, forms), forms, steps, title, [*facts]))
 
 
 def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | None = None, *,
@@ -190,15 +190,3 @@ def _cells_of(complex: Complex, forms: Sequence[_Named]) -> int:
         raise InvalidInput("forms on cells of several degrees are given: expected those of one, "
                            "since a picture has cells of one degree")
     return kinds.pop() if kinds else complex.dim
-
-
-def _table(modes: Spectrum) -> dict[str, Any]:
-    proof = modes.certificate
-    below = (f"Complete: {proof.below_shift} eigenvalues lie below {proof.shift:.6g}, by "
-             f"Sylvester's law of inertia, and {proof.returned_below_shift} were found."
-             if proof.complete else "Not proved complete.")
-    rows = zip(modes.eigenvalues, modes.radii, modes.residuals)
-    return {"columns": ["", "eigenvalue", "radius", "residual"], "below": below,
-            "rows": [[str(i), f"{value:.12g}", f"{radius:.1e}", f"{residual:.1e}"]
-                     for i, (value, radius, residual) in enumerate(rows)],
-            "fields": [f"mode_{i}" for i in range(len(modes.eigenvalues))]}
