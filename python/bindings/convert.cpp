@@ -115,7 +115,7 @@ py::tuple parts(Cochain form) {
     return py::make_tuple(name(form.side), form.degree, array(std::move(form.values)));
 }
 
-py::dict in_words(const SolveReport& report) {
+py::dict report_of(const SolveReport& report) {
     return py::dict(py::arg("engine") = report.engine, py::arg("iterations") = report.iterations,
                     py::arg("residual") = report.residual,
                     py::arg("backward_error") = report.backward_error,

@@ -107,7 +107,7 @@ Side side_of(const std::string& name);
 Cochain form(const std::string& side, int degree, const Numbers& values);
 py::tuple parts(Cochain form);
 
-py::dict in_words(const SolveReport& report);
+py::dict report_of(const SolveReport& report);
 
 /// A function of Python's that may be copied and destroyed without the interpreter's lock, with
 /// which alone references to it are counted.

@@ -17,7 +17,7 @@ const char* kind_name(EngineKind kind) {
     return kind == EngineKind::linear ? "linear" : kind == EngineKind::eigen ? "eigen" : "mesher";
 }
 
-py::dict in_words(const EngineInfo& info) {
+py::dict engine_of(const EngineInfo& info) {
     return py::dict(py::arg("name") = info.name, py::arg("kind") = kind_name(info.kind),
                     py::arg("available") = info.available,
                     py::arg("description") = info.description,
@@ -126,7 +126,7 @@ void add_engines(py::module_& module) {
     module.def("engines", [] {
         py::list all;
         for (const EngineInfo& info : unlocked([] { return engines(); }))
-            all.append(in_words(info));
+            all.append(engine_of(info));
         return all;
     });
     module.def("load_engine", [](const std::string& path) { load_engine_module(path); });
@@ -147,7 +147,7 @@ void add_engines(py::module_& module) {
             DenseMatrix found = solver->solve(B);
             return std::pair(std::move(found), solver->report());
         });
-        return py::make_tuple(array(std::move(X)), in_words(report));
+        return py::make_tuple(array(std::move(X)), report_of(report));
     });
 }
 

@@ -27,7 +27,7 @@ void translate(std::exception_ptr thrown) {
         if (thrown)
             std::rethrow_exception(thrown);
     } catch (const SolverFailure& error) {
-        raise("SolverFailure", error, py::dict(py::arg("report") = in_words(error.report())));
+        raise("SolverFailure", error, py::dict(py::arg("report") = report_of(error.report())));
     } catch (const BackendUnavailable& error) {
         raise("BackendUnavailable", error);
     } catch (const IoError& error) {

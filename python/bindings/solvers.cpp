@@ -40,7 +40,7 @@ std::unique_ptr<Guarded<Solver>> guarded(Arguments&&... arguments) {
 }
 
 py::dict both_in_words(const SolveReport& report, const Compatibility& compatibility) {
-    py::dict result = in_words(report);
+    py::dict result = report_of(report);
     result["free_components"] = compatibility.free_components;
     result["incompatible"] = compatibility.worst;
     return result;

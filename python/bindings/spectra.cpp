@@ -11,7 +11,7 @@ namespace polydec::python {
 
 namespace {
 
-py::dict in_words(const Certificate& certificate) {
+py::dict certificate_of(const Certificate& certificate) {
     return py::dict(py::arg("shift") = certificate.shift,
                     py::arg("below_shift") = certificate.below_shift,
                     py::arg("returned_below_shift") = certificate.returned_below_shift,
@@ -20,12 +20,12 @@ py::dict in_words(const Certificate& certificate) {
 
 /// Of a Spectrum or of CertifiedEigenpairs, whose columns go by other names.
 template <class Pairs>
-py::dict in_words(Pairs pairs, Vector values, DenseMatrix columns) {
+py::dict pairs_of(Pairs pairs, Vector values, DenseMatrix columns) {
     return py::dict(py::arg("eigenvalues") = array(std::move(values)),
                     py::arg("modes") = array(std::move(columns)),
                     py::arg("radii") = array(std::move(pairs.radii)),
                     py::arg("residuals") = array(std::move(pairs.residuals)),
-                    py::arg("certificate") = in_words(pairs.certificate),
+                    py::arg("certificate") = certificate_of(pairs.certificate),
                     py::arg("linear_solver") = pairs.linear_solver,
                     py::arg("eigen_solver") = pairs.eigen_solver,
                     py::arg("rough") = std::move(pairs.rough));
@@ -58,7 +58,7 @@ py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, In
     });
     auto values = std::move(found.eigenvalues);
     auto modes = std::move(found.modes);
-    return in_words(std::move(found), std::move(values), std::move(modes));
+    return pairs_of(std::move(found), std::move(values), std::move(modes));
 }
 
 py::dict smallest_eigenpairs(const MatrixParts& A, const std::variant<Numbers, MatrixParts>& M,
@@ -79,7 +79,7 @@ py::dict smallest_eigenpairs(const MatrixParts& A, const std::variant<Numbers, M
         unlocked([&] { return CertifiedEigensolver(pencil, options).smallest(count); });
     auto values = std::move(found.values);
     auto vectors = std::move(found.vectors);
-    return in_words(std::move(found), std::move(values), std::move(vectors));
+    return pairs_of(std::move(found), std::move(values), std::move(vectors));
 }
 
 } // namespace

@@ -10,6 +10,7 @@ _WORDING = {
     "Delaunay::flips_and_splits": "delaunay=\"flips_and_splits\"",
     "Delaunay::flips": "delaunay=\"flips\"",
     "StarKind::": "star=",
+    "star=automatic": "star=\"automatic\"",
     "peeled(mesh)": "polydec.meshes.peeled(mesh)",
     "set_memory_limit": "polydec.set_memory_limit",
 }
