@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import html
 import os
-from dataclasses import astuple
 from pathlib import Path
 from typing import Mapping, Sequence, Union
 
@@ -99,10 +98,12 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
     """
     complex = as_complex(complex)
     if isinstance(fields, Spectrum):
+        proof = fields.certificate
         return Page(_core.page_of_modes(
             complex._mesh, fields.side, fields.degree, fields.eigenvalues,
             np.ascontiguousarray(fields.modes), fields.radii, fields.residuals,
-            astuple(fields.certificate), title, [*facts]))
+            (proof.shift, proof.below_shift, proof.returned_below_shift, proof.complete), title,
+            [*facts]))
     columns = _by_name(fields)
     steps = []
     if times is not None:
