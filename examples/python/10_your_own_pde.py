@@ -21,10 +21,15 @@ implicit = splu((diags(mass) + dt * nu * sphere.stiffness(0)).tocsc())
 
 u = (x > 0.8).astype(float) # a hot spot
 begin = mass @ u / mass.sum()
-for _ in range(100):
+times, film = [], []
+for step in range(101):
+    if step % 4 == 0:
+        times.append(dt * step)
+        film.append(u)
     u = implicit.solve(mass * (u - dt * (transport @ u)))
 print(f"temperature from {u.min():g} to {u.max():g}, mean {mass @ u / mass.sum():g} "
       f"after {begin:g}")
 print("still between 0 and 1:", "yes" if u.min() > 0 and u.max() < 1 else "no")
 
-polydec.view(sphere, {"temperature": u}, title="Heat in the wind").save("temperature.html")
+polydec.view(sphere, {"temperature": np.column_stack(film)}, times=times,
+             title="A hot spot, blown around a sphere").save("temperature.html")
