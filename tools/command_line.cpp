@@ -44,6 +44,7 @@ std::unique_ptr<CLI::App> command_line() {
     add_operators(*app);
     add_merge(*app);
     add_view(*app);
+    add_draw(*app);
     add_spectrum(*app);
     add_poisson(*app);
     add_distance(*app);

@@ -10,6 +10,7 @@ void add_info(CLI::App& app);
 void add_operators(CLI::App& app);
 void add_merge(CLI::App& app);
 void add_view(CLI::App& app);
+void add_draw(CLI::App& app);
 void add_spectrum(CLI::App& app);
 void add_poisson(CLI::App& app);
 void add_distance(CLI::App& app);

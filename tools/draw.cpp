@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "base/atomic_file.h"
+#include "base/printable.h"
+#include "io/pictures/draw_structure.h"
+#include "tools/commands.h"
+#include "tools/common.h"
+#include "tools/messages.h"
+#include "tools/outputs.h"
+
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct DrawArguments {
+    MeshArguments mesh;
+    StructureOptions shown;
+    std::vector<double> eye;
+    std::filesystem::path out;
+};
+
+struct Drawn : Answer {
+    std::string out;
+    std::size_t shapes = 0;
+    Index vertices = 0, edges = 0, cells = 0;
+
+    void write(JsonWriter& json) const override {
+        json.member("out", out);
+        json.member("vertices", vertices);
+        json.member("edges", edges);
+        json.member("cells", cells);
+        json.member("shapes", shapes);
+    }
+
+    void write(Text& text) const override { text("{}\n", printable(out)); }
+};
+
+void run_draw(DrawArguments arguments) {
+    Log log;
+    if (arguments.out.empty())
+        arguments.out = arguments.mesh.mesh.stem().string() + ".svg";
+    check_output_file(arguments.out, {".svg"}, mesh_files(arguments.mesh.mesh));
+    const Discretization mesh = load(arguments.mesh, log);
+    if (!arguments.eye.empty())
+        arguments.shown.view.eye = Eigen::Map<const Vector>(arguments.eye.data(), 3);
+    const SvgDrawing drawing =
+        computed_on(arguments.mesh.mesh, [&] { return draw_structure(mesh, arguments.shown); });
+    log.timing.begin("write");
+    AtomicFile file(arguments.out);
+    file.write(to_svg(drawing));
+    file.commit();
+
+    Drawn answer;
+    answer.out = arguments.out.string();
+    answer.shapes = drawing.shapes.size();
+    answer.vertices = mesh.complex().size(0);
+    answer.edges = mesh.complex().size(1);
+    answer.cells = mesh.complex().size(2);
+    tell(answer, log, arguments.mesh.tell);
+}
+
+} // namespace
+
+void add_draw(CLI::App& app) {
+    auto* command =
+        app.add_subcommand("draw", "draws cells, duals and numbers of a small mesh, for lessons");
+    const auto arguments = std::make_shared<DrawArguments>();
+    auto& shown = arguments->shown;
+    add_mesh_arguments(*command, arguments->mesh);
+    command->add_flag("--duals", shown.duals, "the dual mesh");
+    command->add_flag("--numbers", shown.numbers,
+                      "numbers of vertices, edges and cells, as the\nmatrices of `operators` have "
+                      "them");
+    command->add_flag("--orientations", shown.orientations, "of edges and cells");
+    command->add_flag("--circumcircles", shown.circumcircles, "of the cells");
+    command->add_option("--title", shown.view.title, "above the drawing");
+    command->add_option("--width", shown.view.width, "of the drawing, pixels")
+        ->check(CLI::Range(100.0, 20000.0))
+        ->capture_default_str();
+    command->add_option("--eye", arguments->eye, "direction to the eye, for surfaces in space")
+        ->expected(3);
+    command->add_option("-o,--out", arguments->out,
+                        "the drawing, .svg (default: the mesh's name with\nthat extension, in this "
+                        "folder)");
+    command->footer(
+        "Merged cells are drawn, and the edges that were merged away; --no-merge draws "
+        "the triangles.\nFor polygons in the plane and in space; `view` shows solids.\n\n"
+        "Examples:\n"
+        "  polydec draw square.off --duals --circumcircles\n"
+        "  polydec draw square.off --no-merge --numbers --orientations -o square.svg\n"
+        "  polydec draw goldberg.off --duals --eye 1 -2 0.5 --title Hexagons");
+    command->callback([arguments] { run_draw(*arguments); });
+}
+
+} // namespace polydec::tools
