@@ -93,10 +93,10 @@ ENTRIES = (
           "balances to rounding.",
           ("11_darcy_flow",), "darcy_flow.html", {"axis": "2", "cut": "35", "edges": False},
           (DOWN,) * 5),
-    Entry("cavity", "Standing waves in a box",
-          "The energy of six standing electric waves of one frequency in a box of cubes with "
-          "conducting walls, cut open.",
-          ("12_maxwell_cavity",), "maxwell_cavity.html", {"axis": "0", "cut": "50"}, (LEFT,) * 7),
+    Entry("cavity", "A standing wave in a box",
+          "An electric wave in a box of cubes with conducting walls, cut open: the field upwards, put "
+          "together of the six modes of one eigenvalue.",
+          ("12_maxwell_cavity",), "maxwell_cavity.html", {"axis": "2", "cut": "50"}, (LEFT,) * 2),
     Entry("hot_spot", "A hot spot, blown around a sphere",
           "A PDE of one's own: transport by a wind with upwind sampling, and heat, on quads.",
           ("10_your_own_pde",), "temperature.html", {"step": "8", "levels": True}, (RIGHT,) * 20),

@@ -37,7 +37,7 @@ Report fig10(const Request& request) {
         {}};
     SvgPlot plot{.title = "Mean curvature on UV spheres",
                  .x = {"1 / subdivisions"},
-                 .y = {"error"},
+                 .y = {"error, in the norm named"},
                  .slopes = {{2, 0}}};
     for (const auto& norm : norms)
         plot.series.push_back({norm.name, {}, {}});

@@ -130,6 +130,18 @@ private:
     Discretization original_, moved_;
 };
 
+/// A series that would cover another one is named with it instead.
+void add_series(SvgPlot& plot, const SvgSeries& added) {
+    for (auto& own : plot.series)
+        if (own.x == added.x &&
+            std::equal(own.y.begin(), own.y.end(), added.y.begin(),
+                       [](double a, double b) { return std::abs(a - b) <= 0.01 * b; })) {
+            own.name += ", " + added.name;
+            return;
+        }
+    plot.series.push_back(added);
+}
+
 /// Perturbations of a fixed size against refinement. Those beyond a quarter of the spacing would
 /// turn triangles over and are left out.
 void add_perturbations(Report& report, const Request& request, int levels) {
@@ -164,8 +176,8 @@ void add_perturbations(Report& report, const Request& request, int levels) {
         }
         if (spacing.empty())
             continue;
-        moved.series.push_back({name, spacing, moved_errors});
-        kept.series.push_back({name, spacing, kept_errors});
+        add_series(moved, {name, spacing, moved_errors});
+        add_series(kept, {name, spacing, kept_errors});
     }
     report.tables.push_back(std::move(table));
     report.plots.push_back({"perturbed_moved", std::move(moved)});

@@ -65,7 +65,7 @@ void add_family(Report& report, const Request& request, const Family& family, in
                 {}};
     SvgPlot plot{.title = fmt::format("Spherical harmonic on {}", family.name),
                  .x = {"1 / mean edge length"},
-                 .y = {"relative error"},
+                 .y = {"relative L2 error"},
                  .slopes = {{-2}}};
     const auto all = methods();
     for (const auto& method : all)

@@ -51,16 +51,16 @@ double dual_sphere_error(const Discretization& mesh) {
 }
 
 struct Problem {
-    std::string name, title;
+    std::string name, title, norm;
     Mesh (*make)(int cells);
     double (*error)(const Discretization&);
 };
 
-const Problem problems[] = {{"poisson", "Franke's problem on a split grid",
-                             [](int cells) { return grid(cells, cells); }, franke_error},
-                            {"sphere", "Spherical harmonic on a split UV sphere",
-                             [](int cells) { return uv_sphere(2 * cells, 2 * cells); },
-                             dual_sphere_error}};
+const Problem problems[] = {
+    {"poisson", "Franke's problem on a split grid", "L2 error",
+     [](int cells) { return grid(cells, cells); }, franke_error},
+    {"sphere", "Spherical harmonic on a split UV sphere", "relative L2 error",
+     [](int cells) { return uv_sphere(2 * cells, 2 * cells); }, dual_sphere_error}};
 
 double error_or_none(const Problem& problem, const Discretization& mesh) {
     try {
@@ -75,7 +75,7 @@ void add_problem(Report& report, const Request& request, const Problem& problem,
     const std::string name = problem.name + sign.suffix;
     const std::string title = fmt::format("{}, {}", problem.title, sign.title);
     Table table{name, title + ", dual 0-forms: error", {"least dual length"}, {}};
-    SvgPlot plot{.title = title, .x = {"least dual length"}, .y = {"error"}};
+    SvgPlot plot{.title = title, .x = {"least dual length"}, .y = {problem.norm}};
     for (int level = 0; level < levels; ++level) {
         table.columns.push_back(std::to_string(8 << level));
         plot.series.push_back({fmt::format("{} cells to a side", 8 << level), {}, {}});

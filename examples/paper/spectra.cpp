@@ -48,7 +48,7 @@ void add_degree(Report& report, const Request& request, int k, int levels) {
         {}};
     SvgPlot plot{.title = fmt::format("Eigenvalues of Delta_{}, l = {}", k, largest_l),
                  .x = {"mean edge length"},
-                 .y = {"error of the mean"},
+                 .y = {"error of the mean of the eigenvalues"},
                  .slopes = {{2}}};
     for (const auto& family : tessellations()) {
         std::vector<std::vector<double>> errors(largest_l + 1);

@@ -111,11 +111,22 @@ void draw_lattices() {
         }
     };
     double x = 0;
-    for (const auto& mesh : {polydec::kuhn(3, 2), polydec::bcc(2), polydec::fcc(2)}) {
+    const std::pair<const char*, polydec::Mesh> lattices[] = {{"cubes", polydec::kuhn(3, 2)},
+                                                              {"body-centered", polydec::bcc(2)},
+                                                              {"face-centered", polydec::fcc(2)}};
+    for (const auto& [name, mesh] : lattices) {
+        const auto label = [&](const std::string& text, double y, double size) {
+            all.shapes.push_back(polydec::SvgText{{x + 0.55, y}, text, size});
+        };
+        label(name, 3.15, 17);
+        label("tetrahedra", 1.38, 14);
+        label("merged", -0.32, 14);
         add(pulled_apart(polydec::discretize(mesh, {polydec::MergeCriterion::none}), 0), x, 1.7);
         add(pulled_apart(polydec::discretize(mesh), 0.2), x, 0);
         x += 1.7;
     }
+    all.shapes.push_back(polydec::SvgText{
+        {2.25, -0.6}, "blue: tetrahedra; orange: 5 corners; green: 6 or more corners", 15});
     std::ofstream("cospherical_cells.svg") << polydec::to_svg(all);
 }
 
