@@ -32,6 +32,10 @@ Incidences::Incidences(std::shared_ptr<const Simplices> faces, Index cols,
       turns_(std::move(signs)),
       matrix_(std::make_shared<Lazy<IncidenceMatrix>>()) {}
 
+Incidences Incidences::with_signs(std::shared_ptr<const Signs> signs) const {
+    return {table_, cols_, std::move(signs)};
+}
+
 int Incidences::sign(Index cell, Index face) const {
     for (const auto& [own, sign] : (*this)[cell])
         if (own == face)

@@ -65,6 +65,9 @@ public:
     Incidences(std::shared_ptr<const Simplices> faces, Index cols,
                std::shared_ptr<const Signs> signs = nullptr);
 
+    /// The same with other signs of the rows, of a table of faces.
+    Incidences with_signs(std::shared_ptr<const Signs> signs) const;
+
     /// Numbers of (k+1)-cells, k-cells, and of faces of all cells.
     Index rows() const { return rows_; }
     Index cols() const { return cols_; }

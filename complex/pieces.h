@@ -55,6 +55,10 @@ public:
         return *parts_->simplices[k];
     }
     Simplices simplices(int k) && { return simplices(k); }
+    std::shared_ptr<const Simplices> shared_simplices(int k) const {
+        check_number("the table of simplices of degree", k, 0, dimension());
+        return parts_->simplices[k];
+    }
 
     /// The number by which messages and files name 0-simplex v. Not checked.
     Index vertex_number(Index v) const {

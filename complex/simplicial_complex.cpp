@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "complex/simplicial_complex.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "base/memory.h"
 #include "complex/disjoint_sets.h"
@@ -83,10 +84,10 @@ void refuse_rows(const SortedRows& tops, const std::vector<Index>& numbers) {
 }
 
 /// A simplex has 2^(n+1) faces: a short file can ask for more than any machine has.
-void check_cost(const Simplices& tops, Index vertices) {
-    const auto n = static_cast<int>(tops.cols()) - 1;
-    const auto simplices = static_cast<Index>(tops.rows());
-    const auto size = estimate_size(n, simplices, vertices);
+void check_cost(const SortedSimplices& tops) {
+    const auto n = static_cast<int>(tops.rows->cols()) - 1;
+    const auto simplices = static_cast<Index>(tops.rows->rows());
+    const auto size = estimate_size(n, simplices, tops.vertices);
     check_memory(size.bytes(),
                  fmt::format("a complex of {} simpl{} of dimension {}, of about "
                              "{:.2g} cells of all degrees,",
@@ -151,11 +152,16 @@ SimplicialComplex::Sorted SimplicialComplex::sorted(const Simplices& tops) {
     auto [vertices, numbers] = used_vertices(tops);
     auto sorted = numbers.empty() ? sorted_rows(tops, vertices)
                                   : sorted_rows(by_place(tops, numbers), vertices);
+    return with_faces(std::move(sorted), std::move(numbers));
+}
+
+SimplicialComplex::Sorted SimplicialComplex::with_faces(SortedRows sorted,
+                                                        std::vector<Index> numbers) {
     if (!sorted.are_simplices)
         refuse_rows(sorted, numbers);
-    check_cost(tops, vertices);
+    check_cost(sorted.simplices);
 
-    const auto n = static_cast<int>(tops.cols()) - 1;
+    const auto n = static_cast<int>(sorted.simplices.rows->cols()) - 1;
     std::vector<std::shared_ptr<const Simplices>> simplices(n + 1), faces(n);
     std::vector<CofaceCounts> counts(n);
     SortedSimplices cells = std::move(sorted.simplices);
@@ -185,6 +191,35 @@ SimplicialComplex::Sorted SimplicialComplex::sorted(const Simplices& tops) {
 }
 
 SimplicialComplex::SimplicialComplex(const Simplices& tops) : SimplicialComplex(sorted(tops)) {}
+
+SimplicialComplex::SimplicialComplex(const Simplices& tops, std::vector<Index> names)
+    : SimplicialComplex(
+          with_faces(sorted_rows(tops, static_cast<Index>(names.size())), names)) {}
+
+SimplicialComplex SimplicialComplex::oriented(std::vector<std::int8_t> orientations,
+                                              bool orientable) const {
+    const int n = dimension();
+    check_as_many("orientations", std::ssize(orientations), size(n));
+    const auto signs = std::make_shared<const Incidences::Signs>(std::move(orientations));
+    std::vector<Incidences> tower;
+    std::vector<CofaceCounts> counts;
+    std::vector<std::shared_ptr<const Simplices>> tables;
+    std::vector<Index> names;
+    for (int k = 0; k <= n; ++k)
+        tables.push_back(shared_simplices(k));
+    for (int k = 0; k < n; ++k) {
+        tower.push_back(k == n - 1 ? incidences(k).with_signs(signs) : incidences(k));
+        counts.push_back(coface_counts(k));
+    }
+    for (Index v = 0; v < size(0); ++v)
+        names.push_back(vertex_number(v));
+    SimplicialComplex result = *this;
+    static_cast<Pieces&>(result) =
+        Pieces(Unchecked{}, CellComplex(Unchecked{}, std::move(tower), std::move(counts)),
+               std::move(tables), signs, orientable, std::move(names));
+    result.turned_ = 0;
+    return result;
+}
 
 SimplicialComplex::SimplicialComplex(Sorted sorted)
     : Pieces(std::move(sorted.pieces)),

@@ -5,6 +5,8 @@
 
 namespace polydec {
 
+struct SortedRows;
+
 /// A simplicial complex of any dimension n >= 1: all faces of given top simplices. It may be
 /// bounded, disconnected, branching (three or more cells at a facet) or non-orientable.
 ///
@@ -22,6 +24,16 @@ public:
     /// estimated size is above memory_limit().
     explicit SimplicialComplex(const Simplices& tops);
 
+    /// A part of a complex, such as one of many machines holds: corners are places among `names`,
+    /// which ascend, are all used and what messages call the vertices; so simplices stand in the
+    /// order of the whole. There may be none. Throws likewise.
+    SimplicialComplex(const Simplices& tops, std::vector<Index> names);
+
+    /// The same with other orientations of the n-simplices, 1 or -1 against the order of their
+    /// corners, of which the caller knows whether they are coherent. Throws InvalidInput for
+    /// another number of them.
+    SimplicialComplex oriented(std::vector<std::int8_t> orientations, bool orientable) const;
+
     /// The row of the constructor's argument that n-simplex s was.
     Index input_row(Index s) const {
         check_number("the input row of simplex", s, 0, size(dimension()) - 1);
@@ -38,6 +50,7 @@ private:
         Index turned;
     };
     static Sorted sorted(const Simplices& tops);
+    static Sorted with_faces(SortedRows tops, std::vector<Index> names);
     explicit SimplicialComplex(Sorted sorted);
 
     std::shared_ptr<const std::vector<Index>> input_rows_;

@@ -34,8 +34,7 @@ MeanSpheres::MeanSpheres(const Pieces& complex, const Points& points, const Cell
 }
 
 Eigen::RowVectorXd MeanSpheres::away(Index root, Index v) const {
-    return points_.row(v) - points_.row(complex_.simplices(complex_.dimension())(root, 0)) -
-           centers_.row(root);
+    return points_.row(v) - means_.origins.row(root) - means_.centers.row(root);
 }
 
 void MeanSpheres::gather(const std::vector<Index>& roots) {
@@ -43,22 +42,28 @@ void MeanSpheres::gather(const std::vector<Index>& roots) {
     const Index size = complex_.size(n);
     const auto& simplices = complex_.simplices(n);
     const Vector& volumes = volumes_.primal(n);
-    roots_ = roots;
-    centers_ = Points::Zero(size, n);
-    counts_.assign(static_cast<std::size_t>(size), 0);
+    auto& [origins, centers, terms, counts] = means_;
+    origins.resize(size, n);
+    centers = Points::Zero(size, n);
+    terms = Points::Zero(size, terms_.cols());
+    counts.assign(static_cast<std::size_t>(size), 0);
     Vector weights = Vector::Zero(size);
     for (Index t = 0; t < size; ++t) {
         const Index root = roots[t];
-        ++counts_[root];
+        origins.row(t) = points_.row(simplices(t, 0));
+        ++counts[root];
         if (is_flat(t))
             continue;
         weights[root] += volumes[t];
-        centers_.row(root) += volumes[t] * (points_.row(simplices(t, 0)) -
-                                            points_.row(simplices(root, 0)) + own_.row(t));
+        centers.row(root) +=
+            volumes[t] * (origins.row(t) - points_.row(simplices(root, 0)) + own_.row(t));
+        terms.row(root) += volumes[t] * terms_.row(t);
     }
     for (Index t = 0; t < size; ++t)
-        if (weights[t] > 0)
-            centers_.row(t) /= weights[t];
+        if (weights[t] > 0) {
+            centers.row(t) /= weights[t];
+            terms.row(t) /= weights[t];
+        }
     radii_ = Vector::Zero(size);
     for (Index t = 0; t < size; ++t)
         if (!is_flat(t))
@@ -66,6 +71,12 @@ void MeanSpheres::gather(const std::vector<Index>& roots) {
                 radii_[roots[t]] +=
                     volumes[t] / (n + 1) * away(roots[t], v).squaredNorm() / weights[roots[t]];
     radii_ = radii_.cwiseSqrt();
+    roots_ = roots;
+}
+
+void MeanSpheres::gather(const std::vector<Index>& roots, Means means) {
+    roots_ = roots;
+    means_ = std::move(means);
 }
 
 double MeanSpheres::distance(Index root, Index v) const {
@@ -74,7 +85,8 @@ double MeanSpheres::distance(Index root, Index v) const {
 }
 
 double MeanSpheres::between(Index root, Index other) const {
-    return (away(root, complex_.simplices(complex_.dimension())(other, 0)) + centers_.row(other))
+    return (means_.origins.row(other) + means_.centers.row(other) - means_.origins.row(root) -
+            means_.centers.row(root))
         .norm();
 }
 
@@ -90,37 +102,30 @@ Centers MeanSpheres::shared_centers() const {
 
     // on which side of their facets simplices lie, against their orientation: as most of a class
     std::vector<double> sides(static_cast<std::size_t>(size), 0), of_class = sides;
-    Vector weights = Vector::Zero(size);
-    Points terms = Points::Zero(size, terms_.cols());
     for (Index t = 0; t < size; ++t) {
         const Index root = roots_[t];
-        if (counts_[root] == 1 || is_flat(t))
+        if (means_.counts[root] == 1 || is_flat(t))
             continue;
         const Eigen::RowVectorXd inwards =
             points_.row(simplices(t, 0)) - points_.row(simplices(t, 1));
         sides[t] = std::copysign(1, complex_.sign(n, t, 0) * normal(t, 0).dot(inwards));
         of_class[root] += sides[t] * volumes[t];
-        weights[root] += volumes[t];
-        terms.row(root) += volumes[t] * terms_.row(t);
     }
     Points moments = moments_;
     for (Index t = 0; t < size; ++t) {
         const Index root = roots_[t];
-        if (counts_[root] == 1)
+        if (means_.counts[root] == 1)
             continue;
         const double side = is_flat(t) ? std::copysign(1, of_class[root]) : sides[t];
         for (int i = 0; i <= n; ++i)
             moments(t, i) = -side * complex_.sign(n, t, i) *
                             normal(t, i).dot(away(root, simplices(t, i == 0 ? 1 : 0)));
     }
+    Points terms = terms_;
     for (Index t = 0; t < size; ++t)
-        if (counts_[t] > 1)
-            terms.row(t) /= weights[t];
-    Points terms_of_simplices = terms_;
-    for (Index t = 0; t < size; ++t)
-        if (counts_[roots_[t]] > 1)
-            terms_of_simplices.row(t) = terms.row(roots_[t]);
-    return Centers::of_cells(std::move(moments), std::move(terms_of_simplices));
+        if (means_.counts[roots_[t]] > 1)
+            terms.row(t) = means_.terms.row(roots_[t]);
+    return Centers::of_cells(std::move(moments), std::move(terms));
 }
 
 } // namespace polydec

@@ -9,7 +9,7 @@
 namespace polydec {
 
 /// The spheres of classes of n-simplices in R^n: about the mean of their circumcenters, weighted
-/// by volume; flat simplices do not count. A class goes by one of its members, its root.
+/// by volume; flat simplices do not count. A class goes by its first member, its root.
 class MeanSpheres {
 public:
     /// `flat` is empty or has a mark for each n-simplex. Keeps references, which must outlive it.
@@ -18,6 +18,22 @@ public:
 
     /// Takes the mean over other classes: roots[t] is that of n-simplex t.
     void gather(const std::vector<Index>& roots);
+
+    /// What is known of a class, in the row of its root.
+    struct Means {
+        Points origins; ///< first corner of its first simplex
+        Points centers; ///< from there
+        Points terms;   ///< see Centers::of_cells
+        std::vector<Index> counts; ///< of simplices
+    };
+
+    /// The same with means that were taken elsewhere, of classes that have members elsewhere.
+    void gather(const std::vector<Index>& roots, Means means);
+
+    /// What simplex t adds to the means, times its volume: its circumcenter, from its first corner,
+    /// and its terms.
+    auto own_center(Index t) const { return own_.row(t); }
+    auto own_terms(Index t) const { return terms_.row(t); }
 
     /// How far vertex v is from the sphere of a class: | |v - c|^2 - r^2 | / 2r; length.
     double distance(Index root, Index v) const;
@@ -45,9 +61,8 @@ private:
     Points moments_; // of its own circumcenter, see Centers
     Points terms_;
     std::vector<Index> roots_;
-    Points centers_; // of each root, from its first corner
+    Means means_;
     Vector radii_;
-    std::vector<Index> counts_; // of simplices
 };
 
 } // namespace polydec

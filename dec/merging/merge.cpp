@@ -6,6 +6,7 @@
 #include "complex/disjoint_sets.h"
 #include "dec/merging/absorb_flat.h"
 #include "dec/merging/facet_defects.h"
+#include "dec/merging/facet_links.h"
 #include "dec/merging/mean_spheres.h"
 #include "dec/merging/straightness.h"
 #include "dec/metric/cell_volumes.h"
@@ -23,25 +24,10 @@ namespace {
 
 using Kept = std::vector<std::vector<bool>>; // by degree: simplices that must not be removed
 
-/// What a class may gather, and what still may be removed inside one, in tolerances.
-constexpr double spread_limit = 10;
-
-/// Relative defects nearer than this count as equal: in symmetric meshes they are, but for
-/// rounding.
-constexpr double tie = 1e-12;
-
-/// Classes of n-simplices, with the defects that each has gathered at its root.
-struct Classes {
-    explicit Classes(Index size) : sets(size) {}
-
-    DisjointSets sets;
-    std::vector<double> spread; // empty while all that was gathered is 0
-};
-
 /// What the cells of highest dimension are made of.
 struct TopCells {
     std::vector<bool> removed; // facets
-    std::vector<Index> roots;  // of n-simplices: one of the same cell
+    std::vector<Index> roots;  // of n-simplices: the first one of the same cell
     bool exact;                // no more than rounding was removed
 };
 
@@ -70,34 +56,18 @@ public:
         for (Index f = 0; f < complex.size(n - 1); ++f)
             if (counts[f] != 2)
                 sides_[f] = {-1, -1};
-            else if (defects.degenerate[f])
-                candidates_.push_back(f);
-        arrange_candidates();
     }
 
     TopCells cells(const std::vector<bool>& kept) const {
-        const Index tops = complex_.size(complex_.dimension());
-        Classes classes(tops);
-        for (std::size_t i = 0; i < exact_; ++i)
-            if (const Index f = candidates_[i]; !kept[f])
-                classes.sets.join(sides_[f][0], sides_[f][1]);
-        std::vector<Index> place;
-        if (exact_ < candidates_.size()) {
-            place.assign(tops, -1);
-            classes.spread.assign(tops, 0.0);
-        }
-        for (std::size_t group = 1; group < group_begins_.size(); ++group) {
-            std::vector<Index> tied;
-            for (std::size_t i = group_begins_[group - 1]; i < group_begins_[group]; ++i)
-                if (!kept[candidates_[i]])
-                    tied.push_back(candidates_[i]);
-            join_tied(tied, classes, place);
-        }
-
+        std::vector<FacetLink> links;
+        for (std::size_t f = 0; f < sides_.size(); ++f)
+            if (const auto& [a, b] = sides_[f]; b >= 0 && defects_.degenerate[f] && !kept[f])
+                links.push_back({a, b, defects_.defect[f], defects_.scale[f]});
+        auto classes = join_links(complex_.size(complex_.dimension()), links, tolerance_);
         if (!defects_.flat.empty())
             absorb_flat(complex_, *metric_.points(), volumes_, defects_.flat, free_sides(kept),
-                        defects_.scale, tolerance_, classes.sets);
-        return read_off(classes.sets, kept);
+                        defects_.scale, tolerance_, classes);
+        return read_off(classes, kept);
     }
 
     /// Where the cells have their centers.
@@ -110,11 +80,8 @@ public:
     }
 
 private:
-    void arrange_candidates();
     Sides free_sides(const std::vector<bool>& kept) const;
     TopCells read_off(DisjointSets& classes, const std::vector<bool>& kept) const;
-    void join_tied(const std::vector<Index>& tied, Classes& classes,
-                   std::vector<Index>& place) const;
 
     const Pieces& complex_;
     SimplexMetric metric_;
@@ -124,9 +91,6 @@ private:
     bool is_in_space_; // the simplices are of its dimension
     double limit_;
     Sides sides_;
-    std::vector<Index> candidates_;         // in groups of ascending relative defect
-    std::size_t exact_ = 0;                 // of these have none, and add nothing to a class
-    std::vector<std::size_t> group_begins_; // of candidates whose defects tie, and the end
 };
 
 Sides FacetChoice::free_sides(const std::vector<bool>& kept) const {
@@ -140,9 +104,12 @@ Sides FacetChoice::free_sides(const std::vector<bool>& kept) const {
 /// In space all goes that lies between two pieces of a class.
 TopCells FacetChoice::read_off(DisjointSets& classes, const std::vector<bool>& kept) const {
     TopCells cells{std::vector<bool>(sides_.size(), false), {}, true};
-    cells.roots.resize(complex_.size(complex_.dimension()));
-    for (std::size_t t = 0; t < cells.roots.size(); ++t)
-        cells.roots[t] = classes.find(static_cast<Index>(t)).element;
+    std::vector<Index> firsts(complex_.size(complex_.dimension()), -1);
+    for (Index t = 0; t < std::ssize(firsts); ++t) {
+        Index& first = firsts[classes.find(t).element];
+        first = first < 0 ? t : first;
+        cells.roots.push_back(first);
+    }
     for (std::size_t f = 0; f < sides_.size(); ++f) {
         const auto& [a, b] = sides_[f];
         if (b < 0 || kept[f] || cells.roots[a] != cells.roots[b] ||
@@ -153,78 +120,6 @@ TopCells FacetChoice::read_off(DisjointSets& classes, const std::vector<bool>& k
         cells.exact &= defects_.defect[f] == 0 && (flat.empty() || (!flat[a] && !flat[b]));
     }
     return cells;
-}
-
-/// Most candidates are exact, and most of the others tie with the best: only the rest is sorted.
-void FacetChoice::arrange_candidates() {
-    const auto ratio = [&](Index f) { return defects_.ratio(f); };
-    const auto inexact = std::stable_partition(candidates_.begin(), candidates_.end(),
-                                               [&](Index f) { return defects_.defect[f] == 0; });
-    exact_ = static_cast<std::size_t>(inexact - candidates_.begin());
-    group_begins_ = {exact_};
-    double reach = std::numeric_limits<double>::infinity();
-    for (auto f = inexact; f != candidates_.end(); ++f)
-        reach = std::min(reach, ratio(*f) + tie);
-    const auto rest = std::stable_partition(inexact, candidates_.end(),
-                                            [&](Index f) { return ratio(f) <= reach; });
-    std::stable_sort(rest, candidates_.end(),
-                     [&](Index f, Index g) { return ratio(f) < ratio(g); });
-
-    // measured from the first of a group, so that values close together do not chain
-    for (auto f = rest; f != candidates_.end(); ++f)
-        if (ratio(*f) > reach) {
-            reach = ratio(*f) + tie;
-            group_begins_.push_back(static_cast<std::size_t>(f - candidates_.begin()));
-        }
-    group_begins_.push_back(candidates_.size());
-}
-
-/// Of the facets with equal defect, those that hang together are all joined or none: which of them
-/// comes first must not matter. place is -1 for all n-simplices, before and after.
-void FacetChoice::join_tied(const std::vector<Index>& tied, Classes& classes,
-                            std::vector<Index>& place) const {
-    struct Link {
-        Index facet, a, b; // classes on both sides, by place in `roots`
-    };
-    std::vector<Link> links;
-    std::vector<Index> roots;
-    const auto place_of = [&](Index root) {
-        if (place[root] < 0) {
-            place[root] = static_cast<Index>(roots.size());
-            roots.push_back(root);
-        }
-        return place[root];
-    };
-    for (const Index f : tied) {
-        const Index a = classes.sets.find(sides_[f][0]).element;
-        const Index b = classes.sets.find(sides_[f][1]).element;
-        if (a != b) {
-            const Index place_of_a = place_of(a);
-            links.push_back({f, place_of_a, place_of(b)});
-        }
-    }
-    for (const Index root : roots)
-        place[root] = -1;
-    DisjointSets groups(static_cast<Index>(roots.size()));
-    for (const Link& link : links)
-        groups.join(link.a, link.b);
-
-    std::vector<double> gathered(roots.size(), 0.0);
-    std::vector<double> allowed(roots.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < roots.size(); ++i)
-        gathered[groups.find(static_cast<Index>(i)).element] += classes.spread[roots[i]];
-    for (const Link& link : links) {
-        const Index group = groups.find(link.a).element;
-        gathered[group] += defects_.defect[link.facet];
-        allowed[group] = std::min(allowed[group], limit_ * defects_.scale[link.facet]);
-    }
-    for (const Link& link : links) {
-        const Index group = groups.find(link.a).element;
-        if (gathered[group] > allowed[group])
-            continue;
-        classes.sets.join(roots[link.a], roots[link.b]);
-        classes.spread[classes.sets.find(roots[link.a]).element] = gathered[group];
-    }
 }
 
 /// Keeps the worst interfaces of each inadmissible block from being removed again: of facets those

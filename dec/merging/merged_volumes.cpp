@@ -6,22 +6,32 @@
 
 namespace polydec {
 
-CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input) {
+CellVolumes volumes_of(const std::vector<std::vector<PieceSum>>& sums) {
     std::vector<Vector> primal, dual, terms, rounding;
-    for (std::size_t k = 0; k < diamonds.size(); ++k) {
-        const int degree = static_cast<int>(k);
-        const SparseMatrix pieces = diamonds[k].cast<double>().cwiseAbs();
-        const Vector& volumes = input.primal(degree);
-        const auto mean = [&](const Vector& values) {
-            const Vector products = pieces * volumes.cwiseProduct(values);
-            return Vector(products.cwiseQuotient(primal[k]));
-        };
-        primal.emplace_back(pieces * volumes);
-        dual.push_back(mean(input.dual(degree)));
-        terms.push_back(mean(input.terms(degree).vector()));
-        rounding.push_back(mean(input.rounding(degree).vector()));
+    for (const auto& cells : sums) {
+        const auto size = static_cast<Eigen::Index>(cells.size());
+        for (auto* values : {&primal, &dual, &terms, &rounding})
+            values->emplace_back(size);
+        for (Eigen::Index cell = 0; cell < size; ++cell) {
+            const PieceSum& sum = cells[static_cast<std::size_t>(cell)];
+            primal.back()[cell] = sum.primal;
+            dual.back()[cell] = sum.dual / sum.primal;
+            terms.back()[cell] = sum.terms / sum.primal;
+            rounding.back()[cell] = sum.rounding / sum.primal;
+        }
     }
     return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
+}
+
+CellVolumes merged_volumes(std::span<const IncidenceMatrix> diamonds, const CellVolumes& input) {
+    std::vector<std::vector<PieceSum>> sums;
+    for (std::size_t k = 0; k < diamonds.size(); ++k) {
+        auto& cells = sums.emplace_back(static_cast<std::size_t>(diamonds[k].rows()));
+        for (Index cell = 0; cell < diamonds[k].rows(); ++cell)
+            for (IncidenceMatrix::InnerIterator piece(diamonds[k], cell); piece; ++piece)
+                cells[cell].add(input, static_cast<int>(k), static_cast<Index>(piece.col()));
+    }
+    return volumes_of(sums);
 }
 
 CellVolumes merged_volumes(const Merging& merging, const CellVolumes& input) {

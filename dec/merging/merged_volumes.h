@@ -5,8 +5,26 @@
 #include "dec/metric/cell_volumes.h"
 
 #include <span>
+#include <vector>
 
 namespace polydec {
+
+/// The volumes of one cell, summed up over its pieces in ascending order: |s|, and |s| times the
+/// dual volume, the terms and the rounding of s.
+struct PieceSum {
+    double primal = 0, dual = 0, terms = 0, rounding = 0;
+
+    void add(const CellVolumes& of_pieces, int k, Index s) {
+        const double volume = of_pieces.primal(k)[s];
+        primal += volume;
+        dual += volume * of_pieces.dual(k)[s];
+        terms += volume * of_pieces.terms(k)[s];
+        rounding += volume * of_pieces.rounding(k)[s];
+    }
+};
+
+/// Volumes of cells of degrees 0..n, of which these are the sums.
+CellVolumes volumes_of(const std::vector<std::vector<PieceSum>>& sums);
 
 /// Volumes of merged cells: |F| = sum |s| over the pieces, |*F| = (sum |s||*s|) / |F|. The pieces
 /// stand in the diamonds of degrees 0..n.

@@ -25,6 +25,10 @@ std::uint16_t upper_half(double value) {
     return static_cast<std::uint16_t>((above + 0xffff) >> 16);
 }
 
+double from_upper_half(std::uint16_t part) {
+    return std::bit_cast<float>(std::uint32_t{part} << 16);
+}
+
 } // namespace
 
 Values::Values(Vector values)
@@ -51,14 +55,17 @@ bool Values::are_above(double least) const {
 }
 
 Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) {
-    const double largest = size_ > 0 ? values.maxCoeff() : 0;
-    unit_ = largest;
-    if (size_ == 0 || are_equal(values))
+    if (size_ == 0)
         return;
     // a power of two, so that nothing else is rounded
     constexpr double most = 1e300;
+    const double largest = values.maxCoeff();
     unit_ = largest > 1 / most && largest < most ? std::ldexp(1, std::ilogb(largest)) : 1;
     const double inverse = 1 / unit_;
+    if (are_equal(values)) { // rounded as any others, so that no bound hangs on those of other cells
+        unit_ *= from_upper_half(upper_half(inverse * largest));
+        return;
+    }
     parts_.resize(static_cast<std::size_t>(size_));
     std::transform(values.data(), values.data() + size_, parts_.begin(),
                    [=](double value) { return upper_half(inverse * value); });

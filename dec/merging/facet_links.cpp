@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merging/facet_links.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+/// Relative defects nearer than this count as equal: in symmetric meshes they are, but for
+/// rounding.
+constexpr double tie = 1e-12;
+
+/// Joins what has a defect.
+class LinkJoining {
+public:
+    LinkJoining(std::span<const FacetLink> links, double tolerance, DisjointSets& classes,
+                Index size)
+        : links_(links),
+          limit_(spread_limit * tolerance),
+          classes_(classes),
+          parts_(size),
+          spread_(static_cast<std::size_t>(size), 0.0),
+          place_(static_cast<std::size_t>(size), -1) {
+        for (const FacetLink& link : links)
+            parts_.join(link.a, link.b);
+    }
+
+    void run();
+
+private:
+    double ratio(Index link) const { return links_[link].defect / links_[link].scale; }
+    Index part_of(Index link) { return parts_.find(links_[link].a).element; }
+    std::vector<Index> inexact_by_part();
+    void join_part(std::span<Index> part);
+    void join_tied(std::span<const Index> tied);
+    Index place_of(Index simplex);
+
+    struct Sides {
+        Index link, a, b; // classes on both sides, by place in `roots_`
+    };
+
+    std::span<const FacetLink> links_;
+    double limit_;
+    DisjointSets &classes_, parts_;
+    std::vector<double> spread_; // what each class has gathered, at its root
+    std::vector<Index> place_;   // in `roots_`; -1 for all but while some are joined
+    std::vector<Index> roots_;
+    std::vector<Sides> sides_;
+};
+
+/// Most links are exact: only the others are sorted.
+std::vector<Index> LinkJoining::inexact_by_part() {
+    std::vector<Index> begins(place_.size() + 1, 0);
+    const auto count = static_cast<Index>(links_.size());
+    for (Index i = 0; i < count; ++i)
+        if (links_[i].defect > 0)
+            ++begins[part_of(i) + 1];
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<Index> order(static_cast<std::size_t>(begins.back()));
+    for (Index i = 0; i < count; ++i)
+        if (links_[i].defect > 0)
+            order[begins[part_of(i)]++] = i;
+    return order;
+}
+
+void LinkJoining::run() {
+    std::vector<Index> order = inexact_by_part();
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        const Index part = part_of(order[begin]);
+        while (end < order.size() && part_of(order[end]) == part)
+            ++end;
+        join_part(std::span(order).subspan(begin, end - begin));
+    }
+}
+
+/// Ties are measured from the first of a group, so that values close together do not chain.
+void LinkJoining::join_part(std::span<Index> part) {
+    std::stable_sort(part.begin(), part.end(),
+                     [this](Index i, Index j) { return ratio(i) < ratio(j); });
+    for (std::size_t begin = 0, end = 0; begin < part.size(); begin = end) {
+        const double reach = ratio(part[begin]) + tie;
+        while (end < part.size() && ratio(part[end]) <= reach)
+            ++end;
+        join_tied(part.subspan(begin, end - begin));
+    }
+}
+
+Index LinkJoining::place_of(Index simplex) {
+    const Index root = classes_.find(simplex).element;
+    if (place_[root] < 0) {
+        place_[root] = static_cast<Index>(roots_.size());
+        roots_.push_back(root);
+    }
+    return place_[root];
+}
+
+/// Those that hang together are all joined or none: which of them comes first must not matter.
+void LinkJoining::join_tied(std::span<const Index> tied) {
+    sides_.clear();
+    roots_.clear();
+    for (const Index i : tied)
+        if (classes_.find(links_[i].a).element != classes_.find(links_[i].b).element) {
+            const Index place_of_a = place_of(links_[i].a);
+            sides_.push_back({i, place_of_a, place_of(links_[i].b)});
+        }
+    for (const Index root : roots_)
+        place_[root] = -1;
+    DisjointSets groups(static_cast<Index>(roots_.size()));
+    for (const Sides& sides : sides_)
+        groups.join(sides.a, sides.b);
+
+    std::vector<double> gathered(roots_.size(), 0.0);
+    std::vector<double> allowed(roots_.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < roots_.size(); ++i)
+        gathered[groups.find(static_cast<Index>(i)).element] += spread_[roots_[i]];
+    for (const Sides& sides : sides_) {
+        const Index group = groups.find(sides.a).element;
+        gathered[group] += links_[sides.link].defect;
+        allowed[group] = std::min(allowed[group], limit_ * links_[sides.link].scale);
+    }
+    for (const Sides& sides : sides_) {
+        const Index group = groups.find(sides.a).element;
+        if (gathered[group] > allowed[group])
+            continue;
+        classes_.join(roots_[sides.a], roots_[sides.b]);
+        spread_[classes_.find(roots_[sides.a]).element] = gathered[group];
+    }
+}
+
+} // namespace
+
+DisjointSets join_links(Index size, std::span<const FacetLink> links, double tolerance) {
+    DisjointSets classes(size);
+    bool are_exact = true;
+    for (const FacetLink& link : links)
+        if (link.defect > 0)
+            are_exact = false;
+        else
+            classes.join(link.a, link.b);
+    if (!are_exact)
+        LinkJoining(links, tolerance, classes, size).run();
+    return classes;
+}
+
+} // namespace polydec
