@@ -193,8 +193,7 @@ SimplicialComplex::Sorted SimplicialComplex::with_faces(SortedRows sorted,
 SimplicialComplex::SimplicialComplex(const Simplices& tops) : SimplicialComplex(sorted(tops)) {}
 
 SimplicialComplex::SimplicialComplex(const Simplices& tops, std::vector<Index> names)
-    : SimplicialComplex(
-          with_faces(sorted_rows(tops, static_cast<Index>(names.size())), names)) {}
+    : SimplicialComplex(with_faces(sorted_rows(tops, static_cast<Index>(names.size())), names)) {}
 
 SimplicialComplex SimplicialComplex::oriented(std::vector<std::int8_t> orientations,
                                               bool orientable) const {

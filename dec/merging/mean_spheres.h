@@ -21,9 +21,9 @@ public:
 
     /// What is known of a class, in the row of its root.
     struct Means {
-        Points origins; ///< first corner of its first simplex
-        Points centers; ///< from there
-        Points terms;   ///< see Centers::of_cells
+        Points origins;            ///< first corner of its first simplex
+        Points centers;            ///< from there
+        Points terms;              ///< see Centers::of_cells
         std::vector<Index> counts; ///< of simplices
     };
 

@@ -62,7 +62,8 @@ Bounds::Bounds(const Vector& values) : size_(static_cast<Index>(values.size())) 
     const double largest = values.maxCoeff();
     unit_ = largest > 1 / most && largest < most ? std::ldexp(1, std::ilogb(largest)) : 1;
     const double inverse = 1 / unit_;
-    if (are_equal(values)) { // rounded as any others, so that no bound hangs on those of other cells
+    if (are_equal(
+            values)) { // rounded as any others, so that no bound hangs on those of other cells
         unit_ *= from_upper_half(upper_half(inverse * largest));
         return;
     }

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import sources
 
-CHAIN = ["base", "backends", "complex", "meshes", "dec", "solvers", "io", "polydec.h", "python",
+CHAIN = ["base", "backends", "complex", "meshes", "dec", "solvers", "io", "distributed", "polydec.h", "python",
          "examples", "tools"]
 LAST = {"tests", "benchmarks"}
 WITHOUT_DIMENSION = {"complex", "dec"}
@@ -24,6 +24,7 @@ STANDARD = re.compile(r"[a-z_]+[0-9]*$")
 ENGINE = re.compile(
     r"Spectra/|suitesparse/|(cholmod|umfpack|klu|amd|colamd|petsc|slepc|tetgen|mpi)\w*\.(h|hpp)$"
     r"|Eigen/(\w+Support|SparseCholesky|SparseLU|IterativeLinearSolvers)$")
+OVER_RANKS = re.compile(r"(petsc|slepc|mpi)\w*\.h$")
 
 DIMENSION = r"\b(?:\w*_)?dim(?:ension)?(?:\(\))?"
 BRANCH = re.compile(
@@ -60,8 +61,9 @@ def include_complaint(path, delimiter, target, public):
         return f'"{target}" is no path from the repository root (third-party headers go in <>)'
 
     in_backends = "backends" in path.parts[:2]
+    may_have = in_backends or (here == "distributed" and OVER_RANKS.match(target))
     in_test = here in LAST | {"examples"} and target.startswith("Eigen/")
-    if not in_backends and not in_test and ENGINE.match(target):
+    if not may_have and not in_test and ENGINE.match(target):
         return f"the engine header <{target}> belongs into backends/"
 
     if path.as_posix() in public:

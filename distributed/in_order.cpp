@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/in_order.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace polydec {
+
+namespace {
+
+/// The places of lists that several ranks have sent.
+Parcels<GlobalIndex> places_of(const Parcels<GlobalIndex>& arrived, int width) {
+    std::vector<const GlobalIndex*> lists;
+    for (const auto& parcel : arrived)
+        for (auto list = parcel.data(); list != parcel.data() + parcel.size(); list += width)
+            lists.push_back(list);
+    std::vector<std::size_t> order(lists.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::lexicographical_compare(lists[a], lists[a] + width, lists[b], lists[b] + width);
+    });
+    std::vector<GlobalIndex> place(lists.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        place[order[i]] = static_cast<GlobalIndex>(i);
+
+    Parcels<GlobalIndex> places(arrived.size());
+    auto next = place.begin();
+    for (std::size_t r = 0; r < arrived.size(); ++r) {
+        const auto end = next + static_cast<std::ptrdiff_t>(arrived[r].size()) / width;
+        places[r].assign(next, end);
+        next = end;
+    }
+    return places;
+}
+
+} // namespace
+
+Ordered places_in_order(const Ranks& ranks, const std::vector<GlobalIndex>& lists, int width,
+                        GlobalIndex below) {
+    const EqualStretches stretches(below, ranks.size());
+    auto parcels = ranks.empty_parcels<GlobalIndex>();
+    for (auto list = lists.begin(); list != lists.end(); list += width) {
+        auto& parcel = parcels[stretches.rank_of(*list)];
+        parcel.insert(parcel.end(), list, list + width);
+    }
+    const auto arrived = ranks.deliver(parcels);
+    auto places = ranks.together("order", [&] { return places_of(arrived, width); });
+    GlobalIndex count = 0;
+    for (const auto& of_rank : places)
+        count += std::ssize(of_rank);
+    const GlobalIndex before = ranks.sum_before(count);
+    for (auto& of_rank : places)
+        for (GlobalIndex& place : of_rank)
+            place += before;
+    Ordered result{{}, ranks.sum(count)};
+    // lists ascend, and so do the ranks that ordered them
+    for (const auto& of_rank : ranks.deliver(places))
+        result.places.insert(result.places.end(), of_rank.begin(), of_rank.end());
+    return result;
+}
+
+} // namespace polydec

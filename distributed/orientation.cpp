@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/orientation.h"
+
+#include "complex/disjoint_sets.h"
+#include "distributed/shared_classes.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace polydec {
+
+namespace {
+
+/// What a part knows of how it was given, relative to its sign.
+struct Vote {
+    GlobalIndex part;    ///< over all ranks
+    GlobalIndex balance; ///< simplices that agree minus those that do not
+    GlobalIndex first;   ///< number of its first simplex
+    GlobalIndex given;   ///< whether that agrees: 1 or -1
+    GlobalIndex one_sided;
+
+    void add(const Vote& other) {
+        balance += other.balance;
+        one_sided |= other.one_sided;
+        if (other.first < first) {
+            first = other.first;
+            given = other.given;
+        }
+    }
+    /// 1 or -1: how its simplices are turned; 0: they stay as they are.
+    int decision() const {
+        return one_sided != 0 ? 0 : static_cast<int>(balance == 0 ? given : balance > 0 ? 1 : -1);
+    }
+};
+
+/// The sign of the permutation that sorts a list.
+std::int8_t sign_of(const Simplices& rows, Index row) {
+    int sign = 1;
+    for (Eigen::Index i = 0; i < rows.cols(); ++i)
+        for (Eigen::Index j = 0; j < i; ++j)
+            if (rows(row, j) > rows(row, i))
+                sign = -sign;
+    return static_cast<std::int8_t>(sign);
+}
+
+/// Parts of this rank, numbered from 0 on, and the sign of each simplex in its part.
+struct LocalParts {
+    std::vector<Index> of;
+    std::vector<std::int8_t> signs;
+    std::vector<bool> one_sided;
+};
+
+LocalParts parts_of(const LocalComplex& local) {
+    const int n = local.dimension();
+    const Index size = local.degree(n).size();
+    const auto& counts = local.complex.coface_counts(n - 1);
+    const auto& complete = local.degree(n - 1).complete;
+    DisjointSets sets(size);
+    std::vector<Index> met(counts.size(), 0), conflicts; // its number + 1, with the sign there
+    for (Index t = 0; t < size; ++t)
+        for (int i = 0; i <= n; ++i) {
+            const Index f = local.complex.face(n, t, i);
+            if (counts[f] != 2 || !complete[f])
+                continue;
+            const int sign = i % 2 == 0 ? 1 : -1;
+            if (met[f] == 0)
+                met[f] = sign * (t + 1);
+            else if (!sets.join(t, std::abs(met[f]) - 1, met[f] > 0 ? -sign : sign))
+                conflicts.push_back(t);
+        }
+    LocalParts parts;
+    std::vector<Index> number(static_cast<std::size_t>(size), -1);
+    Index next = 0;
+    for (Index t = 0; t < size; ++t) {
+        const auto root = sets.find(t);
+        Index& part = number[root.element];
+        part = part < 0 ? next++ : part;
+        parts.of.push_back(part);
+        parts.signs.push_back(root.sign);
+    }
+    parts.one_sided.assign(static_cast<std::size_t>(next), false);
+    for (const Index t : conflicts)
+        parts.one_sided[parts.of[t]] = true;
+    return parts;
+}
+
+/// The n-simplices that others have too show which parts are one.
+std::vector<SharedClass> join_parts(const Ranks& ranks, const LocalComplex& local,
+                                    const LocalParts& parts) {
+    const int n = local.dimension();
+    const auto count = static_cast<Index>(parts.one_sided.size());
+    const GlobalIndex first = ranks.sum_before(count);
+    struct Place {
+        GlobalIndex part, sign;
+    };
+    std::vector<Place> places;
+    for (std::size_t t = 0; t < parts.of.size(); ++t)
+        places.push_back({first + parts.of[t], parts.signs[t]});
+    refresh(ranks, local.degree(n).copies, places);
+    std::vector<SharedElement> shared;
+    for (const auto& copies : local.degree(n).copies.in)
+        for (const Index t : copies)
+            shared.push_back(
+                {first + parts.of[t], places[t].part, parts.signs[t] * places[t].sign});
+    return join_shared(ranks, first, count, std::move(shared));
+}
+
+/// What is decided for each part that has votes, at the rank where its number lies.
+std::vector<int> decide(const Ranks& ranks, const std::vector<Vote>& votes) {
+    auto parcels = ranks.empty_parcels<Vote>();
+    std::vector<int> whom;
+    for (const Vote& vote : votes) {
+        whom.push_back(static_cast<int>(vote.part % ranks.size()));
+        parcels[whom.back()].push_back(vote);
+    }
+    const auto arrived = ranks.deliver(parcels);
+    std::map<GlobalIndex, Vote> totals;
+    ranks.together("orientation", [&] {
+        for (const auto& parcel : arrived)
+            for (const Vote& vote : parcel)
+                if (const auto [total, is_new] = totals.emplace(vote.part, vote); !is_new)
+                    total->second.add(vote);
+    });
+    std::vector<GlobalIndex> numbers;
+    for (const Vote& vote : votes)
+        numbers.push_back(vote.part);
+    return ranks.ask<int>("orientation", whom, numbers,
+                          [&](GlobalIndex part) { return totals.at(part).decision(); });
+}
+
+} // namespace
+
+void orient(const Ranks& ranks, const Stars& stars, LocalComplex& local) {
+    const int n = local.dimension();
+    const auto& tops = local.degree(n);
+    LocalParts parts;
+    std::vector<std::int8_t> given;
+    ranks.together("orientation", [&] {
+        parts = parts_of(local);
+        Simplices rows(stars.cells.rows(), stars.cells.cols());
+        for (Eigen::Index i = 0; i < rows.size(); ++i) // their order is all that matters
+            rows.data()[i] =
+                static_cast<Index>(std::lower_bound(stars.vertices.begin(), stars.vertices.end(),
+                                                    stars.cells.data()[i]) -
+                                   stars.vertices.begin());
+        for (Index t = 0; t < tops.size(); ++t)
+            given.push_back(sign_of(rows, local.complex.input_row(t)));
+    });
+    const auto shared = join_parts(ranks, local, parts);
+    std::vector<Vote> votes;
+    for (std::size_t part = 0; part < shared.size(); ++part)
+        votes.push_back({shared[part].first, 0, std::numeric_limits<GlobalIndex>::max(), 1,
+                         parts.one_sided[part] || shared[part].clashes});
+    for (Index t = 0; t < tops.size(); ++t) {
+        Vote& vote = votes[parts.of[t]];
+        const int agrees = given[t] * parts.signs[t] * shared[parts.of[t]].sign;
+        if (local.owns(ranks, n, t))
+            vote.add({0, agrees, tops.number[t], agrees, 0});
+    }
+    const auto decisions = decide(ranks, votes);
+    GlobalIndex turned = 0;
+    bool orientable = true;
+    std::vector<std::int8_t> orientations;
+    for (Index t = 0; t < tops.size(); ++t) {
+        const int part = parts.of[t], decision = decisions[part];
+        const int sign = decision * parts.signs[t] * shared[part].sign;
+        orientations.push_back(static_cast<std::int8_t>(decision == 0 ? given[t] : sign));
+        orientable = orientable && decision != 0;
+        turned += local.owns(ranks, n, t) && orientations.back() != given[t] ? 1 : 0;
+    }
+    local.turned = ranks.sum(turned);
+    local.orientable = !ranks.any(!orientable);
+    ranks.together("orientation", [&] {
+        local.complex = local.complex.oriented(std::move(orientations), local.orientable);
+    });
+}
+
+} // namespace polydec

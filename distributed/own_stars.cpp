@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "distributed/local_complex.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace polydec {
+
+namespace {
+
+void check_slice(const Ranks& ranks, const MeshSlice& slice) {
+    const GlobalIndex first_vertex =
+        EqualStretches(slice.vertices, ranks.size()).begin(ranks.rank());
+    const GlobalIndex first_cell = EqualStretches(slice.cells, ranks.size()).begin(ranks.rank());
+    if (slice.cells == 0 || slice.dimension() < 1)
+        throw InvalidInput(
+            "a simplicial complex needs at least one simplex of dimension 1 or more");
+    if (slice.dimension() > slice.ambient_dimension())
+        throw InvalidInput(fmt::format("simplices of dimension {} do not fit into {} coordinates",
+                                       slice.dimension(), slice.ambient_dimension()));
+    for (Eigen::Index v = 0; v < slice.points.rows(); ++v)
+        if (!slice.points.row(v).allFinite())
+            throw InvalidInput(
+                fmt::format("vertex {} has a coordinate that is not finite", first_vertex + v));
+    for (Eigen::Index t = 0; t < slice.simplices.rows(); ++t)
+        for (const GlobalIndex v : slice.simplices.row(t))
+            if (v < 0 || v >= slice.vertices)
+                throw InvalidInput(
+                    fmt::format("cell {} has vertex {}: expected a number from 0 to {}",
+                                first_cell + t, v, slice.vertices - 1));
+}
+
+std::vector<GlobalIndex> sorted_vertices(const GlobalSimplices& cells) {
+    std::vector<GlobalIndex> vertices(cells.data(), cells.data() + cells.size());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+/// The owners of vertices, which the ranks of their slices know.
+std::vector<int> owners_of(const Ranks& ranks, const MeshSlice& slice,
+                           const std::vector<int>& owners,
+                           const std::vector<GlobalIndex>& vertices) {
+    const EqualStretches stretches(slice.vertices, ranks.size());
+    std::vector<int> whom;
+    for (const GlobalIndex v : vertices)
+        whom.push_back(stretches.rank_of(v));
+    const GlobalIndex first = stretches.begin(ranks.rank());
+    return ranks.ask<int>("owners", whom, vertices, [&](GlobalIndex v) {
+        return owners[static_cast<std::size_t>(v - first)];
+    });
+}
+
+/// Rows of vertices, ascending, which the ranks of their slices have.
+Points points_of(const Ranks& ranks, const MeshSlice& slice,
+                 const std::vector<GlobalIndex>& vertices) {
+    const EqualStretches stretches(slice.vertices, ranks.size());
+    auto wanted = ranks.empty_parcels<GlobalIndex>();
+    for (const GlobalIndex v : vertices)
+        wanted[stretches.rank_of(v)].push_back(v);
+    const auto asked = ranks.deliver(wanted);
+    const GlobalIndex first = stretches.begin(ranks.rank());
+    auto rows = ranks.empty_parcels<double>();
+    for (std::size_t r = 0; r < asked.size(); ++r)
+        for (const GlobalIndex v : asked[r])
+            for (const double x : slice.points.row(v - first))
+                rows[r].push_back(x);
+    Points points(static_cast<Eigen::Index>(vertices.size()), slice.points.cols());
+    double* entry = points.data();
+    for (const auto& parcel : ranks.deliver(rows))
+        entry = std::copy(parcel.begin(), parcel.end(), entry);
+    return points;
+}
+
+} // namespace
+
+Stars own_stars(const Ranks& ranks, const MeshSlice& slice, const std::vector<int>& owners) {
+    ranks.together("slice", [&] { check_slice(ranks, slice); });
+    const std::vector<GlobalIndex> here = sorted_vertices(slice.simplices);
+    const std::vector<int> owners_here = owners_of(ranks, slice, owners, here);
+
+    // each cell to every rank that owns one of its vertices: its number, then the vertices
+    const GlobalIndex first = EqualStretches(slice.cells, ranks.size()).begin(ranks.rank());
+    auto parcels = ranks.empty_parcels<GlobalIndex>();
+    ranks.together("cells", [&] {
+        for (Eigen::Index t = 0; t < slice.simplices.rows(); ++t) {
+            const auto cell = slice.simplices.row(t);
+            std::set<int> takers;
+            for (const GlobalIndex v : cell)
+                takers.insert(owners_here[static_cast<std::size_t>(
+                    std::lower_bound(here.begin(), here.end(), v) - here.begin())]);
+            for (const int r : takers) {
+                parcels[r].push_back(first + t);
+                parcels[r].insert(parcels[r].end(), cell.begin(), cell.end());
+            }
+        }
+    });
+    const auto arrived = ranks.deliver(parcels);
+    Stars stars;
+    ranks.together("stars", [&] {
+        const auto corners = slice.simplices.cols();
+        std::size_t entries = 0;
+        for (const auto& parcel : arrived)
+            entries += parcel.size();
+        stars.cells.resize(static_cast<Eigen::Index>(entries) / (corners + 1), corners);
+        GlobalIndex* vertex = stars.cells.data();
+        for (const auto& parcel : arrived)
+            for (auto entry = parcel.begin(); entry != parcel.end(); entry += corners + 1) {
+                stars.file_places.push_back(*entry);
+                vertex = std::copy(entry + 1, entry + 1 + corners, vertex);
+            }
+        stars.vertices = sorted_vertices(stars.cells);
+    });
+    stars.owners = owners_of(ranks, slice, owners, stars.vertices);
+    stars.points = points_of(ranks, slice, stars.vertices);
+    return stars;
+}
+
+LocalComplex local_complex(const Ranks& ranks, const MeshSlice& slice,
+                           const std::vector<int>& owners) {
+    return local_complex(ranks, own_stars(ranks, slice, owners), slice.vertices);
+}
+
+} // namespace polydec

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/types.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+/// Number of a cell, vertex or record among those of all ranks.
+using GlobalIndex = std::int64_t;
+
+/// What goes to or came from each rank.
+template <class Item>
+using Parcels = std::vector<std::vector<Item>>;
+
+/// Items 0 .. count - 1 divided into one stretch for each rank, of equal lengths but for the last
+/// ones.
+class EqualStretches {
+public:
+    EqualStretches(GlobalIndex count, int ranks)
+        : count_(count), length_(std::max<GlobalIndex>(1, (count + ranks - 1) / ranks)) {}
+    GlobalIndex count() const { return count_; }
+    GlobalIndex begin(int rank) const { return std::min(count_, rank * length_); }
+    GlobalIndex end(int rank) const { return begin(rank + 1); }
+    int rank_of(GlobalIndex item) const { return static_cast<int>(item / length_); }
+
+private:
+    GlobalIndex count_, length_;
+};
+
+/// The processes that work on one mesh together, each with memory of its own. What is called below
+/// a collective is called by all ranks, in the same order. A handle: copies are the same ranks.
+///
+/// What may throw on one rank alone stands in `together`, and no collective stands in there; so an
+/// error on one rank is the same error on all of them, and none waits for another in vain. An error
+/// of MPI itself ends the program.
+class Ranks {
+public:
+    /// All processes that mpirun has started; one if it was not used. Starts MPI and PETSc where
+    /// nobody has, and ends them with the program. Throws BackendUnavailable if they have ended.
+    static Ranks all();
+
+    int rank() const;
+    int size() const;
+
+    /// Does local work, then throws on every rank what the first of those threw on which it failed.
+    /// Collective. Gives what work gives. `what` names it for a listener.
+    template <class Work>
+    auto together(std::string_view what, Work&& work) const {
+        using Result = std::invoke_result_t<Work>;
+        std::exception_ptr failure;
+        if constexpr (std::is_void_v<Result>) {
+            attempt(failure, [&] {
+                begin(what);
+                work();
+            });
+            vote(failure);
+        } else {
+            std::optional<Result> result;
+            attempt(failure, [&] {
+                begin(what);
+                result.emplace(work());
+            });
+            vote(failure);
+            return std::move(*result);
+        }
+    }
+
+    /// Calls listener(what) at the beginning of every local work; what it throws counts as thrown
+    /// there. For progress, and for tests of errors.
+    void listen(std::function<void(std::string_view)> listener) const;
+
+    /// Collectives over one number of each rank: sum, largest and least, the sum over the ranks
+    /// before this one, and whether any rank says so.
+    GlobalIndex sum(GlobalIndex own) const;
+    GlobalIndex largest(GlobalIndex own) const;
+    double largest(double own) const;
+    double least(double own) const;
+    GlobalIndex sum_before(GlobalIndex own) const;
+    bool any(bool own) const;
+
+    /// Collective: of as many numbers on each rank the largest ones.
+    void take_largest(std::span<double> own) const;
+
+    /// Collective: sends parcel r to rank r, and gives what came from each rank. Memory and time in
+    /// proportion to what is sent. Items are plain data.
+    template <class Item>
+    Parcels<Item> deliver(const Parcels<Item>& parcels) const {
+        static_assert(std::is_trivially_copyable_v<Item>);
+        std::vector<GlobalIndex> counts;
+        std::vector<const void*> from;
+        for (const auto& parcel : parcels) {
+            counts.push_back(static_cast<GlobalIndex>(parcel.size()));
+            from.push_back(parcel.data());
+        }
+        const auto arriving = exchange_counts(counts);
+        Parcels<Item> result(parcels.size());
+        std::vector<void*> to;
+        [&]() noexcept { // without memory for what arrives the program ends: others are waiting
+            for (std::size_t r = 0; r < result.size(); ++r) {
+                result[r].resize(static_cast<std::size_t>(arriving[r]));
+                to.push_back(result[r].data());
+            }
+        }();
+        transfer(sizeof(Item), counts, from, arriving, to);
+        return result;
+    }
+
+    /// Collective: asks rank whom[i] question i. answer(question) is local work that is done there.
+    /// The answers come in the order of the questions.
+    template <class Answer, class Question, class Work>
+    std::vector<Answer> ask(std::string_view what, const std::vector<int>& whom,
+                            const std::vector<Question>& questions, Work answer) const {
+        Parcels<Question> asked = empty_parcels<Question>();
+        for (std::size_t i = 0; i < whom.size(); ++i)
+            asked[whom[i]].push_back(questions[i]);
+        const auto to_answer = deliver(asked);
+        const auto given = deliver(together(what, [&] {
+            Parcels<Answer> answers = empty_parcels<Answer>();
+            for (std::size_t r = 0; r < answers.size(); ++r)
+                for (const Question& question : to_answer[r])
+                    answers[r].push_back(answer(question));
+            return answers;
+        }));
+        std::vector<std::size_t> next(given.size(), 0);
+        std::vector<Answer> result;
+        result.reserve(whom.size());
+        for (const int r : whom)
+            result.push_back(given[r][next[r]++]);
+        return result;
+    }
+
+    /// Collective: the items of all ranks, in the order of these.
+    template <class Item>
+    std::vector<Item> of_all(const std::vector<Item>& own) const {
+        std::vector<Item> result;
+        for (const auto& parcel : deliver(Parcels<Item>(static_cast<std::size_t>(size()), own)))
+            result.insert(result.end(), parcel.begin(), parcel.end());
+        return result;
+    }
+
+    /// One for each rank, with nothing in it.
+    template <class Item>
+    Parcels<Item> empty_parcels() const {
+        return Parcels<Item>(static_cast<std::size_t>(size()));
+    }
+
+    struct State;
+    const State& state() const { return *state_; }
+
+private:
+    explicit Ranks(std::shared_ptr<State> state) : state_(std::move(state)) {}
+
+    template <class Work>
+    static void attempt(std::exception_ptr& failure, Work work) {
+        try {
+            work();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    }
+    void begin(std::string_view what) const;
+    void vote(const std::exception_ptr& failure) const;
+    std::vector<GlobalIndex> exchange_counts(const std::vector<GlobalIndex>& counts) const;
+    void transfer(std::size_t item_size, const std::vector<GlobalIndex>& counts,
+                  const std::vector<const void*>& from, const std::vector<GlobalIndex>& arriving,
+                  const std::vector<void*>& to) const;
+
+    std::shared_ptr<State> state_;
+};
+
+} // namespace polydec

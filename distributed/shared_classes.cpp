@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/shared_classes.h"
+
+#include "complex/disjoint_sets.h"
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+/// The classes of all that occur, in ascending order of their numbers.
+struct Solved {
+    std::vector<GlobalIndex> numbers;
+    std::vector<SharedClass> classes;
+};
+
+Solved solve(const std::vector<SharedElement>& shared) {
+    Solved solved;
+    auto& [numbers, classes] = solved;
+    for (const auto& [a, b, sign] : shared)
+        numbers.insert(numbers.end(), {a, b});
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    const auto place = [&](GlobalIndex number) {
+        return static_cast<Index>(std::lower_bound(numbers.begin(), numbers.end(), number) -
+                                  numbers.begin());
+    };
+    const auto count = static_cast<Index>(numbers.size());
+    DisjointSets sets(count);
+    std::vector<Index> clashing;
+    for (const auto& [a, b, sign] : shared)
+        if (!sets.join(place(a), place(b), static_cast<int>(sign)))
+            clashing.push_back(place(a));
+    std::vector<bool> clashes(numbers.size(), false);
+    for (const Index i : clashing)
+        clashes[sets.find(i).element] = true;
+    std::vector<Index> first(numbers.size(), -1);
+    for (Index i = 0; i < count; ++i) {
+        const auto root = sets.find(i);
+        Index& of_class = first[root.element];
+        of_class = of_class < 0 ? i : of_class;
+        classes.push_back({numbers[of_class],
+                           static_cast<std::int8_t>(root.sign * sets.find(of_class).sign),
+                           clashes[root.element]});
+    }
+    return solved;
+}
+
+} // namespace
+
+std::vector<SharedClass> join_shared(const Ranks& ranks, GlobalIndex first, Index count,
+                                     std::vector<SharedElement> shared) {
+    std::sort(shared.begin(), shared.end());
+    shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
+    auto edges = ranks.empty_parcels<SharedElement>();
+    edges[0] = std::move(shared);
+    auto at_first = ranks.deliver(edges);
+    const Solved solved = ranks.together("shared classes", [&] {
+        std::vector<SharedElement> all;
+        for (const auto& parcel : at_first)
+            all.insert(all.end(), parcel.begin(), parcel.end());
+        return solve(all);
+    });
+
+    // back to the ranks whose classes they are
+    const auto begins = ranks.of_all(std::vector<GlobalIndex>{first});
+    struct Answer {
+        GlobalIndex number;
+        SharedClass of;
+    };
+    auto answers = ranks.empty_parcels<Answer>();
+    for (std::size_t i = 0; i < solved.numbers.size(); ++i) {
+        const auto r =
+            std::upper_bound(begins.begin(), begins.end(), solved.numbers[i]) - begins.begin() - 1;
+        answers[r].push_back({solved.numbers[i], solved.classes[i]});
+    }
+    std::vector<SharedClass> result;
+    for (Index c = 0; c < count; ++c)
+        result.push_back({first + c, 1, false});
+    const auto arrived = ranks.deliver(answers);
+    for (const auto& [number, of] : arrived[0])
+        result[static_cast<std::size_t>(number - first)] = of;
+    return result;
+}
+
+} // namespace polydec
