@@ -76,6 +76,15 @@ Vector least_heights(const Pieces& complex, const CellVolumes& volumes,
 
 FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options) {
+    const bool by_angles = options.criterion == MergeCriterion::angle;
+    return facet_defects(complex, metric, volumes, options,
+                         by_angles ? std::vector<bool>()
+                                   : flat_simplices(complex, metric, volumes));
+}
+
+FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
+                           const CellVolumes& volumes, const MergeOptions& options,
+                           std::vector<bool> flat) {
     const int n = complex.dimension();
     const bool by_angles = options.criterion == MergeCriterion::angle;
     const Vector& dual = volumes.dual(n - 1);
@@ -99,8 +108,7 @@ FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
                        : is_degenerate(dual[f], terms[f], scale, unlimited, options.tolerance);
         any = any || marks[f];
     }
-    if (!by_angles)
-        result.flat = flat_simplices(complex, metric, volumes);
+    result.flat = std::move(flat);
     if (!any)
         return result;
 

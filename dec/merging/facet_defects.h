@@ -40,4 +40,9 @@ Vector least_heights(const Pieces& complex, const CellVolumes& volumes,
 FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
                            const CellVolumes& volumes, const MergeOptions& options);
 
+/// The same, where it is known which n-simplices are flat.
+FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
+                           const CellVolumes& volumes, const MergeOptions& options,
+                           std::vector<bool> flat);
+
 } // namespace polydec

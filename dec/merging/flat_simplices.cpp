@@ -23,11 +23,17 @@ Vector shortest_edges(const Pieces& complex, const CellVolumes& volumes) {
 
 std::vector<bool> flat_simplices(const Pieces& complex, const SimplexMetric& metric,
                                  const CellVolumes& volumes) {
+    return can_take_flat_simplices(complex.dimension(), metric.ambient_dimension())
+               ? flat_simplices(complex, metric, volumes, shortest_edges(complex, volumes))
+               : std::vector<bool>();
+}
+
+std::vector<bool> flat_simplices(const Pieces& complex, const SimplexMetric& metric,
+                                 const CellVolumes& volumes, const Vector& shortest) {
     constexpr double low = 1e-2; // of an edge
     const int n = complex.dimension();
     if (!can_take_flat_simplices(n, metric.ambient_dimension()) || !complex.orientable())
         return {};
-    const Vector shortest = shortest_edges(complex, volumes);
     const Simplices& simplices = complex.simplices(n);
     const FaceTable faces = complex.faces(n);
     const Vector &tops = volumes.primal(n), &facets = volumes.primal(n - 1);

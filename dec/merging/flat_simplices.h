@@ -23,6 +23,10 @@ bool can_take_flat_simplices(int dimension, Index ambient_dimension);
 std::vector<bool> flat_simplices(const Pieces& complex, const SimplexMetric& metric,
                                  const CellVolumes& volumes);
 
+/// The same, where the shortest edge at each vertex is known better than from these simplices.
+std::vector<bool> flat_simplices(const Pieces& complex, const SimplexMetric& metric,
+                                 const CellVolumes& volumes, const Vector& shortest);
+
 /// The shortest edge at each vertex; length.
 Vector shortest_edges(const Pieces& complex, const CellVolumes& volumes);
 

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/facet_classes.h"
+
+#include "base/errors.h"
+#include "dec/merging/facet_links.h"
+#include "dec/merging/flat_simplices.h"
+#include "distributed/labels.h"
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+/// A facet between two n-simplices that may become one, by numbers.
+struct SentLink {
+    GlobalIndex facet, a, b;
+    std::int32_t owner_of_a, owner_of_b;
+    double defect, scale;
+};
+
+/// The class of an n-simplex.
+struct SentClass {
+    GlobalIndex simplex, first;
+};
+
+class FacetJoining {
+public:
+    FacetJoining(const Ranks& ranks, const LocalComplex& local, const FacetDefects& defects,
+                 double tolerance, const std::vector<std::uint8_t>& kept)
+        : ranks_(ranks),
+          local_(local),
+          defects_(defects),
+          tolerance_(tolerance),
+          kept_(kept),
+          n_(local.dimension()),
+          cofaces_(local.complex, n_) {}
+
+    FacetClasses run() {
+        const auto arrived = ranks_.deliver(ranks_.together("links", [&] { return links(); }));
+        const auto found =
+            ranks_.deliver(ranks_.together("classes", [&] { return classes_of(arrived); }));
+        FacetClasses result{local_.degree(n_).number, {}};
+        for (const auto& parcel : found)
+            for (const auto& [simplex, first] : parcel)
+                result.first[local_.degree(n_).find(simplex)] = first;
+        refresh(ranks_, local_.degree(n_).copies, result.first);
+        read_off(result);
+        return result;
+    }
+
+    /// Labels of what hangs together; collective.
+    void label() {
+        const LocalClasses parts = ranks_.together("links", [&] { return parts_of(); });
+        labels_ = spread_labels(ranks_, local_, n_, parts).of;
+    }
+
+private:
+    bool has_two_sides(Index f) const {
+        return local_.degree(n_ - 1).complete[f] && cofaces_.of(f).size() == 2;
+    }
+    bool is_link(Index f) const {
+        return has_two_sides(f) && defects_.degenerate[f] && kept_[f] == 0;
+    }
+
+    LocalClasses parts_of() const {
+        const Index size = local_.degree(n_).size();
+        DisjointSets sets(size);
+        for (Index f = 0; f < local_.degree(n_ - 1).size(); ++f)
+            if (is_link(f))
+                sets.join(cofaces_.of(f)[0].cell, cofaces_.of(f)[1].cell);
+        LocalClasses parts{{},
+                           std::vector<std::int8_t>(static_cast<std::size_t>(size), 1),
+                           std::vector<bool>(static_cast<std::size_t>(size), true)};
+        std::vector<Index> firsts(static_cast<std::size_t>(size), -1);
+        for (Index t = 0; t < size; ++t) {
+            Index& first = firsts[sets.find(t).element];
+            first = first < 0 ? t : first;
+            parts.first.push_back(first);
+        }
+        return parts;
+    }
+
+    Parcels<SentLink> links() const {
+        auto parcels = ranks_.empty_parcels<SentLink>();
+        const auto &facets = local_.degree(n_ - 1), &tops = local_.degree(n_);
+        for (Index f = 0; f < facets.size(); ++f)
+            if (is_link(f) && facets.owner[f] == ranks_.rank()) {
+                const Index a = cofaces_.of(f)[0].cell, b = cofaces_.of(f)[1].cell;
+                parcels[labels_[a].owner].push_back({facets.number[f], tops.number[a],
+                                                     tops.number[b], tops.owner[a], tops.owner[b],
+                                                     defects_.defect[f], defects_.scale[f]});
+            }
+        return parcels;
+    }
+
+    Parcels<SentClass> classes_of(const Parcels<SentLink>& arrived) const;
+    void read_off(FacetClasses& classes) const;
+
+    const Ranks& ranks_;
+    const LocalComplex& local_;
+    const FacetDefects& defects_;
+    double tolerance_;
+    const std::vector<std::uint8_t>& kept_;
+    int n_;
+    Cofaces cofaces_;
+    std::vector<Label> labels_;
+};
+
+/// Links in the order of facets, as one process has them.
+Parcels<SentClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived) const {
+    std::vector<SentLink> links;
+    std::vector<std::pair<GlobalIndex, std::int32_t>> simplices; // with their owners
+    for (const auto& parcel : arrived)
+        links.insert(links.end(), parcel.begin(), parcel.end());
+    std::sort(links.begin(), links.end(),
+              [](const SentLink& x, const SentLink& y) { return x.facet < y.facet; });
+    for (const SentLink& link : links) {
+        simplices.emplace_back(link.a, link.owner_of_a);
+        simplices.emplace_back(link.b, link.owner_of_b);
+    }
+    std::sort(simplices.begin(), simplices.end());
+    simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+    const auto place = [&](GlobalIndex number) {
+        return static_cast<Index>(
+            std::lower_bound(simplices.begin(), simplices.end(), std::pair(number, 0)) -
+            simplices.begin());
+    };
+    std::vector<FacetLink> by_place;
+    for (const SentLink& link : links)
+        by_place.push_back({place(link.a), place(link.b), link.defect, link.scale});
+    DisjointSets classes = join_links(static_cast<Index>(simplices.size()), by_place, tolerance_);
+    auto parcels = ranks_.empty_parcels<SentClass>();
+    std::vector<GlobalIndex> first(simplices.size(), -1);
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+        const auto& [number, owner] = simplices[i];
+        GlobalIndex& of_class = first[classes.find(static_cast<Index>(i)).element];
+        of_class = of_class < 0 ? number : of_class;
+        parcels[owner].push_back({number, of_class});
+    }
+    return parcels;
+}
+
+void FacetJoining::read_off(FacetClasses& classes) const {
+    const bool is_in_space = local_.points.cols() == n_;
+    const double limit = spread_limit * tolerance_;
+    bool any = false, exact = true;
+    classes.removed.assign(kept_.size(), 0);
+    for (Index f = 0; f < local_.degree(n_ - 1).size(); ++f) {
+        if (!has_two_sides(f) || kept_[f] != 0)
+            continue;
+        const auto sides = cofaces_.of(f);
+        if (classes.first[sides[0].cell] != classes.first[sides[1].cell] ||
+            !(is_in_space || defects_.defect[f] <= limit * defects_.scale[f]))
+            continue;
+        classes.removed[f] = 1;
+        any = true;
+        exact = exact && defects_.defect[f] == 0;
+    }
+    refresh(ranks_, local_.degree(n_ - 1).copies, classes.removed);
+    classes.any = ranks_.any(any);
+    classes.exact = !ranks_.any(!exact);
+}
+
+} // namespace
+
+FacetDefects measure_facets(const Ranks& ranks, const LocalComplex& local,
+                            const CellVolumes& volumes, const MergeOptions& options) {
+    const int n = local.dimension();
+    std::vector<double> shortest = ranks.together("edges", [&] {
+        const Vector edges = shortest_edges(local.complex, volumes);
+        return std::vector<double>(edges.begin(), edges.end());
+    });
+    refresh(ranks, local.degree(0).copies, shortest);
+    FacetDefects defects = ranks.together("defects", [&] {
+        const Vector edges = Eigen::Map<const Vector>(shortest.data(), std::ssize(shortest));
+        if (options.criterion == MergeCriterion::dual_length) {
+            const auto flat = flat_simplices(local.complex, local.points, volumes, edges);
+            if (const auto found = std::find(flat.begin(), flat.end(), true); found != flat.end())
+                throw InvalidInput(
+                    "the mesh has flat cells, which one process alone can give to their neighbors: "
+                    "merge it in one process, or leave them out");
+        }
+        return facet_defects(local.complex, local.points, volumes, options, {});
+    });
+    struct Measure {
+        double defect, scale;
+        bool is_degenerate;
+    };
+    std::vector<Measure> measures;
+    auto& [interior, boundary, branching, marks] = defects.degenerate;
+    for (Eigen::Index f = 0; f < defects.defect.size(); ++f)
+        measures.push_back({defects.defect[f], defects.scale[f], marks[f]});
+    refresh(ranks, local.degree(n - 1).copies, measures);
+    interior = boundary = branching = 0;
+    for (Index f = 0; f < local.degree(n - 1).size(); ++f) {
+        defects.defect[f] = measures[f].defect;
+        marks[f] = measures[f].is_degenerate;
+        const Index around = local.complex.coface_counts(n - 1)[f];
+        if (marks[f] && local.owns(ranks, n - 1, f))
+            ++(around == 1 ? boundary : around == 2 ? interior : branching);
+    }
+    return defects;
+}
+
+FacetClasses join_facets(const Ranks& ranks, const LocalComplex& local, const FacetDefects& defects,
+                         double tolerance, const std::vector<std::uint8_t>& kept) {
+    FacetJoining joining(ranks, local, defects, tolerance, kept);
+    joining.label();
+    return joining.run();
+}
+
+} // namespace polydec

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/merged_cells.h"
+
+#include "base/errors.h"
+#include "dec/merging/facet_links.h"
+#include "dec/merging/straightness.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "distributed/facet_classes.h"
+#include "distributed/labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace polydec {
+
+namespace {
+
+using Carriers = std::vector<std::vector<Carrier>>;
+
+/// A cell by its dimension and its first piece.
+struct CellName {
+    GlobalIndex dimension, first;
+    auto operator<=>(const CellName&) const = default;
+};
+
+/// What a rank knows of what makes a cell no ball: its part of the Euler number without the first
+/// piece, and whether anything else is amiss.
+struct Flaw {
+    CellName cell;
+    GlobalIndex euler, is_amiss;
+};
+
+Carriers identity(const LocalComplex& local) {
+    Carriers carriers;
+    for (int k = 0; k <= local.dimension(); ++k) {
+        auto& own = carriers.emplace_back();
+        for (const GlobalIndex number : local.degree(k).number)
+            own.push_back({k, 1, number});
+    }
+    return carriers;
+}
+
+class Rounds {
+public:
+    Rounds(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
+           const MergeOptions& options)
+        : ranks_(ranks),
+          local_(local),
+          volumes_(volumes),
+          options_(options),
+          n_(local.dimension()),
+          defects_(measure_facets(ranks, local, volumes, options)) {
+        for (int k = 0; k < n_; ++k)
+            kept_.emplace_back(static_cast<std::size_t>(local.degree(k).size()), 0);
+    }
+
+    MergedCells run();
+
+private:
+    Blocks join(const FacetClasses& classes, const CellVolumes& of_pieces) const;
+    Carriers carriers_of(const Blocks& blocks);
+    std::vector<Flaw> local_flaws(const Blocks& blocks, const Carriers& carriers) const;
+    std::vector<CellName> bad_cells(const std::vector<Flaw>& flaws) const;
+    void keep_worst(const std::vector<CellName>& bad, const Carriers& carriers);
+
+    const Ranks& ranks_;
+    const LocalComplex& local_;
+    const CellVolumes& volumes_;
+    const MergeOptions& options_;
+    int n_;
+    FacetDefects defects_;
+    KeptSimplices kept_;
+    std::vector<CellName> clashing_; // that ranks contradict each other about
+};
+
+/// Only what is complete here may be removed for lying straight. What is not may seem to lie inside
+/// a larger block; that spreads to nothing that is complete, and the owner's word replaces it.
+Blocks Rounds::join(const FacetClasses& classes, const CellVolumes& of_pieces) const {
+    const std::vector<bool> removed(classes.removed.begin(), classes.removed.end());
+    StraightnessTest test(local_.complex, local_.points, of_pieces,
+                          spread_limit * options_.tolerance, options_.tolerance);
+    return join_blocks(local_.complex, removed, [&](int k, Index s, Index f, Index g) {
+        return local_.degree(k - 1).complete[s] && kept_[k - 1][s] == 0 && test(k, s, f, g);
+    });
+}
+
+Carriers Rounds::carriers_of(const Blocks& blocks) {
+    Carriers carriers(static_cast<std::size_t>(n_) + 1);
+    std::vector<Labels> labels;
+    clashing_.clear();
+    for (int k = 0; k <= n_; ++k) {
+        const auto& own = blocks.carriers[k];
+        LocalClasses classes{{}, blocks.signs[k], {}};
+        for (std::size_t s = 0; s < own.size(); ++s) {
+            const bool is_piece = own[s].dimension == k;
+            classes.first.push_back(is_piece ? own[s].piece : static_cast<Index>(s));
+            classes.takes_part.push_back(is_piece);
+        }
+        labels.push_back(spread_labels(ranks_, local_, k, classes));
+        for (std::size_t s = 0; s < own.size(); ++s)
+            if (labels[k].clashes[s])
+                clashing_.push_back({k, labels[k].of[s].number});
+        for (const Index piece : blocks.twisted[k])
+            clashing_.push_back({k, labels[k].of[piece].number});
+    }
+    for (int k = 0; k <= n_; ++k) {
+        const auto& own = blocks.carriers[k];
+        for (std::size_t s = 0; s < own.size(); ++s) {
+            const auto& [dimension, piece] = own[s];
+            const Label& label = dimension == k ? labels[k].of[s] : labels[dimension].of[piece];
+            carriers[k].push_back({dimension, dimension == k ? label.sign : 0, label.number});
+        }
+        refresh(ranks_, local_.degree(k).copies, carriers[k]);
+    }
+    return carriers;
+}
+
+std::vector<Flaw> Rounds::local_flaws(const Blocks& blocks, const Carriers& carriers) const {
+    std::map<CellName, Flaw> flaws;
+    const auto of = [&](const CellName& cell) -> Flaw& {
+        return flaws.try_emplace(cell, Flaw{cell, 0, 0}).first->second;
+    };
+    for (int k = 0; k <= n_; ++k)
+        for (Index s = 0; s < local_.degree(k).size(); ++s) {
+            const auto& [dimension, sign, first] = carriers[k][s];
+            if (local_.owns(ranks_, k, s) && (dimension > k || first != local_.degree(k).number[s]))
+                of({dimension, first}).euler += k % 2 == 0 ? 1 : -1;
+        }
+    for (const CellName& cell : clashing_)
+        of(cell).is_amiss = 1;
+    const FaceTable ends = local_.complex.faces(1);
+    for (Index e = 0; e < local_.degree(1).size(); ++e)
+        for (int i = 0; i <= 1; ++i)
+            if (const Index v = ends(e, i);
+                local_.owns(ranks_, 0, v) && blocks.active_cofaces[0][v] == 0)
+                of({carriers[1][e].dimension, carriers[1][e].first}).is_amiss = 1;
+    std::vector<Flaw> list;
+    for (const auto& [cell, flaw] : flaws)
+        list.push_back(flaw);
+    return list;
+}
+
+/// Summed up where the numbers of first pieces lie.
+std::vector<CellName> Rounds::bad_cells(const std::vector<Flaw>& flaws) const {
+    auto parcels = ranks_.empty_parcels<Flaw>();
+    for (const Flaw& flaw : flaws) {
+        const auto k = static_cast<int>(flaw.cell.dimension);
+        const EqualStretches stretches(local_.degree(k).count, ranks_.size());
+        parcels[stretches.rank_of(flaw.cell.first)].push_back(flaw);
+    }
+    const auto arrived = ranks_.deliver(parcels);
+    auto bad = ranks_.of_all(ranks_.together("cells", [&] {
+        std::map<CellName, Flaw> totals;
+        for (const auto& parcel : arrived)
+            for (const Flaw& flaw : parcel) {
+                Flaw& total = totals.try_emplace(flaw.cell, Flaw{flaw.cell, 0, 0}).first->second;
+                total.euler += flaw.euler;
+                total.is_amiss |= flaw.is_amiss;
+            }
+        std::vector<CellName> own;
+        for (const auto& [cell, flaw] : totals)
+            if (flaw.euler != 0 || flaw.is_amiss != 0)
+                own.push_back(cell);
+        return own;
+    }));
+    std::sort(bad.begin(), bad.end());
+    return bad;
+}
+
+/// As one process does: see merge_cospherical.
+void Rounds::keep_worst(const std::vector<CellName>& bad, const Carriers& carriers) {
+    std::vector<double> worst(bad.size(), 0);
+    const auto for_each_interface = [&](auto take) {
+        for (int k = 0; k < n_; ++k)
+            for (Index s = 0; s < local_.degree(k).size(); ++s) {
+                const auto& [dimension, sign, first] = carriers[k][s];
+                const CellName cell{dimension, first};
+                const auto found = std::lower_bound(bad.begin(), bad.end(), cell);
+                if (dimension == k + 1 && local_.owns(ranks_, k, s) && found != bad.end() &&
+                    *found == cell)
+                    take(k, s, worst[static_cast<std::size_t>(found - bad.begin())]);
+            }
+    };
+    for_each_interface([&](int k, Index s, double& of_cell) {
+        if (k == n_ - 1)
+            of_cell = std::max(of_cell, defects_.ratio(s));
+    });
+    ranks_.take_largest(worst);
+    for_each_interface([&](int k, Index s, double of_cell) {
+        if (k < n_ - 1 || defects_.ratio(s) >= of_cell / 2)
+            kept_[k][s] = 1;
+    });
+    for (int k = 0; k < n_; ++k)
+        refresh(ranks_, local_.degree(k).copies, kept_[k]);
+}
+
+MergedCells Rounds::run() {
+    const auto& degenerate = defects_.degenerate;
+    MergedCells result{identity(local_),
+                       volumes_,
+                       0,
+                       true,
+                       ranks_.sum(degenerate.interior),
+                       ranks_.sum(degenerate.boundary),
+                       ranks_.sum(degenerate.branching)};
+    if (options_.criterion == MergeCriterion::none || result.degenerate_interior == 0)
+        return result;
+    const bool is_in_space = local_.points.cols() == n_;
+    for (;; ++result.rounds) {
+        const auto classes =
+            join_facets(ranks_, local_, defects_, options_.tolerance, kept_[n_ - 1]);
+        if (!classes.any)
+            return result;
+        CellVolumes of_pieces = volumes_;
+        if (is_in_space && !classes.exact) {
+            const Centers centers = shared_centers(ranks_, local_, volumes_, classes);
+            of_pieces = ranks_.together(
+                "volumes", [&] { return dual_volumes(local_.complex, local_.points, centers); });
+        }
+        const Blocks blocks = ranks_.together("blocks", [&] { return join(classes, of_pieces); });
+        Carriers carriers = carriers_of(blocks);
+        const auto bad =
+            bad_cells(ranks_.together("cells", [&] { return local_flaws(blocks, carriers); }));
+        if (bad.empty()) {
+            result.carriers = std::move(carriers);
+            result.of_pieces = of_pieces;
+            result.is_identity = false;
+            return result;
+        }
+        keep_worst(bad, carriers);
+    }
+}
+
+} // namespace
+
+MergedCells merge_cospherical(const Ranks& ranks, const LocalComplex& local,
+                              const CellVolumes& volumes, const MergeOptions& options) {
+    ranks.together("merge", [&] {
+        if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
+            throw InvalidInput(
+                fmt::format("the merge tolerance is {}: expected a number >= 0, such as 1e-4",
+                            options.tolerance));
+    });
+    return Rounds(ranks, local, volumes, options).run();
+}
+
+} // namespace polydec

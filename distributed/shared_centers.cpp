@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merging/mean_spheres.h"
+#include "distributed/facet_classes.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace polydec {
+
+namespace {
+
+constexpr Eigen::Index term_count = 4;
+
+/// Members of classes, as they are sent: their numbers, and volume, first corner, circumcenter from
+/// there and terms of each.
+struct Members {
+    Parcels<std::array<GlobalIndex, 2>> numbers; // class, simplex
+    Parcels<double> values;
+};
+
+Members members_of(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
+                   const FacetClasses& classes, const MeanSpheres& spheres) {
+    const int n = local.dimension();
+    const auto& tops = local.degree(n);
+    const EqualStretches stretches(tops.count, ranks.size());
+    Members members{ranks.empty_parcels<std::array<GlobalIndex, 2>>(),
+                    ranks.empty_parcels<double>()};
+    for (Index t = 0; t < tops.size(); ++t) {
+        if (tops.owner[t] != ranks.rank())
+            continue;
+        const int r = stretches.rank_of(classes.first[t]);
+        members.numbers[r].push_back({classes.first[t], tops.number[t]});
+        auto& values = members.values[r];
+        values.push_back(volumes.primal(n)[t]);
+        for (const double x : local.points.row(local.complex.simplices(n)(t, 0)))
+            values.push_back(x);
+        for (const double x : spheres.own_center(t))
+            values.push_back(x);
+        for (const double x : spheres.own_terms(t))
+            values.push_back(x);
+    }
+    return members;
+}
+
+/// The means of classes, added in the order of simplices: origin, center, terms, and the count.
+std::map<GlobalIndex, Vector> means_of(const Members& arrived, int n) {
+    const Eigen::Index width = 1 + 2 * n + term_count;
+    struct Member {
+        std::array<GlobalIndex, 2> numbers;
+        const double* values;
+    };
+    std::vector<Member> members;
+    for (std::size_t r = 0; r < arrived.numbers.size(); ++r)
+        for (std::size_t i = 0; i < arrived.numbers[r].size(); ++i)
+            members.push_back({arrived.numbers[r][i],
+                               arrived.values[r].data() + static_cast<Eigen::Index>(i) * width});
+    std::sort(members.begin(), members.end(),
+              [](const Member& a, const Member& b) { return a.numbers < b.numbers; });
+    std::map<GlobalIndex, Vector> means;
+    for (std::size_t begin = 0, end = 0; begin < members.size(); begin = end) {
+        const GlobalIndex of = members[begin].numbers[0];
+        Vector mean = Vector::Zero(2 * n + term_count + 1);
+        const Eigen::Map<const Vector> origin(members[begin].values + 1, n);
+        double weight = 0;
+        for (; end < members.size() && members[end].numbers[0] == of; ++end) {
+            const Eigen::Map<const Vector> values(members[end].values, width);
+            const double volume = values[0];
+            weight += volume;
+            mean.segment(n, n) +=
+                volume * (values.segment(1, n) - origin + values.segment(1 + n, n));
+            mean.segment(2 * n, term_count) += volume * values.tail(term_count);
+        }
+        mean /= weight;
+        mean.head(n) = origin;
+        mean[mean.size() - 1] = static_cast<double>(end - begin);
+        means.emplace(of, std::move(mean));
+    }
+    return means;
+}
+
+/// The means of the classes of all simplices here.
+MeanSpheres::Means fetch_means(const Ranks& ranks, const LocalComplex& local,
+                               const FacetClasses& classes, const Members& arrived) {
+    const int n = local.dimension();
+    const auto& tops = local.degree(n);
+    const EqualStretches stretches(tops.count, ranks.size());
+    const auto means = ranks.together("centers", [&] { return means_of(arrived, n); });
+    std::vector<Index> order(classes.first.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](Index s, Index t) {
+        return stretches.rank_of(classes.first[s]) < stretches.rank_of(classes.first[t]);
+    });
+    auto wanted = ranks.empty_parcels<GlobalIndex>();
+    for (const Index t : order)
+        wanted[stretches.rank_of(classes.first[t])].push_back(classes.first[t]);
+    const auto asked = ranks.deliver(wanted);
+    auto answers = ranks.empty_parcels<double>();
+    ranks.together("centers", [&] {
+        for (std::size_t r = 0; r < asked.size(); ++r)
+            for (const GlobalIndex of : asked[r]) {
+                const Vector& mean = means.at(of);
+                answers[r].insert(answers[r].end(), mean.begin(), mean.end());
+            }
+    });
+    const Index size = tops.size();
+    MeanSpheres::Means result{Points(size, n), Points(size, n), Points(size, term_count),
+                              std::vector<Index>(static_cast<std::size_t>(size))};
+    const auto found = ranks.deliver(answers);
+    auto next = order.begin();
+    for (const auto& parcel : found)
+        for (auto mean = parcel.begin(); mean != parcel.end();
+             mean += 2 * n + term_count + 1, ++next) {
+            std::copy_n(mean, n, result.origins.row(*next).begin());
+            std::copy_n(mean + n, n, result.centers.row(*next).begin());
+            std::copy_n(mean + 2 * n, term_count, result.terms.row(*next).begin());
+            result.counts[*next] = static_cast<Index>(mean[2 * n + term_count]);
+        }
+    return result;
+}
+
+} // namespace
+
+Centers shared_centers(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
+                       const FacetClasses& classes) {
+    const std::vector<bool> none_is_flat;
+    MeanSpheres spheres = ranks.together(
+        "centers", [&] { return MeanSpheres(local.complex, local.points, volumes, none_is_flat); });
+    const Members members = ranks.together(
+        "centers", [&] { return members_of(ranks, local, volumes, classes, spheres); });
+    const Members arrived{ranks.deliver(members.numbers), ranks.deliver(members.values)};
+    auto means = fetch_means(ranks, local, classes, arrived);
+    return ranks.together("centers", [&] {
+        std::vector<Index> own(classes.first.size()); // each has the means of its class
+        std::iota(own.begin(), own.end(), 0);
+        spheres.gather(own, std::move(means));
+        return spheres.shared_centers();
+    });
+}
+
+} // namespace polydec
