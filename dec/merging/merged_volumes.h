@@ -16,10 +16,14 @@ struct PieceSum {
 
     void add(const CellVolumes& of_pieces, int k, Index s) {
         const double volume = of_pieces.primal(k)[s];
-        primal += volume;
-        dual += volume * of_pieces.dual(k)[s];
-        terms += volume * of_pieces.terms(k)[s];
-        rounding += volume * of_pieces.rounding(k)[s];
+        add({volume, volume * of_pieces.dual(k)[s], volume * of_pieces.terms(k)[s],
+             volume * of_pieces.rounding(k)[s]});
+    }
+    void add(const PieceSum& piece) {
+        primal += piece.primal;
+        dual += piece.dual;
+        terms += piece.terms;
+        rounding += piece.rounding;
     }
 };
 

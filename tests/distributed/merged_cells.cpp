@@ -2,7 +2,9 @@
 #include "distributed/merged_cells.h"
 
 #include "base/errors.h"
+#include "dec/merging/merged_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
+#include "distributed/cell_numbers.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/distributed/compare.h"
@@ -49,12 +51,42 @@ std::string difference(const LocalComplex& local, const MergedCells& cells,
     return "";
 }
 
+/// What differs from numbers, volumes and incidences of the merged complex of one process.
+std::string difference(const DistributedCells& cells, const Merged& whole) {
+    const CellVolumes volumes =
+        merged_volumes(whole.merging(), whole.result.volumes); // between shared centers
+    for (int k = 0; k <= whole.n(); ++k) {
+        const auto& degree = cells.degree(k);
+        if (degree.count != whole.P().size(k))
+            return fmt::format("{} {}-cells for {}", degree.count, k, whole.P().size(k));
+        const IncidenceMatrix transposed = whole.P().boundary(k + 1);
+        for (std::size_t i = 0; i < degree.first.size(); ++i) {
+            const auto cell = static_cast<Index>(degree.number[i]);
+            const auto own = static_cast<Index>(i);
+            if (cells.volumes.primal(k)[own] != volumes.primal(k)[cell] ||
+                cells.volumes.dual(k)[own] != volumes.dual(k)[cell])
+                return fmt::format("volumes of {}-cell {}", k, cell);
+            if (k == whole.n())
+                continue;
+            int entries = 0;
+            for (Index e = degree.begins[i]; e < degree.begins[i + 1]; ++e, ++entries)
+                if (transposed.coeff(cell, static_cast<Index>(degree.cofaces[e].number)) !=
+                    degree.signs[e])
+                    return fmt::format("a sign of {}-cell {}", k, cell);
+            if (entries != transposed.row(cell).nonZeros())
+                return fmt::format("cofaces of {}-cell {}", k, cell);
+        }
+    }
+    return "";
+}
+
 void expect_same(const Ranks& ranks, const std::string& name, const Mesh& mesh,
                  const MergeOptions& options, Ownership by) {
     const Merged whole = make_merged(mesh, options);
     const LocalComplex local = distributed(ranks, mesh, by);
-    EXPECT_EQ(difference(local, merged_on(ranks, local, options), whole.result), "")
-        << name << " by " << static_cast<int>(by);
+    const MergedCells cells = merged_on(ranks, local, options);
+    EXPECT_EQ(difference(local, cells, whole.result), "") << name << " by " << static_cast<int>(by);
+    EXPECT_EQ(difference(distributed_cells(ranks, local, cells), whole), "") << name;
 }
 
 TEST(MergedCells, are_those_of_one_process) {
@@ -77,6 +109,17 @@ TEST(MergedCells, are_those_of_one_process_where_defects_are_gathered_and_cells_
             expect_same(ranks, fmt::format("{} at {}", name, wide), mesh,
                         {MergeCriterion::dual_length, wide},
                         wide > 0.1 ? Ownership::random : Ownership::morton);
+}
+
+TEST(MergedCells, of_small_random_meshes_are_those_of_one_process) {
+    const auto ranks = Ranks::all();
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        const int n = 1 + static_cast<int>(seed % 4);
+        const double jitter = seed % 3 == 0 ? 0.1 : seed % 3 == 1 ? 1e-5 : 0;
+        const Mesh mesh = perturbed(kuhn(n, n < 3 ? 3 : 5 - n), jitter, seed);
+        expect_same(ranks, fmt::format("seed {}", seed), mesh,
+                    {MergeCriterion::dual_length, seed % 2 == 0 ? 1e-4 : 0.05}, Ownership::random);
+    }
 }
 
 TEST(BrokenTwin, a_sign_or_a_first_piece_that_is_another_is_seen) {

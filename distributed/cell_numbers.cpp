@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/cell_numbers.h"
+
+#include "dec/merging/merged_volumes.h"
+#include "distributed/in_order.h"
+
+#include <algorithm>
+#include <map>
+
+namespace polydec {
+
+namespace {
+
+/// A piece on its way to the owner of its cell.
+struct SentPiece {
+    GlobalIndex first, number;
+    PieceSum volumes; // of this piece alone
+};
+
+class Numbering {
+public:
+    Numbering(const Ranks& ranks, const LocalComplex& local, const MergedCells& merged, int k)
+        : ranks_(ranks), local_(local), merged_(merged), k_(k) {}
+
+    DistributedCells::Degree run() {
+        find_own();
+        const auto [places, count] =
+            places_in_order(ranks_, numbers_of_first(), 1, local_.degree(k_).count);
+        cells_.count = count;
+        cells_.number = places;
+        cells_.first_row = ranks_.sum_before(std::ssize(places));
+        tell_pieces();
+        return std::move(cells_);
+    }
+
+    std::vector<PieceSum> volumes(const DistributedCells::Degree& cells) const;
+
+private:
+    bool is_piece(Index s) const { return merged_.carriers[k_][s].dimension == k_; }
+
+    void find_own() {
+        for (Index s = 0; s < local_.degree(k_).size(); ++s)
+            if (local_.owns(ranks_, k_, s) && merged_.is_first_piece(local_, k_, s))
+                cells_.first.push_back(s);
+    }
+
+    std::vector<GlobalIndex> numbers_of_first() const {
+        std::vector<GlobalIndex> numbers;
+        for (const Index s : cells_.first)
+            numbers.push_back(local_.degree(k_).number[s]);
+        return numbers;
+    }
+
+    void tell_pieces();
+
+    const Ranks& ranks_;
+    const LocalComplex& local_;
+    const MergedCells& merged_;
+    int k_;
+    DistributedCells::Degree cells_;
+};
+
+/// Owners of cells tell the ranks of their first pieces' numbers, and these whoever asks.
+void Numbering::tell_pieces() {
+    const auto& degree = local_.degree(k_);
+    const EqualStretches stretches(degree.count, ranks_.size());
+    struct Told {
+        GlobalIndex first;
+        CellNumber cell;
+    };
+    auto parcels = ranks_.empty_parcels<Told>();
+    for (std::size_t i = 0; i < cells_.first.size(); ++i) {
+        const GlobalIndex first = degree.number[cells_.first[i]];
+        parcels[stretches.rank_of(first)].push_back(
+            {first, {cells_.number[i], cells_.first_row + static_cast<GlobalIndex>(i)}});
+    }
+    const auto arrived = ranks_.deliver(parcels);
+    std::vector<CellNumber> directory(
+        static_cast<std::size_t>(stretches.end(ranks_.rank()) - stretches.begin(ranks_.rank())));
+    const GlobalIndex begin = stretches.begin(ranks_.rank());
+    for (const auto& parcel : arrived)
+        for (const auto& [first, cell] : parcel)
+            directory[static_cast<std::size_t>(first - begin)] = cell;
+
+    std::vector<GlobalIndex> wanted;
+    for (Index s = 0; s < degree.size(); ++s)
+        if (is_piece(s))
+            wanted.push_back(merged_.carriers[k_][s].first);
+    std::sort(wanted.begin(), wanted.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+    std::vector<int> whom;
+    for (const GlobalIndex first : wanted)
+        whom.push_back(stretches.rank_of(first));
+    const auto found = ranks_.ask<CellNumber>("cell numbers", whom, wanted, [&](GlobalIndex first) {
+        return directory[static_cast<std::size_t>(first - begin)];
+    });
+    cells_.of_simplex.resize(static_cast<std::size_t>(degree.size()));
+    for (Index s = 0; s < degree.size(); ++s)
+        if (is_piece(s))
+            cells_.of_simplex[s] = found[static_cast<std::size_t>(
+                std::lower_bound(wanted.begin(), wanted.end(), merged_.carriers[k_][s].first) -
+                wanted.begin())];
+}
+
+/// Added up in ascending order of pieces, wherever these are.
+std::vector<PieceSum> Numbering::volumes(const DistributedCells::Degree& cells) const {
+    const auto& degree = local_.degree(k_);
+    const auto rows = ranks_.of_all(std::vector<GlobalIndex>{cells.first_row});
+    auto parcels = ranks_.empty_parcels<SentPiece>();
+    for (Index s = 0; s < degree.size(); ++s) {
+        if (!is_piece(s) || !local_.owns(ranks_, k_, s))
+            continue;
+        const auto owner =
+            std::upper_bound(rows.begin(), rows.end(), cells.of_simplex[s].row) - rows.begin() - 1;
+        PieceSum own;
+        own.add(merged_.of_pieces, k_, s);
+        parcels[owner].push_back({cells.of_simplex[s].row, degree.number[s], own});
+    }
+    std::vector<SentPiece> pieces;
+    for (const auto& parcel : ranks_.deliver(parcels))
+        pieces.insert(pieces.end(), parcel.begin(), parcel.end());
+    std::sort(pieces.begin(), pieces.end(),
+              [](const SentPiece& a, const SentPiece& b) { return a.number < b.number; });
+    std::vector<PieceSum> sums(cells.first.size());
+    for (const auto& [row, number, volumes] : pieces)
+        sums[static_cast<std::size_t>(row - cells.first_row)].add(volumes);
+    return sums;
+}
+
+/// Of simplices that are cells as they are.
+CellVolumes own_volumes(const CellVolumes& all,
+                        const std::vector<DistributedCells::Degree>& cells) {
+    std::vector<Vector> primal, dual, terms, rounding;
+    for (int k = 0; k <= all.dimension(); ++k) {
+        const std::vector<Index>& own = cells[static_cast<std::size_t>(k)].first;
+        primal.emplace_back(all.primal(k)(own));
+        dual.emplace_back(all.dual(k)(own));
+        terms.emplace_back(all.terms(k).vector()(own));
+        rounding.emplace_back(all.rounding(k).vector()(own));
+    }
+    return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
+}
+
+/// The first piece tells: all pieces of a cell have the same merged cofaces.
+void add_cofaces(const LocalComplex& local, const MergedCells& merged,
+                 const DistributedCells::Degree& above, int k, DistributedCells::Degree& cells) {
+    const Cofaces cofaces(local.complex, k + 1);
+    for (const Index s : cells.first) {
+        std::map<GlobalIndex, std::pair<CellNumber, double>> row;
+        for (const auto& [t, omitted] : cofaces.of(s))
+            if (const CellNumber& cell = above.of_simplex[t]; cell.row >= 0) {
+                auto& entry = row.try_emplace(cell.row, cell, 0.0).first->second;
+                entry.second +=
+                    merged.carriers[k + 1][t].sign * local.complex.sign(k + 1, t, omitted);
+            }
+        for (const auto& [column, entry] : row)
+            if (entry.second != 0) {
+                cells.cofaces.push_back(entry.first);
+                cells.signs.push_back(entry.second);
+            }
+        cells.begins.push_back(static_cast<Index>(cells.cofaces.size()));
+    }
+}
+
+} // namespace
+
+DistributedCells distributed_cells(const Ranks& ranks, const LocalComplex& local,
+                                   const MergedCells& merged) {
+    const int n = local.dimension();
+    DistributedCells result;
+    std::vector<std::vector<PieceSum>> sums;
+    for (int k = 0; k <= n; ++k) {
+        Numbering numbering(ranks, local, merged, k);
+        result.degrees.push_back(numbering.run());
+        if (!merged.is_identity)
+            sums.push_back(numbering.volumes(result.degrees.back()));
+    }
+    ranks.together("cells", [&] {
+        for (int k = 0; k < n; ++k)
+            add_cofaces(local, merged, result.degrees[k + 1], k, result.degrees[k]);
+        result.volumes =
+            merged.is_identity ? own_volumes(merged.of_pieces, result.degrees) : volumes_of(sums);
+    });
+    return result;
+}
+
+} // namespace polydec

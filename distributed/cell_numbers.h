@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "distributed/merged_cells.h"
+
+namespace polydec {
+
+/// A cell of the merged complex, as ranks speak of it.
+struct CellNumber {
+    GlobalIndex number = -1; ///< among all of its degree, by first pieces: that of one process
+    GlobalIndex row = -1;    ///< in matrices and vectors, where those of one rank stand together
+};
+
+/// The merged complex over all ranks: each rank owns the cells whose first pieces it owns.
+struct DistributedCells {
+    /// The cells of one degree.
+    struct Degree {
+        GlobalIndex count = 0;              ///< on all ranks
+        GlobalIndex first_row = 0;          ///< of this rank's own
+        std::vector<Index> first;           ///< own cells: their first pieces here, ascending
+        std::vector<GlobalIndex> number;    ///< of these
+        std::vector<CellNumber> of_simplex; ///< the cell of each piece here; -1 where it is removed
+        /// Own k-cells with their cofaces and the signs of these: rows of d_k^T.
+        std::vector<Index> begins = {0};
+        std::vector<CellNumber> cofaces;
+        std::vector<double> signs;
+    };
+    std::vector<Degree> degrees;
+    CellVolumes volumes; ///< of own cells, as merged_volumes has them, bit by bit
+
+    int dimension() const { return static_cast<int>(degrees.size()) - 1; }
+    const Degree& degree(int k) const { return degrees[static_cast<std::size_t>(k)]; }
+};
+
+/// Collective: numbers, volumes and incidences of the merged cells.
+DistributedCells distributed_cells(const Ranks& ranks, const LocalComplex& local,
+                                   const MergedCells& merged);
+
+} // namespace polydec
