@@ -5,6 +5,7 @@
 #include "distributed/in_order.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace polydec {
@@ -141,6 +142,17 @@ CellVolumes own_volumes(const CellVolumes& all,
     return {std::move(primal), std::move(dual), std::move(terms), std::move(rounding)};
 }
 
+/// By which messages name cells; none if they do not fit.
+std::vector<std::vector<Index>> numbers_of(const std::vector<DistributedCells::Degree>& cells) {
+    std::vector<std::vector<Index>> numbers;
+    for (const auto& degree : cells) {
+        if (degree.count > std::numeric_limits<Index>::max())
+            return {};
+        numbers.emplace_back(degree.number.begin(), degree.number.end());
+    }
+    return numbers;
+}
+
 /// The first piece tells: all pieces of a cell have the same merged cofaces.
 void add_cofaces(const LocalComplex& local, const MergedCells& merged,
                  const DistributedCells::Degree& above, int k, DistributedCells::Degree& cells) {
@@ -180,6 +192,8 @@ DistributedCells distributed_cells(const Ranks& ranks, const LocalComplex& local
             add_cofaces(local, merged, result.degrees[k + 1], k, result.degrees[k]);
         result.volumes =
             merged.is_identity ? own_volumes(merged.of_pieces, result.degrees) : volumes_of(sums);
+        if (const auto numbers = numbers_of(result.degrees); !numbers.empty())
+            result.volumes = result.volumes.numbered(numbers);
     });
     return result;
 }

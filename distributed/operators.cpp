@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "base/checks.h"
+#include "base/errors.h"
+#include "dec/forms/star.h"
+#include "distributed/communicator.h"
+#include "distributed/petsc.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+MPI_Comm communicator(const Ranks& ranks) {
+    return ranks.state().communicator;
+}
+
+/// An error of one rank within a collective of PETSc cannot be voted on: the others wait for it.
+void require(PetscErrorCode error, const char* what) {
+    if (error == 0)
+        return;
+    const char* reason = nullptr;
+    PetscErrorMessage(error, &reason, nullptr);
+    std::fprintf(stderr, "PETSc failed while %s: %s\n", what, reason != nullptr ? reason : "");
+    MPI_Abort(MPI_COMM_WORLD, 1);
+}
+
+PetscInt petsc_number(GlobalIndex number) {
+    if (number > std::numeric_limits<PetscInt>::max())
+        throw InvalidInput(fmt::format(
+            "{} rows: this PETSc counts to {}; take one that is built with 64-bit indices", number,
+            std::numeric_limits<PetscInt>::max()));
+    return static_cast<PetscInt>(number);
+}
+
+/// A function that makes an object, such as MatTranspose.
+template <class Make>
+OwnedMat made(const char* what, Make make) {
+    Mat matrix = nullptr;
+    require(make(&matrix), what);
+    return OwnedMat(matrix);
+}
+
+/// d_k^T, whose rows are known where the k-cells are.
+OwnedMat transposed_coboundary(const Ranks& ranks, const DistributedCells& cells, int k) {
+    const auto &lower = cells.degree(k), &upper = cells.degree(k + 1);
+    struct Rows {
+        std::vector<PetscInt> begins, columns;
+    };
+    const Rows rows = ranks.together("derivative", [&] {
+        Rows made_rows;
+        petsc_number(lower.count);
+        petsc_number(upper.count);
+        for (const Index begin : lower.begins)
+            made_rows.begins.push_back(begin);
+        for (const CellNumber& cell : lower.cofaces)
+            made_rows.columns.push_back(petsc_number(cell.row));
+        return made_rows;
+    });
+    return made("taking over a derivative", [&](Mat* matrix) {
+        return MatCreateMPIAIJWithArrays(
+            communicator(ranks), static_cast<PetscInt>(lower.first.size()),
+            static_cast<PetscInt>(upper.first.size()), static_cast<PetscInt>(lower.count),
+            static_cast<PetscInt>(upper.count), rows.begins.data(), rows.columns.data(),
+            lower.signs.data(), matrix);
+    });
+}
+
+OwnedMat transposed(Mat matrix) {
+    return made("transposing",
+                [&](Mat* result) { return MatTranspose(matrix, MAT_INITIAL_MATRIX, result); });
+}
+
+OwnedVec vector_of(const Ranks& ranks, const Vector& own) {
+    Vec vector = nullptr;
+    require(VecCreateMPI(communicator(ranks), static_cast<PetscInt>(own.size()), PETSC_DETERMINE,
+                         &vector),
+            "making a vector");
+    OwnedVec result(vector);
+    double* entries = nullptr;
+    require(VecGetArray(vector, &entries), "filling a vector");
+    std::copy(own.begin(), own.end(), entries);
+    require(VecRestoreArray(vector, &entries), "filling a vector");
+    return result;
+}
+
+OwnedVec inverse_star(const Ranks& ranks, const DistributedCells& cells, int k) {
+    return vector_of(ranks, ranks.together("inverse star",
+                                           [&] { return HodgeStar(cells.volumes, k).inverse(); }));
+}
+
+/// left diag(weights) right.
+OwnedMat product(OwnedMat left, Vec weights, Mat right) {
+    require(MatDiagonalScale(left.get(), nullptr, weights), "scaling");
+    return made("multiplying", [&](Mat* result) {
+        return MatMatMult(left.get(), right, MAT_INITIAL_MATRIX, PETSC_DEFAULT, result);
+    });
+}
+
+OwnedMat copied(Mat matrix) {
+    return made("copying",
+                [&](Mat* result) { return MatDuplicate(matrix, MAT_COPY_VALUES, result); });
+}
+
+/// Weights on both sides of both halves of a Laplacian; null stands for 1.
+struct Weights {
+    Vec upper_left, upper_right, lower_left, lower_right;
+};
+
+/// d_k^T star_(k+1) d_k and d_(k-1) star_(k-1)^-1 d_(k-1)^T, with these weights, added.
+OwnedMat weighted_sum(const Ranks& ranks, const DistributedCells& cells, int k,
+                      const Weights& weights) {
+    OwnedMat sum;
+    if (k < cells.dimension()) {
+        const OwnedMat B = transposed_coboundary(ranks, cells, k);
+        sum = product(copied(B.get()), star(ranks, cells, k + 1).get(), transposed(B.get()).get());
+        require(MatDiagonalScale(sum.get(), weights.upper_left, weights.upper_right), "scaling");
+    }
+    if (k > 0) {
+        const OwnedMat B = transposed_coboundary(ranks, cells, k - 1);
+        OwnedMat lower =
+            product(transposed(B.get()), inverse_star(ranks, cells, k - 1).get(), B.get());
+        require(MatDiagonalScale(lower.get(), weights.lower_left, weights.lower_right), "scaling");
+        if (!sum)
+            return lower;
+        require(MatAXPY(sum.get(), 1, lower.get(), DIFFERENT_NONZERO_PATTERN), "adding");
+    }
+    return sum;
+}
+
+} // namespace
+
+OwnedMat coboundary(const Ranks& ranks, const DistributedCells& cells, int k) {
+    check_number("a derivative from degree", k, 0, cells.dimension() - 1);
+    return transposed(transposed_coboundary(ranks, cells, k).get());
+}
+
+OwnedVec star(const Ranks& ranks, const DistributedCells& cells, int k) {
+    check_number("a star of degree", k, 0, cells.dimension());
+    return vector_of(
+        ranks, ranks.together("star", [&] { return HodgeStar(cells.volumes, k).diagonal(); }));
+}
+
+OwnedMat laplacian(const Ranks& ranks, const DistributedCells& cells, Side side, int degree) {
+    const int n = cells.dimension();
+    check_number("a Laplacian of degree", degree, 0, n);
+    const int k = side == Side::primal ? degree : n - degree;
+    const OwnedVec stars = star(ranks, cells, k);
+    const OwnedVec inverse = k < n ? inverse_star(ranks, cells, k) : OwnedVec();
+    return side == Side::primal
+               ? weighted_sum(ranks, cells, k, {inverse.get(), nullptr, nullptr, stars.get()})
+               : weighted_sum(ranks, cells, k, {nullptr, inverse.get(), stars.get(), nullptr});
+}
+
+OwnedMat symmetric_laplacian(const Ranks& ranks, const DistributedCells& cells, int k) {
+    check_number("a Laplacian of degree", k, 0, cells.dimension());
+    const OwnedVec stars = star(ranks, cells, k);
+    return weighted_sum(ranks, cells, k, {nullptr, nullptr, stars.get(), stars.get()});
+}
+
+} // namespace polydec

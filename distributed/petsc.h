@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/forms/side.h"
+#include "distributed/cell_numbers.h"
+
+#include <memory>
+#include <petscmat.h>
+
+namespace polydec {
+
+/// PETSc's objects, destroyed with their owners.
+struct PetscDestroy {
+    void operator()(_p_Mat* matrix) const { MatDestroy(&matrix); }
+    void operator()(_p_Vec* vector) const { VecDestroy(&vector); }
+};
+using OwnedMat = std::unique_ptr<_p_Mat, PetscDestroy>;
+using OwnedVec = std::unique_ptr<_p_Vec, PetscDestroy>;
+
+// Operators over all ranks. Row i belongs to the cell whose CellNumber::row is i. All of them are
+// collective, throw InvalidInput for a degree that there is not, and for more cells than PETSc's
+// numbers can count; an error of PETSc itself ends the program.
+
+/// d_k, from k-cells to (k+1)-cells, for k = 0..n-1.
+OwnedMat coboundary(const Ranks& ranks, const DistributedCells& cells, int k);
+
+/// Diagonal of star_k.
+OwnedVec star(const Ranks& ranks, const DistributedCells& cells, int k);
+
+/// Laplace-de Rham operator on forms of this side and degree: see laplacian and dual_laplacian for
+/// one process. Throws InvalidInput, naming the cells, if a star that it divides by has a zero.
+OwnedMat laplacian(const Ranks& ranks, const DistributedCells& cells, Side side, int degree);
+
+/// star_k Delta_k, symmetric. Throws InvalidInput, naming the cells, if star_(k-1) has a zero.
+OwnedMat symmetric_laplacian(const Ranks& ranks, const DistributedCells& cells, int k);
+
+} // namespace polydec

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "dec/forms/laplacian.h"
+#include "dec/merging/merged_volumes.h"
+#include "dec/metric/circumcentric_volumes.h"
+#include "distributed/petsc.h"
+#include "tests/distributed/compare.h"
+#include "tests/support/merged.h"
+
+#include <functional>
+
+namespace polydec::test {
+
+namespace {
+
+/// Largest difference of own rows from those of one process, in parts of its largest entry.
+double difference(const Ranks& ranks, const DistributedCells& cells, int k, Mat matrix,
+                  const SparseMatrix& whole) {
+    const auto& own = cells.degree(k);
+    const auto numbers = ranks.of_all(own.number); // in the order of rows
+    double largest = 0, most = 0;
+    for (Eigen::Index e = 0; e < whole.nonZeros(); ++e)
+        largest = std::max(largest, std::abs(whole.valuePtr()[e]));
+    for (std::size_t i = 0; i < own.first.size(); ++i) {
+        const auto row = static_cast<PetscInt>(own.first_row + static_cast<GlobalIndex>(i));
+        const auto cell = static_cast<Index>(own.number[i]);
+        Vector expected = Vector(whole.row(cell).transpose());
+        PetscInt count = 0;
+        const PetscInt* columns = nullptr;
+        const double* entries = nullptr;
+        MatGetRow(matrix, row, &count, &columns, &entries);
+        for (PetscInt e = 0; e < count; ++e)
+            expected[static_cast<Index>(numbers[columns[e]])] -= entries[e];
+        MatRestoreRow(matrix, row, &count, &columns, &entries);
+        most = std::max(most, expected.cwiseAbs().maxCoeff());
+    }
+    return largest > 0 ? most / largest : most;
+}
+
+/// Both are refused, or differ by rounding.
+void expect_equal(const Ranks& ranks, const DistributedCells& cells, int k, const std::string& what,
+                  const std::function<OwnedMat()>& matrix,
+                  const std::function<SparseMatrix()>& whole) {
+    std::optional<SparseMatrix> expected;
+    try {
+        expected = whole();
+    } catch (const InvalidInput&) {
+        EXPECT_THROW(matrix(), InvalidInput) << what;
+        return;
+    }
+    constexpr double rounding = 1e-14;
+    EXPECT_LE(difference(ranks, cells, k, matrix().get(), *expected), rounding) << what;
+}
+
+TEST(DistributedOperators, are_those_of_one_process_in_every_degree_on_both_sides) {
+    const auto ranks = Ranks::all();
+    const MergeOptions options{MergeCriterion::dual_length, tolerance};
+    for (const auto& [name, mesh] : meshes()) {
+        const Merged whole = make_merged(mesh, options);
+        const LocalComplex local = distributed(ranks, mesh, some_ownerships(ranks, name).back());
+        const auto volumes = circumcentric_volumes(local.complex, local.points);
+        const auto cells =
+            distributed_cells(ranks, local, merge_cospherical(ranks, local, volumes, options));
+        const CellVolumes stars = merged_volumes(whole.merging(), whole.result.volumes);
+        const int n = whole.n();
+        for (int k = 0; k <= n; ++k) {
+            const auto in = [&, of = name](const char* what) {
+                return fmt::format("{} of degree {}, {}", what, k, of);
+            };
+            expect_equal(
+                ranks, cells, k, in("Laplacian"),
+                [&] { return laplacian(ranks, cells, Side::primal, k); },
+                [&] { return laplacian(whole.P(), stars, k).matrix(); });
+            expect_equal(
+                ranks, cells, n - k, in("dual Laplacian"),
+                [&] { return laplacian(ranks, cells, Side::dual, k); },
+                [&] { return dual_laplacian(whole.P(), stars, k).matrix(); });
+            expect_equal(
+                ranks, cells, k, in("symmetric Laplacian"),
+                [&] { return symmetric_laplacian(ranks, cells, k); },
+                [&] { return symmetric_laplacian(whole.P(), stars, k).matrix(); });
+        }
+    }
+}
+
+} // namespace
+
+} // namespace polydec::test
