@@ -24,8 +24,8 @@ inline LocalComplex distributed(const Ranks& ranks, const Mesh& mesh, Ownership 
     return local_complex(ranks, slice, vertex_owners(ranks, slice, by));
 }
 
-/// What differs between the simplices of a rank and those of one process: numbers, orientations
-/// and cofaces; empty if nothing does.
+/// What differs between the simplices of a rank and those of one process: numbers, owners,
+/// orientations and cofaces; empty if nothing does.
 inline std::string difference(const LocalComplex& local, const SimplicialComplex& whole) {
     const int n = whole.dimension();
     if (local.dimension() != n || local.orientable != whole.orientable() ||
@@ -42,6 +42,8 @@ inline std::string difference(const LocalComplex& local, const SimplicialComplex
                 return fmt::format("{}-simplex {} has no number", k, s);
             if (local.complex.vertex_numbers(k, s) != whole.vertex_numbers(k, number))
                 return fmt::format("{}-simplex {} has other vertices", k, number);
+            if (degree.owner[s] != local.degree(0).owner[local.complex.simplices(k)(s, 0)])
+                return fmt::format("{}-simplex {} belongs to another vertex", k, number);
             if (k == n && local.complex.orientation(s) != whole.orientation(number))
                 return fmt::format("simplex {} is turned", number);
             if (degree.complete[s] &&
