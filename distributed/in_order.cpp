@@ -16,9 +16,13 @@ Parcels<GlobalIndex> places_of(const Parcels<GlobalIndex>& arrived, int width) {
             lists.push_back(list);
     std::vector<std::size_t> order(lists.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const auto before = [&](std::size_t a, std::size_t b) {
         return std::lexicographical_compare(lists[a], lists[a] + width, lists[b], lists[b] + width);
-    });
+    };
+    // those of each rank ascend, so that where ranks own stretches of numbers there is nothing to
+    // do
+    if (!std::is_sorted(order.begin(), order.end(), before))
+        std::sort(order.begin(), order.end(), before);
     std::vector<GlobalIndex> place(lists.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         place[order[i]] = static_cast<GlobalIndex>(i);
