@@ -105,6 +105,7 @@ Sides FacetChoice::free_sides(const std::vector<bool>& kept) const {
 TopCells FacetChoice::read_off(DisjointSets& classes, const std::vector<bool>& kept) const {
     TopCells cells{std::vector<bool>(sides_.size(), false), {}, true};
     std::vector<Index> firsts(complex_.size(complex_.dimension()), -1);
+    cells.roots.reserve(firsts.size());
     for (Index t = 0; t < std::ssize(firsts); ++t) {
         Index& first = firsts[classes.find(t).element];
         first = first < 0 ? t : first;
