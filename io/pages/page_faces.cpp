@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/page_faces.h"
 
+#include "io/pictures/vtu_solids.h"
 #include "meshes/polygons.h"
 
 #include <algorithm>
@@ -17,10 +18,6 @@ using Ends = std::pair<Index, Index>;
 Ends ends_of_side(Index a, Index b) {
     return {std::min(a, b), std::max(a, b)};
 }
-
-/// The faces of a tetrahedron, by its corners.
-constexpr std::array<std::array<int, 3>, 4> tetra_faces{
-    {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 
 /// A polygon around a cell.
 struct Ring {
@@ -44,6 +41,9 @@ std::vector<Ring> rings_of_solids(const VtuGrid& grid) {
         if (grid.types[cell] == VtuCell::tetra)
             for (const auto& [a, b, c] : tetra_faces)
                 rings.push_back({{corners[a], corners[b], corners[c]}, owner});
+        if (grid.types[cell] == VtuCell::hexahedron)
+            for (const auto& [a, b, c, d] : hexahedron_faces)
+                rings.push_back({{corners[a], corners[b], corners[c], corners[d]}, owner});
         if (grid.types[cell] == VtuCell::polyhedron) {
             const Index* next = grid.faces.data() + faces_begin;
             for (Index left = *next++; left > 0; --left) {
@@ -170,6 +170,7 @@ int cell_dimension(VtuCell type) {
     case VtuCell::quad:
         return 2;
     case VtuCell::tetra:
+    case VtuCell::hexahedron:
     case VtuCell::polyhedron:
         return 3;
     }

@@ -21,8 +21,6 @@ namespace {
 using FaceList = std::vector<std::vector<int>>;
 const FaceList voxel_faces{{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                            {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-const FaceList hexahedron_faces{{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 const FaceList wedge_faces{{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
 const FaceList pyramid_faces{{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
 
@@ -83,6 +81,7 @@ private:
         case 7:
         case 9:
         case 10:
+        case 12:
             return add_cell(grid_, static_cast<VtuCell>(types_[cell]), corners);
         case 8:
             if (corners.size() == 4)
@@ -91,8 +90,6 @@ private:
             break;
         case 11:
             return add_solid(cell, corners, voxel_faces, 8);
-        case 12:
-            return add_solid(cell, corners, hexahedron_faces, 8);
         case 13:
             return add_solid(cell, corners, wedge_faces, 6);
         case 14:

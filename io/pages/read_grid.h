@@ -8,7 +8,7 @@
 namespace polydec {
 
 /// The cells and all arrays of a .vtu file, as they stand there; of arrays of 4 to 9 components
-/// each component by itself. Cells of VTK's types that VtuGrid lacks are refused, but hexahedra,
+/// each component by itself. Cells of VTK's types that VtuGrid lacks are refused, but voxels,
 /// wedges and pyramids, which become polyhedra. Reads what read_mesh reads of such files, and
 /// polyhedra. Throws InvalidInput, naming the file; IoError if it cannot be read.
 VtuGrid read_grid(const std::filesystem::path& path);

@@ -8,6 +8,7 @@
 #include "dec/forms/star.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/overlay.h"
+#include "io/pictures/vtu_solids.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -66,6 +67,21 @@ std::vector<Index> ends(const CellComplex& complex, Index edge) {
 /// What stands for some vertices in the picture.
 using Naming = std::function<std::vector<Index>(std::vector<Index>)>;
 
+/// With tetrahedra and hexahedra, if all cells are such, else with polyhedra alone: readers of
+/// VTK's files know either.
+VtuGrid with_solids(VtuGrid grid, Index count,
+                    const std::function<std::vector<std::vector<Index>>(Index)>& faces) {
+    VtuGrid simple = grid;
+    Index cell = 0;
+    while (cell < count && add_simple_solid(simple, faces(cell)))
+        ++cell;
+    if (cell == count)
+        return simple;
+    for (cell = 0; cell < count; ++cell)
+        add_polyhedron(grid, faces(cell));
+    return grid;
+}
+
 /// The cells that carry k-forms; the points of the grid are those of the vertices, in their order.
 VtuGrid draw(const CellComplex& complex, const Points& points, int k, const Rings& ring,
              const Naming& named) {
@@ -75,16 +91,19 @@ VtuGrid draw(const CellComplex& complex, const Points& points, int k, const Ring
     check_as_many("points", points.rows(), complex.size(0));
     VtuGrid grid;
     grid.points = points;
-    for (Index cell = 0; cell < complex.size(drawn); ++cell)
+    const Index count = complex.size(drawn);
+    const auto faces = [&](Index cell) {
+        auto list = outward_faces(complex, points, ring, cell);
+        std::transform(list.begin(), list.end(), list.begin(), named);
+        return list;
+    };
+    if (drawn > 2)
+        return with_solids(std::move(grid), count, faces);
+    for (Index cell = 0; cell < count; ++cell)
         if (drawn == 1)
             add_cell(grid, VtuCell::line, named(ends(complex, cell)));
-        else if (drawn == 2)
-            add_cell(grid, VtuCell::polygon, named(ring(cell)));
-        else {
-            auto faces = outward_faces(complex, points, ring, cell);
-            std::transform(faces.begin(), faces.end(), faces.begin(), named);
-            add_polyhedron(grid, faces);
-        }
+        else
+            add_polygon(grid, named(ring(cell)));
     return grid;
 }
 

@@ -14,9 +14,10 @@ namespace polydec {
 /// at most 3, and points known.
 void check_drawable(int dimension, int ambient_dimension);
 
-/// The cells that carry primal k-forms, as a picture: lines, polygons (VTK type 7) or
-/// polyhedra (42), whose faces look outward; for k = 0, whose values belong to points, the cells of
-/// largest dimension. Points are those of the vertices, in their order. Throws like check_drawable
+/// The cells that carry primal k-forms, as a picture: lines; triangles, quadrangles and polygons
+/// (VTK's types 5, 9, 7); or solids, turned outward: tetrahedra and hexahedra (10, 12) if all are
+/// such, else polyhedra (42). For k = 0, whose values belong to points, the cells of largest
+/// dimension. Points are those of the vertices, in their order. Throws like check_drawable
 /// and require_points.
 VtuGrid draw_cells(const CellComplex& complex, const Points& points, int k);
 

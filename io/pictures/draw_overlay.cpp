@@ -18,9 +18,8 @@ VtuGrid draw_overlay(const Discretization& discretization) {
     grid.points = discretization.unit() * pieces.points;
     std::vector<Index> cell;
     for (Index p = 0; p < pieces.size(); ++p) {
-        add_cell(grid, VtuCell::polygon,
-                 {pieces.corners.data() + pieces.offsets[p],
-                  pieces.corners.data() + pieces.offsets[p + 1]});
+        add_polygon(grid, {pieces.corners.data() + pieces.offsets[p],
+                           pieces.corners.data() + pieces.offsets[p + 1]});
         cell.push_back(cells[pieces.triangle[p]].cell);
     }
     grid.cell_data.push_back({"cell", std::move(cell)});

@@ -39,6 +39,8 @@ bool corners_fit(VtuCell type, std::int64_t corners) {
         return corners == 4;
     case VtuCell::polygon:
         return corners >= 3;
+    case VtuCell::hexahedron:
+        return corners == 8;
     case VtuCell::polyhedron:
         return corners >= 4;
     }
@@ -258,6 +260,15 @@ void add_cell(VtuGrid& grid, VtuCell type, std::span<const Index> corners) {
     grid.corners.insert(grid.corners.end(), corners.begin(), corners.end());
     grid.offsets.push_back(static_cast<std::int64_t>(grid.corners.size()));
     grid.face_offsets.push_back(-1);
+}
+
+void add_polygon(VtuGrid& grid, std::span<const Index> corners) {
+    const auto size = corners.size();
+    add_cell(grid,
+             size == 3   ? VtuCell::triangle
+             : size == 4 ? VtuCell::quad
+                         : VtuCell::polygon,
+             corners);
 }
 
 void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces) {

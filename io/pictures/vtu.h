@@ -20,6 +20,7 @@ enum class VtuCell : std::uint8_t {
     polygon = 7,
     quad = 9,
     tetra = 10,
+    hexahedron = 12,
     polyhedron = 42,
 };
 
@@ -51,6 +52,10 @@ struct VtuGrid {
 
 /// Appends a cell of a type with a fixed number of corners, or a polygon, corners in cyclic order.
 void add_cell(VtuGrid& grid, VtuCell type, std::span<const Index> corners);
+
+/// Appends a polygon, corners in cyclic order, as the triangle or quadrangle that it is, or else as
+/// a polygon.
+void add_polygon(VtuGrid& grid, std::span<const Index> corners);
 
 /// Appends a polyhedron by its faces, each a list of points in cyclic order.
 void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces);

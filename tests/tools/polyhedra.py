@@ -12,8 +12,13 @@ import subprocess
 import sys
 import xml.etree.ElementTree
 
-NUMBERS = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}
-LINE, POLYGON, POLYHEDRON = 3, 7, 42
+NUMBERS = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "UInt8": "B"}
+POLYHEDRON = 42
+# of cells without faces of their own: the type by the number of corners, more of which make a polygon
+FLAT = {2: 3, 3: 5, 4: 9}
+POLYGON = 7
+SOLIDS = {10: ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)),
+          12: ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))}
 ROUNDING = 1e-12
 
 # what a file holds: of each cell its faces, of each face its corners in order
@@ -69,6 +74,17 @@ def faces_of(stream):
     return faces
 
 
+def cell_of(kind, corners):
+    """The faces of a cell of a type with a fixed number of corners, or of a polygon."""
+    if kind in SOLIDS:
+        require(sorted(set(itertools.chain(*SOLIDS[kind]))) == list(range(len(corners))),
+                f"{len(corners)} corners of a cell of type {kind}")
+        return [[corners[i] for i in face] for face in SOLIDS[kind]]
+    require(kind == FLAT.get(len(corners), POLYGON),
+            f"type {kind} of a cell with {len(corners)} corners")
+    return [corners]
+
+
 def read_alone(path):
     """Checks the rules of VTK's format on the way. Throws Broken."""
     root = xml.etree.ElementTree.parse(path).getroot()
@@ -83,8 +99,8 @@ def read_alone(path):
             (int(piece.get("NumberOfPoints")), int(piece.get("NumberOfCells")), len(corners)),
             "numbers of points or cells")
     if POLYHEDRON not in arrays["types"]:
-        require(set(arrays["types"]) <= {LINE, POLYGON} and "faces" not in arrays, "types of cells")
-        return Grid(points, [[cell] for cell in corners])
+        require("faces" not in arrays and "faceoffsets" not in arrays, "faces of no polyhedra")
+        return Grid(points, [cell_of(kind, cell) for kind, cell in zip(arrays["types"], corners)])
     require(set(arrays["types"]) == {POLYHEDRON}, "polyhedra mixed with others")
     cells = [faces_of(stream)
              for stream in pieces(arrays["faces"], arrays["faceoffsets"], "faceoffsets")]
@@ -115,8 +131,10 @@ def read_with_meshio(path):
         for faces in cells:
             size = len(set(itertools.chain(*faces)))
             require(kind in (f"polyhedron{size}", f"polygon{size}", "polygon", "line", "triangle",
-                             "quad"), f"{kind} of {size} points")
-    return Grid([tuple(point) for point in points], [c for _, cells in blocks for c in cells])
+                             "quad", "tetra", "hexahedron"), f"{kind} of {size} points")
+    number = {"tetra": 10, "hexahedron": 12}
+    return Grid([tuple(point) for point in points], [
+        cell_of(number[kind], *c) if kind in number else c for kind, cells in blocks for c in cells])
 
 
 INTERPRETER = find_meshio()

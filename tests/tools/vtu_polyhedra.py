@@ -11,7 +11,7 @@ import xml.etree.ElementTree
 import command
 from command import TestCase, golden
 from polyhedra import (INTERPRETER, READERS, ROUNDING, Broken, Grid, area_vector, array_of, bend,
-                       count_faces, cross, differences, directed_edges, dot, flaws, minus,
+                       cell_of, count_faces, cross, differences, directed_edges, dot, flaws, minus,
                        read_alone, turned, unmatched_faces, vertices_of, volume, write_plain)
 
 SOLIDS = ("bcc2.nsc", "fcc1.nsc", "kuhn3.nsc", "solid_torus3.nsc", "split_cubes.nsc")
@@ -143,6 +143,12 @@ class Twins(TestCase):
         found = [flaws(one.points, one.cells[0]) for one in grids]
         self.assertTrue(all(one == found[0] for one in found), found)
         return found[0]
+
+    def test_a_type_that_is_not_that_of_the_corners(self):
+        self.assertEqual(cell_of(12, list(range(8)))[1], [4, 5, 6, 7])
+        for kind, corners in ((12, 4), (10, 8), (7, 4), (9, 5), (5, 4)):
+            with self.assertRaises(Broken):
+                cell_of(kind, list(range(corners)))
 
     def test_the_cube_itself_is_fine(self):
         self.assertEqual(self.seen(self.cube), [])
