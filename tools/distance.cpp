@@ -23,7 +23,7 @@ struct DistanceArguments {
     MeshArguments mesh;
     GeodesicOptions geodesic;
     std::vector<Index> from;
-    std::filesystem::path out;
+    PictureArguments picture;
 };
 
 /// The 0-cells of these vertices of the input.
@@ -50,7 +50,8 @@ void draw(const Discretization& mesh, const DistanceArguments& arguments, const 
     text.facts = {fmt::format("Distance along the surface from vertex {}, by the heat method.",
                               fmt::join(arguments.from, ", "))};
     const NamedForm form("distance", {Side::primal, 0, distance}, "in units of length of the file");
-    write_picture(arguments.out, mesh, {form}, std::move(text), log);
+    write_picture(arguments.picture, mesh, {form}, std::move(text), {{"from", arguments.from}},
+                  log);
 }
 
 struct Distances : Answer {
@@ -76,13 +77,13 @@ struct Distances : Answer {
 
 void run_distance(const DistanceArguments& arguments) {
     Log log;
-    check_picture(arguments.out, arguments.mesh.mesh);
+    check_picture(arguments.picture, arguments.mesh.mesh);
     const Discretization mesh = load(arguments.mesh, log);
     if (mesh.dimension() != 2)
         throw InvalidInput(fmt::format("{} has cells of dimension {}: distances are found on "
                                        "surfaces",
                                        arguments.mesh.mesh.string(), mesh.dimension()));
-    if (!arguments.out.empty())
+    if (!arguments.picture.out.empty())
         check_drawable(mesh);
     log.timing.begin("solve");
     const auto sources = cells_of(mesh, arguments.from);
@@ -99,7 +100,7 @@ void run_distance(const DistanceArguments& arguments) {
         log.warn(fmt::format("{} of the distances fell below 0 and were raised to 0: triangles "
                              "there are far from Delaunay{}",
                              raised, flip_advice(mesh)));
-    if (!arguments.out.empty()) {
+    if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, distance, log);
     }
@@ -127,8 +128,7 @@ void add_distance(CLI::App& app) {
         ->add_option("--time-scale", arguments->geodesic.time_scale,
                      "heat flows for this times the squared mean length of edges")
         ->capture_default_str();
-    command->add_option("-o,--out", arguments->out,
-                        "write the distances to this .vtu or\n.html file");
+    add_picture(*command, arguments->picture, "the distances");
     command->add_option("--engine", arguments->geodesic.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer("Every component of the surface needs a vertex. Triangles far from Delaunay "

@@ -132,7 +132,7 @@ void write_generated(const std::filesystem::path& out, const Mesh& mesh, Log& lo
         check_drawable(cells);
         for (const auto& warning : cells.warnings())
             log.warn(warning);
-        write_picture(out, draw_page(cells, out.stem().string()), log);
+        write_page(out, draw_page(cells, out.stem().string()), log);
     } else
         write_mesh(out, mesh);
     Generated answer;

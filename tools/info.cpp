@@ -196,7 +196,7 @@ void draw(const InfoArguments& arguments, const Discretization& mesh, const Info
     answer.write(text);
     Page page = draw_page(mesh, arguments.mesh.mesh.filename().string());
     page.text.facts = {std::string(text.view())};
-    write_picture(arguments.out, std::move(page), log);
+    write_page(arguments.out, std::move(page), log);
 }
 
 void run(const InfoArguments& arguments) {

@@ -21,19 +21,19 @@ namespace {
 
 struct MergeArguments {
     MeshArguments mesh;
-    std::filesystem::path out;
+    PictureArguments picture;
 };
 
 void write_merged(const MergeArguments& arguments, const Discretization& mesh, const Log& log) {
-    const auto& out = arguments.out;
+    const auto& [out, vtu] = arguments.picture;
     if (mesh.dimension() > 3)
         throw InvalidInput(fmt::format("{}: no format holds merged cells of dimension {}; the "
                                        "subcommand operators writes them as matrices",
                                        out.string(), mesh.dimension()));
     if (lower_extension(out) == ".vtu")
-        write_vtu(out, draw_mesh(mesh));
+        write_vtu(out, draw_mesh(mesh), vtu);
     else if (is_page(out))
-        write_picture(out, draw_page(mesh, arguments.mesh.mesh.filename().string()), log);
+        write_page(out, draw_page(mesh, arguments.mesh.mesh.filename().string()), log);
     else if (mesh.dimension() == 2)
         write_mesh(out, polygon_mesh(mesh));
     else
@@ -69,13 +69,15 @@ private:
 
 void run_merge(const MergeArguments& arguments) {
     Log log;
-    check_output_file(arguments.out, {".off", ".obj", ".ply", ".vtu", ".html"},
+    const auto& out = arguments.picture.out;
+    check_output_file(out, {".off", ".obj", ".ply", ".vtu", ".html"},
                       mesh_files(arguments.mesh.mesh));
+    check_float32(arguments.picture);
     const Discretization mesh = load(arguments.mesh, log);
     log.timing.begin("write");
     write_merged(arguments, mesh, log);
     const int n = mesh.dimension();
-    tell(Merged(arguments.out.string(), n, mesh.input().size(n), mesh.complex().size(n)), log,
+    tell(Merged(out.string(), n, mesh.input().size(n), mesh.complex().size(n)), log,
          arguments.mesh.tell);
 }
 
@@ -85,8 +87,10 @@ void add_merge(CLI::App& app) {
     auto* command = app.add_subcommand("merge", "writes the merged complex");
     const auto arguments = std::make_shared<MergeArguments>();
     add_mesh_arguments(*command, arguments->mesh);
-    command->add_option("-o,--out", arguments->out, ".off .obj .ply (surfaces), .vtu or .html")
+    command
+        ->add_option("-o,--out", arguments->picture.out, ".off .obj .ply (surfaces), .vtu or .html")
         ->required();
+    add_float32(*command, arguments->picture);
     command->footer("With --delaunay polygons have edges that cross the input's triangles: the "
                     "triangles are\nwritten as they are cut by them.\n\nExamples:\n  polydec merge "
                     "fandisk.off -o fandisk-polygons.obj\n"

@@ -88,14 +88,6 @@ void check_output_file(const Path& out, const std::vector<const char*>& extensio
     check_replaceable(out);
 }
 
-void check_picture(const Path& out, const Path& mesh, const Paths& others) {
-    if (out.empty())
-        return;
-    Paths inputs = mesh_files(mesh);
-    inputs.insert(inputs.end(), others.begin(), others.end());
-    check_output_file(out, {".vtu", ".html"}, inputs);
-}
-
 void check_output_folder(const Path& out) {
     Path target = resolved(out);
     struct stat status {};

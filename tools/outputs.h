@@ -20,11 +20,6 @@ Paths mesh_files(const std::filesystem::path& mesh);
 void check_output_file(const std::filesystem::path& out, const std::vector<const char*>& extensions,
                        const Paths& inputs);
 
-/// The same for the .vtu or .html file that shows what was found on a mesh, if one is asked for:
-/// the path is not empty. Inputs are the files of the mesh, and others.
-void check_picture(const std::filesystem::path& out, const std::filesystem::path& mesh,
-                   const Paths& others = {});
-
 /// The same for a folder, which is there or can be made, with all folders on the way to it.
 void check_output_folder(const std::filesystem::path& out);
 

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tools/picture.h"
 
+#include "base/errors.h"
+#include "base/printable.h"
+#include "io/pictures/draw_cells.h"
 #include "io/source_file.h"
+#include "tools/outputs.h"
+
+#include <fmt/format.h>
 
 #include <string_view>
 #include <utility>
@@ -49,20 +55,59 @@ bool is_page(const std::filesystem::path& out) {
     return lower_extension(out) == ".html";
 }
 
-void write_picture(const std::filesystem::path& out, Page page, const Log& log) {
-    if (!is_page(out))
-        return write_vtu(out, page.grid);
-    page.text.command = command_text();
-    append(page.text.warnings, log.warnings);
-    write_page(out, page);
+void add_picture(CLI::App& command, PictureArguments& picture, const std::string& what) {
+    command.add_option("-o,--out", picture.out,
+                       fmt::format("write {} to this .vtu or .html file", what));
+    add_float32(command, picture);
 }
 
-void write_picture(const std::filesystem::path& out, const Discretization& mesh,
-                   const std::vector<NamedForm>& forms, PageText text, const Log& log) {
-    Page page = draw_page(mesh, forms);
-    std::swap(page.text, text);
-    append(page.text.facts, text.facts);
-    write_picture(out, std::move(page), log);
+void add_float32(CLI::App& command, PictureArguments& picture) {
+    command
+        .add_flag_callback(
+            "--float32", [&picture] { picture.vtu.numbers = VtuNumbers::float32; },
+            "in a .vtu file 7 digits of coordinates and values, not 16")
+        ->needs("--out");
+}
+
+void check_float32(const PictureArguments& picture) {
+    if (picture.vtu.numbers == VtuNumbers::float32 && lower_extension(picture.out) != ".vtu")
+        throw InvalidInput(fmt::format("cannot write {}: --float32 is about .vtu files; leave it "
+                                       "out",
+                                       printable(picture.out.string())),
+                           {.path = picture.out});
+}
+
+void check_picture(const PictureArguments& picture, const std::filesystem::path& mesh,
+                   const Paths& others) {
+    if (picture.out.empty())
+        return;
+    Paths inputs = mesh_files(mesh);
+    inputs.insert(inputs.end(), others.begin(), others.end());
+    check_output_file(picture.out, {".vtu", ".html"}, inputs);
+    check_float32(picture);
+}
+
+void write_page(const std::filesystem::path& out, Page page, const Log& log) {
+    page.text.command = command_text();
+    append(page.text.warnings, log.warnings);
+    polydec::write_page(out, page);
+}
+
+void write_picture(const PictureArguments& to, const Discretization& mesh,
+                   const std::vector<NamedForm>& forms, PageText text,
+                   std::vector<VtuArray> numbers, const Log& log) {
+    if (is_page(to.out)) {
+        Page page = draw_page(mesh, forms);
+        std::swap(page.text, text);
+        append(page.text.facts, text.facts);
+        return write_page(to.out, std::move(page), log);
+    }
+    const auto& first = forms.front().form;
+    VtuGrid grid = draw_cells(mesh, cell_degree(mesh.complex(), first.side, first.degree));
+    for (const auto& [name, form, about] : forms)
+        add_form(grid, mesh, name, form);
+    grid.field_data = std::move(numbers);
+    write_vtu(to.out, grid, to.vtu);
 }
 
 } // namespace polydec::tools

@@ -4,12 +4,34 @@
 #include "io/pages/draw_page.h"
 #include "tools/answer.h"
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 /// What a command shows of what it found, as a file by its extension: .vtu or .html.
 namespace polydec::tools {
+
+/// Where, and in which numbers.
+struct PictureArguments {
+    std::filesystem::path out = {}; ///< or empty
+    VtuOptions vtu = {};
+};
+
+/// Adds -o to a subcommand, which says that it is `what` that is written, and --float32.
+void add_picture(CLI::App& command, PictureArguments& picture, const std::string& what);
+
+/// Adds --float32 alone, behind -o.
+void add_float32(CLI::App& command, PictureArguments& picture);
+
+/// Refuses --float32 for files that are no .vtu.
+void check_float32(const PictureArguments& picture);
+
+/// Both checks of the file that is asked for, if one is: this one, and check_output_file; inputs
+/// are the files of the mesh, and others.
+void check_picture(const PictureArguments& picture, const std::filesystem::path& mesh,
+                   const std::vector<std::filesystem::path>& others = {});
 
 /// What the command line says, for pages; set once, by main.
 void set_command_text(int argc, const char* const* argv);
@@ -18,12 +40,13 @@ const std::string& command_text();
 /// Whether a path is that of a page.
 bool is_page(const std::filesystem::path& out);
 
-/// Writes what draw_page makes of these forms. In a page the text stands beside them, with the
-/// log's warnings and the command line.
-void write_picture(const std::filesystem::path& out, const Discretization& mesh,
-                   const std::vector<NamedForm>& forms, PageText text, const Log& log);
+/// Writes these forms: in a page with the text beside them, the log's warnings and the command
+/// line; in a .vtu file with these numbers of the whole.
+void write_picture(const PictureArguments& to, const Discretization& mesh,
+                   const std::vector<NamedForm>& forms, PageText text,
+                   std::vector<VtuArray> numbers, const Log& log);
 
-/// The same for a page made otherwise, whose grid a .vtu file would have too.
-void write_picture(const std::filesystem::path& out, Page page, const Log& log);
+/// Writes a page, with the log's warnings and the command line.
+void write_page(const std::filesystem::path& out, Page page, const Log& log);
 
 } // namespace polydec::tools

@@ -28,7 +28,7 @@ struct PoissonArguments {
     PoissonOptions poisson;
     ConditionArguments conditions;
     std::string rhs, boundary, exact, flux, conductivity;
-    std::filesystem::path out;
+    PictureArguments picture;
 };
 
 /// Errors against the exact solution: L2 with the cells' volumes as weights, and the largest.
@@ -120,7 +120,12 @@ void draw(const Discretization& mesh, const PoissonArguments& arguments, const V
                   fmt::format("u from {:.10g} to {:.10g}; residual {:.2e} with {}", answer.min,
                               answer.max, answer.residual, answer.report.engine)};
     const NamedForm u("u", {side, 0, values}, fmt::format("the solution, a {} 0-form", name(side)));
-    write_picture(arguments.out, mesh, {u}, std::move(text), log);
+    std::vector<VtuArray> numbers{{"residual", std::vector<double>{answer.residual}}};
+    if (answer.errors)
+        numbers.push_back({"error_max", std::vector<double>{answer.errors->max}});
+    if (answer.errors && answer.errors->l2)
+        numbers.push_back({"error_l2", std::vector<double>{*answer.errors->l2}});
+    write_picture(arguments.picture, mesh, {u}, std::move(text), std::move(numbers), log);
 }
 
 void warn_of_compatibility(const Compatibility& compatibility, Log& log) {
@@ -178,10 +183,10 @@ Vector conductivity(const Discretization& mesh, const SiteValues& values) {
 void run_poisson(PoissonArguments arguments) {
     Log log;
     const Data data(arguments);
-    check_picture(arguments.out, arguments.mesh.mesh, data.files());
+    check_picture(arguments.picture, arguments.mesh.mesh, data.files());
     const Discretization mesh = load(arguments.mesh, log);
     arguments.poisson.boundary = data.conditions.on(mesh).value_or(BoundaryConditions{});
-    if (!arguments.out.empty())
+    if (!arguments.picture.out.empty())
         check_drawable(mesh);
     if (data.conductivity)
         arguments.poisson.conductivity = conductivity(mesh, *data.conductivity);
@@ -210,7 +215,7 @@ void run_poisson(PoissonArguments arguments) {
     if (data.exact)
         answer.errors = errors(mesh, arguments.poisson.side,
                                solution.values - data.exact->at(mesh.unit() * solver.sites()));
-    if (!arguments.out.empty()) {
+    if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, solution.values, answer, log);
     }
@@ -242,7 +247,7 @@ void add_poisson(CLI::App& app) {
                         "solve -div(kappa grad u) = f, kappa > 0 in each merged cell:\n"
                         "expression (also in `group`, the cell's physical group) or file");
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
-    command->add_option("-o,--out", arguments->out, "write u to this .vtu or .html file");
+    add_picture(*command, arguments->picture, "u");
     command->add_option("--engine", arguments->poisson.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer(

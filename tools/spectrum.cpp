@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "io/diagnosis_json.h"
+#include "io/pictures/draw_modes.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -28,7 +29,7 @@ struct SpectrumArguments {
     SpectrumOptions spectrum;
     ConditionArguments conditions;
     bool certify = true;
-    std::filesystem::path out;
+    PictureArguments picture;
 };
 
 struct Eigenvalues : Answer {
@@ -125,21 +126,24 @@ void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
 
 void draw(const SpectrumArguments& arguments, const Discretization& mesh, const Eigenvalues& answer,
           const Log& log) {
+    const auto& [out, vtu] = arguments.picture;
+    if (!is_page(out))
+        return write_vtu(out, draw_modes(mesh, answer.spectrum), vtu);
     Page page =
         draw_page(mesh, answer.spectrum,
                   fmt::format("{}: eigenfunctions", arguments.mesh.mesh.filename().string()));
     auto& facts = page.text.facts;
     facts.insert(facts.begin() + 1, {answer.conditions, in_words(answer.stars)});
-    write_picture(arguments.out, std::move(page), log);
+    write_page(out, std::move(page), log);
 }
 
 void run_spectrum(SpectrumArguments arguments) {
     Log log;
     const ConditionValues asked(arguments.conditions);
     const auto file = asked.file();
-    check_picture(arguments.out, arguments.mesh.mesh, file ? Paths{*file} : Paths{});
+    check_picture(arguments.picture, arguments.mesh.mesh, file ? Paths{*file} : Paths{});
     const Discretization mesh = load(arguments.mesh, log);
-    if (!arguments.out.empty())
+    if (!arguments.picture.out.empty())
         check_drawable(mesh);
     check_cost(mesh, arguments.spectrum);
     const auto boundary = asked.on(mesh).value_or(built_in_conditions(arguments.spectrum.side));
@@ -165,7 +169,7 @@ void run_spectrum(SpectrumArguments arguments) {
     use_input_units(result, mesh.unit());
     const Eigenvalues answer(result, in_words(boundary, mesh.complex(), result.degree),
                              mesh.chosen_stars(), seconds.count());
-    if (!arguments.out.empty()) {
+    if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(arguments, mesh, answer, log);
     }
@@ -190,7 +194,7 @@ void add_spectrum(CLI::App& app) {
                    "values 0 (Dirichlet) at boundary facets where this is not 0, of\n"
                    "forms of degree 1 .. n-1 the tangential part; no flow through\n"
                    "the others");
-    command->add_option("-o,--out", arguments->out, "write the modes to this .vtu or .html file");
+    add_picture(*command, arguments->picture, "the modes");
     command->add_flag("!--no-certificate", arguments->certify, "do without the proof");
     command->add_option("--engine", arguments->spectrum.linear_solver, "linear solver")
         ->capture_default_str();

@@ -102,7 +102,7 @@ void run_view(ViewArguments arguments) {
     answer.out = arguments.out.string();
     answer.cells = page.grid.types.size();
     answer.fields = page.grid.point_data.size() + page.grid.cell_data.size();
-    write_picture(arguments.out, std::move(page), log);
+    write_page(arguments.out, std::move(page), log);
     answer.bytes = std::filesystem::file_size(arguments.out);
     tell(answer, log, arguments.mesh.tell);
 }

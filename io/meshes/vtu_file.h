@@ -16,7 +16,7 @@ namespace polydec {
 class VtuFile {
 public:
     struct Array {
-        std::string section; ///< Points, Cells, PointData or CellData
+        std::string section; ///< Points, Cells, PointData, CellData or FieldData
         VtuText array;
     };
 

@@ -4,11 +4,13 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "complex/corners.h"
+#include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/overlay.h"
 #include "io/pictures/vtu_solids.h"
+#include "meshes/unit_of_length.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -198,6 +200,22 @@ void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const
     list.back().about = about.empty()
                             ? fmt::format("a {} {}-form", polydec::name(form.side), form.degree)
                             : std::move(about);
+}
+
+bool add_vectors(VtuGrid& grid, const Discretization& mesh, const std::string& name,
+                 const Cochain& form) {
+    if (form.side != Side::primal || form.degree != 1)
+        return false;
+    try {
+        DenseMatrix vectors = sharp_pp(mesh, form);
+        for (auto column : vectors.colwise())
+            column = in_input_units(column, mesh.unit(), -1, name);
+        const Points others = Points::Zero(mesh.isolated().rows(), vectors.cols());
+        grid.point_data.push_back(vtu_array(name + "_vector", by_number(mesh, vectors, others)));
+    } catch (const InvalidInput&) {
+        return false;
+    }
+    return true;
 }
 
 PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {

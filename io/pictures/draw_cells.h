@@ -38,6 +38,12 @@ VtuGrid draw_cells(const Discretization& discretization, int k);
 void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
               const Cochain& form, std::string about = {});
 
+/// Adds to what add_form added of a primal 1-form the vectors at the points that it is the work of,
+/// by sharp_pp, as the array NAME_vector: in units of the values over length, 0 at points of no
+/// cell. False, and nothing is added, for other forms and where the mesh has no sharp.
+bool add_vectors(VtuGrid& grid, const Discretization& discretization, const std::string& name,
+                 const Cochain& form);
+
 /// The cells that these draw: the merged ones, or those of the input where edges were flipped.
 Merging drawn_cells(const Discretization& discretization);
 

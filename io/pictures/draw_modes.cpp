@@ -36,12 +36,31 @@ Cochain shown_mode(const Discretization& discretization, const Spectrum& spectru
                            primal ? -half_power : half_power, fmt::format("mode {}", i))};
 }
 
+void add_spectrum(VtuGrid& grid, const Spectrum& spectrum) {
+    const Certificate& certificate = spectrum.certificate;
+    const auto number = [](Index value) { return std::vector<Index>{value}; };
+    auto& field = grid.field_data;
+    field.push_back(vtu_array("eigenvalues", spectrum.eigenvalues));
+    field.push_back(vtu_array("radii", spectrum.radii));
+    field.push_back(vtu_array("residuals", spectrum.residuals));
+    field.push_back({"shift", std::vector<double>{certificate.shift}});
+    field.push_back({"below_shift", number(certificate.below_shift)});
+    field.push_back({"returned_below_shift", number(certificate.returned_below_shift)});
+    field.push_back({"complete", number(certificate.complete ? 1 : 0)});
+    field.push_back({"degree", number(spectrum.degree)});
+    field.push_back({"is_dual", number(spectrum.side == Side::dual ? 1 : 0)});
+}
+
 VtuGrid draw_modes(const Discretization& discretization, const Spectrum& spectrum) {
     auto grid = draw_cells(discretization,
                            cell_degree(discretization.complex(), spectrum.side, spectrum.degree));
-    for (Index i = 0; i < spectrum.modes.cols(); ++i)
-        add_form(grid, discretization, fmt::format("mode_{}", i),
-                 shown_mode(discretization, spectrum, i));
+    for (Index i = 0; i < spectrum.modes.cols(); ++i) {
+        const auto name = fmt::format("mode_{}", i);
+        const Cochain mode = shown_mode(discretization, spectrum, i);
+        add_form(grid, discretization, name, mode);
+        add_vectors(grid, discretization, name, mode);
+    }
+    add_spectrum(grid, spectrum);
     return grid;
 }
 

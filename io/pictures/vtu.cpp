@@ -12,6 +12,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <type_traits>
@@ -49,7 +51,11 @@ bool corners_fit(VtuCell type, std::int64_t corners) {
 
 class Checker {
 public:
-    Checker(const std::filesystem::path& path, const VtuGrid& grid) : path_(path), grid_(grid) {}
+    Checker(const std::filesystem::path& path, const VtuGrid& grid, const VtuOptions& options)
+        : path_(path),
+          grid_(grid),
+          largest_(options.numbers == VtuNumbers::float32 ? std::numeric_limits<float>::max()
+                                                          : std::numeric_limits<double>::max()) {}
 
     void check() const {
         check_points();
@@ -63,6 +69,7 @@ public:
         }
         check_arrays(grid_.point_data, static_cast<std::size_t>(grid_.points.rows()), "points");
         check_arrays(grid_.cell_data, grid_.types.size(), "cells");
+        check_arrays(grid_.field_data, std::nullopt, "the whole");
     }
 
 private:
@@ -77,6 +84,10 @@ private:
                                           "out what made it so",
                                           point));
             }
+            if (!(grid_.points.row(point).array().abs() <= largest_).all())
+                refuse(path_, fmt::format("point {} has a coordinate that Float32 cannot hold; "
+                                          "write Float64",
+                                          point));
         }
     }
 
@@ -143,7 +154,8 @@ private:
         return grid_.faces[static_cast<std::size_t>(place)];
     }
 
-    void check_arrays(const std::vector<VtuArray>& arrays, std::size_t count,
+    /// Without a number of entries any will do.
+    void check_arrays(const std::vector<VtuArray>& arrays, std::optional<std::size_t> count,
                       const char* plural) const {
         std::set<std::string_view> names;
         for (const auto& array : arrays) {
@@ -155,36 +167,53 @@ private:
                                           control ? "?" : array.name, plural));
             }
             check_array(array, count, plural);
+            check_numbers(array, count ? largest_ : std::numeric_limits<double>::max(), plural);
         }
     }
 
-    void check_array(const VtuArray& array, std::size_t count, const char* plural) const {
+    void check_array(const VtuArray& array, std::optional<std::size_t> count,
+                     const char* plural) const {
         const auto size = array.size();
         const auto components = static_cast<std::size_t>(array.components);
-        if ((components != 1 && components != 3) || size != count * components) {
-            refuse(path_, fmt::format("the array '{}' has {} values of {} components; expected one "
-                                      "entry of 1 or 3 components for each of {} {}",
-                                      array.name, size, array.components, count, plural));
+        if ((components != 1 && components != 3) ||
+            size != count.value_or(size / components) * components) {
+            refuse(path_, fmt::format("the array '{}' has {} values of {} components; expected {}",
+                                      array.name, size, array.components,
+                                      count ? fmt::format("one entry of 1 or 3 components for each "
+                                                          "of {} {}",
+                                                          *count, plural)
+                                            : "entries of 1 or 3 components"));
         }
+    }
+
+    void check_numbers(const VtuArray& array, double largest, const char* plural) const {
         const auto* numbers = std::get_if<std::vector<double>>(&array.values);
-        for (std::size_t i = 0; numbers != nullptr && i < size; ++i) {
-            if (!std::isfinite((*numbers)[i])) {
+        for (std::size_t i = 0; numbers != nullptr && i < numbers->size(); ++i) {
+            const double number = (*numbers)[i];
+            const auto entry = i / static_cast<std::size_t>(array.components);
+            if (!std::isfinite(number))
                 refuse(path_,
                        fmt::format("the array '{}' of {} is NaN or infinite in entry {}; find "
                                    "out what made it so",
-                                   array.name, plural, i / components));
-            }
+                                   array.name, plural, entry));
+            if (!(std::abs(number) <= largest))
+                refuse(path_, fmt::format("the array '{}' of {} has {} in entry {}, which Float32 "
+                                          "cannot hold; write Float64",
+                                          array.name, plural, number, entry));
         }
     }
 
     const std::filesystem::path& path_;
     const VtuGrid& grid_;
+    double largest_; ///< number that can be written
 };
 
 template <typename Number>
 const char* type_name() {
     if constexpr (std::is_same_v<Number, double>) {
         return "Float64";
+    } else if constexpr (std::is_same_v<Number, float>) {
+        return "Float32";
     } else if constexpr (std::is_same_v<Number, std::int64_t>) {
         return "Int64";
     } else if constexpr (std::is_same_v<Number, Index>) {
@@ -195,63 +224,98 @@ const char* type_name() {
     }
 }
 
-/// Writes one DataArray: in front of the numbers stands how many bytes they take.
-template <typename Number>
-void write_array(AtomicFile& file, std::string_view name, int components,
-                 std::span<const Number> values) {
-    // The number 1 is the default, and spelled out some readers take it for a table of one column.
-    const auto columns =
-        components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : std::string();
-    file.write(fmt::format("<DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n",
-                           type_name<Number>(), xml_escaped(name), columns));
-    Base64Writer writer([&file](std::string_view text) { file.write(text); });
-    writer.write(std::uint64_t{values.size_bytes()});
-    writer.write(values);
-    writer.finish();
-    file.write("\n</DataArray>\n");
-}
+/// Writes the parts of one file.
+class Writer {
+public:
+    Writer(AtomicFile& file, VtuNumbers numbers) : file_(file), numbers_(numbers) {}
 
-template <typename Number>
-void write_array(AtomicFile& file, std::string_view name, int components,
-                 const std::vector<Number>& values) {
-    write_array(file, name, components, std::span<const Number>(values));
-}
-
-void write_data(AtomicFile& file, const char* tag, const std::vector<VtuArray>& arrays) {
-    file.write(fmt::format("<{}>\n", tag));
-    for (const auto& array : arrays) {
-        std::visit(
-            [&](const auto& values) { write_array(file, array.name, array.components, values); },
-            array.values);
+    void points(const Points& points) {
+        std::vector<double> padded(static_cast<std::size_t>(points.rows()) * 3, 0.0);
+        for (Eigen::Index point = 0; point < points.rows(); ++point)
+            for (Eigen::Index axis = 0; axis < points.cols(); ++axis)
+                padded[static_cast<std::size_t>(3 * point + axis)] = points(point, axis);
+        file_.write("<Points>\n");
+        reals("Points", columns(3), padded);
+        file_.write("</Points>\n");
     }
-    file.write(fmt::format("</{}>\n", tag));
-}
 
-void write_points(AtomicFile& file, const Points& points) {
-    std::vector<double> padded(static_cast<std::size_t>(points.rows()) * 3, 0.0);
-    for (Eigen::Index point = 0; point < points.rows(); ++point)
-        for (Eigen::Index axis = 0; axis < points.cols(); ++axis)
-            padded[static_cast<std::size_t>(3 * point + axis)] = points(point, axis);
-    file.write("<Points>\n");
-    write_array(file, "Points", 3, padded);
-    file.write("</Points>\n");
-}
-
-void write_cells(AtomicFile& file, const VtuGrid& grid) {
-    std::vector<std::uint8_t> types;
-    types.reserve(grid.types.size());
-    for (const auto type : grid.types)
-        types.push_back(static_cast<std::uint8_t>(type));
-    file.write("<Cells>\n");
-    write_array(file, "connectivity", 1, grid.corners);
-    write_array(file, "offsets", 1, grid.offsets);
-    write_array(file, "types", 1, types);
-    if (!grid.faces.empty()) {
-        write_array(file, "faces", 1, grid.faces);
-        write_array(file, "faceoffsets", 1, grid.face_offsets);
+    void cells(const VtuGrid& grid) {
+        std::vector<std::uint8_t> types;
+        types.reserve(grid.types.size());
+        for (const auto type : grid.types)
+            types.push_back(static_cast<std::uint8_t>(type));
+        file_.write("<Cells>\n");
+        array("connectivity", "", grid.corners);
+        ends("offsets", grid.offsets, grid.corners.size());
+        array("types", "", types);
+        if (!grid.faces.empty()) {
+            array("faces", "", grid.faces);
+            ends("faceoffsets", grid.face_offsets, grid.faces.size());
+        }
+        file_.write("</Cells>\n");
     }
-    file.write("</Cells>\n");
-}
+
+    void data(const char* tag, const std::vector<VtuArray>& arrays) {
+        file_.write(fmt::format("<{}>\n", tag));
+        for (const auto& [name, values, components, about] : arrays)
+            if (const auto* numbers = std::get_if<std::vector<double>>(&values))
+                reals(name, columns(components), *numbers);
+            else
+                array(name, columns(components), std::get<std::vector<Index>>(values));
+        file_.write(fmt::format("</{}>\n", tag));
+    }
+
+    /// Data of the whole: VTK has to be told how many entries each array has.
+    void field(const std::vector<VtuArray>& arrays) {
+        if (arrays.empty())
+            return;
+        file_.write("<FieldData>\n");
+        for (const auto& [name, all, components, about] : arrays)
+            std::visit(
+                [&, title = std::string_view(name), width = components](const auto& values) {
+                    const auto count = values.size() / static_cast<std::size_t>(width);
+                    array(title, columns(width) + fmt::format(" NumberOfTuples=\"{}\"", count),
+                          values);
+                },
+                all);
+        file_.write("</FieldData>\n");
+    }
+
+private:
+    /// The number 1 is the default, and spelled out some readers take it for a table of one column.
+    static std::string columns(int components) {
+        return components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
+    }
+
+    /// In front of the numbers stands how many bytes they take.
+    template <typename Number>
+    void array(std::string_view name, const std::string& more, const std::vector<Number>& values) {
+        file_.write(fmt::format("<DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n",
+                                type_name<Number>(), xml_escaped(name), more));
+        Base64Writer writer([this](std::string_view text) { file_.write(text); });
+        writer.write(std::uint64_t{values.size() * sizeof(Number)});
+        writer.write(std::span<const Number>(values));
+        writer.finish();
+        file_.write("\n</DataArray>\n");
+    }
+
+    void reals(std::string_view name, const std::string& more, const std::vector<double>& values) {
+        if (numbers_ == VtuNumbers::float32)
+            array(name, more, std::vector<float>(values.begin(), values.end()));
+        else
+            array(name, more, values);
+    }
+
+    void ends(std::string_view name, const std::vector<std::int64_t>& values, std::size_t last) {
+        if (last <= static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+            array(name, "", std::vector<Index>(values.begin(), values.end()));
+        else
+            array(name, "", values);
+    }
+
+    AtomicFile& file_;
+    VtuNumbers numbers_;
+};
 
 } // namespace
 
@@ -299,21 +363,23 @@ VtuArray vtu_array(std::string name, const Eigen::Ref<const DenseMatrix>& values
     return {std::move(name), std::move(numbers), components};
 }
 
-void check_grid(const std::filesystem::path& path, const VtuGrid& grid) {
-    Checker(path, grid).check();
+void check_grid(const std::filesystem::path& path, const VtuGrid& grid, const VtuOptions& options) {
+    Checker(path, grid, options).check();
 }
 
-void write_vtu(const std::filesystem::path& path, const VtuGrid& grid) {
-    check_grid(path, grid);
+void write_vtu(const std::filesystem::path& path, const VtuGrid& grid, const VtuOptions& options) {
+    check_grid(path, grid, options);
     AtomicFile file(path);
     file.write("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
                "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n");
+    Writer writer(file, options.numbers);
+    writer.field(grid.field_data);
     file.write(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
                            grid.points.rows(), grid.types.size()));
-    write_points(file, grid.points);
-    write_cells(file, grid);
-    write_data(file, "PointData", grid.point_data);
-    write_data(file, "CellData", grid.cell_data);
+    writer.points(grid.points);
+    writer.cells(grid);
+    writer.data("PointData", grid.point_data);
+    writer.data("CellData", grid.cell_data);
     file.write("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
     file.commit();
 }

@@ -48,6 +48,14 @@ struct VtuGrid {
     std::vector<std::int64_t> face_offsets; ///< of each cell: where its faces end; -1 without faces
     std::vector<VtuArray> point_data;
     std::vector<VtuArray> cell_data;
+    std::vector<VtuArray> field_data; ///< of the whole, of any length: eigenvalues, a residual, ..
+};
+
+/// In how many digits coordinates and the values of points and cells are written.
+enum class VtuNumbers { float64, float32 };
+
+struct VtuOptions {
+    VtuNumbers numbers = VtuNumbers::float64;
 };
 
 /// Appends a cell of a type with a fixed number of corners, or a polygon, corners in cyclic order.
@@ -65,13 +73,16 @@ void add_polyhedron(VtuGrid& grid, const std::vector<std::vector<Index>>& faces)
 VtuArray vtu_array(std::string name, const Eigen::Ref<const DenseMatrix>& values);
 
 /// Throws InvalidInput as write_vtu does, before anything is written to that path.
-void check_grid(const std::filesystem::path& path, const VtuGrid& grid);
+void check_grid(const std::filesystem::path& path, const VtuGrid& grid,
+                const VtuOptions& options = {});
 
 /// Writes the grid as VTK's XML UnstructuredGrid (.vtu): binary arrays in base64, inline.
-/// The file appears whole or not at all.
+/// Whole numbers are Int32 where they fit. Data of the whole keep all digits.
+/// The file appears whole or not at all, and is the same for the same grid.
 /// Throws InvalidInput, naming cell, array or entry, if corners are out of range or of the wrong
-/// number, an array has the wrong size or a name that is empty or used twice, or anything is NaN or
-/// infinite; IoError if writing fails.
-void write_vtu(const std::filesystem::path& path, const VtuGrid& grid);
+/// number, an array has the wrong size or a name that is empty or used twice, or anything is NaN,
+/// infinite or larger than the numbers can be; IoError if writing fails.
+void write_vtu(const std::filesystem::path& path, const VtuGrid& grid,
+               const VtuOptions& options = {});
 
 } // namespace polydec

@@ -23,10 +23,15 @@ void add_forms(VtuGrid& grid, const Discretization& mesh, const Given& given) {
 }
 
 /// Writes the k-cells with the forms that they carry.
-void write_picture(const std::string& path, const Discretization& mesh, int k, const Given& forms) {
+void write_picture(const std::string& path, const Discretization& mesh, int k, const Given& forms,
+                   bool float32) {
     VtuGrid grid = draw_cells(mesh, k);
-    add_forms(grid, mesh, forms);
-    unlocked([&] { write_vtu(path, grid); });
+    for (const auto& [name, values, about] : forms_of(forms)) {
+        add_form(grid, mesh, name, values, about);
+        add_vectors(grid, mesh, name, values);
+    }
+    const VtuOptions options{float32 ? VtuNumbers::float32 : VtuNumbers::float64};
+    unlocked([&] { write_vtu(path, grid, options); });
 }
 
 std::string text_of(Page page, const Discretization& mesh, const std::vector<std::string>& facts) {

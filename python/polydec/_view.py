@@ -115,8 +115,9 @@ def view(complex: CellsLike, fields: Fields | None = None, *, degree: int | None
 
 
 def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | None = None, *,
-              degree: int | None = None, side: str = "primal") -> None:
-    """Writes the cells with forms on them for ParaView.
+              degree: int | None = None, side: str = "primal", float32: bool = False) -> None:
+    """Writes the cells with forms on them for ParaView; beside primal 1-forms the vectors at the
+    vertices that they are the work of, as NAME_vector.
 
     Parameters
     ----------
@@ -124,6 +125,8 @@ def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | 
     complex : Complex, or a mesh as `discretize` takes it
     forms, degree, side
         As for `view`.
+    float32 : bool
+        Points and values with 7 digits, not 16.
 
     Raises
     ------
@@ -143,7 +146,7 @@ def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | 
     """
     complex = as_complex(complex)
     given = _forms(complex, _by_name(forms), degree, side)
-    _core.write_vtu(os.fspath(path), complex._mesh, _cells_of(complex, given), given)
+    _core.write_vtu(os.fspath(path), complex._mesh, _cells_of(complex, given), given, float32)
 
 
 def _by_name(fields: Fields | None) -> dict[str, Form]:

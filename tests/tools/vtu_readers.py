@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: MIT
+"""The numbers in .vtu files as others read them: a small reader of our own, and meshio and VTK where
+this Python or Debian's has them. All read the same, and it is what the command says."""
+import json
+import os
+import struct
+import subprocess
+import sys
+import xml.etree.ElementTree
+
+import command
+from command import TestCase, golden
+from polyhedra import Broken, array_of, require
+
+MESHIO = """
+import json, sys, meshio
+mesh = meshio.read(sys.argv[1])
+cells = {name: sum((block.tolist() for block in blocks), [])
+         for name, blocks in mesh.cell_data.items()}
+json.dump({"Points": {"Points": mesh.points.tolist()}, "CellData": cells,
+           "PointData": {name: values.tolist() for name, values in mesh.point_data.items()},
+           "FieldData": {name: values.tolist() for name, values in mesh.field_data.items()}},
+          sys.stdout)
+"""
+VTK = """
+import json, sys, vtk
+from vtk.util.numpy_support import vtk_to_numpy
+reader = vtk.vtkXMLUnstructuredGridReader()
+reader.SetFileName(sys.argv[1])
+reader.Update()
+grid = reader.GetOutput()
+def arrays(data):
+    return {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)).tolist()
+            for i in range(data.GetNumberOfArrays())}
+sizes = vtk.vtkCellSizeFilter()
+sizes.SetInputData(grid)
+sizes.Update()
+sizes = arrays(sizes.GetOutput().GetCellData())
+json.dump({"Points": {"Points": vtk_to_numpy(grid.GetPoints().GetData()).tolist()},
+           "CellData": arrays(grid.GetCellData()), "PointData": arrays(grid.GetPointData()),
+           "FieldData": arrays(grid.GetFieldData()),
+           "sizes": [sizes[name] for name in ("Length", "Area", "Volume")]}, sys.stdout)
+"""
+OTHERS = {"meshio": MESHIO, "vtk": VTK}
+
+
+def rows(values, width):
+    return values if width == 1 else [values[i:i + width] for i in range(0, len(values), width)]
+
+
+def read_alone(path):
+    """{section: {name: numbers, or lists of three}}. Throws Broken."""
+    found = {"Points": {}, "PointData": {}, "CellData": {}, "FieldData": {}}
+    grid = xml.etree.ElementTree.parse(path).getroot().find("UnstructuredGrid")
+    for part in (*grid, *grid.find("Piece")):
+        for array in part.findall("DataArray") if part.tag in found else ():
+            values = rows(array_of(array), int(array.get("NumberOfComponents", 1)))
+            if part.tag == "FieldData":
+                require(len(values) == int(array.get("NumberOfTuples")), "number of tuples")
+            found[part.tag][array.get("Name")] = values
+    return found
+
+
+def find_python(module):
+    """A Python that has the module, or None."""
+    for interpreter in (sys.executable, "/usr/bin/python3"):
+        if os.path.exists(interpreter) and subprocess.run(
+                [interpreter, "-c", f"import {module}"], capture_output=True,
+                check=False).returncode == 0:
+            return interpreter
+    return None
+
+
+READERS = {name: interpreter for name in OTHERS if (interpreter := find_python(name))}
+
+
+def read_with(name, path):
+    done = subprocess.run([READERS[name], "-c", OTHERS[name], path], capture_output=True, text=True,
+                          check=False)
+    require(done.returncode == 0, done.stderr)
+    return json.loads(done.stdout)
+
+
+def as_float(number):
+    return struct.unpack("f", struct.pack("f", number))[0]
+
+
+def rounded(values):
+    return [rounded(v) if isinstance(v, list) else as_float(v) for v in values]
+
+
+class Numbers(TestCase):
+    def numbers(self, name):
+        """What all readers find, who must agree. meshio puts values of polyhedra in the wrong
+        place."""
+        own = read_alone(self.path(name))
+        has_faces = 'Name="faces"' in self.read(name)
+        for reader in READERS.keys() - ({"meshio"} if has_faces and own["CellData"] else set()):
+            other = read_with(reader, self.path(name))
+            self.sizes = other.pop("sizes", None)
+            self.assertEqual(other, own, reader)
+        return own
+
+    def in_both(self, *arguments):
+        """Float64 and, beside it, Float32: which is the first one rounded, but for the whole."""
+        self.succeed(*arguments, "-o", "a.vtu")
+        self.succeed(*arguments, "-o", "b.vtu", "--float32")
+        found, floats = self.numbers("a.vtu"), self.numbers("b.vtu")
+        for part in ("Points", "PointData", "CellData"):
+            self.assertEqual(floats[part], {name: rounded(values)
+                                            for name, values in found[part].items()})
+        self.assertEqual(floats["FieldData"], found["FieldData"])
+        self.assertLess(os.path.getsize(self.path("b.vtu")), os.path.getsize(self.path("a.vtu")))
+        self.succeed(*arguments, "-o", "c.vtu")
+        self.assertEqual(self.read("a.vtu"), self.read("c.vtu"))
+        return found
+
+    def test_spectra(self):
+        for side, degree in (("primal", 0), ("primal", 1), ("dual", 1), ("dual", 0)):
+            with self.subTest(side=side, degree=degree):
+                arguments = ("spectrum", golden("grid4.nsc"), "--side", side, "--degree", degree,
+                             "--count", 3)
+                answer, found = self.ask(*arguments), self.in_both(*arguments)
+                field = found["FieldData"]
+                for key in ("eigenvalues", "radii", "residuals"):
+                    self.assertEqual(field[key], answer[key])
+                for key, value in answer["certificate"].items():
+                    self.assertEqual(field[key], [value])
+                self.assertEqual((field["degree"], field["is_dual"]), ([degree], [side == "dual"]))
+                names = ["mode_0", "mode_1", "mode_2"]
+                vectors = ([name + "_vector" for name in names]
+                           if (side, degree) == ("primal", 1) else [])
+                on_points = (side, degree) == ("primal", 0)
+                self.assertEqual(list(found["PointData"]), names if on_points else vectors)
+                self.assertEqual(list(found["CellData"]), [] if on_points else names)
+
+    def test_solutions(self):
+        for mesh in ("grid4.nsc", "kuhn3.nsc", "bcc2.nsc"):
+            with self.subTest(mesh):
+                arguments = ("poisson", golden(mesh), "--side", "dual", "--rhs", 0, "--boundary",
+                             "x", "--exact", "x")
+                answer, found = self.ask(*arguments), self.in_both(*arguments)
+                self.assertEqual(found["FieldData"], {
+                    "residual": [answer["residual"]], "error_max": [answer["error"]["max"]],
+                    "error_l2": [answer["error"]["l2"]]})
+                self.assertEqual(list(found["CellData"]), ["u"])
+
+    def test_distances_and_merged_cells(self):
+        found = self.in_both("distance", golden("uv8.off"), "--from", 3, 5)
+        self.assertEqual(found["FieldData"], {"from": [3, 5]})
+        self.assertEqual(found["PointData"]["distance"][3:6:2], [0, 0])
+        for mesh in ("uv8.off", "kuhn3.nsc", "fcc1.nsc"):
+            self.assertEqual(self.in_both("merge", golden(mesh))["FieldData"], {})
+
+    def test_cells_have_the_size_that_they_had(self):
+        for mesh, k in (("uv8.off", 1), ("kuhn3.nsc", 2), ("bcc2.nsc", 2), ("grid4.nsc", 1)):
+            self.succeed("merge", golden(mesh), "-o", "a.vtu", *(["--no-merge"] * (mesh[0] == "b")))
+            self.numbers("a.vtu")
+            if "vtk" in READERS:
+                self.assertAlmostEqual(sum(self.sizes[k]), self.ask("info", golden(mesh))["volume"],
+                                       delta=1e-12)
+
+    def test_where_floats_are_not_written_they_are_not_asked_for(self):
+        for out in ("a.html", "a.off"):
+            message = self.fail_with(2, "merge", golden("grid4.nsc"), "-o", out, "--float32")
+            self.assertEqual(message, f"polydec: cannot write {out}: --float32 is about .vtu "
+                                      "files; leave it out")
+        self.assertRegex(self.fail_with(1, "distance", golden("uv8.off"), "--from", 0, "--float32"),
+                         "--float32 requires --out")
+
+
+class Twins(TestCase):
+    """Every reader sees what is changed."""
+
+    def test_another_number(self):
+        self.succeed("poisson", golden("grid4.nsc"), "--side", "primal", "--rhs", 1, "-o", "a.vtu")
+        before = read_alone(self.path("a.vtu"))
+        text = self.read("a.vtu")
+        place = text.index("\n", text.index('Name="u"')) + 40
+        self.write("b.vtu", text[:place] + ("B" if text[place] == "A" else "A") + text[place + 1:])
+        self.assertNotEqual(read_alone(self.path("b.vtu")), before)
+        for reader in READERS:
+            self.assertNotEqual(read_with(reader, self.path("b.vtu"))["PointData"],
+                                before["PointData"], reader)
+
+    def test_another_number_of_tuples(self):
+        self.succeed("distance", golden("uv8.off"), "--from", 0, "-o", "a.vtu")
+        self.write("b.vtu", self.read("a.vtu").replace('NumberOfTuples="1"', 'NumberOfTuples="2"'))
+        with self.assertRaises(Broken):
+            read_alone(self.path("b.vtu"))
+
+
+if __name__ == "__main__":
+    command.main()
