@@ -129,6 +129,7 @@ void add_distance(CLI::App& app) {
                      "heat flows for this times the squared mean length of edges")
         ->capture_default_str();
     add_picture(*command, arguments->picture, "the distances");
+    add_isolines(*command, arguments->picture);
     command->add_option("--engine", arguments->geodesic.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer("Every component of the surface needs a vertex. Triangles far from Delaunay "

@@ -3,7 +3,9 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "io/meshes/write_mesh.h"
 #include "io/pictures/draw_cells.h"
+#include "io/pictures/draw_levels.h"
 #include "io/source_file.h"
 #include "tools/outputs.h"
 
@@ -38,6 +40,18 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
     list.insert(list.end(), more.begin(), more.end());
 }
 
+void write_levels(const PictureArguments& to, const Discretization& mesh, const NamedForm& function,
+                  std::vector<VtuArray> numbers) {
+    const Vector levels = equal_levels(function.form.values, to.isolines);
+    const LevelSets sets = level_sets(mesh, function.form, levels);
+    if (lower_extension(to.out) == ".obj")
+        return write_mesh(to.out, sets.mesh);
+    VtuGrid grid = draw_levels(sets, levels, function.name);
+    grid.field_data = std::move(numbers);
+    grid.field_data.push_back(vtu_array("levels", levels));
+    write_vtu(to.out, grid, to.vtu);
+}
+
 } // namespace
 
 void set_command_text(int argc, const char* const* argv) {
@@ -69,6 +83,15 @@ void add_float32(CLI::App& command, PictureArguments& picture) {
         ->needs("--out");
 }
 
+void add_isolines(CLI::App& command, PictureArguments& picture) {
+    command
+        .add_option("--isolines", picture.isolines,
+                    "write so many level sets of the function in its place,\n"
+                    "at equal distances, to a .vtu or .obj file")
+        ->check(CLI::Range(1, 1'000'000))
+        ->needs("--out");
+}
+
 void check_float32(const PictureArguments& picture) {
     if (picture.vtu.numbers == VtuNumbers::float32 && lower_extension(picture.out) != ".vtu")
         throw InvalidInput(fmt::format("cannot write {}: --float32 is about .vtu files; leave it "
@@ -83,7 +106,7 @@ void check_picture(const PictureArguments& picture, const std::filesystem::path&
         return;
     Paths inputs = mesh_files(mesh);
     inputs.insert(inputs.end(), others.begin(), others.end());
-    check_output_file(picture.out, {".vtu", ".html"}, inputs);
+    check_output_file(picture.out, {".vtu", picture.isolines > 0 ? ".obj" : ".html"}, inputs);
     check_float32(picture);
 }
 
@@ -96,6 +119,8 @@ void write_page(const std::filesystem::path& out, Page page, const Log& log) {
 void write_picture(const PictureArguments& to, const Discretization& mesh,
                    const std::vector<NamedForm>& forms, PageText text,
                    std::vector<VtuArray> numbers, const Log& log) {
+    if (to.isolines > 0)
+        return write_levels(to, mesh, forms.front(), std::move(numbers));
     if (is_page(to.out)) {
         Page page = draw_page(mesh, forms);
         std::swap(page.text, text);

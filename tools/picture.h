@@ -17,6 +17,7 @@ namespace polydec::tools {
 struct PictureArguments {
     std::filesystem::path out = {}; ///< or empty
     VtuOptions vtu = {};
+    Index isolines = 0; ///< how many level sets to write in place of the function
 };
 
 /// Adds -o to a subcommand, which says that it is `what` that is written, and --float32.
@@ -24,6 +25,9 @@ void add_picture(CLI::App& command, PictureArguments& picture, const std::string
 
 /// Adds --float32 alone, behind -o.
 void add_float32(CLI::App& command, PictureArguments& picture);
+
+/// Adds --isolines, for commands that find a function.
+void add_isolines(CLI::App& command, PictureArguments& picture);
 
 /// Refuses --float32 for files that are no .vtu.
 void check_float32(const PictureArguments& picture);
@@ -41,7 +45,7 @@ const std::string& command_text();
 bool is_page(const std::filesystem::path& out);
 
 /// Writes these forms: in a page with the text beside them, the log's warnings and the command
-/// line; in a .vtu file with these numbers of the whole.
+/// line; in a .vtu file with these numbers of the whole. Or the level sets of the first one.
 void write_picture(const PictureArguments& to, const Discretization& mesh,
                    const std::vector<NamedForm>& forms, PageText text,
                    std::vector<VtuArray> numbers, const Log& log);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/poisson.h"
 
+#include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "io/diagnosis_json.h"
 #include "meshes/unit_of_length.h"
@@ -184,6 +185,8 @@ void run_poisson(PoissonArguments arguments) {
     Log log;
     const Data data(arguments);
     check_picture(arguments.picture, arguments.mesh.mesh, data.files());
+    if (arguments.picture.isolines > 0 && arguments.poisson.side == Side::dual)
+        throw InvalidInput("--isolines: they are of values at vertices; take --side primal");
     const Discretization mesh = load(arguments.mesh, log);
     arguments.poisson.boundary = data.conditions.on(mesh).value_or(BoundaryConditions{});
     if (!arguments.picture.out.empty())
@@ -248,6 +251,7 @@ void add_poisson(CLI::App& app) {
                         "expression (also in `group`, the cell's physical group) or file");
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
     add_picture(*command, arguments->picture, "u");
+    add_isolines(*command, arguments->picture);
     command->add_option("--engine", arguments->poisson.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer(

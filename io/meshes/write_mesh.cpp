@@ -90,16 +90,17 @@ private:
     std::string line_;
 };
 
-/// Triangles and polygons alike, for the formats of surfaces.
+/// Triangles and polygons alike, for the formats of surfaces; or edges.
 struct Faces {
     const Points& points;
     std::span<const Index> corners;
     std::size_t count;
-    const std::vector<Index>* offsets; ///< none for triangles
+    const std::vector<Index>* offsets; ///< none for simplices
+    std::size_t size = 3;              ///< number of corners of these
 
     std::span<const Index> operator[](std::size_t face) const {
         if (offsets == nullptr)
-            return corners.subspan(3 * face, 3);
+            return corners.subspan(size * face, size);
         const auto begin = static_cast<std::size_t>((*offsets)[face]);
         return corners.subspan(begin, static_cast<std::size_t>((*offsets)[face + 1]) - begin);
     }
@@ -137,7 +138,7 @@ void write_obj(const Path& path, const Faces& faces) {
         lines.end();
     }
     for (std::size_t face = 0; face < faces.count; ++face) {
-        lines.word("f");
+        lines.word(faces.offsets == nullptr && faces.size == 2 ? "l" : "f");
         for (const Index corner : faces[face])
             lines.number(std::int64_t{corner} + 1);
         lines.end();
@@ -287,14 +288,17 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
         write_medit(path, mesh);
     } else if (extension == ".off" || extension == ".obj" || extension == ".ply" ||
                extension == ".stl") {
-        if (mesh.dimension() != 2 || mesh.ambient_dimension() > 3) {
+        const bool has_lines = extension == ".obj" && mesh.dimension() == 1;
+        if ((mesh.dimension() != 2 && !has_lines) || mesh.ambient_dimension() > 3) {
             refuse(path, fmt::format("{} holds triangles in R^2 and R^3, not {}-simplices in R^{}; "
                                      "use .nsc",
                                      extension, mesh.dimension(), mesh.ambient_dimension()));
         }
         const auto corners = static_cast<std::size_t>(mesh.simplices.size());
-        write_surface(path, extension,
-                      {mesh.points, {mesh.simplices.data(), corners}, corners / 3, nullptr});
+        const auto size = static_cast<std::size_t>(mesh.simplices.cols());
+        write_surface(
+            path, extension,
+            {mesh.points, {mesh.simplices.data(), corners}, corners / size, nullptr, size});
     } else {
         refuse(path, fmt::format("the extension '{}' stands for no mesh format; use .off, .obj, "
                                  ".ply, .stl, .mesh or .nsc",

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/level_sets.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+/// Where a level meets an edge, or one of its ends: then both are that vertex.
+struct Crossing {
+    Index level, low, high;
+    auto operator<=>(const Crossing&) const = default;
+};
+
+/// How often a greater one stands before a smaller one, modulo 2.
+template <typename Number>
+bool is_odd(const std::vector<Number>& order) {
+    bool odd = false;
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            odd ^= order[j] > order[i];
+    return odd;
+}
+
+/// The ways through a lattice of p by q steps, each step along the first axis (0) or the second.
+std::vector<std::vector<int>> lattice_paths(int p, int q) {
+    std::vector<int> path(static_cast<std::size_t>(p), 0);
+    path.insert(path.end(), static_cast<std::size_t>(q), 1);
+    std::vector<std::vector<int>> paths;
+    do
+        paths.push_back(path);
+    while (std::next_permutation(path.begin(), path.end()));
+    return paths;
+}
+
+class Cutter {
+public:
+    Cutter(const Mesh& mesh, const Vector& values, const Vector& levels)
+        : mesh_(mesh), values_(values), levels_(levels), n_(mesh.dimension()) {
+        for (int p = 0; p < n_; ++p)
+            paths_.push_back(lattice_paths(p, n_ - 1 - p));
+    }
+
+    LevelSets cut() {
+        for (Index s = 0; s < mesh_.simplices.rows(); ++s) {
+            double least = std::numeric_limits<double>::infinity(), most = -least;
+            for (const Index v : mesh_.simplices.row(s)) {
+                least = std::min(least, values_[v]);
+                most = std::max(most, values_[v]);
+            }
+            auto begin = std::upper_bound(levels_.begin(), levels_.end(), least);
+            for (; begin != levels_.end() && *begin <= most; ++begin)
+                cut(s, static_cast<Index>(begin - levels_.begin()));
+        }
+        return result();
+    }
+
+private:
+    /// The corners that reach a level are above it. By vertex number on both sides, so that
+    /// neighbors cut what they share in the same way.
+    void cut(Index s, Index level) {
+        std::vector<Index> places(static_cast<std::size_t>(n_) + 1);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            places[i] = static_cast<Index>(i);
+        const auto corner = [&](Index place) { return mesh_.simplices(s, place); };
+        const auto below = std::partition(places.begin(), places.end(), [&](Index place) {
+            return values_[corner(place)] >= levels_[level];
+        });
+        std::sort(places.begin(), below, [&](Index a, Index b) { return corner(a) < corner(b); });
+        std::sort(below, places.end(), [&](Index a, Index b) { return corner(a) < corner(b); });
+
+        const auto p = below - places.begin() - 1;
+        for (const auto& path : paths_[static_cast<std::size_t>(p)]) {
+            auto a = places.begin(), b = below;
+            std::vector<Crossing> cell{crossing(level, corner(*a), corner(*b))};
+            for (const int step : path) {
+                ++(step == 0 ? a : b);
+                cell.push_back(crossing(level, corner(*a), corner(*b)));
+            }
+            if (std::adjacent_find(cell.begin(), cell.end()) != cell.end())
+                continue; // of no volume, at a corner that has the level
+            // the way up, then the cell, make a positive simplex
+            if (n_ > 1 && (is_odd(places) ^ is_odd(path) ^ (p % 2 == 0)))
+                std::swap(cell[cell.size() - 2], cell.back());
+            add(cell, s, level);
+        }
+    }
+
+    Crossing crossing(Index level, Index above, Index below) const {
+        if (values_[above] == levels_[level])
+            return {level, above, above};
+        return {level, std::min(above, below), std::max(above, below)};
+    }
+
+    void add(const std::vector<Crossing>& cell, Index s, Index level) {
+        corners_.insert(corners_.end(), cell.begin(), cell.end());
+        sets_.owners.push_back(s);
+        sets_.levels.push_back(level);
+        check_number("corners of level sets", static_cast<std::int64_t>(corners_.size()), 0,
+                     std::numeric_limits<Index>::max());
+    }
+
+    /// In extended precision, in which no difference of two numbers is infinite.
+    Eigen::RowVectorXd place(const Crossing& at) const {
+        using Wide = long double;
+        const Wide from = values_[at.low], to = values_[at.high];
+        const auto t =
+            at.low == at.high ? 0.0 : static_cast<double>((levels_[at.level] - from) / (to - from));
+        return (1 - t) * mesh_.points.row(at.low) + t * mesh_.points.row(at.high);
+    }
+
+    LevelSets result() {
+        auto points = corners_;
+        std::sort(points.begin(), points.end());
+        points.erase(std::unique(points.begin(), points.end()), points.end());
+        Mesh& mesh = sets_.mesh;
+        mesh.points.resize(std::ssize(points), mesh_.points.cols());
+        for (Index i = 0; i < mesh.points.rows(); ++i)
+            mesh.points.row(i) = place(points[static_cast<std::size_t>(i)]);
+        mesh.simplices.resize(std::ssize(sets_.owners), n_);
+        for (std::size_t i = 0; i < corners_.size(); ++i)
+            mesh.simplices.data()[i] = static_cast<Index>(
+                std::lower_bound(points.begin(), points.end(), corners_[i]) - points.begin());
+        return std::move(sets_);
+    }
+
+    const Mesh& mesh_;
+    const Vector &values_, &levels_;
+    int n_;
+    std::vector<std::vector<std::vector<int>>> paths_; ///< by their steps along the first axis
+    std::vector<Crossing> corners_;                    ///< of the cells, one after the other
+    LevelSets sets_;
+};
+
+void check_finite(const char* what, const Vector& numbers) {
+    for (Index i = 0; i < numbers.size(); ++i)
+        if (!std::isfinite(numbers[i]))
+            throw InvalidInput(fmt::format("level sets: {} {} is {}; expected a finite number",
+                                           what, i, numbers[i]));
+}
+
+} // namespace
+
+LevelSets level_sets(const Mesh& mesh, const Vector& values, const Vector& levels) {
+    check_number("the dimension of a mesh with level sets", mesh.dimension(), 1,
+                 std::numeric_limits<Index>::max());
+    check_as_many("values of a function on vertices", values.size(), mesh.points.rows());
+    check_finite("value", values);
+    check_finite("level", levels);
+    for (Index i = 0; i + 1 < levels.size(); ++i)
+        if (!(levels[i] < levels[i + 1]))
+            throw InvalidInput(fmt::format("level sets: level {} is {}, the one before it {}; "
+                                           "expected them to ascend",
+                                           i + 1, levels[i + 1], levels[i]));
+    if (mesh.simplices.size() > 0) {
+        check_number("a vertex", mesh.simplices.minCoeff(), 0, mesh.points.rows() - 1);
+        check_number("a vertex", mesh.simplices.maxCoeff(), 0, mesh.points.rows() - 1);
+    }
+    return Cutter(mesh, values, levels).cut();
+}
+
+Vector equal_levels(const Vector& values, Index count) {
+    check_number("the number of levels", count, 0, std::numeric_limits<Index>::max());
+    check_number("the number of values", values.size(), 1, std::numeric_limits<Index>::max());
+    check_finite("value", values);
+    const double least = values.minCoeff(), most = values.maxCoeff();
+    Vector levels(count);
+    for (Index i = 0; i < count; ++i) {
+        const double t = (i + 1.0) / (count + 1.0);
+        levels[i] = (1 - t) * least + t * most;
+    }
+    return levels;
+}
+
+} // namespace polydec
