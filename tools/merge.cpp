@@ -25,13 +25,13 @@ struct MergeArguments {
 };
 
 void write_merged(const MergeArguments& arguments, const Discretization& mesh, const Log& log) {
-    const auto& [out, vtu] = arguments.picture;
+    const auto& out = arguments.picture.out;
     if (mesh.dimension() > 3)
         throw InvalidInput(fmt::format("{}: no format holds merged cells of dimension {}; the "
                                        "subcommand operators writes them as matrices",
                                        out.string(), mesh.dimension()));
     if (lower_extension(out) == ".vtu")
-        write_vtu(out, draw_mesh(mesh), vtu);
+        write_vtu(out, draw_mesh(mesh), arguments.picture.vtu);
     else if (is_page(out))
         write_page(out, draw_page(mesh, arguments.mesh.mesh.filename().string()), log);
     else if (mesh.dimension() == 2)

@@ -126,9 +126,9 @@ void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
 
 void draw(const SpectrumArguments& arguments, const Discretization& mesh, const Eigenvalues& answer,
           const Log& log) {
-    const auto& [out, vtu] = arguments.picture;
+    const auto& out = arguments.picture.out;
     if (!is_page(out))
-        return write_vtu(out, draw_modes(mesh, answer.spectrum), vtu);
+        return write_vtu(out, draw_modes(mesh, answer.spectrum), arguments.picture.vtu);
     Page page =
         draw_page(mesh, answer.spectrum,
                   fmt::format("{}: eigenfunctions", arguments.mesh.mesh.filename().string()));
