@@ -13,7 +13,7 @@ class Renderer {
     constructor(canvas, scene) {
         this.canvas = canvas;
         this.scene = scene;
-        this.gl = canvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
+        this.gl = canvas.getContext("webgl2", {antialias: false, preserveDrawingBuffer: true});
         if (!this.gl)
             throw new Error("this browser has no WebGL 2");
         this.restore();
@@ -45,6 +45,25 @@ class Renderer {
         gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, 1, 1);
         gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        this.smooth = null;
+    }
+
+    /** Where a fine picture is drawn, four samples a pixel, before they are put together. */
+    smoothBuffer() {
+        const {gl, canvas: {width, height}} = this;
+        if (this.smooth && this.smooth.width === width && this.smooth.height === height)
+            return this.smooth.frame;
+        const {frame, stores} = this.smooth ??
+            {frame: gl.createFramebuffer(), stores: [gl.createRenderbuffer(), gl.createRenderbuffer()]};
+        gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+        [[gl.COLOR_ATTACHMENT0, gl.RGBA8], [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24]].forEach(
+            ([place, format], i) => {
+                gl.bindRenderbuffer(gl.RENDERBUFFER, stores[i]);
+                gl.renderbufferStorageMultisample(gl.RENDERBUFFER, 4, format, width, height);
+                gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, stores[i]);
+            });
+        this.smooth = {frame, stores, width, height};
+        return frame;
     }
 
     restoreFaces() {
@@ -176,9 +195,24 @@ class Renderer {
         };
     }
 
-    draw(camera, look) {
-        const {gl, canvas} = this;
+    /** Draws, and gives the milliseconds that it took. Coarse pictures have edges with steps. */
+    draw(camera, look, isCoarse) {
+        const {gl, canvas: {width, height}} = this, begin = performance.now();
+        const frame = isCoarse ? null : this.smoothBuffer();
+        gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+        this.drawAll(camera, look);
+        if (frame) {
+            gl.bindFramebuffer(gl.READ_FRAMEBUFFER, frame);
+            gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+            gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+        }
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for it
+        return performance.now() - begin;
+    }
+
+    drawAll(camera, look) {
+        const {gl, canvas} = this;
         gl.viewport(0, 0, canvas.width, canvas.height);
         gl.clearColor(...look.ground, 1);
         gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -215,15 +249,15 @@ class Renderer {
         gl.drawElements(gl.TRIANGLES, this.seen, gl.UNSIGNED_INT, 0);
     }
 
-    /** The triangle at a pixel, counted from below; -1: none. */
-    triangleAt(x, y, camera, look) {
-        const {gl, canvas} = this;
+    /** The triangle at a pixel of so many, counted from below; -1: none. */
+    triangleAt(x, y, width, height, camera, look) {
+        const {gl} = this;
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.pickBuffer);
-        gl.viewport(-x, -y, canvas.width, canvas.height);
+        gl.viewport(-x, -y, width, height);
         gl.clearColor(0, 0, 0, 0);
         gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
         gl.enable(gl.DEPTH_TEST);
-        this.drawFaces({...this.view(camera, canvas.width, canvas.height, look), ids: true,
+        this.drawFaces({...this.view(camera, width, height, look), ids: true,
             map: new Array(mapSize).fill([0, 0, 0]), range: [0, 0]}, look);
         const bytes = new Uint8Array(4);
         gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Puts the parts together: what is chosen and seen becomes a picture, a legend and words.
 
+const slowDrawing = 40, rest = 200; // milliseconds
+
 class Viewer {
     constructor(canvas, scene, fields) {
         this.canvas = canvas;
@@ -76,10 +78,28 @@ class Viewer {
         };
     }
 
+    /** Where drawing takes long, coarsely as long as things change: a fine picture follows. */
     draw() {
-        this.pixel = Math.min(2, window.devicePixelRatio || 1);
-        const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight]
-            .map(size => Math.max(1, Math.round(this.pixel * size)));
+        clearTimeout(this.finer);
+        this.drawAs(this.isSlow);
+        if (this.isSlow)
+            this.finer = setTimeout(() => this.isLost ? null : this.drawAs(false), rest);
+    }
+
+    /** Pixels of a fine picture by those of the page. */
+    get finePixel() {
+        return Math.min(2, window.devicePixelRatio || 1);
+    }
+
+    /** Of the canvas, by how many of its pixels there are to one of the page. */
+    size(pixel) {
+        return [this.canvas.clientWidth, this.canvas.clientHeight]
+            .map(size => Math.max(1, Math.round(pixel * size)));
+    }
+
+    drawAs(isCoarse) {
+        this.pixel = isCoarse ? 0.5 : this.finePixel;
+        const [width, height] = this.size(this.pixel);
         if (this.canvas.width !== width || this.canvas.height !== height) {
             this.canvas.width = width;
             this.canvas.height = height;
@@ -91,7 +111,10 @@ class Viewer {
             this.renderer.show(this.field, look.step);
             this.pickedText();
         }
-        this.renderer.draw(this.camera, look);
+        const time = this.renderer.draw(this.camera, look, isCoarse);
+        if (!isCoarse)
+            this.isSlow = time > slowDrawing;
+        this.canvas.dataset.drawing = isCoarse ? "coarse" : "fine";
         this.legend(look);
     }
 
@@ -122,10 +145,10 @@ class Viewer {
 
     /** Tells of what is at a place of the view, in parts of half its height. */
     pick(place) {
-        const {width, height} = this.canvas, look = this.look();
+        const [width, height] = this.size(this.finePixel), look = this.look();
         const at = this.scene.isCurve ? lineAt(this.scene, place, this.camera, 0.05)
             : this.renderer.triangleAt(Math.floor((width + place[0] * height) / 2),
-                Math.floor((1 + place[1]) * height / 2), this.camera, look);
+                Math.floor((1 + place[1]) * height / 2), width, height, this.camera, look);
         this.picked = at < 0 ? null : {at, place: this.within(place)};
         this.pickedText();
         this.changed();

@@ -58,6 +58,8 @@ class Browser:
     def open(self, path, state="ready", seconds=60):
         self.driver.get(f"file://{path}")
         self.wait(lambda: self.state() == state, seconds)
+        if state == "ready":
+            self.frames(seconds)
 
     def wait(self, is_so, seconds=20):
         deadline = time.monotonic() + seconds
@@ -67,11 +69,22 @@ class Browser:
                                    f"{self.text('message')}")
             time.sleep(0.02)
 
-    def frames(self):
-        """Waits for what was asked for to be drawn."""
+    def frames(self, seconds=20):
+        """Waits for what was asked for to be drawn, and finely unless steps are played."""
         self.driver.execute_async_script(
             "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => "
             "requestAnimationFrame(done)))")
+        self.wait(lambda: self.run(
+            "return document.getElementById('canvas').dataset.drawing !== 'coarse' || "
+            "document.getElementById('play').textContent.includes('Pause')"), seconds)
+
+    def run_after_frames(self, script, then):
+        """What is found right after what a script asks for is drawn; then waits as `frames` does."""
+        found = self.driver.execute_async_script(
+            script + f"; const done = arguments[0]; requestAnimationFrame(() => "
+            f"requestAnimationFrame(() => done((() => {{ {then} }})())))")
+        self.frames()
+        return found
 
     def set(self, **controls):
         self.run("""for (const [id, value] of Object.entries(arguments[0])) {

@@ -126,6 +126,28 @@ class Seen(TestCase):
             self.assertLess((min(mine) + max(mine)) / 2, 0.5, "a cell above the cut is seen")
         self.assertGreater(len(cells), 2)
 
+    def test_where_drawing_is_slow_pictures_are_coarse_until_nothing_changes(self):
+        self.page("view", golden("kuhn3.nsc"))
+        tab = self.browser
+
+        def moved(milliseconds):
+            """What is seen right after a change, and at last, where drawing takes that long."""
+            tab.run("""const times = arguments[0]; let now = 0;
+                performance.now = () => now += times;""", milliseconds)
+            for cut in (60, 50): # the first one tells how long it takes
+                tab.set(axis=0, cut=cut)
+            return tab.run_after_frames("""
+                const canvas = document.getElementById("canvas"), cut = document.getElementById("cut");
+                cut.dispatchEvent(new Event("input", {bubbles: true}));""",
+                "return [canvas.dataset.drawing, canvas.width / canvas.clientWidth]"), tab.picture()
+
+        (first, width), seen = moved(0)
+        self.assertEqual((first, width), ("fine", 1))
+        (first, width), after = moved(1000)
+        self.assertEqual(first, "coarse")
+        self.assertLess(abs(width - 0.5), 0.01)
+        self.assertEqual(after, seen)
+
     def test_steps_of_a_series_are_shown(self):
         self.succeed("spectrum", golden("uv8.off"), "--side", "primal", "--degree", 0, "--count", 3,
                      "-o", "a.vtu")
