@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of docs/ as SVG: every coordinate is computed, circumcenters too.
+"""Draws pictures of docs/ as SVG: every coordinate is computed, circumcenters too. Those of cells and
+their duals are drawn by polydec itself, in examples/snippets/drawings.cpp.
 
 Usage: doc_pictures.py [FOLDER]; by default docs/images beside the folder of this script.
 """
@@ -9,8 +10,8 @@ from pathlib import Path
 
 import doc_pictures_cells as cells
 import doc_pictures_overview as overview
-from doc_drawing import (BLACK, BLUE, FAN, GREY, LIGHT_BLUE, LIGHT_GREY, LIGHT_ORANGE, ORANGE,
-                         RED, Picture, circumcenter, cross, mean, minus, plus, polar, unit)
+from doc_drawing import (BLACK, BLUE, FAN, GREY, LIGHT_BLUE, LIGHT_GREY, LIGHT_ORANGE, RED,
+                         Picture, circumcenter, cross, mean, minus, plus, polar, unit)
 
 
 def whitney_and_integrals():
@@ -150,32 +151,6 @@ def flats():
     return picture.svg("The six flats: blue where the vectors are, red where the 1-form lives")
 
 
-def half_edge():
-    picture = Picture(760, 280)
-    cases = [("half a dual edge", (1.05, 1.3)), ("right angle: length 0", polar(0.75, 75)),
-             ("obtuse: negative", (0.85, 0.42))]
-    for i, (label, apex) in enumerate(cases):
-        picture.frame(50 + 245 * i, 180, 112)
-        left, right = (0, 0), (1.5, 0)
-        if i == 1:
-            apex = plus((0.75, 0), apex)
-        center, middle = circumcenter(left, right, apex), mean(left, right)
-        picture.polygon([left, right, apex], LIGHT_BLUE, BLACK, 1.5)
-        picture.path([(-0.2, 0), (1.7, 0)], BLACK, 4)
-        color = BLUE if center[1] > 1e-9 else RED if center[1] < -1e-9 else GREY
-        if color != GREY:
-            picture.path([center, middle], color, 3)
-        picture.dot(center, BLACK, 4.5, "#FFFFFF")
-        picture.dot(middle, ORANGE, 4.5 if color != GREY else 3)
-        if color != GREY:
-            picture.text(center, "u", shift=(13, 5), style="italic")
-            picture.text(middle, "g", ORANGE, shift=(13, 17 if i == 0 else -7), style="italic")
-        else:
-            picture.text(middle, "u = g", shift=(0, 20), style="italic")
-        picture.text((0.75, 0), label, color if color != GREY else BLACK, 14, shift=(0, 80))
-    return picture.svg("A dual edge at the boundary ends at the circumcenter of the boundary edge")
-
-
 def ring():
     picture = Picture(720, 330)
     around = 16
@@ -204,17 +179,12 @@ def ring():
 
 
 PICTURES = {
-    "chain": cells.chain_of_two_triangles,
-    "dual_cell": cells.dual_cell,
-    "pair_kinds": cells.pair_kinds,
-    "merged_polygons": cells.merged_polygons,
     "kuhn_cubes": cells.kuhn_cubes,
     "maps": cells.maps,
     "integrals": whitney_and_integrals,
     "wedge": wedge,
     "upwind": upwind,
     "flats": flats,
-    "boundary_duals": half_edge,
     "ring": ring,
     "operators": overview.operators,
     "geodesics": overview.geodesics,

@@ -4,7 +4,9 @@
 #include "base/errors.h"
 #include "complex/corners.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/metric/rounding.h"
 #include "io/pictures/draw_cells.h"
+#include "io/pictures/structure_style.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -22,15 +24,20 @@ namespace polydec {
 
 namespace {
 
-constexpr const char* edge_color = "#222222";
-constexpr const char* removed_color = "#D55E00";
-constexpr const char* dual_color = "#0072B2";
-constexpr const char* circle_color = "#009E73";
-constexpr const char* turn_color = "#6F4E9C";
-constexpr const char* number_color = "#B34700";
 constexpr const char* cell_color = "#E4E9EF";
-constexpr double legible = 9;      // least size of numbers, pixels
-constexpr double row_height = 1.7; // of the words below, in their size
+constexpr double legible = 9; // least size of numbers, pixels
+
+/// Points of an arc of an ellipse with these half axes, angles in parts of pi.
+template <class See>
+std::vector<SvgPoint> arc(const Eigen::Vector3d& center, const Eigen::Vector3d& u,
+                          const Eigen::Vector3d& w, double begin, double end, int parts, See seen) {
+    std::vector<SvgPoint> points;
+    for (int i = 0; i <= parts; ++i) {
+        const double angle = (begin + (end - begin) * i / parts) * std::numbers::pi;
+        points.push_back(seen(center + std::cos(angle) * u + std::sin(angle) * w));
+    }
+    return points;
+}
 
 /// What a cell has over its own ground, in the order in which it is painted.
 struct Strokes {
@@ -57,6 +64,7 @@ private:
     void find_extent();
     void choose_text_size();
     bool is_closed() const;
+    bool is_negative(Index edge) const;
     std::vector<std::vector<Index>> layers() const;
 
     SvgShape ground(Index cell) const;
@@ -143,9 +151,12 @@ void StructureDrawing::find_extent() {
     };
     for (Index v = 0; v < mesh_.complex().size(0); ++v)
         add(at(mesh_.points(), v), 0);
-    for (Index cell = 0; options_.circumcircles && cell < mesh_.complex().size(2); ++cell) {
+    for (Index cell = 0; cell < mesh_.complex().size(2); ++cell) {
         const Point center = at(centers_, cell);
-        add(center, (at(mesh_.points(), corners_[cell].front()) - center).norm());
+        if (options_.circumcircles)
+            add(center, (at(mesh_.points(), corners_[cell].front()) - center).norm());
+        else if (options_.duals)
+            add(center, 0);
     }
 }
 
@@ -180,6 +191,12 @@ bool StructureDrawing::is_closed() const {
     return volume > 0 && std::all_of(sides.begin(), sides.end(), [](int n) { return n == 2; });
 }
 
+/// Whether its dual has a length below zero that is no error of rounding.
+bool StructureDrawing::is_negative(Index edge) const {
+    const double length = mesh_.volumes().dual(1)[edge];
+    return length < 0 && !is_zero(length, mesh_.volumes().terms(1)[edge]);
+}
+
 /// Cells that do not hide each other, from far to near.
 std::vector<std::vector<Index>> StructureDrawing::layers() const {
     std::vector<Index> all(corners_.size());
@@ -203,7 +220,8 @@ StructureDrawing::Point StructureDrawing::middle(Index cell) const {
 }
 
 SvgShape StructureDrawing::ground(Index cell) const {
-    SvgPolygon polygon{{}, {.stroke = edge_color, .fill = cell_color, .width = 1.4}};
+    SvgPolygon polygon{{}, edge_style()};
+    polygon.style.fill = cell_color;
     for (const Index v : corners_[cell])
         polygon.points.push_back(seen(at(mesh_.points(), v)));
     return polygon;
@@ -212,27 +230,27 @@ SvgShape StructureDrawing::ground(Index cell) const {
 void StructureDrawing::add_removed(Index cell, Strokes& strokes) const {
     const auto& ends_of_pieces = mesh_.pieces().simplices(1);
     for (const Index edge : removed_[cell])
-        strokes.lines.emplace_back(
-            SvgPolyline{{seen(at(mesh_.points(), ends_of_pieces(edge, 0))),
-                         seen(at(mesh_.points(), ends_of_pieces(edge, 1)))},
-                        {.stroke = removed_color, .width = 1.4, .dashes = {5, 4}}});
+        strokes.lines.emplace_back(SvgPolyline{{seen(at(mesh_.points(), ends_of_pieces(edge, 0))),
+                                                seen(at(mesh_.points(), ends_of_pieces(edge, 1)))},
+                                               removed_style()});
 }
 
 /// The part of each dual edge that belongs to the cell.
 void StructureDrawing::add_duals(Index cell, Strokes& strokes) const {
     const SvgPoint center = seen(at(centers_, cell));
     for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell])
-        strokes.lines.emplace_back(SvgPolyline{{center, seen(at(edge_centers_, edge))},
-                                               {.stroke = dual_color, .width = 1.8}});
-    strokes.marks.emplace_back(SvgDot{center, 3, {.stroke = "none", .fill = dual_color}});
+        strokes.lines.emplace_back(
+            SvgPolyline{{center, seen(at(edge_centers_, edge))},
+                        is_negative(edge) ? negative_style() : dual_style()});
+    strokes.marks.emplace_back(SvgDot{center, 3, {.stroke = "none", .fill = dual_style().stroke}});
 }
 
 /// An ellipse where the cell is seen askew.
 void StructureDrawing::add_circle(Index cell, Strokes& strokes) const {
-    const SvgStyle style{.stroke = circle_color, .width = 1, .dashes = {2, 3}};
+    const SvgStyle style = circle_style();
     const Point center = at(centers_, cell);
     const Point out = at(mesh_.points(), corners_[cell].front()) - center;
-    strokes.marks.emplace_back(SvgDot{seen(center), 2.5, {.stroke = "none", .fill = circle_color}});
+    strokes.marks.emplace_back(SvgDot{seen(center), 2.5, {.stroke = "none", .fill = style.stroke}});
     if (is_plane_) {
         strokes.marks.emplace_back(SvgCircle{seen(center), out.norm(), style});
         return;
@@ -245,13 +263,8 @@ void StructureDrawing::add_circle(Index cell, Strokes& strokes) const {
         other = across.norm() > other.norm() ? across : other;
     }
     other *= out.norm() / other.norm();
-    SvgPolygon ellipse{{}, style};
-    constexpr int parts = 72;
-    for (int i = 0; i < parts; ++i) {
-        const double angle = 2 * std::numbers::pi * i / parts;
-        ellipse.points.push_back(seen(center + std::cos(angle) * out + std::sin(angle) * other));
-    }
-    strokes.marks.emplace_back(std::move(ellipse));
+    const auto see = [this](const Point& point) { return seen(point); };
+    strokes.marks.emplace_back(SvgPolyline{arc(center, out, other, 0, 2, 72, see), style});
 }
 
 /// A head on each edge, and three quarters of a circle around the cell as its boundary runs.
@@ -259,9 +272,8 @@ void StructureDrawing::add_orientations(Index cell, Strokes& strokes) const {
     for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell]) {
         const auto [a, b] = ends(edge);
         const Point from = at(mesh_.points(), a), along = at(mesh_.points(), b) - from;
-        strokes.marks.emplace_back(SvgArrow{seen(from + 0.66 * along),
-                                            seen(from + 0.78 * along),
-                                            {.stroke = edge_color, .width = 1.4}});
+        strokes.marks.emplace_back(
+            SvgArrow{seen(from + 0.66 * along), seen(from + 0.78 * along), edge_style()});
     }
     const Point center = middle(cell), first = at(mesh_.points(), corners_[cell][0]) - center;
     const Point second = at(mesh_.points(), corners_[cell][1]) - center;
@@ -271,14 +283,10 @@ void StructureDrawing::add_orientations(Index cell, Strokes& strokes) const {
     const Point u = first.normalized();
     const Point w = (second - second.dot(u) * u).normalized();
     const double radius = 0.45 * room;
-    std::vector<SvgPoint> arc;
-    for (int i = 0; i <= 27; ++i) {
-        const double angle = (0.25 + 1.5 * i / 27) * std::numbers::pi;
-        arc.push_back(seen(center + radius * (std::cos(angle) * u + std::sin(angle) * w)));
-    }
-    const SvgStyle style{.stroke = turn_color, .width = 1.3};
-    strokes.marks.emplace_back(SvgPolyline{{arc.begin(), arc.end() - 2}, style});
-    strokes.marks.emplace_back(SvgArrow{arc[arc.size() - 4], arc.back(), style});
+    const auto turn = arc(center, radius * u, radius * w, 0.25, 1.75, 27,
+                          [this](const Point& point) { return seen(point); });
+    strokes.marks.emplace_back(SvgPolyline{{turn.begin(), turn.end() - 2}, turn_style()});
+    strokes.marks.emplace_back(SvgArrow{turn[turn.size() - 4], turn.back(), turn_style()});
 }
 
 void StructureDrawing::add_number(const Point& place, Index number, const char* color,
@@ -321,44 +329,27 @@ Strokes StructureDrawing::strokes(Index cell) {
     return result;
 }
 
-/// What the kinds of lines and numbers are, a row for each below the drawing.
+/// What the kinds of lines and numbers are.
 void StructureDrawing::add_words() {
-    struct Row {
-        bool is_shown;
-        SvgStyle style;
-        std::string words;
-    };
-    const bool any_removed = std::any_of(removed_.begin(), removed_.end(),
-                                         [](const auto& list) { return !list.empty(); });
-    const std::vector<Row> rows{
-        {true, {.stroke = edge_color, .width = 1.4}, "edges of the cells"},
-        {any_removed,
-         {.stroke = removed_color, .width = 1.4, .dashes = {5, 4}},
-         "edges merged away: their duals have no length"},
-        {options_.duals,
-         {.stroke = dual_color, .width = 1.8},
-         "dual edges, dots: centers of cells"},
-        {options_.circumcircles,
-         {.stroke = circle_color, .width = 1, .dashes = {2, 3}},
-         "circumcircles of the cells"},
-        {options_.orientations,
-         {.stroke = turn_color, .width = 1.3},
-         "orientations: heads on edges, arcs in cells"},
-        {options_.numbers,
-         {.stroke = "none"},
-         "numbers of vertices (black), edges (orange), cells (purple)"},
-    };
-    constexpr double size = 13;
-    double y = low_[1] - 0.5 * size * pixel_;
-    for (const auto& [is_shown, style, words] : rows) {
-        if (!is_shown)
-            continue;
-        y -= row_height * size * pixel_;
-        const double x = low_[0], middle = y + 0.35 * size * pixel_;
-        drawing_.shapes.emplace_back(SvgPolyline{{{x, middle}, {x + 28 * pixel_, middle}}, style});
-        drawing_.shapes.emplace_back(
-            SvgText{{x + 36 * pixel_, y}, words, size, SvgAnchor::start, "#000000"});
-    }
+    std::vector<LineInWords> rows{{edge_style(), "edges of the cells"}};
+    if (std::any_of(removed_.begin(), removed_.end(),
+                    [](const auto& edges) { return !edges.empty(); }))
+        rows.push_back({removed_style(), "edges merged away: their duals have no length"});
+    if (options_.duals)
+        rows.push_back({dual_style(), "dual edges, dots: centers of cells"});
+    bool any_negative = false;
+    for (Index edge = 0; edge < mesh_.complex().size(1); ++edge)
+        any_negative = any_negative || is_negative(edge);
+    if (options_.duals && any_negative)
+        rows.push_back({negative_style(), "dual edges of negative length"});
+    if (options_.circumcircles)
+        rows.push_back({circle_style(), "circumcircles of the cells"});
+    if (options_.orientations)
+        rows.push_back({turn_style(), "orientations: heads on edges, arcs in cells"});
+    if (options_.numbers)
+        rows.push_back(
+            {{.stroke = "none"}, "numbers of vertices (black), edges (orange), cells (purple)"});
+    tell_lines(drawing_, rows, low_, pixel_);
 }
 
 SvgDrawing StructureDrawing::draw() {
@@ -380,7 +371,8 @@ SvgDrawing StructureDrawing::draw() {
                 std::move((own.*part).begin(), (own.*part).end(),
                           std::back_inserter(drawing_.shapes));
     }
-    add_words();
+    if (options_.words)
+        add_words();
     return std::move(drawing_);
 }
 

@@ -7,10 +7,11 @@ namespace polydec {
 
 /// What a drawing for lessons shows of the cells of a surface, or of a mesh in the plane.
 struct StructureOptions {
-    bool duals = false;         ///< dual edges in blue, between dots at the centers of the cells
-    bool numbers = false;       ///< of vertices, edges and cells, as matrices count them
-    bool orientations = false;  ///< heads on edges, and arrows around cells
+    bool duals = false;        ///< dual edges, red where negative, between dots at centers of cells
+    bool numbers = false;      ///< of vertices, edges and cells, as matrices count them
+    bool orientations = false; ///< heads on edges, and arrows around cells
     bool circumcircles = false; ///< of the cells, with their centers
+    bool words = true;          ///< below the drawing what each kind of line is
     SolidView view = {};        ///< from where a surface in space is seen, title and width
 };
 

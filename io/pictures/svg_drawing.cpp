@@ -124,29 +124,92 @@ private:
     const View& view_;
 };
 
-} // namespace
-
-std::string to_svg(const SvgDrawing& drawing) {
+/// Where a drawing's shapes are in pixels, y down. What is much higher than wide stands in the
+/// middle instead of making a tower.
+View view_of(const SvgDrawing& drawing) {
     const Extent extent = extent_of(drawing);
     const double inside = drawing.width - 2 * drawing.margin;
     if (!(inside > 0))
         throw InvalidInput(fmt::format("a drawing {} pixels wide has no room between margins of {}",
                                        drawing.width, drawing.margin));
-
-    // what is much higher than wide stands in the middle instead of making a tower
     const double across = std::max(extent.size(0), extent.size(1) / 2);
     const double scale = inside / across;
-    const double above = drawing.title.empty() ? 0 : title_height;
-    const View view{scale, drawing.margin + 0.5 * scale * (across - extent.size(0)),
-                    drawing.margin + above, extent};
+    return {scale, drawing.margin + 0.5 * scale * (across - extent.size(0)),
+            drawing.margin + (drawing.title.empty() ? 0 : title_height), extent};
+}
 
-    SvgCanvas canvas(drawing.width, 2 * drawing.margin + above + scale * extent.size(1));
+/// Shapes whose world are pixels of another drawing.
+struct Moved {
+    const View& view;
+    double x, y; ///< where the left upper corner goes, y up
+
+    SvgPoint operator()(const SvgPoint& point) const {
+        const auto [left, top] = view(point);
+        return {x + left, y - top};
+    }
+    std::vector<SvgPoint> operator()(std::vector<SvgPoint> points) const {
+        for (auto& point : points)
+            point = (*this)(point);
+        return points;
+    }
+    SvgShape operator()(const SvgPolyline& line) const {
+        return SvgPolyline{(*this)(line.points), line.style};
+    }
+    SvgShape operator()(const SvgPolygon& polygon) const {
+        return SvgPolygon{(*this)(polygon.points), polygon.style};
+    }
+    SvgShape operator()(const SvgCircle& circle) const {
+        return SvgCircle{(*this)(circle.center), view.scale * circle.radius, circle.style};
+    }
+    SvgShape operator()(SvgDot dot) const {
+        dot.center = (*this)(dot.center);
+        return dot;
+    }
+    SvgShape operator()(const SvgArrow& arrow) const {
+        return SvgArrow{(*this)(arrow.from), (*this)(arrow.to), arrow.style};
+    }
+    SvgShape operator()(SvgText text) const {
+        text.at = (*this)(text.at);
+        return text;
+    }
+};
+
+} // namespace
+
+std::string to_svg(const SvgDrawing& drawing) {
+    const View view = view_of(drawing);
+    SvgCanvas canvas(drawing.width, drawing.margin + view.top + view.scale * view.extent.size(1));
     if (!drawing.title.empty())
         canvas.text({drawing.width / 2, drawing.margin + title_size - 4}, drawing.title,
                     {.size = title_size});
     for (const auto& shape : drawing.shapes)
         std::visit(Painter(canvas, view), shape);
     return canvas.finish();
+}
+
+SvgDrawing side_by_side(const std::vector<SvgDrawing>& drawings) {
+    if (drawings.empty())
+        throw InvalidInput("there are no drawings to be put side by side: give one");
+    SvgDrawing row{.width = 0, .margin = 0};
+    std::vector<View> views;
+    double above = 0; // the middle
+    for (const auto& drawing : drawings) {
+        views.push_back(view_of(drawing));
+        above = std::max(above, views.back().scale * views.back().extent.size(1) / 2);
+        row.margin = std::max(row.margin, drawing.margin);
+    }
+    double x = 0;
+    for (std::size_t i = 0; i < drawings.size(); ++i) {
+        const auto& [title, shapes, width, margin] = drawings[i];
+        if (!title.empty())
+            row.shapes.emplace_back(SvgText{{x + width / 2, above + margin}, title, title_size});
+        const Moved moved{views[i], x, views[i].top + views[i].scale * views[i].extent.size(1) / 2};
+        for (const auto& shape : shapes)
+            row.shapes.push_back(std::visit(moved, shape));
+        x += width;
+    }
+    row.width = extent_of(row).size(0) + 2 * row.margin;
+    return row;
 }
 
 } // namespace polydec

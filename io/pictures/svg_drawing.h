@@ -80,4 +80,8 @@ struct SvgDrawing {
 /// radius that is not finite, if all lie at one point, or if the margins leave no room.
 std::string to_svg(const SvgDrawing& drawing);
 
+/// One drawing of several in a row, each as large as it is alone: their middles are at one height,
+/// their titles above at another. Throws InvalidInput if there is none, and like to_svg.
+SvgDrawing side_by_side(const std::vector<SvgDrawing>& drawings);
+
 } // namespace polydec
