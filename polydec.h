@@ -38,6 +38,7 @@
 #include "dec/fields/flat.h"
 #include "dec/fields/interior_product.h"
 #include "dec/fields/sharp.h"
+#include "dec/fields/streamlines.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/wedge.h"
 #include "dec/fields/whitney_interpolation.h"

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/streamlines.h"
+
+#include "base/errors.h"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+constexpr double step_size = 0.25; // of a barycentric coordinate
+constexpr int most_turns = 32;     // from simplex to simplex without getting on
+
+/// A place in an n-simplex.
+struct Spot {
+    Index simplex;
+    Vector barycentric;
+};
+
+class Tracer {
+public:
+    Tracer(const Discretization& mesh, const DenseMatrix& vectors,
+           const StreamlineOptions& options);
+
+    Mesh lines();
+
+private:
+    void find_neighbors();
+    void find_rates(const DenseMatrix& vectors);
+    void find_bins();
+    Vector rate(const Spot& spot, double sign) const {
+        return sign * rates_[spot.simplex] * spot.barycentric;
+    }
+    Vector place(const Spot& spot) const;
+    std::optional<Spot> beyond(const Spot& spot, int corner) const;
+    Vector way(const Spot& spot, double sign, double time) const;
+    bool advance(Spot& spot, double sign) const;
+    double speed(const Spot& spot) const;
+    bool enter(Index bin, double at);
+    std::vector<Vector> half(Spot spot, double sign);
+    void add(const std::vector<Vector>& line);
+
+    const Pieces& pieces_;
+    const Discretization& mesh_;
+    int n_;
+    double spacing_, longest_;
+    std::vector<std::array<Index, 2>> cofaces_; // of facets; -1: none, or more than two
+    std::vector<DenseMatrix> rates_; // of barycentric coordinates by these, in each n-simplex
+    std::vector<Index> bins_;        // of each n-simplex
+    std::vector<Index> taken_;       // the last line in each bin, from 1
+    std::vector<double> taken_at_;   // how far along it, from where it was begun
+    Index line_ = 0;
+    double slowest_ = 0;
+    std::vector<Vector> points_;
+    std::vector<Index> ends_; // of segments, two each
+};
+
+Tracer::Tracer(const Discretization& mesh, const DenseMatrix& vectors,
+               const StreamlineOptions& options)
+    : pieces_(mesh.pieces()),
+      mesh_(mesh),
+      n_(mesh.dimension()),
+      spacing_(options.spacing),
+      longest_(options.longest) {
+    const Points& points = mesh.points();
+    if (!mesh.passage().is_identity() || points.cols() == 0)
+        throw InvalidInput(
+            "edges were flipped, or only lengths are known: lines along a field need "
+            "straight simplices with places");
+    if (vectors.rows() != mesh.complex().size(n_) || vectors.cols() != points.cols())
+        throw InvalidInput(fmt::format("{} vectors of {} coordinates: expected one of {} for each "
+                                       "of the {} {}-cells",
+                                       vectors.rows(), vectors.cols(), points.cols(),
+                                       mesh.complex().size(n_), n_));
+    for (Index cell = 0; cell < vectors.rows(); ++cell)
+        if (!vectors.row(cell).allFinite())
+            throw InvalidInput(fmt::format("the vector of {}-cell {} is not finite", n_, cell));
+    if (spacing_ == 0)
+        spacing_ = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm() / 40;
+    if (!(spacing_ > 0 && longest_ > 0 && std::isfinite(spacing_) && std::isfinite(longest_)))
+        throw InvalidInput(fmt::format("lines {} apart, {} spacings long: expected numbers above 0",
+                                       spacing_, longest_));
+    find_neighbors();
+    find_rates(vectors);
+    find_bins();
+}
+
+void Tracer::find_neighbors() {
+    cofaces_.assign(static_cast<std::size_t>(pieces_.size(n_ - 1)), {-1, -1});
+    const CofaceCounts& counts = pieces_.coface_counts(n_ - 1);
+    const FaceTable faces = pieces_.faces(n_);
+    for (Index t = 0; t < pieces_.size(n_); ++t)
+        for (int i = 0; i <= n_; ++i) {
+            const Index facet = faces(t, i);
+            if (counts[facet] <= 2)
+                cofaces_[facet][cofaces_[facet][0] < 0 ? 0 : 1] = t;
+        }
+}
+
+/// How barycentric coordinates change along each corner's vector.
+void Tracer::find_rates(const DenseMatrix& vectors) {
+    const Points& points = mesh_.points();
+    const auto& simplices = pieces_.simplices(n_);
+    const auto& carriers = mesh_.merging().carriers(n_);
+    DenseMatrix at_vertices = DenseMatrix::Zero(points.rows(), points.cols());
+    Vector weights = Vector::Zero(points.rows());
+    const Vector& volumes = mesh_.piece_volumes().primal(n_);
+    for (Index t = 0; t < pieces_.size(n_); ++t)
+        for (int i = 0; i <= n_; ++i) {
+            at_vertices.row(simplices(t, i)) += volumes[t] * vectors.row(carriers[t].cell);
+            weights[simplices(t, i)] += volumes[t];
+        }
+    at_vertices.array().colwise() /= weights.array();
+    slowest_ = 1e-6 * at_vertices.rowwise().norm().maxCoeff();
+    for (Index t = 0; t < pieces_.size(n_); ++t) {
+        DenseMatrix edges(n_, points.cols()), corners(n_ + 1, points.cols());
+        for (int i = 0; i <= n_; ++i)
+            corners.row(i) = at_vertices.row(simplices(t, i));
+        for (int i = 0; i < n_; ++i)
+            edges.row(i) = points.row(simplices(t, i + 1)) - points.row(simplices(t, 0));
+        DenseMatrix gradients(n_ + 1, points.cols());
+        gradients.bottomRows(n_) = (edges * edges.transpose()).ldlt().solve(edges);
+        gradients.row(0) = -gradients.bottomRows(n_).colwise().sum();
+        rates_.push_back(gradients * corners.transpose());
+    }
+}
+
+/// Simplices whose centroids are near each other, numbered by place.
+void Tracer::find_bins() {
+    const Points& points = mesh_.points();
+    const auto& simplices = pieces_.simplices(n_);
+    std::vector<std::vector<std::int64_t>> keys(static_cast<std::size_t>(pieces_.size(n_)));
+    for (Index t = 0; t < pieces_.size(n_); ++t) {
+        Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(points.cols());
+        for (int i = 0; i <= n_; ++i)
+            sum += points.row(simplices(t, i)) - points.row(0);
+        for (const double x : sum)
+            keys[t].push_back(static_cast<std::int64_t>(std::floor(x / (n_ + 1) / spacing_)));
+    }
+    std::vector<Index> order(keys.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return keys[a] < keys[b]; });
+    bins_.resize(keys.size());
+    Index bin = -1;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i == 0 || keys[order[i]] != keys[order[i - 1]])
+            ++bin;
+        bins_[order[i]] = bin;
+    }
+    taken_.assign(static_cast<std::size_t>(bin + 1), 0);
+    taken_at_.assign(taken_.size(), 0);
+}
+
+Vector Tracer::place(const Spot& spot) const {
+    Vector sum = Vector::Zero(mesh_.points().cols());
+    for (int i = 0; i <= n_; ++i)
+        sum += spot.barycentric[i] *
+               mesh_.points().row(pieces_.simplices(n_)(spot.simplex, i)).transpose();
+    return sum;
+}
+
+/// The same place in the simplex across the facet without this corner, if there is one.
+std::optional<Spot> Tracer::beyond(const Spot& spot, int corner) const {
+    const auto [first, second] = cofaces_[pieces_.face(n_, spot.simplex, corner)];
+    const Index other = first == spot.simplex ? second : first;
+    if (other < 0 || other == spot.simplex)
+        return {};
+    const auto& simplices = pieces_.simplices(n_);
+    Spot found{other, Vector::Zero(n_ + 1)};
+    for (int i = 0; i <= n_; ++i)
+        for (int j = 0; j <= n_; ++j)
+            if (i != corner && simplices(spot.simplex, i) == simplices(other, j))
+                found.barycentric[j] = spot.barycentric[i];
+    return found;
+}
+
+/// The way of a step of the midpoint rule that takes so long.
+Vector Tracer::way(const Spot& spot, double sign, double time) const {
+    Spot middle = spot;
+    middle.barycentric += 0.5 * time * rate(spot, sign);
+    return time * rate(middle, sign);
+}
+
+/// The first facet on the way, by the corner that it lacks, and the part of the way up to it; -1
+/// and 1 if the way stays inside.
+std::pair<int, double> first_facet(const Vector& barycentric, const Vector& way) {
+    std::pair<int, double> first{-1, 1};
+    for (int i = 0; i < barycentric.size(); ++i)
+        if (barycentric[i] + first.second * way[i] < 0)
+            first = {i, std::max(0.0, barycentric[i] / -way[i])};
+    return first;
+}
+
+/// A step, at most to the boundary of the simplex; false where lines end.
+bool Tracer::advance(Spot& spot, double sign) const {
+    for (int turn = 0; turn < most_turns; ++turn) {
+        const double fastest = rate(spot, sign).cwiseAbs().maxCoeff();
+        if (!(fastest > 0))
+            return false;
+        double time = step_size / fastest;
+        auto [corner, part] = first_facet(spot.barycentric, way(spot, sign, time));
+        const bool is_there = part * step_size < 1e-9;
+        if (!is_there) { // the midpoint of what is taken
+            time *= part;
+            const Vector step = way(spot, sign, time);
+            std::tie(corner, part) = first_facet(spot.barycentric, step);
+            spot.barycentric += part * step;
+        }
+        if (corner < 0)
+            return true;
+        spot.barycentric[corner] = 0;
+        const auto next = beyond(spot, corner);
+        if (!next)
+            return false;
+        spot = *next;
+        if (!is_there)
+            return true;
+    }
+    return false;
+}
+
+/// Of the field, along the simplex.
+double Tracer::speed(const Spot& spot) const {
+    return place({spot.simplex, rate(spot, 1)}).norm();
+}
+
+/// False where another line has been, or this one has come around.
+bool Tracer::enter(Index bin, double at) {
+    if (taken_[bin] != 0 && (taken_[bin] != line_ || std::abs(at - taken_at_[bin]) > 3 * spacing_))
+        return false;
+    taken_[bin] = line_;
+    taken_at_[bin] = at;
+    return true;
+}
+
+/// The places of a line from a spot on, without it, along the field or against it.
+std::vector<Vector> Tracer::half(Spot spot, double sign) {
+    std::vector<Vector> places;
+    Vector last = place(spot);
+    double length = 0;
+    for (bool goes_on = true; goes_on && length < longest_ * spacing_;) {
+        if (!(speed(spot) > slowest_))
+            break;
+        goes_on = advance(spot, sign);
+        const Vector next = place(spot);
+        length += (next - last).norm();
+        if (!enter(bins_[spot.simplex], sign * length))
+            break;
+        if ((next - last).norm() > 1e-9 * spacing_) {
+            places.push_back(next);
+            last = next;
+        }
+    }
+    return places;
+}
+
+void Tracer::add(const std::vector<Vector>& line) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (i > 0) {
+            const auto end = static_cast<Index>(points_.size());
+            ends_.insert(ends_.end(), {end - 1, end});
+        }
+        points_.push_back(line[i]);
+    }
+}
+
+Mesh Tracer::lines() {
+    for (Index t = 0; t < pieces_.size(n_); ++t) {
+        if (taken_[bins_[t]] != 0)
+            continue;
+        ++line_;
+        const Spot start{t, Vector::Constant(n_ + 1, 1.0 / (n_ + 1))};
+        enter(bins_[t], 0);
+        const auto ahead = half(start, 1);
+        auto line = half(start, -1);
+        std::reverse(line.begin(), line.end());
+        line.push_back(place(start));
+        line.insert(line.end(), ahead.begin(), ahead.end());
+        if ((line.front() - line.back()).norm() > 0 || line.size() > 4)
+            add(line);
+    }
+    Mesh result{Points(std::ssize(points_), mesh_.points().cols()),
+                Simplices(std::ssize(ends_) / 2, 2),
+                {}};
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        result.points.row(static_cast<Index>(i)) = points_[i].transpose();
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+        result.simplices(static_cast<Index>(i / 2), static_cast<int>(i % 2)) = ends_[i];
+    return result;
+}
+
+} // namespace
+
+Mesh streamlines(const Discretization& mesh, const DenseMatrix& vectors,
+                 const StreamlineOptions& options) {
+    return Tracer(mesh, vectors, options).lines();
+}
+
+} // namespace polydec

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/streamlines.h"
+
+#include "dec/fields/cell_centers.h"
+#include "meshes/generate.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace polydec::test {
+
+namespace {
+
+std::vector<Mesh> flat_meshes() {
+    return {grid(9, 7), hexagons(6), well_centered(4), kuhn(3, 4), bcc(3), fcc(2)};
+}
+
+/// A field at the centroids of the merged cells.
+DenseMatrix sampled(const Discretization& mesh,
+                    const std::function<Vector(const Eigen::RowVectorXd&)>& field) {
+    const Points sites = cell_centroids(mesh, mesh.dimension());
+    DenseMatrix vectors(sites.rows(), sites.cols());
+    for (Index i = 0; i < sites.rows(); ++i)
+        vectors.row(i) = field(sites.row(i)).transpose();
+    return vectors;
+}
+
+Vector constant(Index coordinates) {
+    return Vector{{1, 0.37, -0.21}}.head(coordinates);
+}
+
+/// The largest sine between a segment and a vector; 2 for one that points back.
+double worst_angle(const Mesh& lines, const Vector& along) {
+    double worst = 0;
+    for (const auto& ends : lines.simplices.rowwise()) {
+        const Vector step = (lines.points.row(ends[1]) - lines.points.row(ends[0])).transpose();
+        const double cosine = step.dot(along) / step.norm() / along.norm();
+        worst = std::max(worst, cosine < 0 ? 2 : std::sqrt(std::max(0.0, 1 - cosine * cosine)));
+    }
+    return worst;
+}
+
+/// The largest change of the radius along lines around an axis, per length.
+double drift(int cells) {
+    const auto mesh = discretize(grid(cells, cells));
+    const auto turning = sampled(mesh, [](const auto& x) {
+        return Vector{{0.5 - x[1], x[0] - 0.5}};
+    });
+    const auto lines = streamlines(mesh, turning, {.spacing = 0.02});
+    const auto radius = [&](Index point) {
+        return std::hypot(lines.points(point, 0) - 0.5, lines.points(point, 1) - 0.5);
+    };
+    double worst = 0, change = 0, length = 0;
+    Index last = -1;
+    for (const auto& ends : lines.simplices.rowwise()) {
+        if (ends[0] != last)
+            change = length = 0;
+        last = ends[1];
+        change += radius(ends[1]) - radius(ends[0]);
+        length += (lines.points.row(ends[1]) - lines.points.row(ends[0])).norm();
+        if (radius(ends[0]) > 0.1 && radius(ends[0]) < 0.4 && length > 0.2) // away from the rim
+            worst = std::max(worst, std::abs(change) / length);
+    }
+    EXPECT_GT(worst, 0);
+    return worst;
+}
+
+} // namespace
+
+TEST(Streamlines, OfAConstantFieldAreStraight) {
+    for (const Mesh& input : flat_meshes()) {
+        const auto mesh = discretize(input);
+        const Vector wind = constant(mesh.points().cols());
+        const auto lines = streamlines(mesh, sampled(mesh, [&](const auto&) { return wind; }));
+        ASSERT_GT(lines.simplices.rows(), 10);
+        EXPECT_LE(worst_angle(lines, wind), 1e-6);
+        EXPECT_GT(worst_angle(lines, Vector(wind.reverse())), 0.1);
+        const Eigen::RowVectorXd low = mesh.points().colwise().minCoeff().array() - 1e-9;
+        const Eigen::RowVectorXd high = mesh.points().colwise().maxCoeff().array() + 1e-9;
+        for (const auto& point : lines.points.rowwise())
+            EXPECT_TRUE((point.array() >= low.array() && point.array() <= high.array()).all());
+    }
+}
+
+TEST(Streamlines, OfARotationAreCirclesToSecondOrder) {
+    for (const int cells : {12, 24, 48, 96})
+        EXPECT_LT(drift(cells) * cells * cells, 0.2) << cells;
+}
+
+TEST(Streamlines, OnASphereStayAtTheirHeight) {
+    const auto mesh = discretize(icosphere(24));
+    const auto lines = streamlines(mesh, sampled(mesh, [](const auto& x) {
+                                       return Vector{{-x[1], x[0], 0}};
+                                   }));
+    ASSERT_GT(lines.simplices.rows(), 1000);
+    double worst = 0;
+    for (const auto& ends : lines.simplices.rowwise()) {
+        const auto step = lines.points.row(ends[1]) - lines.points.row(ends[0]);
+        worst = std::max(worst, std::abs(step[2]) / (step.norm() + 1e-6));
+        for (const Index end : ends) {
+            EXPECT_LE(lines.points.row(end).norm(), 1 + 1e-12);
+            EXPECT_GE(lines.points.row(end).norm(), 0.99);
+        }
+    }
+    EXPECT_LT(worst, 0.2);
+}
+
+TEST(Streamlines, KeepAway) {
+    const auto mesh = discretize(grid(40, 40));
+    const DenseMatrix wind = sampled(mesh, [](const auto&) { return Vector{{1, 0}}; });
+    for (const double spacing : {0.05, 0.1, 0.2}) {
+        const auto lines = streamlines(mesh, wind, {.spacing = spacing});
+        const double length = [&] {
+            double sum = 0;
+            for (const auto& ends : lines.simplices.rowwise())
+                sum += (lines.points.row(ends[1]) - lines.points.row(ends[0])).norm();
+            return sum;
+        }();
+        EXPECT_NEAR(length * spacing, 1, 0.3) << "an area of 1, lines this far apart";
+    }
+    EXPECT_EQ(streamlines(mesh, 0 * wind).simplices.rows(), 0);
+    EXPECT_EQ(streamlines(mesh, wind).points, streamlines(mesh, wind).points);
+}
+
+TEST(Streamlines, RefuseWhatTheyCannotFollow) {
+    const auto mesh = discretize(grid(3, 2));
+    DenseMatrix wind = DenseMatrix::Ones(6, 2);
+    EXPECT_EQ(refusal([&] { streamlines(mesh, wind.topRows(2)); }),
+              "2 vectors of 2 coordinates: expected one of 2 for each of the 6 "
+              "2-cells");
+    EXPECT_EQ(refusal([&] { streamlines(mesh, wind, {.spacing = -1}); }),
+              "lines -1 apart, 200 spacings long: expected numbers above 0");
+    wind(4, 1) = NAN;
+    EXPECT_EQ(refusal([&] { streamlines(mesh, wind); }), "the vector of 2-cell 4 is not finite");
+}
+
+} // namespace polydec::test
