@@ -54,7 +54,7 @@ private:
     const Pieces& pieces_;
     const Discretization& mesh_;
     int n_;
-    double spacing_, longest_;
+    double spacing_, longest_, shortest_;
     std::vector<std::array<Index, 2>> cofaces_; // of facets; -1: none, or more than two
     std::vector<DenseMatrix> rates_; // of barycentric coordinates by these, in each n-simplex
     std::vector<Index> bins_;        // of each n-simplex
@@ -72,7 +72,8 @@ Tracer::Tracer(const Discretization& mesh, const DenseMatrix& vectors,
       mesh_(mesh),
       n_(mesh.dimension()),
       spacing_(options.spacing),
-      longest_(options.longest) {
+      longest_(options.longest),
+      shortest_(options.shortest) {
     const Points& points = mesh.points();
     if (!mesh.passage().is_identity() || points.cols() == 0)
         throw InvalidInput(
@@ -91,6 +92,9 @@ Tracer::Tracer(const Discretization& mesh, const DenseMatrix& vectors,
     if (!(spacing_ > 0 && longest_ > 0 && std::isfinite(spacing_) && std::isfinite(longest_)))
         throw InvalidInput(fmt::format("lines {} apart, {} spacings long: expected numbers above 0",
                                        spacing_, longest_));
+    if (!(shortest_ >= 0 && shortest_ <= longest_))
+        throw InvalidInput(fmt::format("lines of {} to {} spacings: expected numbers that ascend",
+                                       shortest_, longest_));
     find_neighbors();
     find_rates(vectors);
     find_bins();
@@ -266,6 +270,13 @@ std::vector<Vector> Tracer::half(Spot spot, double sign) {
     return places;
 }
 
+double length(const std::vector<Vector>& line) {
+    double sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+        sum += (line[i] - line[i - 1]).norm();
+    return sum;
+}
+
 void Tracer::add(const std::vector<Vector>& line) {
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (i > 0) {
@@ -288,7 +299,7 @@ Mesh Tracer::lines() {
         std::reverse(line.begin(), line.end());
         line.push_back(place(start));
         line.insert(line.end(), ahead.begin(), ahead.end());
-        if ((line.front() - line.back()).norm() > 0 || line.size() > 4)
+        if (length(line) > shortest_ * spacing_)
             add(line);
     }
     Mesh result{Points(std::ssize(points_), mesh_.points().cols()),

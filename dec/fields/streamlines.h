@@ -10,6 +10,8 @@ struct StreamlineOptions {
     double spacing = 0;
     /// How long one gets at most, in spacings.
     double longest = 200;
+    /// How long at least, in spacings: shorter ones are left out, and their places stay empty.
+    double shortest = 2;
 };
 
 /// Lines that run along a field of vectors, in any dimension: a mesh of segments, from tail to head

@@ -50,6 +50,7 @@ class Controls {
         hide("dual", scene.arrays.dual_lines !== undefined);
         hide("levels", !scene.isCurve && fields.some(field => field.place === "vertex"));
         hide("arrows", header.arrows.length > 0 || fields.some(field => field.components > 1));
+        hide("flow", header.arrows.some((_, i) => scene.arrays[`flow${i}`] !== undefined));
         hide("shade", !scene.isFlat && !scene.isCurve);
         element("cutting").hidden = !scene.isSolid;
     }
@@ -85,8 +86,9 @@ class Controls {
         return {
             field: Number(element("field").value), map: element("map").value,
             step: Number(element("step").value), lines: is("edges"), removed_lines: is("removed"),
-            dual: is("dual"), levels: is("levels"), arrows: is("arrows"), light: is("shade"),
-            axis: Number(element("axis").value), cut: Number(element("cut").value) / 100,
+            dual: is("dual"), levels: is("levels"), arrows: is("arrows"), flow: is("flow"),
+            light: is("shade"), axis: Number(element("axis").value),
+            cut: Number(element("cut").value) / 100,
         };
     }
 

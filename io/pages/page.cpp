@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/sharp.h"
+#include "dec/fields/streamlines.h"
 #include "dec/forms/star.h"
 #include "io/pages/page_header.h"
 #include "io/pages/page_template.h"
@@ -58,6 +59,18 @@ std::string section_html(const char* id, const char* heading,
     return html + "</section>\n";
 }
 
+/// Along the arrows of a surface; in a solid they would hide each other.
+void add_flow(Page& page, PageArrows& arrows, const Discretization& mesh) {
+    if (mesh.dimension() != 2)
+        return;
+    try {
+        arrows.lines = streamlines(mesh, arrows.vectors);
+    } catch (const InvalidInput& error) {
+        page.text.warnings.push_back(
+            fmt::format("`{}` has no lines along its arrows: {}", arrows.field, error.what()));
+    }
+}
+
 } // namespace
 
 void add_arrows(Page& page, const std::string& field, const Discretization& mesh,
@@ -72,6 +85,7 @@ void add_arrows(Page& page, const std::string& field, const Discretization& mesh
         else
             arrows.vectors =
                 flux_sharp(mesh, {Side::primal, n - 1, mesh.stars()[n - 1].solve(form.values)});
+        add_flow(page, arrows, mesh);
         page.arrows.push_back(std::move(arrows));
     } catch (const InvalidInput& error) {
         page.text.warnings.push_back(fmt::format("`{}` has no arrows: {}", field, error.what()));

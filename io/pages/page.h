@@ -34,6 +34,8 @@ struct PageArrows {
     std::string field;   ///< name of the array
     Points sites = {};   ///< a row for each
     Points vectors = {}; ///< the same rows
+    /// Segments that run along them, as streamlines gives them; or none.
+    Mesh lines = {};
 };
 
 /// Arrays at another time, of the names and sizes that the grid has.
@@ -57,7 +59,8 @@ struct Page {
 };
 
 /// Adds the vectors that a 1-form, primal or dual, is the work of, for the array of this name: by
-/// sharp_pd and flux_sharp. Nothing for other forms, and where a sharp cannot be had.
+/// sharp_pd and flux_sharp; on surfaces also lines along them. Nothing for other forms, and where a
+/// sharp cannot be had.
 void add_arrows(Page& page, const std::string& field, const Discretization& mesh,
                 const Cochain& form);
 

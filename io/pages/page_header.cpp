@@ -235,7 +235,18 @@ private:
             data_.add_floats(fmt::format("vectors{}", i), vectors);
             arrows_.push_back(
                 fmt::format("{{\"field\":{},\"stride\":{}}}", json_text(arrows.field), stride));
+            if (arrows.lines.simplices.rows() > 0)
+                add_lines(fmt::format("flow{}", i), arrows.lines);
         }
+    }
+
+    void add_lines(const std::string& name, const Mesh& lines) {
+        std::vector<Index> ends;
+        for (Index i = 0; i < lines.simplices.rows(); ++i)
+            for (int end = 0; end < 2; ++end)
+                ends.push_back(lines.simplices(i, end));
+        data_.add_floats(name + "_points", centered(lines.points));
+        data_.add(name, ends, 2);
     }
 
     /// From the center of each cell to those of its facets.

@@ -183,6 +183,10 @@ class Renderer {
         this.hasArrows = arrows !== null;
         if (arrows)
             this.keepTexels("arrows", arrows);
+        const flow = this.scene.flowLines(field);
+        this.hasFlow = flow !== null;
+        if (flow)
+            this.keepTexels("flow", flow);
     }
 
     /** What all programs are told of the view. */
@@ -234,6 +238,9 @@ class Renderer {
         if (look.dual && this.textures.dual)
             lines("dual", {owned: true, width: 1.6, nearer: 0.0015, valued: false,
                 ink: look.dual_color});
+        if (look.flow && this.hasFlow)
+            lines("flow", {owned: false, width: 1.4, nearer: 0.003, valued: false,
+                ink: look.arrow_color});
         if (look.arrows && this.hasArrows) {
             this.use("arrows", {...all, ends: "arrows", width: 1.5, nearer: 0.004, scale: 1,
                 ink: look.arrow_color});

@@ -114,7 +114,21 @@ class Scene {
     }
 
     dualLines() {
-        const {dual_points: points, dual_lines: lines} = this.arrays;
+        return this.segments(this.arrays.dual_points, this.arrays.dual_lines);
+    }
+
+    /** Lines along the arrows that come with a field, or none. */
+    flowLines(field) {
+        const given = field ? this.givenArrows(field) : -1, lines = this.arrays[`flow${given}`];
+        return lines ? this.segments(this.arrays[`flow${given}_points`], lines) : null;
+    }
+
+    givenArrows(field) {
+        return this.header.arrows.findIndex(each => each.field === field.name);
+    }
+
+    /** Each with the number of the point where it begins. */
+    segments(points, lines) {
         const places = this.places(points);
         const place = v => [places[3 * v], places[3 * v + 1], places[3 * v + 2]];
         return this.lineTexels(lines.length / 2, i => [
@@ -132,7 +146,7 @@ class Scene {
     arrowLines(field, step) {
         if (!field)
             return null;
-        const given = this.header.arrows.findIndex(each => each.field === field.name);
+        const given = this.givenArrows(field);
         if (given >= 0)
             return this.arrowTexels(this.places(this.arrays[`sites${given}`]),
                 this.arrays[`vectors${given}`], 1);

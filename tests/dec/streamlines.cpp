@@ -125,6 +125,29 @@ TEST(Streamlines, KeepAway) {
     EXPECT_EQ(streamlines(mesh, wind).points, streamlines(mesh, wind).points);
 }
 
+TEST(Streamlines, AreNotShorterThanAsked) {
+    const auto mesh = discretize(grid(12, 12));
+    const auto turning = sampled(mesh, [](const auto& x) {
+        return Vector{{0.5 - x[1], x[0] - 0.5}};
+    });
+    const auto shortest = [&](double asked) {
+        const auto lines = streamlines(mesh, turning, {.spacing = 0.05, .shortest = asked});
+        double least = 1e300, sum = 0;
+        for (Index i = 0; i < lines.simplices.rows(); ++i) {
+            const auto [tail, head] = std::pair(lines.simplices(i, 0), lines.simplices(i, 1));
+            sum += (lines.points.row(head) - lines.points.row(tail)).norm();
+            if (i + 1 == lines.simplices.rows() || lines.simplices(i + 1, 0) != head) {
+                least = std::min(least, sum);
+                sum = 0;
+            }
+        }
+        return least / 0.05;
+    };
+    EXPECT_LT(shortest(0), 1);
+    for (const double asked : {1, 2, 5})
+        EXPECT_GE(shortest(asked), asked);
+}
+
 TEST(Streamlines, RefuseWhatTheyCannotFollow) {
     const auto mesh = discretize(grid(3, 2));
     DenseMatrix wind = DenseMatrix::Ones(6, 2);
@@ -133,6 +156,8 @@ TEST(Streamlines, RefuseWhatTheyCannotFollow) {
               "2-cells");
     EXPECT_EQ(refusal([&] { streamlines(mesh, wind, {.spacing = -1}); }),
               "lines -1 apart, 200 spacings long: expected numbers above 0");
+    EXPECT_EQ(refusal([&] { streamlines(mesh, wind, {.longest = 1}); }),
+              "lines of 2 to 1 spacings: expected numbers that ascend");
     wind(4, 1) = NAN;
     EXPECT_EQ(refusal([&] { streamlines(mesh, wind); }), "the vector of 2-cell 4 is not finite");
 }

@@ -97,7 +97,8 @@ class Browser:
 
     def plain(self):
         """Nothing but the colors of values."""
-        self.set(shade=False, edges=False, removed=False, dual=False, levels=False, arrows=False)
+        self.set(shade=False, edges=False, removed=False, dual=False, levels=False, arrows=False,
+                 flow=False)
 
     def text(self, identity):
         return self.run("return document.getElementById(arguments[0])?.textContent", identity)

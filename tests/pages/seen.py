@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What a page shows in a browser: colors are those of values, values those of files."""
+import math
 import os
 import sys
 
@@ -99,13 +100,45 @@ class Seen(TestCase):
                          "--count", 2)
         tab, values = self.browser, page.values("mode_1")
         tab.plain()
-        tab.set(field=1)
+        tab.set(field=1, map="diverging")
         largest, colors = max(map(abs, values)), page.header["maps"]["diverging"]
         wanted = {tuple(map(round, map_color(colors, (v / largest + 1) / 2))) for v in values}
         width, height = tab.size()
         seen = {tab.pixel(x, height // 2 + 7) for x in range(width // 5, 4 * width // 5)}
         self.assertTrue(any(distance(a, b) < ROUNDING for a in seen for b in wanted))
         self.assertFalse(any(distance(a, (9, 200, 9)) < ROUNDING for a in seen))
+
+    def test_lines_run_along_the_arrows(self):
+        page = self.page("spectrum", golden("uv8.off"), "--side", "dual", "--degree", 1, "--count", 2)
+        tab, arrays = self.browser, page.arrays
+
+        def rows(name):
+            numbers = arrays[name]
+            return [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
+
+        def cosine(a, b):
+            return (sum(x * y for x, y in zip(a, b))
+                    / math.sqrt(sum(x * x for x in a) * sum(x * x for x in b)))
+
+        sites, vectors, points = rows("sites0"), rows("vectors0"), rows("flow0_points")
+        ends, along = arrays["flow0"], []
+        for tail, head in zip(ends[::2], ends[1::2]):
+            if points[tail] == points[head]:
+                continue # by rounding
+            middle = [(a + b) / 2 for a, b in zip(points[tail], points[head])]
+            nearest = min(range(len(sites)), key=lambda i: math.dist(sites[i], middle))
+            along.append(cosine([b - a for a, b in zip(points[tail], points[head])],
+                                vectors[nearest]))
+        self.assertGreater(len(along), 100)
+        self.assertGreater(sorted(along)[len(along) // 2], 0.9)
+        self.assertGreater(sum(c > 0 for c in along), 0.95 * len(along))
+        tab.plain()
+        tab.set(field=1)
+        before = tab.picture()
+        tab.keys("f")
+        self.assertNotEqual(tab.picture(), before)
+        tab.keys("f")
+        self.assertEqual(tab.picture(), before)
 
     def test_a_cut_takes_cells_away_and_shows_those_behind(self):
         page = self.page("view", golden("kuhn3.nsc"))
