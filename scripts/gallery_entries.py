@@ -100,6 +100,13 @@ ENTRIES = (
     Entry("hot_spot", "A hot spot, blown around a sphere",
           "A PDE of one's own: transport by a wind with upwind sampling, and heat, on quads.",
           ("10_your_own_pde",), "temperature.html", {"step": "8", "levels": True}, (RIGHT,) * 20),
+    Entry("wave", "A wave on a torus",
+          "From rest, a bump runs around the tube both ways, meets itself and goes on. Energy is kept to "
+          "rounding; the page plays the steps.",
+          ("polydec generate torus --major 96 --minor 48 -o fine-torus.off",
+           "polydec wave fine-torus.off --initial 'exp(-30*((x-1.5)^2+y^2+z^2))' --until 3 "
+           "--frames 60 -o wave.html"), "wave.html", {"step": "18", "edges": False},
+          (DOWN,) * 4),
     Entry("pulse", "A pulse of light among octahedra",
           "The electric field upwards, by leapfrog on octahedra and tetrahedra, a value for each "
           "cell; the page plays the steps. A cut takes the front half away.",

@@ -110,9 +110,14 @@ void check_picture(const PictureArguments& picture, const std::filesystem::path&
     check_float32(picture);
 }
 
+PageText in_page(PageText text, const Log& log) {
+    text.command = command_text();
+    append(text.warnings, log.warnings);
+    return text;
+}
+
 void write_page(const std::filesystem::path& out, Page page, const Log& log) {
-    page.text.command = command_text();
-    append(page.text.warnings, log.warnings);
+    page.text = in_page(std::move(page.text), log);
     polydec::write_page(out, page);
 }
 

@@ -50,6 +50,9 @@ void write_picture(const PictureArguments& to, const Discretization& mesh,
                    const std::vector<NamedForm>& forms, PageText text,
                    std::vector<VtuArray> numbers, const Log& log);
 
+/// The text with the log's warnings and the command line.
+PageText in_page(PageText text, const Log& log);
+
 /// Writes a page, with the log's warnings and the command line.
 void write_page(const std::filesystem::path& out, Page page, const Log& log);
 

@@ -11,8 +11,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <exception>
+#include <iterator>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -22,8 +26,21 @@ namespace {
 
 constexpr std::size_t most_unlisted = 32; ///< one of so many steps may be missing in the list
 
-/// The folder of the steps, without those of an earlier series.
-void make_folder(const std::filesystem::path& folder, const std::string& stem) {
+/// The number of a step in the name of its file; none for other files.
+std::optional<std::size_t> step_of(const std::string& name, const std::string& stem) {
+    if (name.size() <= stem.size() + 5)
+        return std::nullopt;
+    const auto digits = name.substr(stem.size() + 1, name.size() - stem.size() - 5);
+    std::size_t step = 0;
+    const auto end = digits.data() + digits.size();
+    if (name != fmt::format("{}_{}.vtu", stem, digits) ||
+        std::from_chars(digits.data(), end, step).ptr != end)
+        return std::nullopt;
+    return step;
+}
+
+/// The folder of the steps, with so many of an earlier series.
+void make_folder(const std::filesystem::path& folder, const std::string& stem, std::size_t kept) {
     std::error_code error;
     std::filesystem::create_directory(folder, error);
     if (!std::filesystem::is_directory(folder))
@@ -32,12 +49,8 @@ void make_folder(const std::filesystem::path& folder, const std::string& stem) {
                                   error ? ": " + error.message() : std::string()),
                       {.path = folder});
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        const auto digits = name.size() > stem.size() + 5
-                                ? name.substr(stem.size() + 1, name.size() - stem.size() - 5)
-                                : std::string();
-        if (!digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos &&
-            name == fmt::format("{}_{}.vtu", stem, digits))
+        const auto step = step_of(entry.path().filename().string(), stem);
+        if (step && *step >= kept)
             std::filesystem::remove(entry.path(), error);
     }
 }
@@ -45,11 +58,18 @@ void make_folder(const std::filesystem::path& folder, const std::string& stem) {
 } // namespace
 
 Series::Series(std::filesystem::path path, const Discretization& mesh, std::string title)
-    : Series(std::move(path), Page{.text = {.title = std::move(title)}}) {
+    : Series(std::move(path), mesh, PageText{.title = std::move(title)}) {}
+
+Series::Series(std::filesystem::path path, const Discretization& mesh, PageText text,
+               const std::vector<double>& times)
+    : Series(std::move(path), Page{.text = std::move(text)}, times) {
     mesh_ = mesh;
 }
 
 Series::Series(std::filesystem::path path, Page page)
+    : Series(std::move(path), std::move(page), {}) {}
+
+Series::Series(std::filesystem::path path, Page page, const std::vector<double>& times)
     : path_(std::move(path)), page_(std::move(page)) {
     const std::string extension = lower_extension(path_);
     if (extension != ".pvd" && extension != ".html")
@@ -60,11 +80,44 @@ Series::Series(std::filesystem::path path, Page page)
     check_replaceable(path_);
     page_.steps.clear();
     page_.arrows.clear();
-    if (!is_page_) {
-        std::error_code error;
-        std::filesystem::remove(path_, error); // first: never are steps listed that are not there
-        make_folder(std::filesystem::path(path_).replace_extension(), path_.stem().string());
+    if (is_page_ && !times.empty())
+        throw InvalidInput(fmt::format("{} cannot be gone on with: a page is made of all its steps "
+                                       "at once; write a .pvd file, and make a page of it at the "
+                                       "end",
+                                       printable(path_.string())),
+                           {.path = path_});
+    keep_steps(times);
+    if (!is_page_)
+        make_folder(std::filesystem::path(path_).replace_extension(), path_.stem().string(),
+                    begun_);
+}
+
+std::string Series::file_of_step(std::size_t step) const {
+    return fmt::format("{0}/{0}_{1:04}.vtu", path_.stem().string(), step);
+}
+
+/// The list, before anything is removed: never are steps listed that are not there.
+void Series::keep_steps(const std::vector<double>& times) {
+    for (const double time : times) {
+        check_time(time);
+        const std::string file = file_of_step(steps_.size());
+        const auto path = path_.parent_path() / file;
+        if (!std::filesystem::is_regular_file(path))
+            throw InvalidInput(fmt::format("{} is not there, a step of the series that is to be "
+                                           "gone on with: begin anew",
+                                           printable(path.string())),
+                               {.path = path});
+        std::string text;
+        append_number(text, time);
+        steps_.push_back({text, file});
+        last_ = time;
     }
+    begun_ = steps_.size();
+    std::error_code error;
+    if (begun_ > 0)
+        write_due(true);
+    else if (!is_page_)
+        std::filesystem::remove(path_, error);
 }
 
 Series::~Series() {
@@ -102,8 +155,10 @@ void Series::add(double time, const std::vector<NamedForm>& forms) {
     if (!page_.mesh && !mesh_)
         throw InvalidInput("forms in a series that was begun without a mesh: add arrays");
     if (mesh_) {
-        Page page = draw_page(*mesh_, forms, page_.text.title);
+        Page page = draw_page(*mesh_, forms);
         page.arrows.clear();
+        auto facts = std::exchange(page.text, page_.text).facts;
+        std::move(facts.begin(), facts.end(), std::back_inserter(page.text.facts));
         auto points = std::exchange(page.grid.point_data, {});
         auto cells = std::exchange(page.grid.cell_data, {});
         std::swap(page_, page);
@@ -124,7 +179,7 @@ void Series::add(double time, const std::vector<NamedForm>& forms) {
 
 void Series::add(double time, std::vector<VtuArray> point_data, std::vector<VtuArray> cell_data) {
     check_time(time);
-    if (!steps_.empty()) {
+    if (steps_.size() > begun_) {
         check_arrays(point_data, page_.grid.point_data);
         check_arrays(cell_data, page_.grid.cell_data);
     }
@@ -149,8 +204,7 @@ void Series::write_step(const std::string& time) {
         check_grid("a page", page_.grid);
         page_.steps.push_back({time, page_.grid.point_data, page_.grid.cell_data});
     } else {
-        const std::string stem = path_.stem().string();
-        file = fmt::format("{0}/{0}_{1:04}.vtu", stem, steps_.size());
+        file = file_of_step(steps_.size());
         write_vtu(path_.parent_path() / file, page_.grid);
     }
     steps_.push_back({time, std::move(file)});

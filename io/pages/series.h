@@ -22,6 +22,13 @@ public:
     /// another extension; IoError if nothing can be written there.
     Series(std::filesystem::path path, const Discretization& mesh, std::string title = {});
 
+    /// With more text than a title, behind which a page tells what the mesh is. With times, goes on
+    /// with a .pvd file to which steps at these times were added before, of which any may
+    /// not be listed yet: their files stay, all later ones go. Throws likewise; InvalidInput too
+    /// for a page, which holds all its steps in memory, and where one of the files is not there.
+    Series(std::filesystem::path path, const Discretization& mesh, PageText text,
+           const std::vector<double>& times = {});
+
     /// The same for cells as write_vtu writes them, in the grid of this page; its arrays and steps
     /// are replaced by those that are added, arrows are left out.
     Series(std::filesystem::path path, Page page);
@@ -49,6 +56,9 @@ private:
         std::string time, file;
     };
 
+    Series(std::filesystem::path path, Page page, const std::vector<double>& times);
+    std::string file_of_step(std::size_t step) const;
+    void keep_steps(const std::vector<double>& times);
     void check_time(double time) const;
     void check_arrays(const std::vector<VtuArray>& arrays,
                       const std::vector<VtuArray>& first) const;
@@ -63,6 +73,7 @@ private:
     double last_ = 0;
     std::vector<Step> steps_ = {};
     std::size_t written_ = 0; ///< steps that the list or the page has
+    std::size_t begun_ = 0;   ///< steps of an earlier run
 };
 
 } // namespace polydec

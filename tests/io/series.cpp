@@ -124,6 +124,51 @@ TEST(Series, RemovesStepsOfAnEarlierOneAndNothingElse) {
         EXPECT_TRUE(std::filesystem::exists(folder.path("a") / name)) << name;
 }
 
+TEST(Series, GoesOnAsIfItHadNotEnded) {
+    const auto mesh = square();
+    const TemporaryFolder folder;
+    const auto add = [&](Series& series, int from, int to) {
+        for (int step = from; step < to; ++step)
+            series.add(0.1 * step, {{"u", moving(mesh, Side::dual, 0, step)}});
+    };
+    Series whole(folder.path("whole.pvd"), mesh);
+    add(whole, 0, 50);
+    whole.close();
+    for (const std::size_t kept : {0, 1, 30, 39}) {
+        {
+            Series early(folder.path("part.pvd"), mesh);
+            add(early, 0, 40); // of which the last may be beyond the last checkpoint
+        }
+        std::vector<double> times;
+        for (std::size_t step = 0; step < kept; ++step)
+            times.push_back(0.1 * static_cast<double>(step));
+        Series late(folder.path("part.pvd"), mesh, PageText{}, times);
+        EXPECT_EQ(late.size(), kept);
+        EXPECT_EQ(std::filesystem::exists(folder.path("part/part_0039.vtu")), kept > 39);
+        add(late, static_cast<int>(kept), 50);
+        late.close();
+        const auto found = read_series(folder.path("part.pvd"));
+        const auto wanted = read_series(folder.path("whole.pvd"));
+        ASSERT_EQ(found.steps.size(), 50U);
+        for (std::size_t step = 0; step < 50; ++step) {
+            EXPECT_EQ(found.steps[step].time, wanted.steps[step].time);
+            EXPECT_EQ(found.steps[step].cell_data[0].values,
+                      wanted.steps[step].cell_data[0].values);
+        }
+    }
+    EXPECT_EQ(error_of([&] {
+                  Series(folder.path("part.pvd"), mesh, PageText{}, {1, 0});
+              }).substr(0, 54),
+              "InvalidInput: step 1 of a series at the time 0: expect");
+    EXPECT_EQ(error_of([&] { Series(folder.path("none.pvd"), mesh, PageText{}, {0}); }),
+              fmt::format("InvalidInput: {} is not there, a step of the series that is to be gone "
+                          "on with: begin anew",
+                          folder.path("none/none_0000.vtu").string()));
+    EXPECT_EQ(error_of([&] { Series("a.html", mesh, PageText{}, {0}); }),
+              "InvalidInput: a.html cannot be gone on with: a page is made of all its steps at "
+              "once; write a .pvd file, and make a page of it at the end");
+}
+
 TEST(Series, RefusesWhatDoesNotFit) {
     const auto mesh = square();
     const TemporaryFolder folder;

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "io/checkpoint.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "base/printable.h"
+#include "dec/forms/star.h"
+#include "io/byte_reader.h"
+#include "io/source_file.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <string>
+
+namespace polydec {
+
+namespace {
+
+constexpr std::string_view heading = "polydec checkpoint 1\n";
+constexpr std::size_t word_size = sizeof(std::uint64_t);
+
+/// Words of a file, the lowest byte first, with a fingerprint of them all behind.
+class WordWriter {
+public:
+    explicit WordWriter(AtomicFile& file) : file_(file) {}
+
+    void write(std::uint64_t word) {
+        fingerprint_.add(word);
+        put(word);
+    }
+    void close() { put(fingerprint_.value()); }
+
+private:
+    void put(std::uint64_t word) {
+        char bytes[word_size];
+        for (char& byte : bytes) {
+            byte = static_cast<char>(word & 0xff);
+            word >>= 8;
+        }
+        file_.write({bytes, word_size});
+    }
+
+    AtomicFile& file_;
+    Fingerprint fingerprint_;
+};
+
+class WordReader {
+public:
+    explicit WordReader(const SourceFile& file) : file_(file) {}
+
+    std::uint64_t next() {
+        if (left() == 0)
+            fail("it ends too early");
+        const auto word = number_at<std::uint64_t>(file_.text.data() + at_, std::endian::little);
+        at_ += word_size;
+        return word;
+    }
+    std::size_t left() const { return (file_.text.size() - at_) / word_size; }
+
+    [[noreturn]] void fail(std::string_view reason) const {
+        throw InvalidInput(
+            fmt::format("{} cannot be gone on from: {}", printable(file_.name), reason),
+            {.path = file_.name});
+    }
+
+private:
+    const SourceFile& file_;
+    std::size_t at_ = heading.size();
+};
+
+/// The last word holds of those before it, and there are whole words alone.
+void check_whole(const SourceFile& file) {
+    WordReader words(file);
+    if (!file.text.starts_with(heading))
+        words.fail("it is no checkpoint of this version of polydec");
+    if ((file.text.size() - heading.size()) % word_size != 0 || words.left() == 0)
+        words.fail("it is cut off");
+    Fingerprint found;
+    while (words.left() > 1)
+        found.add(words.next());
+    if (words.next() != found.value())
+        words.fail("it is damaged");
+}
+
+} // namespace
+
+Fingerprint& Fingerprint::add(std::uint64_t word) {
+    value_ = (value_ ^ word) * 0x9e3779b97f4a7c15;
+    value_ ^= value_ >> 29;
+    return *this;
+}
+
+Fingerprint& Fingerprint::add(double number) {
+    return add(std::bit_cast<std::uint64_t>(number));
+}
+
+Fingerprint& Fingerprint::add(std::string_view text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    for (const char c : text)
+        add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+    return *this;
+}
+
+Fingerprint& Fingerprint::add(const Eigen::Ref<const DenseMatrix>& numbers) {
+    add(static_cast<std::uint64_t>(numbers.rows()));
+    add(static_cast<std::uint64_t>(numbers.cols()));
+    for (Eigen::Index j = 0; j < numbers.cols(); ++j)
+        for (Eigen::Index i = 0; i < numbers.rows(); ++i)
+            add(numbers(i, j));
+    return *this;
+}
+
+Fingerprint& Fingerprint::add(const Discretization& mesh) {
+    const int n = mesh.dimension();
+    add(DenseMatrix(mesh.points())).add(mesh.unit());
+    for (int k = 0; k <= n; ++k) {
+        add(mesh.volumes().primal(k)).add(mesh.volumes().dual(k));
+        if (k == 0)
+            continue;
+        for (Index cell = 0; cell < mesh.complex().size(k); ++cell)
+            for (const SignedFace& f : mesh.complex().incidences(k - 1)[cell])
+                add(static_cast<std::uint64_t>(2 * std::int64_t{f.face} + (f.sign > 0)));
+    }
+    return add(name(mesh.chosen_stars().kind));
+}
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+    AtomicFile file(path);
+    file.write(heading);
+    WordWriter words(file);
+    for (const std::uint64_t word :
+         {checkpoint.problem, checkpoint.step, std::bit_cast<std::uint64_t>(checkpoint.time),
+          std::uint64_t{checkpoint.state.size()}})
+        words.write(word);
+    for (const Vector& values : checkpoint.state)
+        words.write(static_cast<std::uint64_t>(values.size()));
+    for (const Vector& values : checkpoint.state)
+        for (const double value : values)
+            words.write(std::bit_cast<std::uint64_t>(value));
+    words.close();
+    file.commit();
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t problem) {
+    const SourceFile file = read_source_file(path);
+    check_whole(file);
+    WordReader words(file);
+    Checkpoint result;
+    result.problem = words.next();
+    if (result.problem != problem)
+        words.fail("it belongs to another mesh, equation or option; begin anew, or give the same");
+    result.step = words.next();
+    result.time = std::bit_cast<double>(words.next());
+    const std::uint64_t count = words.next();
+    std::vector<std::uint64_t> sizes;
+    for (std::uint64_t i = 0; i < count; ++i)
+        sizes.push_back(words.next());
+    for (const std::uint64_t size : sizes) {
+        if (size >= words.left())
+            words.fail("its sizes are not those of its numbers");
+        Vector& values = result.state.emplace_back(static_cast<Eigen::Index>(size));
+        for (double& value : values)
+            value = std::bit_cast<double>(words.next());
+    }
+    return result;
+}
+
+} // namespace polydec

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "io/checkpoint.h"
+
+#include "meshes/generate.h"
+#include "tests/io/support.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <fstream>
+#include <limits>
+
+namespace polydec::tests {
+
+namespace {
+
+Checkpoint sample() {
+    Checkpoint result{.problem = 7, .step = 12, .time = 0.1, .state = {}};
+    result.state.push_back(Vector::LinSpaced(1000, -1, 1));
+    result.state.push_back(Vector(0));
+    result.state.push_back(Vector{{-0.0, std::numeric_limits<double>::denorm_min(), 1e300}});
+    return result;
+}
+
+void write_bytes(const std::filesystem::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+} // namespace
+
+TEST(Checkpoint, IsReadToTheSameBits) {
+    const TemporaryFolder folder;
+    const auto path = folder.path("a.checkpoint");
+    const Checkpoint written = sample();
+    write_checkpoint(path, written);
+    const Checkpoint read = read_checkpoint(path, 7);
+    EXPECT_EQ(read.step, 12U);
+    EXPECT_EQ(read.time, 0.1);
+    ASSERT_EQ(read.state.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        ASSERT_EQ(read.state[i].size(), written.state[i].size());
+        for (Index j = 0; j < read.state[i].size(); ++j)
+            EXPECT_EQ(std::bit_cast<std::uint64_t>(read.state[i][j]),
+                      std::bit_cast<std::uint64_t>(written.state[i][j]));
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"a.checkpoint"});
+}
+
+TEST(Checkpoint, OfAnotherProblemIsRefused) {
+    const TemporaryFolder folder;
+    const auto path = folder.path("a.checkpoint");
+    write_checkpoint(path, sample());
+    EXPECT_EQ(error_of([&] { read_checkpoint(path, 8); }),
+              fmt::format("InvalidInput: {} cannot be gone on from: it belongs to another mesh, "
+                          "equation or option; begin anew, or give the same",
+                          path.string()));
+}
+
+TEST(Checkpoint, ThatIsDamagedAnywhereIsRefused) {
+    const TemporaryFolder folder;
+    const auto path = folder.path("a.checkpoint");
+    Checkpoint small = sample();
+    small.state.erase(small.state.begin());
+    write_checkpoint(path, small);
+    const std::string text = read_text(path);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        write_bytes(path, text.substr(0, i));
+        EXPECT_NE(error_of([&] { read_checkpoint(path, 7); }), "") << "cut at " << i;
+        std::string changed = text;
+        changed[i] = static_cast<char>(changed[i] ^ 16);
+        write_bytes(path, changed);
+        EXPECT_NE(error_of([&] { read_checkpoint(path, 7); }), "") << "changed at " << i;
+    }
+    write_bytes(path, text);
+    EXPECT_EQ(error_of([&] { read_checkpoint(path, 7); }), "");
+}
+
+TEST(Fingerprint, TellsMeshesApart) {
+    const auto of = [](const Mesh& mesh, const DiscretizeOptions& options = {}) {
+        return Fingerprint().add(discretize(mesh, options)).value();
+    };
+    const Mesh mesh = grid(3, 2);
+    Mesh moved = mesh;
+    moved.points(4, 0) += 1e-15;
+    EXPECT_EQ(of(mesh), of(grid(3, 2)));
+    for (const auto other : {of(moved), of(grid(2, 3)), of(mesh, {.centers = Centers::centroids()}),
+                             of(mesh, {.star = StarKind::galerkin})})
+        EXPECT_NE(other, of(mesh));
+    EXPECT_NE(Fingerprint().add("ab").add("c").value(), Fingerprint().add("a").add("bc").value());
+    EXPECT_NE(Fingerprint().add(0.0).value(), Fingerprint().add(-0.0).value());
+}
+
+} // namespace polydec::tests

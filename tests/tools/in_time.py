@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: MIT
+"""The subcommands heat and wave: decay, swing, series, and runs that are killed and gone on with."""
+import math
+import os
+import random
+import signal
+import subprocess
+import time
+
+import command
+from command import TestCase, golden
+
+KILLS = int(os.environ.get("POLYDEC_KILLS", "30"))
+
+
+class InTime(TestCase):
+    def make(self, kind, *arguments):
+        path = self.path(f"{kind}.off")
+        self.succeed("generate", kind, *arguments, "-o", path)
+        return path
+
+    def steps_of(self, name):
+        """Of a list, the times and the files."""
+        lines = [line.split('"') for line in self.read(name).splitlines() if "timestep" in line]
+        return [float(line[1]) for line in lines], [line[5] for line in lines]
+
+    def test_heat_on_a_sphere_decays_as_harmonics_do(self):
+        for side in ("primal", "dual"):
+            sphere = self.make("icosphere", "--frequency", 24)
+            errors = []
+            for step in (0.02, 0.01):
+                answer = self.ask("heat", sphere, "--side", side, "--initial", "z", "--until", 0.5,
+                                  "--time-step", step, "--scheme", "crank-nicolson")
+                self.assertEqual(answer["steps"], round(0.5 / step))
+                errors.append(abs(answer["relative_norm"] / math.exp(-2 * 0.5) - 1))
+            self.assertLess(errors[-1], 0.01)
+            rough = self.ask("heat", sphere, "--side", side, "--initial", "z", "--until", 0.5,
+                             "--time-step", 0.02)["relative_norm"]
+            self.assertGreater(abs(rough / math.exp(-1) - 1), errors[0])
+
+    def test_conditions_decide_what_is_left(self):
+        grid = golden("grid4.nsc")
+        kept = self.ask("heat", grid, "--side", "primal", "--initial", "1", "--until", 0.5)
+        self.assertAlmostEqual(kept["relative_norm"], 1, delta=1e-12)
+        lost = self.ask("heat", grid, "--side", "primal", "--initial", "1", "--until", 0.5,
+                        "--essential-where", "1")
+        self.assertLess(lost["relative_norm"], 1e-3)
+        self.assertIn("Dirichlet", lost["conditions"])
+        built_in = self.ask("heat", grid, "--side", "dual", "--initial", "1", "--until", 0.5)
+        self.assertLess(built_in["relative_norm"], 1e-3)
+
+    def test_waves_swing_back_and_keep_their_energy(self):
+        square = self.make("grid", "--nx", 32, "--ny", 32)
+        period = math.sqrt(2)
+        for time_, factor in ((period / 2, -1), (period, 1)):
+            answer = self.ask("wave", square, "--initial", "sin(pi*x)*sin(pi*y)",
+                              "--essential-where", "1", "--until", time_)
+            largest = max(answer["min"], answer["max"], key=abs)
+            self.assertAlmostEqual(largest, factor, delta=0.01)
+            self.assertAlmostEqual(answer["relative_energy"], 1, delta=1e-11)
+            self.assertLess(answer["time_step"], answer["stable_step"])
+        self.assertIn("below", self.fail_with(2, "wave", square, "--initial", "x", "--until", 1,
+                                              "--time-step", 2 * answer["stable_step"]))
+
+    def test_units_of_length_change_nothing_but_time(self):
+        with open(golden("grid4.nsc"), encoding="ascii") as file:
+            lines = file.read().splitlines()
+        n, _, points, _ = map(int, lines[0].split())
+        for scale in (1e-30, 1e20):
+            moved = [" ".join(repr(float(x) * scale) for x in line.split())
+                     for line in lines[1:1 + points]]
+            self.write("scaled.nsc", "\n".join(lines[:1] + moved + lines[1 + points:]) + "\n")
+            for name, power, more in (("heat", 2, ("--side", "primal")), ("wave", 1, ())):
+                one = self.ask(name, golden("grid4.nsc"), "--initial", "x", "--until", 0.5, *more)
+                other = self.ask(name, "scaled.nsc", "--initial", f"x/{scale!r}", "--until",
+                                 0.5 * scale ** power, *more)
+                self.assertEqual(one["steps"], other["steps"])
+                self.assertAlmostEqual(one["max"], other["max"], delta=1e-9)
+
+    def test_a_series_has_every_frame(self):
+        for name, more in (("heat", ("--side", "dual")), ("wave", ())):
+            answer = self.ask(name, golden("uv8.off"), "--initial", "z", "--until", 1, "--frames", 7,
+                              "-o", "s.pvd", *more)
+            times, files = self.steps_of("s.pvd")
+            self.assertEqual(len(times), answer["frames"])
+            self.assertEqual(times[0], 0)
+            self.assertAlmostEqual(times[-1], 1, delta=1e-12)
+            self.assertEqual(files, [f"s/s_{i:04}.vtu" for i in range(len(files))])
+            self.succeed(name, golden("uv8.off"), "--initial", "z", "--until", 1, "-o", "s.html",
+                         *more)
+            self.succeed("view", "s.pvd", "-o", "t.html")
+
+    def test_forms_of_other_degrees_come_from_files(self):
+        edges = self.ask("info", golden("uv8.off"))["cells"]["merged"][1]
+        self.write("form.txt", "\n".join(str(math.sin(i)) for i in range(edges)))
+        for name, more in (("heat", ("--side", "primal")), ("wave", ())):
+            answer = self.ask(name, golden("uv8.off"), "--degree", 1, "--initial", "form.txt",
+                              "--until", 0.5, *more)
+            self.assertEqual(answer["degree"], 1)
+            self.assertIn("expected a file", self.fail_with(
+                2, name, golden("uv8.off"), "--degree", 1, "--initial", "x", "--until", 1, *more))
+            self.assertIn("expected", self.fail_with(
+                2, name, golden("uv8.off"), "--degree", 0, "--initial", "form.txt", "--until", 1,
+                *more))
+
+    def test_what_cannot_be_done_is_refused(self):
+        heat = ("heat", golden("uv8.off"), "--side", "primal", "--initial", "z", "--until", 1)
+        self.succeed(*heat, "--checkpoint", "a.checkpoint")
+        self.assertIn("belongs to another", self.fail_with(
+            2, *heat, "--time-step", 0.001, "--checkpoint", "a.checkpoint", "--resume"))
+        self.write("b.checkpoint", "polydec checkpoint 1\n")
+        self.assertIn("cut off", self.fail_with(2, *heat, "--checkpoint", "b.checkpoint",
+                                                "--resume"))
+        self.assertIn("all its steps", self.fail_with(
+            2, *heat, "--checkpoint", "a.checkpoint", "--resume", "-o", "a.html"))
+        self.fail_with(2, *heat, "-o", "a.vtu")
+        self.fail_with(2, *heat, "--checkpoint", "a.txt")
+        self.fail_with(2, *heat[:-1], 1e12, "--time-step", 1e-3)
+        for wrong in (0, -1, "nan"):
+            self.fail_with(1, *heat[:-1], wrong)
+        self.fail_with(1, *heat, "--resume")
+
+    def contents(self, name):
+        """A list, its files, and nothing else that was finished."""
+        _, files = self.steps_of(name)
+        found = {entry for entry in os.listdir(self.path(name[:-4])) if not entry.startswith(".")}
+        self.assertEqual(found, {os.path.basename(file) for file in files})
+        return [self.read(file) for file in files]
+
+    def test_killed_runs_go_on_to_the_same_bits(self):
+        sphere = self.make("icosphere", "--frequency", 40)
+        chance = random.Random(1)
+        kills = 0
+        for name, more in (("heat", ("--side", "dual", "--until", 0.1, "--frames", 40)),
+                           ("wave", ("--until", 1, "--frames", 40))):
+            line = (name, sphere, "--initial", "exp(-9*(x-1)^2)", *more)
+            begin = time.monotonic()
+            whole = self.ask(*line, "-o", "whole.pvd")
+            took = time.monotonic() - begin
+            wanted = self.contents("whole.pvd")
+            wanted_kills = kills + KILLS // 2
+            while kills < wanted_kills:
+                for left in ("part.pvd", "part.checkpoint"):
+                    if os.path.exists(self.path(left)):
+                        os.remove(self.path(left))
+                line_of_part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint",
+                                "--resume", "--json")
+                while True:
+                    run = subprocess.Popen([command.COMMAND, *map(str, line_of_part)],
+                                           cwd=self.folder, stdout=subprocess.PIPE)
+                    try:
+                        out, _ = run.communicate(timeout=chance.uniform(0.2, 0.9) * took)
+                        break
+                    except subprocess.TimeoutExpired:
+                        run.send_signal(signal.SIGKILL if kills % 3 else signal.SIGINT)
+                        run.communicate()
+                        kills += 1
+                self.assertEqual(run.returncode, 0)
+                answer = command.parse(out)
+                answer["resumed_at"] = whole["resumed_at"]
+                self.assertEqual(answer, whole)
+                self.assertEqual(self.contents("part.pvd"), wanted)
+
+
+if __name__ == "__main__":
+    command.main()

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "io/checkpoint.h"
+#include "io/pages/draw_page.h"
+#include "tools/answer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What commands that march in time have in common.
+namespace polydec::tools {
+
+struct TimeArguments {
+    double until = 0;     ///< in the units of the file
+    double time_step = 0; ///< at most; 0: what the command takes by itself
+    Index frames = 20;
+    std::filesystem::path out, checkpoint;
+    bool resume = false;
+};
+
+/// Adds --until, --time-step, --frames, -o, --checkpoint and --resume; what the command takes for a
+/// step by itself, in words.
+void add_time(CLI::App& command, TimeArguments& arguments, const std::string& own_step);
+
+/// Looks at the files that are asked for; inputs are those that are read.
+void check_time(const TimeArguments& arguments, std::vector<std::filesystem::path> inputs);
+
+/// Equal steps, of which the last one ends at the time that is asked for.
+struct TimeSteps {
+    Index count;
+    double length; ///< in the units of the file
+};
+
+/// Of at most the length that is asked for; else of at most this one, and as many to each frame.
+/// Throws InvalidInput for more than 1e9 steps.
+TimeSteps time_steps(const TimeArguments& arguments, double length);
+
+/// What marches: forms that each step takes to the next ones.
+struct March {
+    std::string what; ///< heat, say, for progress
+    PageText text;
+    TimeSteps steps;
+    std::vector<Vector> state; ///< at the time 0; at the end after run
+    std::function<void(std::vector<Vector>&)> step;
+    std::function<std::vector<NamedForm>(const std::vector<Vector>&)> shown;
+    Fingerprint problem; ///< of all that makes the numbers, but for the steps
+};
+
+/// Where a run began: at a checkpoint, or at step 0.
+struct Ran {
+    Index resumed_at = 0;
+    Index frames = 0;
+};
+
+/// Runs to the end, with what happens on the way: the frames of the series that is asked for, and a
+/// checkpoint after each. A run that goes on from a checkpoint ends in the same bits. Throws
+/// SolverFailure, naming the step, for what is no number.
+Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh);
+
+/// Of the JSON object of an answer, and of its text.
+void write_time(JsonWriter& json, const TimeSteps& steps, const Ran& ran);
+std::string in_words(const TimeSteps& steps, const Ran& ran);
+
+} // namespace polydec::tools
