@@ -19,8 +19,11 @@ namespace polydec {
 
 namespace {
 
-constexpr double step_size = 0.25; // of a barycentric coordinate
-constexpr int most_turns = 32;     // from simplex to simplex without getting on
+constexpr double step_size = 0.25;    // of a barycentric coordinate
+constexpr int most_turns = 32;        // from simplex to simplex without getting on
+constexpr int watched_steps = 100;    // after so many a line must have got on
+constexpr double least_headway = 0.1; // of its length
+constexpr int most_steps = 100'000;   // of a line, each way
 
 /// A place in an n-simplex.
 struct Spot {
@@ -252,12 +255,12 @@ bool Tracer::enter(Index bin, double at) {
 /// The places of a line from a spot on, without it, along the field or against it.
 std::vector<Vector> Tracer::half(Spot spot, double sign) {
     std::vector<Vector> places;
-    Vector last = place(spot);
-    double length = 0;
-    for (bool goes_on = true; goes_on && length < longest_ * spacing_;) {
+    Vector last = place(spot), watched = last;
+    double length = 0, watched_length = 0;
+    for (int step = 1; step <= most_steps && length < longest_ * spacing_; ++step) {
         if (!(speed(spot) > slowest_))
             break;
-        goes_on = advance(spot, sign);
+        const bool goes_on = advance(spot, sign);
         const Vector next = place(spot);
         length += (next - last).norm();
         if (!enter(bins_[spot.simplex], sign * length))
@@ -265,6 +268,13 @@ std::vector<Vector> Tracer::half(Spot spot, double sign) {
         if ((next - last).norm() > 1e-9 * spacing_) {
             places.push_back(next);
             last = next;
+        }
+        if (!goes_on)
+            break;
+        if (step % watched_steps == 0) {
+            const double travelled = length - std::exchange(watched_length, length);
+            if (!((next - std::exchange(watched, next)).norm() > least_headway * travelled))
+                break;
         }
     }
     return places;

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <random>
 
 namespace polydec::test {
 
@@ -146,6 +147,41 @@ TEST(Streamlines, AreNotShorterThanAsked) {
     EXPECT_LT(shortest(0), 1);
     for (const double asked : {1, 2, 5})
         EXPECT_GE(shortest(asked), asked);
+}
+
+TEST(Streamlines, EndWhereFieldsMeetOrTurnAround) {
+    auto meshes = flat_meshes();
+    meshes.push_back(torus(24, 12));
+    meshes.push_back(icosphere(6));
+    for (const Mesh& input : meshes) {
+        const auto mesh = discretize(input);
+        const Eigen::RowVectorXd middle = mesh.points().colwise().mean();
+        std::mt19937 random(1);
+        const auto any = [&](const auto& x) {
+            return Vector::NullaryExpr(x.size(), [&] { return random() / 2147483648.0 - 1; });
+        };
+        for (const auto& field :
+             {sampled(mesh, [&](const auto& x) { return Vector((middle - x).transpose()); }),
+              sampled(mesh, [&](const auto& x) { return Vector((x - middle).transpose()); }),
+              sampled(mesh, any), sampled(mesh, any),
+              sampled(mesh,
+                      [&](const auto& x) { // towards a plane, which cuts through simplices
+                          Vector v = Vector::Zero(x.size());
+                          v[0] = middle[0] + 0.01 - x[0];
+                          return v;
+                      }),
+              sampled(mesh, [&](const auto& x) { // around, and slowly inwards
+                  Vector v = 0.02 * (middle - x).transpose();
+                  v[0] -= x[1] - middle[1];
+                  v[1] += x[0] - middle[0];
+                  return v;
+              })}) {
+            const auto lines = streamlines(mesh, field, {.shortest = 0});
+            EXPECT_GT(lines.simplices.rows(), 0);
+            EXPECT_LT(lines.points.rows(), 500 * mesh.input().size(mesh.dimension()));
+            EXPECT_TRUE(lines.points.allFinite());
+        }
+    }
 }
 
 TEST(Streamlines, RefuseWhatTheyCannotFollow) {
