@@ -47,6 +47,7 @@ std::unique_ptr<CLI::App> command_line() {
     add_draw(*app);
     add_spectrum(*app);
     add_poisson(*app);
+    add_hodge(*app);
     add_heat(*app);
     add_wave(*app);
     add_distance(*app);

@@ -13,6 +13,7 @@ void add_view(CLI::App& app);
 void add_draw(CLI::App& app);
 void add_spectrum(CLI::App& app);
 void add_poisson(CLI::App& app);
+void add_hodge(CLI::App& app);
 void add_heat(CLI::App& app);
 void add_wave(CLI::App& app);
 void add_distance(CLI::App& app);

@@ -165,6 +165,7 @@ SiteValues::SiteValues(const std::string& option, const std::string& text,
                             printable(text)));
 }
 
+SiteValues::SiteValues(SiteValues&&) noexcept = default;
 SiteValues::~SiteValues() = default;
 
 Vector SiteValues::at(const Points& sites, const std::vector<Index>& labels) const {

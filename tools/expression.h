@@ -39,6 +39,7 @@ public:
     /// Throws like Expression; also for text that is both a file and an expression. InvalidInput
     /// for a file with anything but finite numbers, IoError for one that cannot be read.
     SiteValues(const std::string& option, const std::string& text, const std::string& label = "");
+    SiteValues(SiteValues&&) noexcept;
     ~SiteValues();
 
     /// Throws InvalidInput for a file with another number of values, else like Expression.

@@ -1,47 +1,97 @@
 // SPDX-License-Identifier: MIT
-#include "tools/initial_form.h"
+#include "tools/form_values.h"
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/de_rham.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <string_view>
+
 namespace polydec::tools {
 
-void add_initial(CLI::App& command, std::string& text) {
+namespace {
+
+Index binomial(int of, int chosen) {
+    double result = 1;
+    for (int i = 0; i < chosen; ++i)
+        result = result * (of - i) / (i + 1);
+    return static_cast<Index>(std::lround(result));
+}
+
+/// Integrals over cells, or over their duals, in the units of the file.
+Vector integrals(const Discretization& mesh, Side side, int degree,
+                 const std::vector<SiteValues>& coefficients) {
+    const auto form = [&](const Vector& point) {
+        const Points site = mesh.unit() * point.transpose();
+        Vector values(static_cast<Eigen::Index>(coefficients.size()));
+        for (std::size_t i = 0; i < coefficients.size(); ++i)
+            values[static_cast<Eigen::Index>(i)] = coefficients[i].at(site)[0];
+        return values;
+    };
+    const Cochain found =
+        side == Side::primal ? de_rham(mesh, degree, form) : dual_de_rham(mesh, degree, form);
+    return std::pow(mesh.unit(), degree) * found.values;
+}
+
+} // namespace
+
+void add_form(CLI::App& command, const std::string& option, std::string& text,
+              const std::string& what) {
     command
-        .add_option("--initial", text,
-                    "the form at time 0: of degree 0 an expression in x, y, z; or a\n"
-                    "file with a value for each cell")
+        .add_option(option, text,
+                    fmt::format("{}: an expression in x, y, z; of higher\n"
+                                "degree the coefficients at dx, dy, .. or at dx dy, dx dz, ..,\n"
+                                "like '-y; x; 0'; or a file with a number for each cell",
+                                what))
         ->required();
 }
 
-InitialForm::InitialForm(const std::string& text) : values_("--initial", text) {}
+FormValues::FormValues(const std::string& option, const std::string& text) : option_(option) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(text, error)) {
+        coefficients_.emplace_back(option, text);
+        return;
+    }
+    for (std::size_t begin = 0; begin <= text.size();) { // a last one may be empty, which is told
+        const std::size_t end = std::min(text.find(';', begin), text.size());
+        coefficients_.emplace_back(option, text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+}
 
-Cochain InitialForm::on(const Discretization& mesh, Side side, int degree) const {
+Cochain FormValues::on(const Discretization& mesh, Side side, int degree) const {
     const int n = mesh.dimension();
+    const int coordinates = static_cast<int>(mesh.points().cols());
     if (degree < 0 || degree > n)
         throw InvalidInput(
             fmt::format("forms of degree {} are asked for: expected 0 to {}", degree, n));
-    if (degree > 0 && !values_.file())
-        throw InvalidInput(fmt::format("--initial is an expression, which gives values of "
-                                       "0-forms: expected a file with one number for each cell "
-                                       "for forms of degree {}",
-                                       degree));
+    if (coefficients_.front().file()) {
+        const int k = cell_degree(mesh.complex(), side, degree);
+        return {side, degree, coefficients_.front().at(Points(mesh.complex().size(k), 0))};
+    }
+    const Index wanted = degree == 0 ? 1 : binomial(coordinates, degree);
+    if (std::ssize(coefficients_) != wanted)
+        throw InvalidInput(fmt::format("{} has {} coefficient{}: a {}-form in {} coordinates has "
+                                       "{}, with ; between them",
+                                       option_, coefficients_.size(),
+                                       coefficients_.size() == 1 ? "" : "s", degree, coordinates,
+                                       wanted));
     if (degree > 0)
-        return {
-            side, degree,
-            values_.at(Points(mesh.complex().size(cell_degree(mesh.complex(), side, degree)), 0))};
+        return {side, degree, integrals(mesh, side, degree, coefficients_)};
     const Points sites = side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
-    return {side, degree, values_.at(mesh.unit() * sites)};
+    return {side, degree, coefficients_.front().at(mesh.unit() * sites)};
 }
 
-Paths InitialForm::inputs(const std::filesystem::path& mesh,
-                          const std::vector<std::optional<std::filesystem::path>>& others) const {
+Paths FormValues::inputs(const std::filesystem::path& mesh,
+                         const std::vector<std::optional<std::filesystem::path>>& others) const {
     Paths files = mesh_files(mesh);
-    if (values_.file())
-        files.push_back(*values_.file());
+    for (const SiteValues& each : coefficients_)
+        if (each.file())
+            files.push_back(*each.file());
     for (const auto& other : others)
         if (other)
             files.push_back(*other);

@@ -14,18 +14,21 @@
 
 namespace polydec::tools {
 
-/// Adds the option --initial.
-void add_initial(CLI::App& command, std::string& text);
+/// Adds an option that FormValues are made of; `what` says what form it is.
+void add_form(CLI::App& command, const std::string& option, std::string& text,
+              const std::string& what);
 
-/// The form at the beginning. Made before any work, like SiteValues.
-class InitialForm {
+/// A form that an option gives: numbers of a file, one for each cell, or its coefficients at dx_I,
+/// expressions with semicolons between them, of which the integrals over cells are taken. Made
+/// before any work, like SiteValues.
+class FormValues {
 public:
     /// Throws like SiteValues.
-    explicit InitialForm(const std::string& text);
+    FormValues(const std::string& option, const std::string& text);
 
-    /// On this mesh: of degree 0 the values of an expression at its sites, or those of a file; of
-    /// other degrees those of a file. Throws like SiteValues::at; InvalidInput for an expression in
-    /// other degrees, and if there are no such forms.
+    /// On this mesh. 0-forms are taken at vertices, or where dual ones have their values. Throws
+    /// like SiteValues::at and de_rham; InvalidInput for another number of coefficients than N over
+    /// `degree`, and if there are no such forms.
     Cochain on(const Discretization& mesh, Side side, int degree) const;
 
     /// All files that are read: those of the mesh, of this form, and the others that are there.
@@ -34,7 +37,8 @@ public:
            const std::vector<std::optional<std::filesystem::path>>& others) const;
 
 private:
-    SiteValues values_;
+    std::string option_;
+    std::vector<SiteValues> coefficients_; ///< or one file
 };
 
 } // namespace polydec::tools

@@ -7,8 +7,8 @@
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"
+#include "tools/form_values.h"
 #include "tools/in_time.h"
-#include "tools/initial_form.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
@@ -80,7 +80,7 @@ double norm(const Discretization& mesh, const Cochain& form) {
 
 void run_heat(HeatArguments arguments) {
     Log log;
-    const InitialForm initial(arguments.initial);
+    const FormValues initial("--initial", arguments.initial);
     const ConditionValues asked(arguments.conditions);
     check_time(arguments.time, initial.inputs(arguments.mesh.mesh, {asked.file()}));
     const Side side = arguments.side;
@@ -134,7 +134,7 @@ void add_heat(CLI::App& app) {
     add_side(*command, arguments->side)->required();
     command->add_option("--degree", arguments->degree, "degree of the forms")
         ->capture_default_str();
-    add_initial(*command, arguments->initial);
+    add_form(*command, "--initial", arguments->initial, "the form at time 0");
     add_time(*command, arguments->time, "a hundredth of the time");
     command
         ->add_option("--scheme", arguments->heat.scheme,

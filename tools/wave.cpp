@@ -6,8 +6,8 @@
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"
+#include "tools/form_values.h"
 #include "tools/in_time.h"
-#include "tools/initial_form.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
@@ -71,7 +71,7 @@ std::vector<Vector> at_rest(const CellComplex& complex, int degree, const Vector
 
 void run_wave(const WaveArguments& arguments) {
     Log log;
-    const InitialForm initial(arguments.initial);
+    const FormValues initial("--initial", arguments.initial);
     const ConditionValues asked(arguments.conditions);
     check_time(arguments.time, initial.inputs(arguments.mesh.mesh, {asked.file()}));
     const int degree = arguments.degree;
@@ -129,7 +129,7 @@ void add_wave(CLI::App& app) {
     add_star(*command, arguments->mesh, StarKind::automatic);
     command->add_option("--degree", arguments->degree, "degree of the primal forms")
         ->capture_default_str();
-    add_initial(*command, arguments->initial);
+    add_form(*command, "--initial", arguments->initial, "the form at time 0");
     add_time(*command, arguments->time, "0.9 of what is stable");
     add_conditions(*command, arguments->conditions,
                    "what holds by itself: nothing flows through the boundary\n"

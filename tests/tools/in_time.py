@@ -97,8 +97,10 @@ class InTime(TestCase):
             answer = self.ask(name, golden("uv8.off"), "--degree", 1, "--initial", "form.txt",
                               "--until", 0.5, *more)
             self.assertEqual(answer["degree"], 1)
-            self.assertIn("expected a file", self.fail_with(
+            self.assertIn("a 1-form in 3 coordinates has 3", self.fail_with(
                 2, name, golden("uv8.off"), "--degree", 1, "--initial", "x", "--until", 1, *more))
+            self.ask(name, golden("uv8.off"), "--degree", 1, "--initial", "-y; x; 0", "--until", 1,
+                     *more)
             self.assertIn("expected", self.fail_with(
                 2, name, golden("uv8.off"), "--degree", 0, "--initial", "form.txt", "--until", 1,
                 *more))

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""The subcommand hodge: parts of forms that are known."""
+import math
+
+import command
+from command import TestCase, golden
+
+
+class Hodge(TestCase):
+    def norms(self, mesh, side, form, *more):
+        found = self.ask("hodge", mesh, "--side", side, "--form", form, *more)["norms"]
+        parts = [found[name] for name in ("exact", "coexact", "harmonic")]
+        self.assertAlmostEqual(math.hypot(*parts), found["form"], delta=1e-9 * found["form"])
+        return [part / found["form"] for part in parts]
+
+    def test_gradients_are_exact_and_turning_is_coexact(self):
+        for side, natural in (("primal", ()), ("dual", ("--natural",))):
+            exact, _, harmonic = self.norms(golden("grid4.nsc"), side, "1; 2*y", *natural)
+            self.assertGreater(exact, 0.99)
+            self.assertLess(harmonic, 1e-9)
+        exact, coexact, harmonic = self.norms(golden("uv8.off"), "primal", "-y; x; 0")
+        self.assertLess(exact, 1e-9)
+        self.assertGreater(coexact, 1 - 1e-9)
+        self.assertLess(harmonic, 1e-9)
+
+    def test_a_wind_around_a_torus_is_harmonic_in_part(self):
+        torus = self.path("torus.off")
+        self.succeed("generate", "torus", "-o", torus)
+        for side in ("primal", "dual"):
+            self.assertGreater(self.norms(torus, side, "-y; x; 0")[2], 0.5)
+            for degree, form in ((0, "1"), (2, "x; y; z")):
+                self.norms(torus, side, form, "--degree", degree)
+
+    def test_solids_have_forms_of_four_degrees(self):
+        for degree, form in enumerate(("x", "x; y; z", "x; y; z", "x")):
+            for side in ("primal", "dual"):
+                for mesh in ("kuhn3.nsc", "fcc1.nsc"):
+                    self.norms(golden(mesh), side, form, "--degree", degree)
+
+    def test_units_of_length_scale_the_norms(self):
+        with open(golden("grid4.nsc"), encoding="ascii") as file:
+            lines = file.read().splitlines()
+        points = int(lines[0].split()[2])
+        moved = [" ".join(repr(float(x) * 1e30) for x in line.split())
+                 for line in lines[1:1 + points]]
+        self.write("large.nsc", "\n".join(lines[:1] + moved + lines[1 + points:]) + "\n")
+        for degree, form in ((0, "1"), (1, "1; 2"), (2, "1")):
+            more = ("--side", "primal", "--degree", degree, "--form", form)
+            small = self.ask("hodge", golden("grid4.nsc"), *more)["norms"]["form"]
+            large = self.ask("hodge", "large.nsc", *more)["norms"]["form"]
+            self.assertAlmostEqual(large / small / 1e30, 1, delta=1e-9)
+
+    def test_pages_and_files_have_the_parts(self):
+        self.succeed("hodge", golden("uv8.off"), "--side", "primal", "--form", "-y; x; z", "-o", "a.vtu")
+        for name in ("form", "exact", "coexact", "harmonic"):
+            with open(self.path("a.vtu"), "rb") as file:
+                self.assertIn(f'Name="{name}'.encode(), file.read())
+        self.succeed("hodge", golden("uv8.off"), "--side", "dual", "--form", "-y; x; z", "-o", "a.html")
+
+    def test_other_forms_are_refused(self):
+        ask = ("hodge", golden("uv8.off"), "--side", "primal")
+        self.assertIn("a 1-form in 3 coordinates has 3", self.fail_with(2, *ask, "--form", "x; y"))
+        self.assertIn("is inf", self.fail_with(2, *ask, "--form", "1/0; 0; 0"))
+        self.assertIn("expected 0 to 2", self.fail_with(2, *ask, "--degree", 3, "--form", "x"))
+        self.fail_with(1, *ask, "--form", "x; ; y")
+
+
+if __name__ == "__main__":
+    command.main()

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/hodge.h"
+
+#include "base/errors.h"
+#include "dec/conditioned_complex.h"
+#include "io/diagnosis_json.h"
+#include "meshes/unit_of_length.h"
+#include "tools/commands.h"
+#include "tools/common.h"
+#include "tools/conditions.h"
+#include "tools/form_values.h"
+#include "tools/messages.h"
+#include "tools/outputs.h"
+#include "tools/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace polydec::tools {
+
+namespace {
+
+struct HodgeArguments {
+    MeshArguments mesh;
+    ConditionArguments conditions;
+    Side side = Side::primal;
+    int degree = 1;
+    std::string form, engine = "auto";
+    PictureArguments picture;
+};
+
+/// L2 norms, in the units of the file; none that are no numbers there.
+struct Divided : Answer {
+    Side side = Side::primal;
+    int degree = 0;
+    std::optional<double> form, exact, coexact, harmonic;
+    std::string conditions;
+    ChosenStars stars;
+
+    explicit Divided(const ChosenStars& chosen) : stars(chosen) {}
+
+    void write(JsonWriter& json) const override {
+        json.member("side", name(side));
+        json.member("degree", degree);
+        json.object("norms", [&] {
+            json.member("form", form);
+            json.member("exact", exact);
+            json.member("coexact", coexact);
+            json.member("harmonic", harmonic);
+        });
+        json.member("conditions", conditions);
+        write_stars(json, stars);
+    }
+
+    void write(Text& text) const override {
+        const auto told = [](const std::optional<double>& norm) {
+            return norm ? fmt::format("{:.10g}", *norm) : std::string("out of range");
+        };
+        text("Hodge decomposition of a {} {}-form\n", name(side), degree);
+        text("  {}\n  {}\n", conditions, in_words(stars));
+        text("  L2 norms: form {}, exact {}, coexact {}, harmonic {}\n", told(form), told(exact),
+             told(coexact), told(harmonic));
+    }
+};
+
+/// The parts under conditions on the boundary, as forms on the whole mesh.
+HodgeParts divided(const Discretization& mesh, const ConditionedComplex& space, const Cochain& form,
+                   const std::string& engine) {
+    const int k = cell_degree(mesh.complex(), form.side, form.degree);
+    const auto& relative = space.relative;
+    auto parts =
+        hodge_decomposition(relative.complex, space.stars,
+                            {form.side, form.degree, relative.restrict(k, form.values)}, engine);
+    for (Cochain* part : {&parts.exact, &parts.coexact, &parts.harmonic})
+        part->values = relative.extend(k, part->values);
+    return parts;
+}
+
+void draw(const HodgeArguments& arguments, const Discretization& mesh, const Cochain& form,
+          const HodgeParts& parts, const Divided& answer, const Log& log) {
+    PageText text;
+    text.title = fmt::format("{}: Hodge decomposition", arguments.mesh.mesh.filename().string());
+    text.facts = {fmt::format("The {} {}-form {} is the sum of three, orthogonal to each other",
+                              name(form.side), form.degree, arguments.form),
+                  answer.conditions, in_words(answer.stars)};
+    write_picture(arguments.picture, mesh,
+                  {{"form", form, "the sum"},
+                   {"exact", parts.exact, "d of a form"},
+                   {"coexact", parts.coexact, "the codifferential of a form"},
+                   {"harmonic", parts.harmonic, "neither, from the topology"}},
+                  std::move(text), {}, log);
+}
+
+void run_hodge(const HodgeArguments& arguments) {
+    Log log;
+    const FormValues given("--form", arguments.form);
+    const ConditionValues asked(arguments.conditions);
+    check_picture(arguments.picture, arguments.mesh.mesh, given.inputs({}, {asked.file()}));
+    const Discretization mesh = load(arguments.mesh, log);
+    if (!arguments.picture.out.empty())
+        check_drawable(mesh);
+    const auto conditions = asked.on(mesh).value_or(built_in_conditions(arguments.side));
+    Cochain form = given.on(mesh, arguments.side, arguments.degree);
+    log.timing.begin("solve");
+    const auto space = conditioned_complex(mesh, form.side, form.degree, conditions);
+    const int k = cell_degree(mesh.complex(), form.side, form.degree);
+    form.values = space.relative.extend(k, space.relative.restrict(k, form.values));
+    const HodgeParts parts = computed_on(arguments.mesh.mesh, [&] {
+        const Progress progress;
+        progress("solve");
+        return divided(mesh, space, form, arguments.engine);
+    });
+    const auto norm_of = [&](const Cochain& part) {
+        const Cochain kept{part.side, part.degree, space.relative.restrict(k, part.values)};
+        const double squared = inner_product(space.relative.complex, space.stars, kept, kept);
+        return in_input_units(std::sqrt(std::max(0.0, squared)), mesh.unit(),
+                              mesh.dimension() / 2.0 - part.degree);
+    };
+    Divided answer(mesh.chosen_stars());
+    answer.side = form.side;
+    answer.degree = form.degree;
+    answer.form = norm_of(form);
+    answer.exact = norm_of(parts.exact);
+    answer.coexact = norm_of(parts.coexact);
+    answer.harmonic = norm_of(parts.harmonic);
+    answer.conditions = in_words(conditions, mesh.complex(), form.degree);
+    if (!arguments.picture.out.empty()) {
+        log.timing.begin("write");
+        draw(arguments, mesh, form, parts, answer, log);
+    }
+    tell(answer, log, arguments.mesh.tell);
+}
+
+} // namespace
+
+void add_hodge(CLI::App& app) {
+    auto* command =
+        app.add_subcommand("hodge", "divides a form into an exact, a coexact and a harmonic one");
+    const auto arguments = std::make_shared<HodgeArguments>();
+    add_mesh_arguments(*command, arguments->mesh);
+    add_star(*command, arguments->mesh, StarKind::automatic);
+    add_side(*command, arguments->side)->required();
+    command->add_option("--degree", arguments->degree, "degree of the form")->capture_default_str();
+    add_form(*command, "--form", arguments->form, "the form");
+    add_conditions(*command, arguments->conditions,
+                   "of 1-forms the normal part of the coexact and harmonic ones is 0 on\n"
+                   "the boundary",
+                   "the tangential part of all of them is 0 at boundary facets where this\n"
+                   "is not 0");
+    add_picture(*command, arguments->picture, "the form and its parts");
+    command->add_option("--engine", arguments->engine, "linear solver")->capture_default_str();
+    command->footer(
+        "On the boundary, primal forms have what --natural asks for unless told otherwise, dual "
+        "forms\nwhat --essential-where 1 does. Values that a condition fixes are left out.\n\n"
+        "Examples:\n"
+        "  polydec hodge torus.off --side primal --form '-y; x; z' -o parts.html\n"
+        "  polydec hodge ball.mesh --side dual --degree 2 --form '0; x; 1' --json");
+    command->callback([arguments] { run_hodge(*arguments); });
+}
+
+} // namespace polydec::tools
