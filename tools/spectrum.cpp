@@ -131,7 +131,8 @@ void draw(const SpectrumArguments& arguments, const Discretization& mesh, const 
         return write_vtu(out, draw_modes(mesh, answer.spectrum), arguments.picture.vtu);
     Page page =
         draw_page(mesh, answer.spectrum,
-                  fmt::format("{}: eigenfunctions", arguments.mesh.mesh.filename().string()));
+                  fmt::format("{}: modes, {} {}-forms", arguments.mesh.mesh.filename().string(),
+                              name(arguments.spectrum.side), arguments.spectrum.degree));
     auto& facts = page.text.facts;
     facts.insert(facts.begin() + 1, {answer.conditions, in_words(answer.stars)});
     write_page(out, std::move(page), log);
