@@ -130,7 +130,8 @@ polydec_component(mumps "the sequential MUMPS" MUMPS MUMPS::MUMPS libmumps-seq-d
     LIBRARIES ${CMAKE_DL_LIBS})
 polydec_component(petsc PETSc PETSc PETSc::PETSc petsc-dev
     HEADER linear/petsc.h
-    SOURCES linear/petsc.cpp linear/petsc_session.cpp linear/petsc_session.h)
+    SOURCES linear/petsc.cpp linear/petsc_options.cpp linear/petsc_options.h
+        linear/petsc_session.cpp linear/petsc_session.h)
 polydec_component(slepc SLEPc SLEPc SLEPc::SLEPc slepc-dev
     NEEDS petsc # SLEPc starts and ends together with its PETSc
     HEADER eigen/slepc.h

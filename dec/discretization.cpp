@@ -10,6 +10,7 @@
 #include "dec/merging/lift.h"
 #include "dec/merging/merged_tags.h"
 #include "dec/merging/merged_volumes.h"
+#include "dec/mesh_warnings.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/overlaps.h"
 #include "meshes/tidy.h"
@@ -25,24 +26,9 @@ namespace polydec {
 
 namespace {
 
-void warn_of_orientation(const SimplicialComplex& complex, std::vector<std::string>& warnings) {
-    if (complex.turned() > 0)
-        warnings.push_back(fmt::format("{} of {} cells {} turned to be oriented like {} neighbors",
-                                       complex.turned(), complex.size(complex.dimension()),
-                                       complex.turned() == 1 ? "was" : "were",
-                                       complex.turned() == 1 ? "its" : "their"));
-    if (!complex.orientable())
-        warnings.emplace_back("the mesh is non-orientable: its cells keep the orientation of the "
-                              "input, and operators on dual 0-forms see jumps of sign");
-}
-
-void warn_of_branching(const SimplicialComplex& complex, std::vector<std::string>& warnings) {
+std::int64_t branching_facets(const SimplicialComplex& complex) {
     const auto& counts = complex.coface_counts(complex.dimension() - 1);
-    const auto branching =
-        std::count_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
-    if (branching > 0)
-        warnings.push_back(fmt::format("not a manifold: {} facet{} with three or more cells",
-                                       branching, branching == 1 ? "" : "s"));
+    return std::count_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
 }
 
 void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
@@ -64,13 +50,6 @@ void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
             "covers",
             wound.size() == 1 ? "1 vertex" : fmt::format("{} vertices", wound.size()),
             listed(wound, [&](Index v) { return fmt::format("{}", complex.vertex_number(v)); })));
-}
-
-void warn_of_unit(double unit, std::vector<std::string>& warnings) {
-    if (unit != 1)
-        warnings.push_back(fmt::format("the lengths of the mesh are far from 1: it is measured in "
-                                       "units of 2^{} = {:.3g}",
-                                       std::ilogb(unit), unit));
 }
 
 void warn_of_flips(const IntrinsicStatistics& flips, double unit,
@@ -241,8 +220,9 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
             throw InvalidInput("flips make duals between circumcenters positive, and other centers "
                                "belong to the simplices before them: do without one of them");
     }
-    warn_of_orientation(complex, mesh.warnings);
-    warn_of_branching(complex, mesh.warnings);
+    warn_of_orientation(complex.turned(), complex.size(complex.dimension()), complex.orientable(),
+                        mesh.warnings);
+    warn_of_branching(branching_facets(complex), mesh.warnings);
     warn_of_overlaps(complex, mesh.points, mesh.warnings);
     const auto tags = tags_of_cells(complex, mesh.tags);
     const auto facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);

@@ -3,6 +3,7 @@
 
 #include "dec/merging/merged_volumes.h"
 #include "distributed/in_order.h"
+#include "distributed/piece_rows.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,12 +12,6 @@
 namespace polydec {
 
 namespace {
-
-/// A piece on its way to the owner of its cell.
-struct SentPiece {
-    GlobalIndex first, number;
-    PieceSum volumes; // of this piece alone
-};
 
 class Numbering {
 public:
@@ -33,8 +28,6 @@ public:
         tell_pieces();
         return std::move(cells_);
     }
-
-    std::vector<PieceSum> volumes(const DistributedCells::Degree& cells) const;
 
 private:
     bool is_piece(Index s) const { return merged_.carriers[k_][s].dimension == k_; }
@@ -104,27 +97,19 @@ void Numbering::tell_pieces() {
 }
 
 /// Added up in ascending order of pieces, wherever these are.
-std::vector<PieceSum> Numbering::volumes(const DistributedCells::Degree& cells) const {
-    const auto& degree = local_.degree(k_);
-    const auto rows = ranks_.of_all(std::vector<GlobalIndex>{cells.first_row});
-    auto parcels = ranks_.empty_parcels<SentPiece>();
-    for (Index s = 0; s < degree.size(); ++s) {
-        if (!is_piece(s) || !local_.owns(ranks_, k_, s))
-            continue;
-        const auto owner =
-            std::upper_bound(rows.begin(), rows.end(), cells.of_simplex[s].row) - rows.begin() - 1;
+std::vector<PieceSum> sums_of_volumes(const Ranks& ranks, const LocalComplex& local,
+                                      const CellVolumes& of_pieces,
+                                      const DistributedCells::Degree& cells, int k) {
+    Points volumes(local.degree(k).size(), 4);
+    for (Index s = 0; s < volumes.rows(); ++s) {
         PieceSum own;
-        own.add(merged_.of_pieces, k_, s);
-        parcels[owner].push_back({cells.of_simplex[s].row, degree.number[s], own});
+        own.add(of_pieces, k, s);
+        volumes.row(s) << own.primal, own.dual, own.terms, own.rounding;
     }
-    std::vector<SentPiece> pieces;
-    for (const auto& parcel : ranks_.deliver(parcels))
-        pieces.insert(pieces.end(), parcel.begin(), parcel.end());
-    std::sort(pieces.begin(), pieces.end(),
-              [](const SentPiece& a, const SentPiece& b) { return a.number < b.number; });
-    std::vector<PieceSum> sums(cells.first.size());
-    for (const auto& [row, number, volumes] : pieces)
-        sums[static_cast<std::size_t>(row - cells.first_row)].add(volumes);
+    std::vector<PieceSum> sums;
+    const Points all = gather_pieces(ranks, local, cells, k, volumes).sums();
+    for (const auto& row : all.rowwise())
+        sums.push_back({row[0], row[1], row[2], row[3]});
     return sums;
 }
 
@@ -182,10 +167,10 @@ DistributedCells distributed_cells(const Ranks& ranks, const LocalComplex& local
     DistributedCells result;
     std::vector<std::vector<PieceSum>> sums;
     for (int k = 0; k <= n; ++k) {
-        Numbering numbering(ranks, local, merged, k);
-        result.degrees.push_back(numbering.run());
+        result.degrees.push_back(Numbering(ranks, local, merged, k).run());
         if (!merged.is_identity)
-            sums.push_back(numbering.volumes(result.degrees.back()));
+            sums.push_back(
+                sums_of_volumes(ranks, local, merged.of_pieces, result.degrees.back(), k));
     }
     ranks.together("cells", [&] {
         for (int k = 0; k < n; ++k)

@@ -201,6 +201,7 @@ MergedCells Rounds::run() {
     const auto& degenerate = defects_.degenerate;
     MergedCells result{identity(local_),
                        volumes_,
+                       {},
                        0,
                        true,
                        ranks_.sum(degenerate.interior),
@@ -215,8 +216,9 @@ MergedCells Rounds::run() {
         if (!classes.any)
             return result;
         CellVolumes of_pieces = volumes_;
+        Centers centers;
         if (is_in_space && !classes.exact) {
-            const Centers centers = shared_centers(ranks_, local_, volumes_, classes);
+            centers = shared_centers(ranks_, local_, volumes_, classes);
             of_pieces = ranks_.together(
                 "volumes", [&] { return dual_volumes(local_.complex, local_.points, centers); });
         }
@@ -227,6 +229,7 @@ MergedCells Rounds::run() {
         if (bad.empty()) {
             result.carriers = std::move(carriers);
             result.of_pieces = of_pieces;
+            result.centers = centers;
             result.is_identity = false;
             return result;
         }

@@ -3,6 +3,7 @@
 
 #include "dec/merging/merge.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/centers.h"
 #include "distributed/local_complex.h"
 
 namespace polydec {
@@ -19,7 +20,8 @@ struct Carrier {
 struct MergedCells {
     std::vector<std::vector<Carrier>> carriers; ///< of every local simplex of degree k: carriers[k]
     CellVolumes
-        of_pieces; ///< right where simplices are complete, with duals between shared centers
+        of_pieces;        ///< right where simplices are complete, with duals between shared centers
+    Centers centers = {}; ///< those of the pieces
     int rounds = 0;
     bool is_identity = true;             ///< nothing is merged
     GlobalIndex degenerate_interior = 0; ///< see DegenerateFacets, of all ranks

@@ -2,47 +2,11 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/forms/star.h"
-#include "distributed/communicator.h"
-#include "distributed/petsc.h"
-
-#include <fmt/format.h>
-
-#include <cstdio>
-#include <limits>
+#include "distributed/petsc_calls.h"
 
 namespace polydec {
 
 namespace {
-
-MPI_Comm communicator(const Ranks& ranks) {
-    return ranks.state().communicator;
-}
-
-/// An error of one rank within a collective of PETSc cannot be voted on: the others wait for it.
-void require(PetscErrorCode error, const char* what) {
-    if (error == 0)
-        return;
-    const char* reason = nullptr;
-    PetscErrorMessage(error, &reason, nullptr);
-    std::fprintf(stderr, "PETSc failed while %s: %s\n", what, reason != nullptr ? reason : "");
-    MPI_Abort(MPI_COMM_WORLD, 1);
-}
-
-PetscInt petsc_number(GlobalIndex number) {
-    if (number > std::numeric_limits<PetscInt>::max())
-        throw InvalidInput(fmt::format(
-            "{} rows: this PETSc counts to {}; take one that is built with 64-bit indices", number,
-            std::numeric_limits<PetscInt>::max()));
-    return static_cast<PetscInt>(number);
-}
-
-/// A function that makes an object, such as MatTranspose.
-template <class Make>
-OwnedMat made(const char* what, Make make) {
-    Mat matrix = nullptr;
-    require(make(&matrix), what);
-    return OwnedMat(matrix);
-}
 
 /// d_k^T, whose rows are known where the k-cells are.
 OwnedMat transposed_coboundary(const Ranks& ranks, const DistributedCells& cells, int k) {
@@ -74,26 +38,13 @@ OwnedMat transposed(Mat matrix) {
                 [&](Mat* result) { return MatTranspose(matrix, MAT_INITIAL_MATRIX, result); });
 }
 
-OwnedVec vector_of(const Ranks& ranks, const Vector& own) {
-    Vec vector = nullptr;
-    require(VecCreateMPI(communicator(ranks), static_cast<PetscInt>(own.size()), PETSC_DETERMINE,
-                         &vector),
-            "making a vector");
-    OwnedVec result(vector);
-    double* entries = nullptr;
-    require(VecGetArray(vector, &entries), "filling a vector");
-    std::copy(own.begin(), own.end(), entries);
-    require(VecRestoreArray(vector, &entries), "filling a vector");
-    return result;
-}
-
 OwnedVec inverse_star(const Ranks& ranks, const DistributedCells& cells, int k) {
     return vector_of(ranks, ranks.together("inverse star",
                                            [&] { return HodgeStar(cells.volumes, k).inverse(); }));
 }
 
 /// left diag(weights) right.
-OwnedMat product(OwnedMat left, Vec weights, Mat right) {
+OwnedMat scaled_product(OwnedMat left, Vec weights, Mat right) {
     require(MatDiagonalScale(left.get(), nullptr, weights), "scaling");
     return made("multiplying", [&](Mat* result) {
         return MatMatMult(left.get(), right, MAT_INITIAL_MATRIX, PETSC_DEFAULT, result);
@@ -105,6 +56,25 @@ OwnedMat copied(Mat matrix) {
                 [&](Mat* result) { return MatDuplicate(matrix, MAT_COPY_VALUES, result); });
 }
 
+} // namespace
+
+OwnedMat gram_of_columns(const Ranks& ranks, const DistributedCells& cells, int k,
+                         const Vector& weights) {
+    check_number("a derivative from degree", k, 0, cells.dimension() - 1);
+    const OwnedMat B = transposed_coboundary(ranks, cells, k);
+    return scaled_product(copied(B.get()), vector_of(ranks, weights).get(),
+                          transposed(B.get()).get());
+}
+
+OwnedMat gram_of_rows(const Ranks& ranks, const DistributedCells& cells, int k,
+                      const Vector& weights) {
+    check_number("a derivative from degree", k, 0, cells.dimension() - 1);
+    const OwnedMat B = transposed_coboundary(ranks, cells, k);
+    return scaled_product(transposed(B.get()), vector_of(ranks, weights).get(), B.get());
+}
+
+namespace {
+
 /// Weights on both sides of both halves of a Laplacian; null stands for 1.
 struct Weights {
     Vec upper_left, upper_right, lower_left, lower_right;
@@ -115,14 +85,15 @@ OwnedMat weighted_sum(const Ranks& ranks, const DistributedCells& cells, int k,
                       const Weights& weights) {
     OwnedMat sum;
     if (k < cells.dimension()) {
-        const OwnedMat B = transposed_coboundary(ranks, cells, k);
-        sum = product(copied(B.get()), star(ranks, cells, k + 1).get(), transposed(B.get()).get());
+        sum = gram_of_columns(ranks, cells, k, ranks.together("star", [&] {
+            return HodgeStar(cells.volumes, k + 1).diagonal();
+        }));
         require(MatDiagonalScale(sum.get(), weights.upper_left, weights.upper_right), "scaling");
     }
     if (k > 0) {
-        const OwnedMat B = transposed_coboundary(ranks, cells, k - 1);
-        OwnedMat lower =
-            product(transposed(B.get()), inverse_star(ranks, cells, k - 1).get(), B.get());
+        OwnedMat lower = gram_of_rows(ranks, cells, k - 1, ranks.together("inverse star", [&] {
+            return HodgeStar(cells.volumes, k - 1).inverse();
+        }));
         require(MatDiagonalScale(lower.get(), weights.lower_left, weights.lower_right), "scaling");
         if (!sum)
             return lower;

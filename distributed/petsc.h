@@ -17,6 +17,9 @@ struct PetscDestroy {
 using OwnedMat = std::unique_ptr<_p_Mat, PetscDestroy>;
 using OwnedVec = std::unique_ptr<_p_Vec, PetscDestroy>;
 
+/// Collective: the vector of which each rank has these entries.
+OwnedVec vector_of(const Ranks& ranks, const Vector& own);
+
 // Operators over all ranks. Row i belongs to the cell whose CellNumber::row is i. All of them are
 // collective, throw InvalidInput for a degree that there is not, and for more cells than PETSc's
 // numbers can count; an error of PETSc itself ends the program.
@@ -26,6 +29,13 @@ OwnedMat coboundary(const Ranks& ranks, const DistributedCells& cells, int k);
 
 /// Diagonal of star_k.
 OwnedVec star(const Ranks& ranks, const DistributedCells& cells, int k);
+
+/// d_k^T diag(weights) d_k, with a weight for every own (k+1)-cell, and d_k diag(weights) d_k^T,
+/// with one for every own k-cell.
+OwnedMat gram_of_columns(const Ranks& ranks, const DistributedCells& cells, int k,
+                         const Vector& weights);
+OwnedMat gram_of_rows(const Ranks& ranks, const DistributedCells& cells, int k,
+                      const Vector& weights);
 
 /// Laplace-de Rham operator on forms of this side and degree: see laplacian and dual_laplacian for
 /// one process. Throws InvalidInput, naming the cells, if a star that it divides by has a zero.

@@ -154,6 +154,10 @@ GlobalIndex Ranks::sum(GlobalIndex own) const {
     return reduced(state_->communicator, own, MPI_INT64_T, MPI_SUM);
 }
 
+double Ranks::sum(double own) const {
+    return reduced(state_->communicator, own, MPI_DOUBLE, MPI_SUM);
+}
+
 GlobalIndex Ranks::largest(GlobalIndex own) const {
     return reduced(state_->communicator, own, MPI_INT64_T, MPI_MAX);
 }

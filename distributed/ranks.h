@@ -85,6 +85,8 @@ public:
     /// Collectives over one number of each rank: sum, largest and least, the sum over the ranks
     /// before this one, and whether any rank says so.
     GlobalIndex sum(GlobalIndex own) const;
+    double sum(double own) const;
+    GlobalIndex sum(Index own) const { return sum(GlobalIndex{own}); }
     GlobalIndex largest(GlobalIndex own) const;
     double largest(double own) const;
     double least(double own) const;

@@ -33,22 +33,31 @@ double unit_for(double half_of_longest, int dimension, int least) {
 
 } // namespace
 
-double unit_of_length(const Mesh& mesh) {
+double half_of_longest_edge(const Points& points, const Simplices& simplices) {
     double longest = 0; // halves, which cannot overflow
-    for (Index cell = 0; cell < mesh.simplices.rows(); ++cell)
-        for (Index i = 0; i < mesh.simplices.cols(); ++i)
+    for (Index cell = 0; cell < simplices.rows(); ++cell)
+        for (Index i = 0; i < simplices.cols(); ++i)
             for (Index j = 0; j < i; ++j) {
-                const auto a = mesh.points.row(mesh.simplices(cell, i));
-                const auto b = mesh.points.row(mesh.simplices(cell, j));
-                for (Eigen::Index c = 0; c < mesh.points.cols(); ++c)
+                const auto a = points.row(simplices(cell, i));
+                const auto b = points.row(simplices(cell, j));
+                for (Eigen::Index c = 0; c < points.cols(); ++c)
                     longest = std::max(longest, std::abs(0.5 * a[c] - 0.5 * b[c]));
             }
-    // a vertex of no cell may lie far out
-    const double farthest = mesh.points.size() > 0 ? mesh.points.cwiseAbs().maxCoeff() : 0;
+    return longest;
+}
+
+double unit_of_length(double half_of_longest, double farthest, int dimension) {
     const int least = farthest > 0 && std::isfinite(farthest)
                           ? std::ilogb(farthest) - finite_exponent
                           : -finite_exponent;
-    return unit_for(longest, mesh.dimension(), std::max(least, -finite_exponent + 1));
+    return unit_for(half_of_longest, dimension, std::max(least, -finite_exponent + 1));
+}
+
+double unit_of_length(const Mesh& mesh) {
+    // a vertex of no cell may lie far out
+    const double farthest = mesh.points.size() > 0 ? mesh.points.cwiseAbs().maxCoeff() : 0;
+    return unit_of_length(half_of_longest_edge(mesh.points, mesh.simplices), farthest,
+                          mesh.dimension());
 }
 
 double unit_of_length(const LengthMesh& mesh) {
@@ -56,10 +65,15 @@ double unit_of_length(const LengthMesh& mesh) {
     return unit_for(longest / 2, mesh.dimension(), -finite_exponent + 1);
 }
 
-Mesh in_units(Mesh mesh, double unit) {
+Points in_units(Points points, double unit) {
     const int exponent = std::ilogb(unit);
-    for (double& coordinate : mesh.points.reshaped())
+    for (double& coordinate : points.reshaped())
         coordinate = std::ldexp(coordinate, -exponent);
+    return points;
+}
+
+Mesh in_units(Mesh mesh, double unit) {
+    mesh.points = in_units(std::move(mesh.points), unit);
     return mesh;
 }
 

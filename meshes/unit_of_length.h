@@ -15,9 +15,17 @@ namespace polydec {
 double unit_of_length(const Mesh& mesh);
 double unit_of_length(const LengthMesh& mesh);
 
+/// The same where a mesh is known in parts: of all of it half the longest edge's largest coordinate
+/// difference, and the largest coordinate.
+double unit_of_length(double half_of_longest, double farthest, int dimension);
+
+/// Half the largest difference of coordinates between two corners of a simplex.
+double half_of_longest_edge(const Points& points, const Simplices& simplices);
+
 /// The mesh with its points divided by a unit, a power of two: exact, but for coordinates that are
 /// 2^-1022 units or less.
 Mesh in_units(Mesh mesh, double unit);
+Points in_units(Points points, double unit);
 
 /// What was measured in units (a power of 4) to some power, a whole number or a half, as the
 /// number it is in those of the input: value * unit^power, exact. None where that leaves the range

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/component.h"
 #include "backends/linear/iterative_solver.h"
+#include "backends/linear/petsc_options.h"
 #include "backends/linear/petsc_session.h"
 #include "base/errors.h"
 
@@ -8,10 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <petscksp.h>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -26,64 +25,6 @@ using PetscVector = Owned<Vec, VecDestroy>;
 
 // Multigrid that takes more steps than this is the wrong one for the matrix.
 constexpr Index most_iterations = 1000;
-
-// What stands before the names of the options of our solvers, so that they meet no others.
-constexpr const char* prefix = "polydec_";
-
-// The residual itself is what is asked for, not the one that the preconditioner sees.
-constexpr const char* conjugate_gradients = "-ksp_type cg -ksp_norm_type unpreconditioned ";
-
-// Dropping weak neighbors costs little where coefficients are even, and saves most of the
-// iterations where they are not.
-constexpr const char* gamg = "-pc_type gamg -pc_gamg_threshold 0.01 ";
-
-// With its own defaults BoomerAMG takes about twice the time in three dimensions.
-constexpr const char* boomeramg =
-    "-pc_type hypre -pc_hypre_type boomeramg -pc_hypre_boomeramg_coarsen_type HMIS "
-    "-pc_hypre_boomeramg_interp_type ext+i -pc_hypre_boomeramg_agg_nl 1 "
-    "-pc_hypre_boomeramg_P_max 4 -pc_hypre_boomeramg_strong_threshold 0.5 ";
-
-// The coarsest matrix of a singular one is singular as well, and must not be factorized, also where
-// the kernel is not known.
-constexpr const char* singular_gamg = "-mg_coarse_pc_type svd ";
-constexpr const char* singular_boomeramg =
-    "-pc_hypre_boomeramg_relax_type_coarse symmetric-SOR/Jacobi ";
-
-// The names among the words of a line of options; what follows a name is its value.
-std::vector<std::string> option_names(const std::string& options) {
-    std::vector<std::string> names;
-    std::istringstream words(options);
-    for (std::string word; words >> word;)
-        if (word.size() > 1 && word[0] == '-' &&
-            std::isalpha(static_cast<unsigned char>(word[1])) != 0)
-            names.push_back(prefix + word.substr(1));
-    return names;
-}
-
-// Options stand in PETSc's one table, under our prefix, as long as a solver is being set up.
-class SetOptions {
-public:
-    SetOptions(const Session& session, const std::string& options) : names_(option_names(options)) {
-        PetscOptionsPrefixPush(nullptr, prefix);
-        const auto error = PetscOptionsInsertString(nullptr, options.c_str());
-        PetscOptionsPrefixPop(nullptr);
-        if (error) {
-            clear();
-            session.require(error, "reading the options");
-        }
-    }
-    ~SetOptions() { clear(); }
-    SetOptions(const SetOptions&) = delete;
-    SetOptions& operator=(const SetOptions&) = delete;
-
-private:
-    void clear() const {
-        for (const auto& name : names_)
-            PetscOptionsClearValue(nullptr, ("-" + name).c_str());
-    }
-
-    std::vector<std::string> names_;
-};
 
 // A view of A: PETSc never writes to what it is given here, though its types do not say so.
 void view(const Session& session, const SparseMatrix& A, Definiteness definiteness,
@@ -146,7 +87,6 @@ protected:
 private:
     const SparseMatrix& without_zero_rows(const SparseMatrix& A, const MatrixFacts& facts);
     void set_up(const Session& session);
-    void require_all_options_read() const;
     void forget();
     [[noreturn]] void fail_because(KSPConvergedReason reason, Index iterations) const;
 
@@ -163,11 +103,7 @@ CgMultigrid::CgMultigrid(const std::string& name, std::string multigrid, std::st
     : IterativeSolver(name, of_conjugate_gradients, options),
       multigrid_(std::move(multigrid)),
       for_singular_(std::move(for_singular)) {
-    const auto first = options.engine_options.find_first_not_of(" \t\n");
-    if (first != std::string::npos && options.engine_options[first] != '-')
-        throw InvalidInput(fmt::format("{}: the engine options `{}` must begin with a minus sign, "
-                                       "such as -ksp_type fcg",
-                                       name, options.engine_options));
+    petsc::check_options(name, options.engine_options);
 }
 
 CgMultigrid::~CgMultigrid() {
@@ -213,9 +149,9 @@ void CgMultigrid::compute(const SparseMatrix& A, const MatrixFacts& facts, Patte
     forget();
     const bool is_singular = facts.definiteness == Definiteness::semidefinite;
     const SparseMatrix& regular = without_zero_rows(A, facts);
-    const SetOptions set(session, conjugate_gradients + multigrid_ +
-                                      (is_singular ? for_singular_ : "") +
-                                      options().engine_options);
+    const petsc::SetOptions set(session, petsc::conjugate_gradients + multigrid_ +
+                                             (is_singular ? for_singular_ : "") +
+                                             options().engine_options);
     try {
         view(session, regular, facts.definiteness, matrix_);
         if (kernel_.cols() > 0)
@@ -232,7 +168,7 @@ void CgMultigrid::set_up(const Session& session) {
     const auto limit = options().max_iterations > 0 ? options().max_iterations : most_iterations;
     session.require(KSPCreate(PETSC_COMM_SELF, solver_.put()), "making a solver");
     KSP solver = solver_.get();
-    session.require(KSPSetOptionsPrefix(solver, prefix), "making a solver");
+    session.require(KSPSetOptionsPrefix(solver, petsc::prefix), "making a solver");
     session.require(KSPSetOperators(solver, matrix_.get(), matrix_.get()), "making a solver");
     session.require(
         KSPSetTolerances(solver, std::min(options().tolerance, 0.5), 0.0, PETSC_MAX_REAL, limit),
@@ -240,20 +176,7 @@ void CgMultigrid::set_up(const Session& session) {
     session.require(KSPSetFromOptions(solver), "reading the options");
     session.require(KSPSetUp(solver), "the setup");
     session.require(KSPSetUpOnBlocks(solver), "the setup");
-    require_all_options_read();
-}
-
-// A small matrix may have no levels between the finest and the coarsest to have options.
-void CgMultigrid::require_all_options_read() const {
-    for (const auto& option : option_names(options().engine_options)) {
-        PetscBool used = PETSC_FALSE;
-        PetscOptionsUsed(nullptr, option.c_str(), &used);
-        const std::string own_name = option.substr(std::string(prefix).size());
-        if (!used && !own_name.starts_with("mg_"))
-            throw InvalidInput(fmt::format("{}: nobody reads the engine option -{}\nIt is misspelt,"
-                                           " or belongs to another method of PETSc.",
-                                           name(), own_name));
-    }
+    petsc::require_read(name(), options().engine_options);
 }
 
 void CgMultigrid::fail_because(KSPConvergedReason reason, Index iterations) const {
@@ -330,9 +253,9 @@ void component::add_petsc(EngineRegistrar& registrar) {
             return std::make_unique<PetscSolver>(name, multigrid, for_singular, options);
         });
     };
-    add("petsc.cg-gamg", gamg, singular_gamg);
+    add("petsc.cg-gamg", petsc::gamg, petsc::singular_gamg);
 #ifdef PETSC_HAVE_HYPRE
-    add("petsc.cg-hypre", boomeramg, singular_boomeramg);
+    add("petsc.cg-hypre", petsc::boomeramg, petsc::singular_boomeramg);
 #endif
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+// What is told of a mesh that is unusual; nothing is added where it is not. Numbers are those of
+// the whole mesh, wherever its parts are.
+
+void warn_of_orientation(std::int64_t turned, std::int64_t cells, bool orientable,
+                         std::vector<std::string>& warnings);
+
+/// facets: those with three or more cells.
+void warn_of_branching(std::int64_t facets, std::vector<std::string>& warnings);
+
+void warn_of_unit(double unit, std::vector<std::string>& warnings);
+
+} // namespace polydec

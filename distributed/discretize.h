@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "distributed/cell_numbers.h"
+
+#include <string>
+
+namespace polydec {
+
+/// A mesh over all ranks, ready for calculus: what each of them has of the Discretization that one
+/// process would have.
+struct DistributedMesh {
+    LocalComplex local; ///< with points in units
+    MergedCells merged;
+    DistributedCells cells;
+    MergeOptions options;
+    double unit = 1;                        ///< see unit_of_length
+    std::vector<std::string> warnings = {}; ///< of the whole, the same on all ranks
+
+    int dimension() const { return local.dimension(); }
+};
+
+/// Collective: complex, volumes and merged cells of a mesh of which each rank has a slice. `owners`
+/// are those of the slice's vertices. Throws like local_complex and merge_cospherical, and where a
+/// cell has no volume.
+DistributedMesh discretize(const Ranks& ranks, const MeshSlice& slice,
+                           const std::vector<int>& owners, const MergeOptions& options = {});
+
+} // namespace polydec

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "distributed/shared_solver.h"
+
+namespace polydec {
+
+/// One engine of PETSc with a matrix that it can solve with.
+class Ksp {
+public:
+    /// The names of engines, in the order in which `auto` tries them.
+    static std::vector<std::string> engines(Definiteness definiteness);
+
+    /// Collective. Takes the matrix as symmetric. Throws InvalidInput for an unknown engine and
+    /// options that cannot be read or that nobody reads, SolverFailure if the setup fails.
+    Ksp(const Ranks& ranks, Mat matrix, const SharedEngine& engine, Definiteness definiteness);
+    ~Ksp();
+    Ksp(const Ksp&) = delete;
+    Ksp& operator=(const Ksp&) = delete;
+
+    /// Collective: x with A x = b, as exactly as the engine gives it.
+    Vector solve(const Vector& b, Index& iterations);
+
+private:
+    void set_up(const std::string& own_options, double room_of_mumps);
+    void check_setup() const;
+    [[noreturn]] void fail(const std::string& why) const;
+
+    Ranks ranks_;
+    SharedEngine engine_;
+    Mat matrix_;
+    struct Solver;
+    std::unique_ptr<Solver> solver_;
+};
+
+} // namespace polydec

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/piece_rows.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace polydec {
+
+namespace {
+
+/// Which rank a row of matrices belongs to.
+class RowOwners {
+public:
+    RowOwners(const Ranks& ranks, const DistributedCells::Degree& cells)
+        : begins_(ranks.of_all(std::vector<GlobalIndex>{cells.first_row})) {}
+
+    std::size_t operator()(GlobalIndex row) const {
+        return static_cast<std::size_t>(std::upper_bound(begins_.begin(), begins_.end(), row) -
+                                        begins_.begin() - 1);
+    }
+
+private:
+    std::vector<GlobalIndex> begins_;
+};
+
+void append_row(std::vector<double>& numbers, const Points& rows, Eigen::Index row) {
+    const auto width = rows.cols();
+    numbers.insert(numbers.end(), rows.data() + row * width, rows.data() + (row + 1) * width);
+}
+
+Points as_rows(const Parcels<double>& parcels, Eigen::Index width) {
+    std::size_t count = 0;
+    for (const auto& parcel : parcels)
+        count += parcel.size();
+    Points rows(width > 0 ? static_cast<Eigen::Index>(count) / width : 0, width);
+    double* entry = rows.data();
+    for (const auto& parcel : parcels)
+        entry = std::copy(parcel.begin(), parcel.end(), entry);
+    return rows;
+}
+
+} // namespace
+
+Points PieceRows::sums() const {
+    Points result = Points::Zero(static_cast<Eigen::Index>(begins.size()) - 1, rows.cols());
+    for (Eigen::Index cell = 0; cell < result.rows(); ++cell)
+        for (Index piece = begins[cell]; piece < begins[cell + 1]; ++piece)
+            result.row(cell) += rows.row(piece);
+    return result;
+}
+
+PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
+                        const DistributedCells::Degree& cells, int k, const Points& of_simplices) {
+    struct Piece {
+        GlobalIndex row, number;
+        Index place; // among those that came
+    };
+    const RowOwners owner(ranks, cells);
+    const auto& degree = local.degree(k);
+    auto keys = ranks.empty_parcels<Piece>();
+    auto numbers = ranks.empty_parcels<double>();
+    for (Index s = 0; s < degree.size(); ++s)
+        if (const GlobalIndex row = cells.of_simplex[s].row; row >= 0 && local.owns(ranks, k, s)) {
+            keys[owner(row)].push_back({row, degree.number[s], 0});
+            append_row(numbers[owner(row)], of_simplices, s);
+        }
+    const Points came = as_rows(ranks.deliver(numbers), of_simplices.cols());
+    std::vector<Piece> pieces;
+    for (const auto& parcel : ranks.deliver(keys))
+        for (const Piece& piece : parcel)
+            pieces.push_back({piece.row, piece.number, static_cast<Index>(pieces.size())});
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+        return std::pair(a.row, a.number) < std::pair(b.row, b.number);
+    });
+
+    PieceRows result{std::vector<Index>(cells.first.size() + 1, 0), Points(came)};
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        ++result.begins[static_cast<std::size_t>(pieces[i].row - cells.first_row) + 1];
+        result.rows.row(static_cast<Eigen::Index>(i)) = came.row(pieces[i].place);
+    }
+    std::partial_sum(result.begins.begin(), result.begins.end(), result.begins.begin());
+    return result;
+}
+
+Points spread_to_pieces(const Ranks& ranks, const DistributedCells::Degree& cells,
+                        const Points& of_cells) {
+    std::vector<GlobalIndex> wanted;
+    for (const CellNumber& cell : cells.of_simplex)
+        if (cell.row >= 0)
+            wanted.push_back(cell.row);
+    std::sort(wanted.begin(), wanted.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+
+    const RowOwners owner(ranks, cells);
+    auto questions = ranks.empty_parcels<GlobalIndex>();
+    for (const GlobalIndex row : wanted)
+        questions[owner(row)].push_back(row);
+    auto answers = ranks.empty_parcels<double>();
+    const auto asked = ranks.deliver(questions);
+    for (std::size_t r = 0; r < asked.size(); ++r)
+        for (const GlobalIndex row : asked[r])
+            append_row(answers[r], of_cells, row - cells.first_row);
+    const Points came = as_rows(ranks.deliver(answers), of_cells.cols());
+
+    Points result =
+        Points::Zero(static_cast<Eigen::Index>(cells.of_simplex.size()), of_cells.cols());
+    for (Eigen::Index s = 0; s < result.rows(); ++s)
+        if (const GlobalIndex row = cells.of_simplex[static_cast<std::size_t>(s)].row; row >= 0)
+            result.row(s) =
+                came.row(std::lower_bound(wanted.begin(), wanted.end(), row) - wanted.begin());
+    return result;
+}
+
+} // namespace polydec

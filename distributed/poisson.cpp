@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/poisson.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+#include "dec/forms/star.h"
+#include "dec/merging/facet_defects.h"
+#include "dec/metric/circumsphere.h"
+#include "dec/metric/dual_parts.h"
+#include "distributed/petsc_calls.h"
+#include "distributed/piece_rows.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+/// Own (n-1)-cells, and what is known at those on the boundary.
+struct OwnFacets {
+    OwnFacets(const DistributedMesh& mesh, const BoundaryConditions& conditions)
+        : cells(mesh.cells.degree(mesh.dimension() - 1)),
+          essential(Vector::Zero(std::ssize(cells.first))),
+          natural(essential) {
+        const auto& counts = mesh.local.complex.coface_counts(mesh.dimension() - 1);
+        if (!conditions.facets.empty() && conditions.facets.size() != cells.first.size())
+            throw InvalidInput(fmt::format("{} boundary conditions are given: expected one for "
+                                           "each of the {} own {}-cells, or one for all",
+                                           conditions.facets.size(), cells.first.size(),
+                                           mesh.dimension() - 1));
+        for (const Index piece : cells.first)
+            coface_counts.push_back(counts[piece]);
+        for (Index f = 0; f < essential.size(); ++f)
+            if (coface_counts[f] == 1)
+                (conditions.at(f) == BoundaryCondition::essential ? essential : natural)[f] = 1;
+    }
+
+    const DistributedCells::Degree& cells;
+    std::vector<Index> coface_counts;
+    Vector essential, natural; // 1 or 0
+};
+
+Vector at_pieces(const Ranks& ranks, const DistributedCells::Degree& cells, const Vector& values) {
+    return spread_to_pieces(ranks, cells, Points(values)).col(0);
+}
+
+Definiteness by_sign(const Ranks& ranks, const Vector& weights) {
+    return ranks.any((weights.array() < 0).any()) ? Definiteness::indefinite
+                                                  : Definiteness::semidefinite;
+}
+
+/// star_1; 0 where that is no more than rounding, because such an edge connects nothing.
+Vector edge_weights(const CellVolumes& volumes) {
+    const HodgeStar star(volumes, 1);
+    Vector weights = star.diagonal();
+    for (const Index edge : star.zeros())
+        weights[edge] = 0;
+    return weights;
+}
+
+std::string named(const DistributedMesh& mesh, Index own_facet) {
+    const int k = mesh.dimension() - 1;
+    const auto& cells = mesh.cells.degree(k);
+    return fmt::format(
+        "facet {} (which contains vertices {})", cells.number[own_facet],
+        fmt::join(mesh.local.complex.vertex_numbers(k, cells.first[own_facet]), ", "));
+}
+
+/// Throws where dual 0-forms are no functions, or what flows through a facet is not defined.
+void check_fluxes(const DistributedMesh& mesh, const OwnFacets& facets) {
+    const auto& cells = facets.cells;
+    const auto zeros = HodgeStar(mesh.cells.volumes, mesh.dimension() - 1).zeros();
+    for (Index f = 0; f < facets.essential.size(); ++f) {
+        double sum = 0;
+        for (Index e = cells.begins[f]; e < cells.begins[f + 1]; ++e)
+            sum += cells.signs[e];
+        if (facets.coface_counts[f] > 2)
+            throw InvalidInput(fmt::format("{} cells meet at {}, so the flux through it is not a "
+                                           "difference of two values: solve for primal 0-forms",
+                                           facets.coface_counts[f], named(mesh, f)));
+        if (facets.coface_counts[f] == 2 && sum != 0)
+            throw InvalidInput(fmt::format("the mesh is non-orientable, so dual 0-forms change "
+                                           "sign around it, at {}: solve for primal 0-forms",
+                                           named(mesh, f)));
+        if (facets.coface_counts[f] == 2 && std::binary_search(zeros.begin(), zeros.end(), f))
+            throw InvalidInput(fmt::format("the dual of {} has no length, so the flux through it "
+                                           "is not defined: let cospherical cells be merged",
+                                           named(mesh, f)));
+    }
+}
+
+/// 1 for own boundary facets whose dual counts as nothing: see boundary_facets_without_dual.
+Vector facets_without_dual(const Ranks& ranks, const DistributedMesh& mesh,
+                           const OwnFacets& facets) {
+    const int n = mesh.dimension();
+    const auto& complex = mesh.local.complex;
+    Points sizes(complex.size(n - 1), 2);
+    ranks.together("facets", [&] {
+        sizes.col(0) = 2 * circumradii(complex, mesh.local.points, n - 1);
+        sizes.col(1) = least_heights(complex, mesh.merged.of_pieces, {});
+    });
+    const PieceRows pieces = gather_pieces(ranks, mesh.local, facets.cells, n - 1, sizes);
+    const Vector& duals = mesh.cells.volumes.dual(n - 1);
+    Vector result = Vector::Zero(duals.size());
+    for (Index f = 0; f < duals.size(); ++f) {
+        double scale = 0, height = std::numeric_limits<double>::infinity();
+        for (Index piece = pieces.begins[f]; piece < pieces.begins[f + 1]; ++piece) {
+            scale = std::max(scale, pieces.rows(piece, 0));
+            height = std::min(height, pieces.rows(piece, 1));
+        }
+        if (facets.coface_counts[f] == 1 &&
+            is_degenerate(duals[f], mesh.cells.volumes.terms(n - 1)[f], scale, height,
+                          mesh.options.tolerance))
+            result[f] = 1;
+    }
+    return result;
+}
+
+void check_values(const Vector& values, const Points& sites, const char* what) {
+    check_as_many(what, static_cast<Index>(values.size()), static_cast<Index>(sites.rows()));
+    if (!values.allFinite())
+        throw InvalidInput(fmt::format("{}: a value is no number", what));
+}
+
+} // namespace
+
+Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k) {
+    check_number("cells of degree", k, 0, mesh.dimension());
+    const LocalComplex& local = mesh.local;
+    const auto N = local.points.cols();
+    Points weighted(local.complex.size(k), N + 1);
+    ranks.together("centers", [&] {
+        const Vector& volumes = mesh.merged.of_pieces.primal(k);
+        weighted.leftCols(N) =
+            volumes.asDiagonal() *
+            combinations(local.complex, k,
+                         center_coordinates(local.complex, local.points, mesh.merged.centers, k),
+                         local.points);
+        weighted.col(N) = volumes;
+    });
+    const Points sums = gather_pieces(ranks, local, mesh.cells.degree(k), k, weighted).sums();
+    return sums.col(N).cwiseInverse().asDiagonal() * sums.leftCols(N);
+}
+
+struct SharedPoissonSolver::Problem {
+    Side side = Side::primal;
+    SharedSystem system = {};
+    Vector mass = {};
+    FromFacets load = {};
+    FromBoundary fixed = {};
+    Points sites = {}, flux_sites = {};
+
+    static Problem primal(const Ranks& ranks, const DistributedMesh& mesh, const OwnFacets& facets);
+    static Problem dual(const Ranks& ranks, const DistributedMesh& mesh, const OwnFacets& facets);
+
+    static Problem of(const Ranks& ranks, const DistributedMesh& mesh,
+                      const SharedPoissonOptions& options) {
+        const int n = mesh.dimension();
+        const OwnFacets facets =
+            ranks.together("conditions", [&] { return OwnFacets(mesh, options.boundary); });
+        Problem problem =
+            options.side == Side::primal ? primal(ranks, mesh, facets) : dual(ranks, mesh, facets);
+        problem.side = options.side;
+        problem.sites = cell_centers(ranks, mesh, options.side == Side::primal ? 0 : n);
+        problem.flux_sites = cell_centers(ranks, mesh, n - 1);
+        return problem;
+    }
+};
+
+SharedPoissonSolver::Problem SharedPoissonSolver::Problem::primal(const Ranks& ranks,
+                                                                  const DistributedMesh& mesh,
+                                                                  const OwnFacets& facets) {
+    const int n = mesh.dimension();
+    const auto& vertices = mesh.cells.degree(0);
+    const Vector star = HodgeStar(mesh.cells.volumes, 0).diagonal();
+    const Vector weights =
+        ranks.together("weights", [&] { return edge_weights(mesh.cells.volumes); });
+
+    Points marks(facets.essential.size(), 2);
+    marks << facets.essential, facets.natural;
+    const Points at = spread_to_pieces(ranks, facets.cells, marks);
+    HeldUnknowns held{std::vector<bool>(vertices.first.size(), false),
+                      std::vector<bool>(vertices.first.size(), false)};
+    for (Index f = 0; f < at.rows(); ++f)
+        for (const Index v : mesh.local.complex.simplices(n - 1).row(f))
+            if (at(f, 0) > 0 && mesh.local.owns(ranks, 0, v))
+                held.fixed[vertices.of_simplex[v].row - vertices.first_row] = true;
+
+    // what own vertices get of the pieces of facets
+    SparseMatrix shares(std::ssize(vertices.first), at.rows());
+    if (ranks.any((at.col(1).array() > 0).any()))
+        shares = ranks.together("shares of facets", [&] {
+            const SparseMatrix all =
+                dual_parts(mesh.local.complex, mesh.local.points, mesh.merged.of_pieces, 0, n - 1,
+                           mesh.merged.centers);
+            SparseMatrix own(std::ssize(vertices.first), mesh.local.complex.size(0));
+            for (std::size_t i = 0; i < vertices.first.size(); ++i)
+                own.insert(static_cast<Index>(i), vertices.first[i]) = 1;
+            return SparseMatrix(own * SparseMatrix(all.transpose()));
+        });
+    const auto load = [ranks, shares, natural = facets.natural,
+                       &cells = facets.cells](const Vector&, const Vector& flows) -> Vector {
+        return shares * at_pieces(ranks, cells, natural.cwiseProduct(flows));
+    };
+    return {Side::primal,
+            SharedSystem{gram_of_columns(ranks, mesh.cells, 0, weights), std::move(held),
+                         star.cwiseAbs(), by_sign(ranks, weights)},
+            star, load, [](const Vector& boundary_values) { return boundary_values; }};
+}
+
+SharedPoissonSolver::Problem SharedPoissonSolver::Problem::dual(const Ranks& ranks,
+                                                                const DistributedMesh& mesh,
+                                                                const OwnFacets& facets) {
+    const int n = mesh.dimension();
+    ranks.together("fluxes", [&] { check_fluxes(mesh, facets); });
+    const CellVolumes& volumes = mesh.cells.volumes;
+    const Vector missing = facets_without_dual(ranks, mesh, facets);
+    const auto size = static_cast<Index>(facets.essential.size());
+
+    // of a facet on the boundary, the derivative has its one coface with this sign
+    Vector signs = Vector::Zero(size), weights = signs, fixing = signs;
+    for (Index f = 0; f < size; ++f) {
+        const bool interior = facets.coface_counts[f] == 2;
+        if (facets.coface_counts[f] == 1)
+            signs[f] = facets.cells.signs[facets.cells.begins[f]];
+        if (!interior && facets.essential[f] == 0)
+            continue; // what flows through the natural boundary is given
+        if (missing[f] > 0)
+            fixing[f] = signs[f];
+        else if (!interior || facets.cells.begins[f] < facets.cells.begins[f + 1])
+            weights[f] = volumes.primal(n - 1)[f] / volumes.dual(n - 1)[f];
+    }
+    const std::shared_ptr<_p_Mat> to_cells(coboundary(ranks, mesh.cells, n - 1).release(),
+                                           PetscDestroy());
+    const Vector conducting = signs.cwiseProduct(weights),
+                 outflow = signs.cwiseProduct(facets.natural).cwiseProduct(volumes.primal(n - 1));
+    const Vector fixed_by = product(ranks, to_cells.get(), fixing);
+    const Vector tied_by =
+        product(ranks, to_cells.get(), signs.array() * (conducting.array() != 0).cast<double>());
+    HeldUnknowns held;
+    for (Index c = 0; c < fixed_by.size(); ++c) {
+        held.fixed.push_back(fixed_by[c] > 0);
+        held.tied.push_back(tied_by[c] > 0);
+    }
+    const auto load = [=](const Vector& values, const Vector& flows) -> Vector {
+        return product(ranks, to_cells.get(),
+                       conducting.cwiseProduct(values) + outflow.cwiseProduct(flows));
+    };
+    const auto fixed = [=](const Vector& values) -> Vector {
+        return product(ranks, to_cells.get(), fixing.cwiseProduct(values))
+            .cwiseQuotient(fixed_by.cwiseMax(1));
+    };
+    return {Side::dual,
+            SharedSystem{gram_of_rows(ranks, mesh.cells, n - 1, weights), std::move(held),
+                         volumes.primal(n), by_sign(ranks, weights)},
+            volumes.primal(n), load, fixed};
+}
+
+SharedPoissonSolver::SharedPoissonSolver(const Ranks& ranks, const DistributedMesh& mesh,
+                                         const SharedPoissonOptions& options)
+    : SharedPoissonSolver(ranks, Problem::of(ranks, mesh, options), options.engine) {}
+
+SharedPoissonSolver::SharedPoissonSolver(const Ranks& ranks, Problem problem,
+                                         const SharedEngine& engine)
+    : ranks_(ranks),
+      side_(problem.side),
+      sites_(std::move(problem.sites)),
+      flux_sites_(std::move(problem.flux_sites)),
+      mass_(std::move(problem.mass)),
+      load_(std::move(problem.load)),
+      fixed_(std::move(problem.fixed)),
+      solver_(ranks, std::move(problem.system), engine) {}
+
+Solution<Vector> SharedPoissonSolver::solve(const Vector& f, const Vector& boundary_values,
+                                            const Vector& normal_derivatives) const {
+    ranks_.together("data", [&] {
+        check_values(f, sites_, "right-hand side");
+        check_values(boundary_values, boundary_sites(), "boundary data");
+        check_values(normal_derivatives, flux_sites_, "normal derivatives");
+    });
+    return solver_.solve(mass_.cwiseProduct(f) + load_(boundary_values, normal_derivatives),
+                         fixed_(boundary_values));
+}
+
+} // namespace polydec

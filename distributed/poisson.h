@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/forms/boundary_conditions.h"
+#include "distributed/discretize.h"
+#include "distributed/shared_solver.h"
+
+#include <functional>
+
+namespace polydec {
+
+/// Of own cells where their forms have values, in units of the mesh: see cell_centers. Collective.
+Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k);
+
+struct SharedPoissonOptions {
+    Side side = Side::primal;
+    /// As of PoissonOptions; where facets have conditions of their own, one for every own
+    /// (n-1)-cell.
+    BoundaryConditions boundary = {};
+    SharedEngine engine = {};
+};
+
+/// PoissonSolver over all ranks, by circumcentric stars: the same problem, whose solution is the
+/// same but for what the engine leaves. Vectors and tables have the entries of own cells. Every
+/// function is collective.
+class SharedPoissonSolver {
+public:
+    /// Throws like PoissonSolver.
+    SharedPoissonSolver(const Ranks& ranks, const DistributedMesh& mesh,
+                        const SharedPoissonOptions& options = {});
+
+    /// See PoissonSolver.
+    const Points& sites() const& { return sites_; }
+    const Points& boundary_sites() const& { return side_ == Side::primal ? sites_ : flux_sites_; }
+    const Points& flux_sites() const& { return flux_sites_; }
+
+    /// See PoissonSolver::solve.
+    Solution<Vector> solve(const Vector& f, const Vector& boundary_values,
+                           const Vector& normal_derivatives) const;
+
+private:
+    struct Problem;
+    explicit SharedPoissonSolver(const Ranks& ranks, Problem problem, const SharedEngine& engine);
+
+    using FromFacets = std::function<Vector(const Vector& boundary_values, const Vector& flows)>;
+    using FromBoundary = std::function<Vector(const Vector& boundary_values)>;
+
+    Ranks ranks_;
+    Side side_;
+    Points sites_, flux_sites_;
+    Vector mass_;        // of own unknowns
+    FromFacets load_;    // data on the boundary to right-hand side
+    FromBoundary fixed_; // boundary values to fixed unknowns
+    SharedSolver solver_;
+};
+
+} // namespace polydec

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/poisson.h"
+
+#include "base/errors.h"
+#include "dec/fields/cell_centers.h"
+#include "solvers/poisson.h"
+#include "tests/distributed/compare.h"
+#include "tests/support/families.h"
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace polydec::test {
+
+namespace {
+
+constexpr const char* cases[] = {"dirichlet", "neumann", "mixed"};
+
+BoundaryConditions conditions(const std::string& which, const Points& sites) {
+    if (which == "dirichlet")
+        return {};
+    if (which == "neumann")
+        return {BoundaryCondition::natural};
+    return essential_where(sites, [&](const Vector& site) { return site[0] < 0.4; });
+}
+
+/// Some function of a place that no symmetry makes vanish.
+Vector data(const Points& sites, double phase) {
+    Vector result(sites.rows());
+    for (Index i = 0; i < sites.rows(); ++i)
+        result[i] = std::cos(phase + sites.row(i).sum()) + 0.3 * sites(i, 0);
+    return result;
+}
+
+/// Largest difference from the solution of one process, in parts of its largest value.
+double difference(const Ranks& ranks, const DistributedCells::Degree& cells, const Vector& own,
+                  const Vector& whole) {
+    double most = 0;
+    for (std::size_t i = 0; i < cells.number.size(); ++i)
+        most = std::max(most, std::abs(own[static_cast<Index>(i)] -
+                                       whole[static_cast<Index>(cells.number[i])]));
+    const double size = whole.size() > 0 ? whole.cwiseAbs().maxCoeff() : 0;
+    return ranks.largest(size > 0 ? most / size : most);
+}
+
+/// What one process makes of a problem; none if it refuses it.
+std::optional<Solution<Vector>> of_one_process(const Discretization& mesh,
+                                               const PoissonOptions& options) {
+    try {
+        const PoissonSolver solver(mesh, options);
+        return solver.solve(data(solver.sites(), 0), data(solver.boundary_sites(), 1),
+                            data(solver.flux_sites(), 2));
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// Whether one process solves it too, and not only refuses it likewise.
+bool expect_equal(const Ranks& ranks, const Discretization& whole, const DistributedMesh& mesh,
+                  Side side, const std::string& which, const std::string& in) {
+    const int n = whole.dimension();
+    const auto expected =
+        of_one_process(whole, {.side = side, .boundary = conditions(which, facet_sites(whole))});
+    const auto solve = [&] {
+        const SharedPoissonSolver solver(
+            ranks, mesh,
+            {.side = side, .boundary = conditions(which, cell_centers(ranks, mesh, n - 1))});
+        return solver.solve(data(solver.sites(), 0), data(solver.boundary_sites(), 1),
+                            data(solver.flux_sites(), 2));
+    };
+    if (!expected) {
+        EXPECT_THROW(solve(), Error) << in;
+        return false;
+    }
+    const auto found = solve();
+    constexpr double solved = 1e-9;
+    const int k = side == Side::primal ? 0 : n;
+    EXPECT_LE(difference(ranks, mesh.cells.degree(k), found.values, expected->values), solved)
+        << in << " with " << found.report.engine << ", residual " << found.report.residual;
+    EXPECT_EQ(found.compatibility.free_components, expected->compatibility.free_components) << in;
+    EXPECT_NEAR(found.compatibility.worst, expected->compatibility.worst, 1e-12) << in;
+
+    Vector twin = found.values; // that is off in one place, on one rank
+    if (ranks.rank() == 0 && twin.size() > 0)
+        twin[0] += 1e-7 * (1 + expected->values.cwiseAbs().maxCoeff());
+    if (ranks.largest(ranks.rank() == 0 ? std::ssize(mesh.cells.degree(k).number) : 0) > 0) {
+        EXPECT_GT(difference(ranks, mesh.cells.degree(k), twin, expected->values), solved) << in;
+    }
+    return true;
+}
+
+TEST(DistributedPoisson, has_the_solution_of_one_process_with_all_conditions_on_both_sides) {
+    const auto ranks = Ranks::all();
+    std::size_t solved = 0;
+    for (const auto& [name, given] : meshes()) {
+        const Discretization whole = discretize(given);
+        const MeshSlice slice = slice_of(ranks, given);
+        const auto by = some_ownerships(ranks, name).back();
+        const DistributedMesh mesh = discretize(ranks, slice, vertex_owners(ranks, slice, by));
+        for (const Side side : {Side::primal, Side::dual})
+            for (const std::string which : cases)
+                solved +=
+                    expect_equal(ranks, whole, mesh, side, which,
+                                 fmt::format("{}, {} side, {}", name, polydec::name(side), which));
+    }
+    EXPECT_GT(solved, 4 * meshes().size());
+}
+
+TEST(DistributedPoisson, every_engine_gives_the_same_and_options_that_nobody_reads_are_refused) {
+    const auto ranks = Ranks::all();
+    const Mesh& given = meshes().front().mesh;
+    const MeshSlice slice = slice_of(ranks, given);
+    const DistributedMesh mesh =
+        discretize(ranks, slice, vertex_owners(ranks, slice, Ownership::morton));
+    std::optional<Vector> first;
+    for (const char* engine : {"petsc.cg-hypre", "petsc.cg-gamg", "petsc.mumps"}) {
+        const SharedPoissonSolver solver(ranks, mesh, {.engine = {engine}});
+        const auto found = solver.solve(data(solver.sites(), 0), data(solver.boundary_sites(), 1),
+                                        data(solver.flux_sites(), 2));
+        EXPECT_EQ(found.report.engine, engine);
+        if (!first)
+            first = found.values;
+        EXPECT_TRUE(found.values.isApprox(*first, 1e-9) || found.values.size() == 0) << engine;
+    }
+    const auto with = [&](const SharedEngine& engine) {
+        return SharedPoissonSolver(ranks, mesh, {.engine = engine});
+    };
+    EXPECT_THROW(with({"petsc.cg-gamg", "-ksp_tpye fcg"}), InvalidInput);
+    EXPECT_THROW(with({"petsc.cg-gamg", "ksp_type fcg"}), InvalidInput);
+    EXPECT_THROW(with({"cholmod"}), InvalidInput);
+    EXPECT_NO_THROW(with({"petsc.cg-gamg", "-ksp_type fcg"}));
+}
+
+} // namespace
+
+} // namespace polydec::test
