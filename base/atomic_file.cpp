@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/atomic_file.h"
 
+#include "base/descriptor.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "base/regular_file.h"
@@ -80,6 +81,22 @@ void check_replaceable(const std::filesystem::path& target) {
         refuse(target, "it is a folder, pipe or device; name a regular file");
     if (!is_writable(final_target))
         refuse(target, "it is read-only; name another file, or make it writable");
+}
+
+void write_part(const std::filesystem::path& file, std::int64_t place, std::string_view bytes,
+                const std::filesystem::path& target) {
+    const Descriptor opened(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+    if (opened.number() < 0)
+        refuse(target, system_reason());
+    for (std::size_t done = 0; done < bytes.size();) {
+        const auto count = ::pwrite(opened.number(), bytes.data() + done, bytes.size() - done,
+                                    static_cast<off_t>(place + static_cast<std::int64_t>(done)));
+        if (count < 0 && errno != EINTR)
+            refuse(target, system_reason());
+        done += count > 0 ? static_cast<std::size_t>(count) : 0;
+    }
+    if (::fsync(opened.number()) != 0 && errno != EINVAL)
+        refuse(target, system_reason());
 }
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)

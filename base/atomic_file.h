@@ -4,6 +4,7 @@
 #include "base/unfinished.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -24,6 +25,9 @@ public:
 
     void write(std::string_view text);
 
+    /// Where it is until then: other processes may write parts of it there (write_part).
+    std::filesystem::path unfinished() const { return temporary_.path(); }
+
     /// Flushes, checks, closes and renames. Nothing may be written afterwards.
     void commit();
 
@@ -37,6 +41,11 @@ private:
     int file_ = -1;
     std::string buffer_;
 };
+
+/// Writes bytes at a place of a file that is there, and has them stored. Throws IoError, naming the
+/// target that they are for.
+void write_part(const std::filesystem::path& file, std::int64_t place, std::string_view bytes,
+                const std::filesystem::path& target);
 
 /// Throws IoError if the target is there and is no regular file, or is read-only.
 void check_replaceable(const std::filesystem::path& target);

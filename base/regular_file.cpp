@@ -33,11 +33,12 @@ RegularFile::RegularFile(const std::filesystem::path& path, Links links)
     size_ = static_cast<std::size_t>(status.st_size);
 }
 
-std::string RegularFile::read() const {
-    std::string text(size_, '\0');
+std::string RegularFile::read(std::size_t begin, std::size_t end) const {
+    std::string text(end - begin, '\0');
     std::size_t done = 0;
-    while (done < size_) {
-        const auto count = ::read(file_.number(), text.data() + done, size_ - done);
+    while (done < text.size()) {
+        const auto count = ::pread(file_.number(), text.data() + done, text.size() - done,
+                                   static_cast<off_t>(begin + done));
         if (count < 0 && errno != EINTR)
             fail();
         if (count == 0)

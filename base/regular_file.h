@@ -21,8 +21,11 @@ public:
     bool is_regular() const { return is_regular_; }
     std::size_t size() const { return size_; } ///< in bytes
 
-    /// All of it, once; less than size() bytes if it has become shorter.
-    std::string read() const;
+    /// All of it; less than size() bytes if it has become shorter.
+    std::string read() const { return read(0, size_); }
+
+    /// The bytes from one place to another; less if there are no more.
+    std::string read(std::size_t begin, std::size_t end) const;
 
 private:
     Descriptor file_;

@@ -31,8 +31,9 @@ GlobalIndex branching_facets(const Ranks& ranks, const LocalComplex& local) {
 
 std::vector<std::string> warnings_of(const Ranks& ranks, const MeshSlice& slice,
                                      const LocalComplex& local, double unit) {
-    std::vector<std::string> list;
-    if (const GlobalIndex unused = slice.vertices - local.degree(0).count; unused > 0)
+    std::vector<std::string> list = slice.warnings;
+    const GlobalIndex unused = slice.vertices - local.degree(0).count;
+    if (list.empty() && unused > 0) // else the reader has told which
         list.push_back(fmt::format("{} to no cell, left out of all counts",
                                    unused == 1 ? "1 vertex belongs"
                                                : fmt::format("{} vertices belong", unused)));

@@ -15,7 +15,7 @@ struct DistributedMesh {
     DistributedCells cells;
     MergeOptions options;
     double unit = 1;                        ///< see unit_of_length
-    std::vector<std::string> warnings = {}; ///< of the whole, the same on all ranks
+    std::vector<std::string> warnings = {}; ///< of the whole, on rank 0
 
     int dimension() const { return local.dimension(); }
 };

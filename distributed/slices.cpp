@@ -20,6 +20,8 @@ MeshSlice slice_for(const Mesh& mesh, int rank, int ranks) {
     };
     slice.points = mesh.points(rows(vertices), Eigen::all);
     slice.simplices = mesh.simplices(rows(cells), Eigen::all).cast<GlobalIndex>();
+    if (rank == 0)
+        slice.warnings = mesh.warnings;
     return slice;
 }
 
@@ -117,6 +119,8 @@ MeshSlice scatter(const Ranks& ranks, const std::optional<Mesh>& mesh) {
     slice.points = Eigen::Map<const Points>(own_points.data(), rows(own_points, N), N);
     slice.simplices =
         Eigen::Map<const GlobalSimplices>(own_cells.data(), rows(own_cells, corners), corners);
+    if (ranks.rank() == 0)
+        slice.warnings = mesh->warnings;
     return slice;
 }
 

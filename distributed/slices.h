@@ -5,6 +5,7 @@
 #include "meshes/mesh.h"
 
 #include <optional>
+#include <string>
 
 namespace polydec {
 
@@ -13,9 +14,10 @@ using GlobalSimplices = Eigen::Matrix<GlobalIndex, Eigen::Dynamic, Eigen::Dynami
 
 /// What one rank has of a mesh as it stands in a file: equal stretches of its points and cells.
 struct MeshSlice {
-    GlobalIndex vertices = 0, cells = 0; ///< of the whole mesh
-    Points points;                       ///< of the vertices EqualStretches(vertices, ranks)
-    GlobalSimplices simplices;           ///< the cells EqualStretches(cells, ranks)
+    GlobalIndex vertices = 0, cells = 0;    ///< of the whole mesh
+    Points points;                          ///< of the vertices EqualStretches(vertices, ranks)
+    GlobalSimplices simplices;              ///< the cells EqualStretches(cells, ranks)
+    std::vector<std::string> warnings = {}; ///< of the mesh, on rank 0
 
     int ambient_dimension() const { return static_cast<int>(points.cols()); }
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }

@@ -57,7 +57,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
     command
         .add_option("MESH", arguments.mesh,
                     "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc\n"
-                    "or .nsl, which has lengths of edges alone")
+                    ".pdm, or .nsl, which has lengths of edges alone")
         ->required();
     auto* tolerance = command.add_option("--tolerance", arguments.tolerance,
                                          "merge facets with relative dual length up to this");

@@ -113,12 +113,14 @@ CLI::App* add_generator(CLI::App& generate, const char* name, const char* help,
     const auto out = std::make_shared<std::filesystem::path>();
     const auto options = std::make_shared<TellOptions>();
     command
-        ->add_option("-o,--out", *out,
-                     "mesh file: .off .obj .ply .stl .mesh .nsc; or\na page that shows it, .html")
+        ->add_option(
+            "-o,--out", *out,
+            "mesh file: .off .obj .ply .stl .mesh .nsc .pdm; or\na page that shows it, .html")
         ->required();
     add_common_options(*command, *options);
     command->callback([out, options, make = std::move(make)] {
-        check_output_file(*out, {".off", ".obj", ".ply", ".stl", ".mesh", ".nsc", ".html"}, {});
+        check_output_file(*out, {".off", ".obj", ".ply", ".stl", ".mesh", ".nsc", ".pdm", ".html"},
+                          {});
         Log log;
         write_generated(*out, make(), log, *options);
     });

@@ -25,7 +25,8 @@ struct FillArguments {
 };
 
 void fill(const FillArguments& arguments) {
-    check_output_file(arguments.out, {".mesh", ".nsc", ".html"}, mesh_files(arguments.surface));
+    check_output_file(arguments.out, {".mesh", ".nsc", ".pdm", ".html"},
+                      mesh_files(arguments.surface));
     Points holes(static_cast<Eigen::Index>(arguments.holes.size()), 3);
     for (Eigen::Index i = 0; i < holes.rows(); ++i)
         holes.row(i) = Eigen::RowVector3d(arguments.holes[static_cast<std::size_t>(i)].data());
@@ -96,7 +97,7 @@ void add_fill(CLI::App& generate) {
     generate.add_option("--seconds", options.seconds, "stop the mesher after this time")
         ->capture_default_str()
         ->needs(mesher);
-    generate.add_option("-o,--out", arguments->out, "mesh file of tetrahedra: .mesh .nsc");
+    generate.add_option("-o,--out", arguments->out, "mesh file of tetrahedra: .mesh .nsc .pdm");
     add_common_options(generate, arguments->tell);
     generate.get_option("--json")->needs(mesher);
     generate.callback([&generate, arguments] { fill_if_asked(generate, *arguments); });

@@ -26,7 +26,7 @@ constexpr std::array formats{
     Format{".off", read_off},  Format{".obj", read_obj},     Format{".ply", read_ply},
     Format{".stl", read_stl},  Format{".nsc", read_nsc},     Format{".mesh", read_medit},
     Format{".msh", read_gmsh}, Format{".node", read_tetgen}, Format{".ele", read_tetgen},
-    Format{".vtk", read_vtk},  Format{".vtu", read_vtu},
+    Format{".vtk", read_vtk},  Format{".vtu", read_vtu},     Format{".pdm", read_pdm},
 };
 
 const Format& format_of(const std::filesystem::path& path) {

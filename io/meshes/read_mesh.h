@@ -14,7 +14,8 @@ namespace polydec {
 /// (TetGen, Triangle; the other file beside it, or .face) give the cells of the largest dimension:
 /// tetrahedra, or else triangles and polygons, or else edges; .nsc gives simplices of any
 /// dimension (.nsl, lengths without points, is for read_lengths). Other solids and curved cells are
-/// refused. Physical groups, references and regions become the mesh's tags.
+/// refused; .pdm (see PdmLayout) has simplices of any dimension, in binary. Physical groups,
+/// references and regions become the mesh's tags.
 ///
 /// Vertices keep their numbers, counted from 0 in the order of the file; an STL file has none, so
 /// that equal points become one vertex, numbered by first appearance. Polygons are split as

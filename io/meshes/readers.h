@@ -30,6 +30,10 @@ Mesh read_medit(const SourceFile& file);
 Mesh read_gmsh(const SourceFile& file);
 Mesh read_vtk(const SourceFile& file);
 Mesh read_vtu(const SourceFile& file);
+Mesh read_pdm(const SourceFile& file);
+
+/// `write_mesh` of what has been checked.
+void write_pdm(const std::filesystem::path& path, const Mesh& mesh);
 
 /// The lines of .nsc and .nsl that hold simplices of this dimension, numbered from 0.
 Simplices read_simplices(Scanner& scanner, Index count, Index dimension, Index vertices);

@@ -3,6 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "io/meshes/readers.h"
 #include "io/number_text.h"
 #include "io/source_file.h"
 
@@ -284,6 +285,8 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
     const auto extension = lower_extension(path);
     if (extension == ".nsc") {
         write_nsc(path, mesh);
+    } else if (extension == ".pdm") {
+        write_pdm(path, mesh);
     } else if (extension == ".mesh") {
         write_medit(path, mesh);
     } else if (extension == ".off" || extension == ".obj" || extension == ".ply" ||
@@ -301,7 +304,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
             {mesh.points, {mesh.simplices.data(), corners}, corners / size, nullptr, size});
     } else {
         refuse(path, fmt::format("the extension '{}' stands for no mesh format; use .off, .obj, "
-                                 ".ply, .stl, .mesh or .nsc",
+                                 ".ply, .stl, .mesh, .nsc or .pdm",
                                  extension));
     }
 }

@@ -8,11 +8,12 @@
 
 namespace polydec {
 
-/// Writes a mesh; the extension says the format. .nsc holds every mesh; .mesh (MEDIT) edges,
+/// Writes a mesh; the extension says the format. .nsc holds every mesh, and .pdm (binary,
+/// with the tags of cells; see PdmLayout); .mesh (MEDIT) edges,
 /// triangles and tetrahedra in R^2 and R^3, with their tags and facets with tags; .off, .obj, .ply
 /// (ascii) and .stl (binary) triangles in R^2, where z becomes 0, and R^3, .obj edges too. Numbers
 /// read back exactly, except in STL: its numbers are floats and it has no vertex numbers. Tags are
-/// kept in MEDIT alone. The file appears whole or not at all.
+/// kept in MEDIT and .pdm alone. The file appears whole or not at all.
 ///
 /// Throws InvalidInput if the mesh does not fit the format, has NaN or infinite coordinates or a
 /// vertex number that is out of range, tags, but not one for each cell, or facets with tags that

@@ -201,7 +201,7 @@ def read_mesh(path: Path) -> Mesh:
     """Reads a mesh; the extension says the format.
 
     Triangles in R^3 of .off, .obj, .ply and .stl; the cells of largest dimension of .mesh, .msh,
-    .vtk, .vtu and .node or .ele; simplices of any dimension of .nsc. Polygons are split.
+    .vtk, .vtu and .node or .ele; simplices of any dimension of .nsc and .pdm. Polygons are split.
 
     Raises
     ------
@@ -222,9 +222,9 @@ def read_mesh(path: Path) -> Mesh:
 
 
 def write_mesh(path: Path, mesh: Mesh) -> None:
-    """Writes a mesh; the extension says the format: .nsc, .mesh, .off, .obj, .ply or .stl.
+    """Writes a mesh; the extension says the format: .nsc, .pdm, .mesh, .off, .obj, .ply or .stl.
 
-    Numbers read back exactly, except in STL. Of these formats .nsc holds every mesh.
+    Numbers read back exactly, except in STL. Of these formats .nsc and .pdm hold every mesh.
 
     Raises
     ------

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/mesh_file.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "base/printable.h"
+#include "base/regular_file.h"
+#include "io/meshes/pdm.h"
+#include "io/meshes/read_mesh.h"
+#include "io/source_file.h"
+#include "meshes/tidy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace polydec {
+
+namespace {
+
+/// A stretch of the bytes between header and sums.
+struct Bytes {
+    std::int64_t begin;
+    std::string text;
+};
+
+PdmReader open_pdm(const std::filesystem::path& path) {
+    const auto name = printable(path.string());
+    const auto file = [&] {
+        try {
+            auto opened = std::make_shared<RegularFile>(path);
+            if (opened->is_regular())
+                return opened;
+        } catch (const IoError& error) {
+            throw IoError(fmt::format("cannot read {}: {}", name, error.what()), {.path = path});
+        }
+        throw IoError(fmt::format("cannot read {}: it is no regular file", name), {.path = path});
+    }();
+    return {path.string(), static_cast<std::int64_t>(file->size()),
+            [file](std::int64_t begin, std::int64_t end) {
+                return file->read(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+            }};
+}
+
+MeshSlice read_pdm_slice(const Ranks& ranks, const std::filesystem::path& path) {
+    return ranks.together("read", [&] {
+        const PdmReader reader = open_pdm(path);
+        const PdmLayout& layout = reader.layout();
+        const EqualStretches vertices(layout.vertices, ranks.size()),
+            cells(layout.cells, ranks.size());
+        MeshSlice slice{layout.vertices, layout.cells, {}, {}};
+        slice.points = reader.points(vertices.begin(ranks.rank()), vertices.end(ranks.rank()));
+        const auto corners = reader.cells(cells.begin(ranks.rank()), cells.end(ranks.rank()));
+        slice.simplices = Eigen::Map<const GlobalSimplices>(
+            corners.data(), cells.end(ranks.rank()) - cells.begin(ranks.rank()),
+            layout.dimension + 1);
+        return slice;
+    });
+}
+
+struct Stretch {
+    std::int64_t begin, size;
+};
+
+/// The part of some bytes that lies between two places.
+Bytes part(const Bytes& bytes, std::int64_t begin, std::int64_t end) {
+    const std::int64_t from = std::max(begin, bytes.begin),
+                       to = std::min(end, bytes.begin + std::ssize(bytes.text));
+    if (from >= to)
+        return {from, {}};
+    return {from, bytes.text.substr(static_cast<std::size_t>(from - bytes.begin),
+                                    static_cast<std::size_t>(to - from))};
+}
+
+/// The blocks of every rank, put together of what all ranks have of them.
+Bytes own_blocks(const Ranks& ranks, const PdmLayout& layout, const std::vector<Bytes>& parts) {
+    const EqualStretches blocks(layout.blocks(), ranks.size());
+    auto texts = ranks.empty_parcels<char>();
+    auto places = ranks.empty_parcels<Stretch>();
+    ranks.together("blocks", [&] {
+        for (int r = 0; r < ranks.size(); ++r)
+            for (const Bytes& bytes : parts) {
+                const Bytes sent = part(bytes, layout.block_begin(blocks.begin(r)),
+                                        layout.block_begin(blocks.end(r)));
+                texts[r].insert(texts[r].end(), sent.text.begin(), sent.text.end());
+                places[r].push_back({sent.begin, std::ssize(sent.text)});
+            }
+    });
+    const auto arrived = ranks.deliver(texts);
+    const auto where = ranks.deliver(places);
+    return ranks.together("blocks", [&] {
+        const std::int64_t begin = layout.block_begin(blocks.begin(ranks.rank())),
+                           end = layout.block_begin(blocks.end(ranks.rank()));
+        Bytes own{begin, std::string(static_cast<std::size_t>(end - begin), '\0')};
+        for (std::size_t r = 0; r < arrived.size(); ++r) {
+            auto next = arrived[r].begin();
+            for (const auto& [place, size] : where[r])
+                if (size > 0) {
+                    std::copy(next, next + size, own.text.begin() + (place - begin));
+                    next += size;
+                }
+        }
+        return own;
+    });
+}
+
+} // namespace
+
+MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path) {
+    if (lower_extension(path) == ".pdm")
+        return read_pdm_slice(ranks, path);
+    const auto mesh = ranks.together("read", [&] {
+        return ranks.rank() == 0 ? std::optional(tidy(read_mesh(path))) : std::nullopt;
+    });
+    return scatter(ranks, mesh);
+}
+
+void write_slice(const Ranks& ranks, const std::filesystem::path& path, const MeshSlice& slice) {
+    const PdmLayout layout{slice.ambient_dimension(), slice.dimension(), slice.vertices,
+                           slice.cells};
+    std::unique_ptr<AtomicFile> file; // of rank 0
+    ranks.together("write", [&] {
+        if (lower_extension(path) != ".pdm")
+            throw InvalidInput(fmt::format("cannot write {}: several ranks write .pdm alone",
+                                           printable(path.string())),
+                               {.path = path});
+        if (ranks.rank() == 0) {
+            file = std::make_unique<AtomicFile>(path);
+            write_part(file->unfinished(), 0, header_of(layout), path);
+        }
+    });
+    std::vector<char> name;
+    if (file) {
+        const std::string text = file->unfinished().string();
+        name.assign(text.begin(), text.end());
+    }
+    name = ranks.of_all(name);
+    const std::string unfinished(name.begin(), name.end());
+
+    const auto first = [&](GlobalIndex count) {
+        return EqualStretches(count, ranks.size()).begin(ranks.rank());
+    };
+    const auto parts = ranks.together("bytes", [&] {
+        const std::vector<GlobalIndex> corners(slice.simplices.data(),
+                                               slice.simplices.data() + slice.simplices.size());
+        return std::vector<Bytes>{
+            {PdmLayout::header_bytes + first(slice.vertices) * layout.point_bytes(),
+             pdm_bytes(slice.points)},
+            {layout.cells_begin() + first(slice.cells) * layout.cell_bytes(),
+             pdm_bytes(corners, layout.number_bytes())}};
+    });
+    const Bytes own = own_blocks(ranks, layout, parts);
+    ranks.together("write", [&] {
+        std::string sums;
+        for (std::size_t at = 0; at < own.text.size(); at += PdmLayout::block_bytes)
+            sums += checksum_of(std::string_view(own.text).substr(at, PdmLayout::block_bytes));
+        const std::int64_t first_block = first(layout.blocks());
+        write_part(unfinished, own.begin, own.text, path);
+        write_part(unfinished, layout.sums_begin() + first_block * PdmLayout::sum_bytes, sums,
+                   path);
+    });
+    ranks.together("write", [&] {
+        if (file)
+            file->commit();
+    });
+}
+
+} // namespace polydec

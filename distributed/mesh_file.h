@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "distributed/slices.h"
+
+#include <filesystem>
+
+namespace polydec {
+
+/// Collective: the slices of a mesh in a file. Of a .pdm file each rank reads its own bytes, so
+/// that none needs the memory for all; every other format is read, and tidied as discretize does,
+/// by rank 0 and scattered from there. Throws as read_mesh does, on all ranks.
+MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path);
+
+/// Collective: writes a mesh as .pdm, each rank its part of the bytes; the file, which all ranks
+/// must see, appears whole or not at all. Throws InvalidInput for another extension, IoError if
+/// writing fails on any rank.
+void write_slice(const Ranks& ranks, const std::filesystem::path& path, const MeshSlice& slice);
+
+} // namespace polydec

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "io/meshes/pdm.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "io/byte_reader.h"
+#include "io/meshes/readers.h"
+#include "io/meshes/write_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <zlib.h>
+
+namespace polydec {
+
+namespace {
+
+constexpr std::string_view magic = "pdmesh1\n";
+constexpr std::size_t header_words = 7; // behind the magic; a checksum follows
+
+template <typename Number>
+std::string little_endian(const Number* numbers, std::size_t count) {
+    std::string bytes(count * sizeof(Number), '\0');
+    if constexpr (std::endian::native == std::endian::little) {
+        std::memcpy(bytes.data(), numbers, bytes.size());
+    } else {
+        for (std::size_t i = 0; i < count; ++i) {
+            char* place = bytes.data() + i * sizeof(Number);
+            std::memcpy(place, numbers + i, sizeof(Number));
+            std::reverse(place, place + sizeof(Number));
+        }
+    }
+    return bytes;
+}
+
+template <typename Number>
+Number little(const std::string& bytes, std::size_t place) {
+    return number_at<Number>(bytes.data() + place, std::endian::little);
+}
+
+/// A file of so many bytes would have offsets that are no 64-bit numbers.
+constexpr std::int64_t most_cells = std::int64_t{1} << 40, most_coordinates = 1 << 16;
+
+} // namespace
+
+std::string header_of(const PdmLayout& layout) {
+    const std::array<std::int64_t, header_words> words{
+        layout.ambient_dimension, layout.dimension, layout.vertices,       layout.cells,
+        layout.number_bytes(),    layout.has_tags,  PdmLayout::block_bytes};
+    std::string header(magic);
+    header += little_endian(words.data(), words.size());
+    header += checksum_of(header);
+    header.resize(PdmLayout::header_bytes, '\0');
+    return header;
+}
+
+std::string checksum_of(std::string_view block) {
+    const auto sum = static_cast<std::uint32_t>(
+        ::crc32(0, reinterpret_cast<const Bytef*>(block.data()), static_cast<uInt>(block.size())));
+    return little_endian(&sum, 1);
+}
+
+std::string pdm_bytes(const Eigen::Ref<const Points>& points) {
+    return little_endian(points.data(), static_cast<std::size_t>(points.size()));
+}
+
+std::string pdm_bytes(const std::vector<Index>& tags) {
+    return little_endian(tags.data(), tags.size());
+}
+
+std::string pdm_bytes(const std::vector<std::int64_t>& vertices, std::int64_t bytes_each) {
+    if (bytes_each == sizeof(std::int64_t))
+        return little_endian(vertices.data(), vertices.size());
+    const std::vector<std::int32_t> narrow(vertices.begin(), vertices.end());
+    return little_endian(narrow.data(), narrow.size());
+}
+
+PdmReader::PdmReader(std::string name, std::int64_t file_bytes, Bytes bytes)
+    : name_(std::move(name)), bytes_(std::move(bytes)) {
+    const std::string header = bytes_(0, std::min(file_bytes, PdmLayout::header_bytes));
+    if (!header.starts_with(magic))
+        fail("this is no .pdm file of version 1; write the mesh as one");
+    if (std::ssize(header) < PdmLayout::header_bytes)
+        fail("the file ends within its header; write it again");
+    const std::size_t words_end = magic.size() + header_words * sizeof(std::int64_t);
+    if (header.compare(words_end, PdmLayout::sum_bytes,
+                       checksum_of(std::string_view(header).substr(0, words_end))) != 0)
+        fail("the header is damaged: its checksum is another; write the file again");
+    std::array<std::int64_t, header_words> words{};
+    for (std::size_t i = 0; i < header_words; ++i)
+        words[i] = little<std::int64_t>(header, magic.size() + i * sizeof(std::int64_t));
+    layout_ = {words[0], words[1], words[2], words[3], words[5] != 0};
+    const auto& [N, n, vertices, cells, has_tags] = layout_;
+    if (n < 1 || n > N || N > most_coordinates)
+        fail(fmt::format("cells of dimension {} in {} coordinates; expected 1 <= n <= N", n, N));
+    if (vertices < 1 || cells < 1 || vertices > most_cells || cells > most_cells)
+        fail(fmt::format("{} vertices and {} cells; expected at least one of each", vertices,
+                         cells));
+    if (words[4] != layout_.number_bytes() || words[6] != PdmLayout::block_bytes)
+        fail("the widths of its numbers are none of this version");
+    if (file_bytes != layout_.file_bytes())
+        fail(fmt::format("the file has {} bytes, and {} vertices and {} cells take {}: it was cut "
+                         "off, or written on; write it again",
+                         file_bytes, vertices, cells, layout_.file_bytes()));
+}
+
+void PdmReader::fail(const std::string& text) const {
+    throw InvalidInput(fmt::format("{}: {}", name_, text), {.path = name_});
+}
+
+/// Blocks are read as a whole, because sums are of these.
+std::string PdmReader::checked(std::int64_t begin, std::int64_t end) const {
+    if (begin == end)
+        return {};
+    const auto block_of = [](std::int64_t place) {
+        return (place - PdmLayout::header_bytes) / PdmLayout::block_bytes;
+    };
+    const std::int64_t first = block_of(begin), last = block_of(end - 1) + 1;
+    std::string bytes = bytes_(layout_.block_begin(first), layout_.block_begin(last));
+    const std::string sums = bytes_(layout_.sums_begin() + first * PdmLayout::sum_bytes,
+                                    layout_.sums_begin() + last * PdmLayout::sum_bytes);
+    for (std::int64_t block = first; block < last; ++block) {
+        const std::string_view one = std::string_view(bytes).substr(
+            static_cast<std::size_t>((block - first) * PdmLayout::block_bytes),
+            static_cast<std::size_t>(layout_.block_begin(block + 1) - layout_.block_begin(block)));
+        if (sums.compare(static_cast<std::size_t>((block - first) * PdmLayout::sum_bytes),
+                         PdmLayout::sum_bytes, checksum_of(one)) != 0)
+            fail(fmt::format("the bytes {} to {} are damaged: their checksum is another; write "
+                             "the file again",
+                             layout_.block_begin(block), layout_.block_begin(block + 1) - 1));
+    }
+    bytes.resize(static_cast<std::size_t>(end - layout_.block_begin(first)));
+    bytes.erase(0, static_cast<std::size_t>(begin - layout_.block_begin(first)));
+    return bytes;
+}
+
+Points PdmReader::points(std::int64_t begin, std::int64_t end) const {
+    const std::int64_t first = PdmLayout::header_bytes, each = layout_.point_bytes();
+    const std::string bytes = checked(first + begin * each, first + end * each);
+    Points result(end - begin, layout_.ambient_dimension);
+    for (Eigen::Index i = 0; i < result.size(); ++i) {
+        result.data()[i] = little<double>(bytes, static_cast<std::size_t>(i) * sizeof(double));
+        if (!std::isfinite(result.data()[i]))
+            fail(fmt::format("vertex {} has a coordinate that is not finite",
+                             begin + i / layout_.ambient_dimension));
+    }
+    return result;
+}
+
+std::vector<std::int64_t> PdmReader::cells(std::int64_t begin, std::int64_t end) const {
+    const std::int64_t first = layout_.cells_begin(), each = layout_.cell_bytes();
+    const std::string bytes = checked(first + begin * each, first + end * each);
+    const std::int64_t corners = layout_.dimension + 1;
+    const bool is_wide = layout_.number_bytes() == sizeof(std::int64_t);
+    std::vector<std::int64_t> result(static_cast<std::size_t>((end - begin) * corners));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        result[i] = is_wide ? little<std::int64_t>(bytes, i * sizeof(std::int64_t))
+                            : little<std::int32_t>(bytes, i * sizeof(std::int32_t));
+        if (result[i] < 0 || result[i] >= layout_.vertices)
+            fail(fmt::format("cell {} has vertex {}; expected a number from 0 to {}",
+                             begin + static_cast<std::int64_t>(i) / corners, result[i],
+                             layout_.vertices - 1));
+    }
+    return result;
+}
+
+std::vector<Index> PdmReader::tags(std::int64_t begin, std::int64_t end) const {
+    if (!layout_.has_tags)
+        return {};
+    const std::int64_t first = layout_.tags_begin();
+    const std::string bytes = checked(first + begin * 4, first + end * 4);
+    std::vector<Index> result(static_cast<std::size_t>(end - begin));
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = little<std::int32_t>(bytes, i * sizeof(std::int32_t));
+    return result;
+}
+
+Mesh read_pdm(const SourceFile& file) {
+    const PdmReader reader(file.name, std::ssize(file.text),
+                           [&](std::int64_t begin, std::int64_t end) {
+                               return file.text.substr(static_cast<std::size_t>(begin),
+                                                       static_cast<std::size_t>(end - begin));
+                           });
+    const PdmLayout& layout = reader.layout();
+    checked_count(static_cast<std::size_t>(std::max(layout.vertices, layout.cells)),
+                  "vertices or cells", file);
+    Mesh mesh;
+    mesh.points = reader.points(0, layout.vertices);
+    const auto corners = reader.cells(0, layout.cells);
+    mesh.simplices =
+        Eigen::Map<
+            const Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+            corners.data(), layout.cells, layout.dimension + 1)
+            .cast<Index>();
+    mesh.tags = reader.tags(0, layout.cells);
+    return mesh;
+}
+
+void write_pdm(const std::filesystem::path& path, const Mesh& mesh) {
+    const PdmLayout layout{mesh.ambient_dimension(), mesh.dimension(), mesh.points.rows(),
+                           mesh.simplices.rows(), !mesh.tags.empty()};
+    const std::vector<std::int64_t> corners(mesh.simplices.data(),
+                                            mesh.simplices.data() + mesh.simplices.size());
+    std::string data = pdm_bytes(mesh.points);
+    data += pdm_bytes(corners, layout.number_bytes());
+    data += pdm_bytes(mesh.tags);
+    AtomicFile file(path);
+    file.write(header_of(layout));
+    file.write(data);
+    for (std::int64_t block = 0; block < layout.blocks(); ++block)
+        file.write(checksum_of(std::string_view(data).substr(
+            static_cast<std::size_t>(block * PdmLayout::block_bytes), PdmLayout::block_bytes)));
+    file.commit();
+}
+
+} // namespace polydec
