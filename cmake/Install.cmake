@@ -42,6 +42,13 @@ if(TARGET polydec_command)
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT polydec)
 endif()
 
+if(TARGET polydec_mpi_command)
+    set_target_properties(polydec_mpi_command PROPERTIES
+        INSTALL_RPATH "$ORIGIN/${polydec_lib_from_bin}")
+    install(TARGETS polydec_mpi_command
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT distributed)
+endif()
+
 get_target_property(polydec_type polydec TYPE)
 set(polydec_find_components)
 foreach(name IN LISTS polydec_components)

@@ -20,6 +20,7 @@ public:
     /// Own unknowns that are set to zero for the time being: one of each component.
     const std::vector<bool>& grounded() const { return grounded_; }
 
+    GlobalIndex count() const { return count_; }
     Compatibility balance(Vector& b) const;
     void remove_means(Vector& u) const;
 

@@ -46,16 +46,25 @@ std::vector<std::string> warnings_of(const Ranks& ranks, const MeshSlice& slice,
 } // namespace
 
 DistributedMesh discretize(const Ranks& ranks, const MeshSlice& slice,
-                           const std::vector<int>& owners, const MergeOptions& options) {
+                           const std::vector<int>& owners, const MergeOptions& options,
+                           const std::function<void(std::string_view)>& stage) {
+    const auto begin = [&](std::string_view what) {
+        if (stage)
+            stage(what);
+    };
+    begin("complex");
     DistributedMesh mesh{local_complex(ranks, slice, owners), {}, {}, options};
     LocalComplex& local = mesh.local;
     mesh.unit = common_unit(ranks, local, slice.points);
     if (mesh.unit != 1)
         local.points = in_units(std::move(local.points), mesh.unit);
     mesh.warnings = warnings_of(ranks, slice, local, mesh.unit);
+    begin("volumes");
     const CellVolumes volumes = ranks.together(
         "volumes", [&] { return circumcentric_volumes(local.complex, local.points); });
+    begin("merge");
     mesh.merged = merge_cospherical(ranks, local, volumes, options);
+    begin("cells");
     mesh.cells = distributed_cells(ranks, local, mesh.merged);
     return mesh;
 }

@@ -3,7 +3,9 @@
 
 #include "distributed/cell_numbers.h"
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace polydec {
 
@@ -22,8 +24,9 @@ struct DistributedMesh {
 
 /// Collective: complex, volumes and merged cells of a mesh of which each rank has a slice. `owners`
 /// are those of the slice's vertices. Throws like local_complex and merge_cospherical, and where a
-/// cell has no volume.
+/// cell has no volume. stage, if any, is told what begins.
 DistributedMesh discretize(const Ranks& ranks, const MeshSlice& slice,
-                           const std::vector<int>& owners, const MergeOptions& options = {});
+                           const std::vector<int>& owners, const MergeOptions& options = {},
+                           const std::function<void(std::string_view)>& stage = {});
 
 } // namespace polydec

@@ -7,9 +7,12 @@
 #include "distributed/communicator.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <string>
+#include <thread>
 
 namespace polydec {
 
@@ -109,11 +112,38 @@ Ranks Ranks::all() {
         const petsc::Session session("polydec on several ranks");
         auto made = std::make_shared<State>();
         MPI_Comm_dup(MPI_COMM_WORLD, &made->communicator);
+        MPI_Comm_dup(MPI_COMM_WORLD, &made->after_errors);
         MPI_Comm_rank(made->communicator, &made->rank);
         MPI_Comm_size(made->communicator, &made->size);
         return made;
     }();
     return Ranks(state);
+}
+
+std::int64_t Ranks::bytes_sent() const {
+    return state_->bytes_sent;
+}
+
+bool Ranks::all_come(double seconds) const {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds pause(2);
+    const auto until = Clock::now() + std::chrono::duration<double>(seconds);
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Ibarrier(state_->after_errors, &request);
+    while (true) {
+        int have_come = 0;
+        MPI_Test(&request, &have_come, MPI_STATUS_IGNORE);
+        if (have_come != 0)
+            return true;
+        if (Clock::now() > until)
+            return false;
+        std::this_thread::sleep_for(pause);
+    }
+}
+
+void Ranks::abort(int code) const {
+    MPI_Abort(MPI_COMM_WORLD, code);
+    std::abort();
 }
 
 int Ranks::rank() const {
@@ -219,6 +249,9 @@ void Ranks::transfer(std::size_t item_size, const std::vector<GlobalIndex>& coun
                 MPI_Isend(static_cast<const std::byte*>(from[r]) + place, count, item, r, tag,
                           communicator, request);
             });
+    for (int r = 0; r < size(); ++r)
+        if (r != rank())
+            state_->bytes_sent += counts[r] * static_cast<GlobalIndex>(item_size);
     if (counts[rank()] > 0)
         std::memcpy(to[rank()], from[rank()], item_size * static_cast<std::size_t>(counts[rank()]));
     MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);

@@ -159,6 +159,16 @@ public:
         return Parcels<Item>(static_cast<std::size_t>(size()));
     }
 
+    /// Bytes that this rank has sent to others so far by deliver and ask.
+    std::int64_t bytes_sent() const;
+
+    /// Whether all ranks call this within so many seconds of each other: after an error that was
+    /// not voted on, ranks that do not have it wait for those that do, somewhere else.
+    bool all_come(double seconds) const;
+
+    /// Ends the program on all ranks.
+    [[noreturn]] void abort(int code) const;
+
     struct State;
     const State& state() const { return *state_; }
 

@@ -40,21 +40,6 @@ void write(JsonWriter& json, const FacetKinds& pairs) {
     json.member("cospherical", pairs.cospherical);
 }
 
-void write(JsonWriter& json, const char* name, const std::vector<StarNumbers>& stars) {
-    json.array(name, [&] {
-        for (const auto& star : stars)
-            json.object([&] {
-                json.member("min", star.min);
-                json.member("max", star.max);
-                json.member("min_abs", star.min_abs);
-                json.member("negative", star.negative);
-                json.member("zero", star.zero);
-                json.member("condition", star.condition);
-                json.member("diagonal", star.is_diagonal);
-            });
-    });
-}
-
 void write(JsonWriter& json, const char* stage, const OperatorRow::Sides& verdicts) {
     json.object(stage, [&] {
         for (std::size_t side = 0; side < sides.size(); ++side)
@@ -85,6 +70,21 @@ void write(JsonWriter& json, const LaplacianVerdict& facts) {
 }
 
 } // namespace
+
+void write_star_numbers(JsonWriter& json, const char* name, const std::vector<StarNumbers>& stars) {
+    json.array(name, [&] {
+        for (const auto& star : stars)
+            json.object([&] {
+                json.member("min", star.min);
+                json.member("max", star.max);
+                json.member("min_abs", star.min_abs);
+                json.member("negative", star.negative);
+                json.member("zero", star.zero);
+                json.member("condition", star.condition);
+                json.member("diagonal", star.is_diagonal);
+            });
+    });
+}
 
 std::vector<OperatorRow> operator_rows(const Diagnosis& facts) {
     std::vector<OperatorRow> rows;
@@ -120,8 +120,8 @@ void write_diagnosis(JsonWriter& json, const Diagnosis& facts,
         json.object("intrinsic", [&] { write(json, *facts.flips); });
     else
         json.object("pairs", [&] { write(json, *facts.pairs); });
-    write(json, "stars", facts.stars.merged);
-    write(json, "input_stars", facts.stars.input);
+    write_star_numbers(json, "stars", facts.stars.merged);
+    write_star_numbers(json, "input_stars", facts.stars.input);
     json.array("operators", [&] {
         for (const auto& row : operator_rows(facts))
             json.object([&] { write(json, row); });

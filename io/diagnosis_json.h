@@ -28,6 +28,9 @@ double percent_of_pairs(const Diagnosis& facts);
 void write_diagnosis(JsonWriter& json, const Diagnosis& facts,
                      const std::vector<std::string>& advice);
 
+/// The member that has numbers of the stars of all degrees.
+void write_star_numbers(JsonWriter& json, const char* name, const std::vector<StarNumbers>& stars);
+
 /// And the member that tells of its stars.
 void write_stars(JsonWriter& json, const ChosenStars& stars);
 

@@ -18,12 +18,12 @@ namespace {
 std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
     const auto unknown = app->remaining(true);
     if (unknown.empty())
-        return fmt::format("polydec: {}\nRun with --help for more information.\n",
+        return fmt::format("{}: {}\nRun with --help for more information.\n", app->get_name(),
                            told(error.what()));
     const auto& first = unknown.front();
     const bool dash = first.size() > 1 && first[0] == '-' && first[1] != '-';
-    return fmt::format("polydec: there is no '{}' here{}\nRun with --help for more information.\n",
-                       printable(first),
+    return fmt::format("{}: there is no '{}' here{}\nRun with --help for more information.\n",
+                       app->get_name(), printable(first),
                        dash ? "; a file of that name is written with ./ before it, and a value "
                               "that begins with a minus as in --rhs=-x"
                             : "");
@@ -31,15 +31,20 @@ std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
 
 } // namespace
 
-std::unique_ptr<CLI::App> command_line() {
-    auto app = std::make_unique<CLI::App>(
-        "polydec: discrete exterior calculus on the mesh you have", "polydec");
+std::unique_ptr<CLI::App> empty_command_line(const std::string& name,
+                                             const std::string& description) {
+    auto app = std::make_unique<CLI::App>(name + ": " + description, name);
     app->set_version_flag("--version", POLYDEC_VERSION);
     app->require_subcommand(1);
     app->failure_message(tell_misuse);
-    app->footer("polydec COMMAND --help tells more and shows examples.\n"
-                "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 numerical failure, 4 file or "
-                "resource failure.");
+    app->footer(name + " COMMAND --help tells more and shows examples.\n"
+                       "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 numerical failure, 4 "
+                       "file or resource failure.");
+    return app;
+}
+
+std::unique_ptr<CLI::App> command_line() {
+    auto app = empty_command_line("polydec", "discrete exterior calculus on the mesh you have");
     add_info(*app);
     add_operators(*app);
     add_merge(*app);

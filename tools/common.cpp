@@ -53,12 +53,9 @@ Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
 
 } // namespace
 
-void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
-    command
-        .add_option("MESH", arguments.mesh,
-                    "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc\n"
-                    ".pdm, or .nsl, which has lengths of edges alone")
-        ->required();
+CLI::Option* add_merge_arguments(CLI::App& command, MeshArguments& arguments,
+                                 const std::string& mesh_help) {
+    command.add_option("MESH", arguments.mesh, mesh_help)->required();
     auto* tolerance = command.add_option("--tolerance", arguments.tolerance,
                                          "merge facets with relative dual length up to this");
     tolerance->capture_default_str()->check(check_not_negative);
@@ -67,6 +64,24 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
     angle->check(check_not_negative)->excludes(tolerance);
     auto* none = command.add_flag("!--no-merge", arguments.merge, "merge nothing");
     none->excludes(tolerance)->excludes(angle);
+    add_common_options(command, arguments.tell);
+    command.add_flag("--timing", arguments.tell.timing, "tell the seconds each stage took");
+    return angle;
+}
+
+MergeOptions merge_options(const MeshArguments& arguments) {
+    if (!arguments.merge)
+        return {MergeCriterion::none, arguments.tolerance};
+    if (arguments.angle_tolerance)
+        return {MergeCriterion::angle, *arguments.angle_tolerance};
+    return {MergeCriterion::dual_length, arguments.tolerance};
+}
+
+void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
+    auto* angle =
+        add_merge_arguments(command, arguments,
+                            "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc\n"
+                            ".pdm, or .nsl, which has lengths of edges alone");
     command
         .add_option("--centers", arguments.centers,
                     "where dual cells have their corners: circumcenters, or centroids,\n"
@@ -84,8 +99,6 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
         ->check(CLI::IsMember({"flips", "split-boundary"}))
         ->excludes(angle)
         ->excludes(groups);
-    add_common_options(command, arguments.tell);
-    command.add_flag("--timing", arguments.tell.timing, "tell the seconds each stage took");
 }
 
 void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind) {
@@ -123,22 +136,18 @@ Discretization load(const MeshArguments& arguments, Log& log) {
         log.timing.begin(what);
         progress(what);
     };
+    const MergeOptions merging = merge_options(arguments);
     DiscretizeOptions options;
-    options.tolerance = arguments.tolerance;
+    options.criterion = merging.criterion;
+    options.tolerance = merging.tolerance;
     if (!arguments.delaunay.empty())
         options.delaunay =
             arguments.delaunay == "flips" ? Delaunay::flips : Delaunay::flips_and_splits;
-    if (arguments.angle_tolerance) {
-        options.criterion = MergeCriterion::angle;
-        options.tolerance = *arguments.angle_tolerance;
-    }
     if (arguments.centers == "centroids")
         options.centers = Centers::centroids();
     if (arguments.keep_groups)
         options.materials = Materials::keep_apart;
     options.star = star_kind(arguments.star);
-    if (!arguments.merge)
-        options.criterion = MergeCriterion::none;
 
     stage("read");
     auto result = computed_on(arguments.mesh, [&] {

@@ -31,6 +31,14 @@ struct MeshArguments {
 /// Adds MESH and the options of MeshArguments to a subcommand.
 void add_mesh_arguments(CLI::App& command, MeshArguments& arguments);
 
+/// Those of them that say how cells are merged and what is told, and MESH with this help; returns
+/// --angle-tolerance.
+CLI::Option* add_merge_arguments(CLI::App& command, MeshArguments& arguments,
+                                 const std::string& mesh_help);
+
+/// How cells are merged by these.
+MergeOptions merge_options(const MeshArguments& arguments);
+
 /// The option --star, with this kind as the default.
 void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind);
 

@@ -171,10 +171,25 @@ SiteValues::~SiteValues() = default;
 Vector SiteValues::at(const Points& sites, const std::vector<Index>& labels) const {
     if (expression_)
         return (*expression_)(sites, labels);
-    if (values_.size() != sites.rows())
-        throw InvalidInput(fmt::format("{}: {} numbers, expected {}, one for each place",
-                                       printable(file_->string()), values_.size(), sites.rows()));
+    check_count(sites.rows());
     return values_;
+}
+
+Vector SiteValues::at(const Points& sites, const std::vector<std::int64_t>& numbers,
+                      std::int64_t count) const {
+    if (expression_)
+        return (*expression_)(sites);
+    check_count(count);
+    Vector result(sites.rows());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        result[static_cast<Index>(i)] = values_[numbers[i]];
+    return result;
+}
+
+void SiteValues::check_count(std::int64_t places) const {
+    if (values_.size() != places)
+        throw InvalidInput(fmt::format("{}: {} numbers, expected {}, one for each place",
+                                       printable(file_->string()), values_.size(), places));
 }
 
 } // namespace polydec::tools

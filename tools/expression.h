@@ -3,6 +3,7 @@
 
 #include "base/types.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -45,10 +46,16 @@ public:
     /// Throws InvalidInput for a file with another number of values, else like Expression.
     Vector at(const Points& sites, const std::vector<Index>& labels = {}) const;
 
+    /// The same at some of `count` sites, of which these have the given numbers.
+    Vector at(const Points& sites, const std::vector<std::int64_t>& numbers,
+              std::int64_t count) const;
+
     /// The file, if it is one.
     const std::optional<std::filesystem::path>& file() const { return file_; }
 
 private:
+    void check_count(std::int64_t places) const;
+
     std::optional<std::filesystem::path> file_;
     Vector values_;
     std::unique_ptr<const Expression> expression_;

@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
-#include "io/diagnosis_json.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -12,9 +11,9 @@
 #include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
+#include "tools/poisson_answer.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <memory>
@@ -32,58 +31,6 @@ struct PoissonArguments {
     PictureArguments picture;
 };
 
-/// Errors against the exact solution: L2 with the cells' volumes as weights, and the largest.
-struct Errors {
-    std::optional<double> l2; ///< none if it is no number in the units of the file
-    double max;
-};
-
-struct Solved : Answer {
-    Side side = Side::primal;
-    const char* boundary = "";
-    std::string conditions; ///< in words
-    Eigen::Index unknowns = 0;
-    double min = 0, max = 0, residual = 0;
-    SolveReport report;
-    Index free_components = 0;
-    std::optional<Errors> errors;
-    ChosenStars stars;
-
-    explicit Solved(const ChosenStars& chosen) : stars(chosen) {}
-
-    void write(JsonWriter& json) const override {
-        json.member("side", name(side));
-        json.member("boundary", boundary);
-        json.member("unknowns", unknowns);
-        json.member("min", min);
-        json.member("max", max);
-        json.member("residual", residual);
-        json.member("engine", report.engine);
-        json.member("tried", report.tried);
-        json.member("iterations", report.iterations);
-        json.member("free_components", free_components);
-        json.member("conditions", conditions);
-        if (errors)
-            json.object("error", [&] {
-                json.member("l2", errors->l2);
-                json.member("max", errors->max);
-            });
-        write_stars(json, stars);
-    }
-
-    void write(Text& text) const override {
-        text("Poisson problem for {} 0-forms, {} boundary, {} unknowns\n", name(side), boundary,
-             unknowns);
-        text("  {}\n  {}\n", conditions, in_words(stars));
-        text("  solution from {:.10g} to {:.10g}\n", min, max);
-        text("  residual {:.2e} with {} (tried: {})\n", residual, report.engine,
-             fmt::join(report.tried, "; "));
-        if (errors)
-            text("  error: L2 {}, largest {:.6e}\n",
-                 errors->l2 ? fmt::format("{:.6e}", *errors->l2) : "out of range", errors->max);
-    }
-};
-
 Solved describe(const Discretization& mesh, const PoissonArguments& arguments,
                 const Solution<Vector>& solution) {
     const auto& [u, report, compatibility] = solution;
@@ -95,7 +42,6 @@ Solved describe(const Discretization& mesh, const PoissonArguments& arguments,
     answer.unknowns = u.size();
     answer.min = u.minCoeff();
     answer.max = u.maxCoeff();
-    answer.residual = report.residual;
     answer.report = report;
     answer.free_components = compatibility.free_components;
     return answer;
@@ -119,23 +65,14 @@ void draw(const Discretization& mesh, const PoissonArguments& arguments, const V
     text.title = fmt::format("{}: Poisson problem", arguments.mesh.mesh.filename().string());
     text.facts = {fmt::format("Delta u = f with f = {}", arguments.rhs), answer.conditions,
                   fmt::format("u from {:.10g} to {:.10g}; residual {:.2e} with {}", answer.min,
-                              answer.max, answer.residual, answer.report.engine)};
+                              answer.max, answer.report.residual, answer.report.engine)};
     const NamedForm u("u", {side, 0, values}, fmt::format("the solution, a {} 0-form", name(side)));
-    std::vector<VtuArray> numbers{{"residual", std::vector<double>{answer.residual}}};
+    std::vector<VtuArray> numbers{{"residual", std::vector<double>{answer.report.residual}}};
     if (answer.errors)
         numbers.push_back({"error_max", std::vector<double>{answer.errors->max}});
     if (answer.errors && answer.errors->l2)
         numbers.push_back({"error_l2", std::vector<double>{*answer.errors->l2}});
     write_picture(arguments.picture, mesh, {u}, std::move(text), std::move(numbers), log);
-}
-
-void warn_of_compatibility(const Compatibility& compatibility, Log& log) {
-    constexpr double rounding = 1e-10;
-    if (compatibility.worst > rounding)
-        log.warn(fmt::format("the right-hand side does not sum to zero on {} component{} without "
-                             "boundary data (relative {:.2g}): its mean was removed",
-                             compatibility.free_components,
-                             compatibility.free_components == 1 ? "" : "s", compatibility.worst));
 }
 
 /// What the options give at sites; made before the mesh is read.

@@ -55,15 +55,20 @@ std::string in_words(const BoundaryConditions& conditions, const CellComplex& co
                      const BoundaryData& data) {
     check_number(complex, conditions);
     const int n = complex.dimension();
-    Index facets = 0, essential = 0;
+    std::int64_t facets = 0, essential = 0;
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (complex.coface_counts(n - 1)[f] == 1) {
             ++facets;
             essential += conditions.at(f) == BoundaryCondition::essential ? 1 : 0;
         }
+    return in_words(facets, essential, degree, n, data);
+}
+
+std::string in_words(std::int64_t facets, std::int64_t essential, int degree, int n,
+                     const BoundaryData& data) {
     if (facets == 0)
         return "no boundary";
-    const auto words = [&](BoundaryCondition condition, Index count) {
+    const auto words = [&](BoundaryCondition condition, std::int64_t count) {
         return in_words(condition, degree, n, data,
                         count == facets ? "the boundary"
                                         : fmt::format("{} of {} boundary facets", count, facets));

@@ -5,6 +5,7 @@
 #include "dec/forms/side.h"
 #include "dec/forms/star.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -46,6 +47,11 @@ struct BoundaryData {
 /// both with the numbers of facets; "no boundary" where there is none.
 /// Throws InvalidInput if there are conditions but not one for each facet.
 std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
+                     const BoundaryData& data = {});
+
+/// The same of so many facets of a boundary, of which so many are essential, of forms on cells of
+/// dimension n.
+std::string in_words(std::int64_t facets, std::int64_t essential, int degree, int n,
                      const BoundaryData& data = {});
 
 /// Mixed conditions: essential where the predicate holds of a facet's site, natural elsewhere.

@@ -16,6 +16,7 @@ namespace {
 std::array<char, std::size_t{1} << 16> gathered;
 std::size_t gathered_size = 0;
 int first_error = 0;
+bool is_silent = false;
 
 /// 0 or the system's number of the error. A stream that does not wait by itself is waited for.
 int write_all(int file, std::string_view text) noexcept {
@@ -43,7 +44,13 @@ void write_gathered() noexcept {
 
 } // namespace
 
+void be_silent(bool silent) noexcept {
+    is_silent = silent;
+}
+
 void write(std::string_view text) noexcept {
+    if (is_silent)
+        return;
     while (!text.empty()) {
         const auto piece = text.substr(0, gathered.size() - gathered_size);
         std::copy(piece.begin(), piece.end(), gathered.data() + gathered_size);
@@ -66,6 +73,8 @@ void forget() noexcept {
 }
 
 void tell(std::string_view text) noexcept {
+    if (is_silent)
+        return;
     const int before = errno;
     static_cast<void>(write_all(STDERR_FILENO, text));
     errno = before;

@@ -29,6 +29,10 @@ void forget() noexcept;
 /// handler.
 void tell(std::string_view text) noexcept;
 
+/// Whether nothing is written from now on, to either stream: of processes that work on one thing
+/// together one speaks.
+void be_silent(bool silent) noexcept;
+
 /// The numbers 0 to 2 belong to the standard streams, also where the program was started without
 /// them: else the next file that is opened would become standard output. To be called first.
 void open_standard_streams() noexcept;

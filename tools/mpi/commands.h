@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "distributed/ranks.h"
+
+#include <CLI/CLI.hpp>
+
+/// One function per subcommand over several ranks: as those of polydec.
+namespace polydec::tools {
+
+void add_shared_info(CLI::App& app, const Ranks& ranks);
+void add_shared_poisson(CLI::App& app, const Ranks& ranks);
+void add_convert(CLI::App& app, const Ranks& ranks);
+
+} // namespace polydec::tools

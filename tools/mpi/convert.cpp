@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "base/printable.h"
+#include "distributed/mesh_file.h"
+#include "tools/messages.h"
+#include "tools/mpi/commands.h"
+#include "tools/mpi/shared_mesh.h"
+#include "tools/options.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct ConvertArguments {
+    std::filesystem::path mesh, out;
+    TellOptions tell;
+};
+
+class Converted : public Answer {
+public:
+    Converted(std::string out, const MeshSlice& slice, int ranks)
+        : out_(std::move(out)),
+          dimension_(slice.dimension()),
+          ranks_(ranks),
+          vertices_(slice.vertices),
+          cells_(slice.cells) {}
+
+    void write(JsonWriter& json) const override {
+        json.member("out", out_);
+        json.member("dimension", dimension_);
+        json.member("vertices", vertices_);
+        json.member("cells", cells_);
+        json.object("ranks", [&] { json.member("count", ranks_); });
+    }
+    void write(Text& text) const override {
+        text("{}: {} vertices, {} cells of dimension {}\n", printable(out_), vertices_, cells_,
+             dimension_);
+    }
+
+private:
+    std::string out_;
+    int dimension_, ranks_;
+    GlobalIndex vertices_, cells_;
+};
+
+void run_convert(const Ranks& ranks, const ConvertArguments& arguments) {
+    Log log;
+    check_output_file(ranks, arguments.out, {".pdm"}, arguments.mesh);
+    const SharedProgress progress(ranks);
+    log.timing.begin("read");
+    const MeshSlice slice =
+        computed_on(arguments.mesh, [&] { return read_slice(ranks, arguments.mesh); });
+    for (const auto& warning : slice.warnings)
+        log.warn(warning);
+    log.timing.begin("write");
+    write_slice(ranks, arguments.out, slice);
+    tell(Converted(arguments.out.string(), slice, ranks.size()), log, arguments.tell);
+}
+
+} // namespace
+
+void add_convert(CLI::App& app, const Ranks& ranks) {
+    auto* command = app.add_subcommand("convert", "writes a mesh as .pdm, which is read in parts");
+    const auto arguments = std::make_shared<ConvertArguments>();
+    command->add_option("MESH", arguments->mesh, "mesh file of any format that polydec reads")
+        ->required();
+    command->add_option("-o,--out", arguments->out, "where to, .pdm")->required();
+    add_common_options(*command, arguments->tell);
+    command->add_flag("--timing", arguments->tell.timing, "tell the seconds each stage took");
+    command->footer("The file holds points and cells as they are in memory, and a checksum for "
+                    "every MiB.\nWhat makes no sense to a complex (cells with a repeated corner, "
+                    "double ones) is left out.\n\nExample:\n"
+                    "  polydec-mpi convert engine.msh -o engine.pdm");
+    command->callback([ranks, arguments] { run_convert(ranks, *arguments); });
+}
+
+} // namespace polydec::tools

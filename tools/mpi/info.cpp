@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "base/printable.h"
+#include "dec/forms/star.h"
+#include "distributed/connected.h"
+#include "distributed/piece_rows.h"
+#include "io/diagnosis_json.h"
+#include "meshes/unit_of_length.h"
+#include "tools/mpi/commands.h"
+#include "tools/mpi/shared_mesh.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace polydec::tools {
+
+namespace {
+
+/// What `info` tells of a mesh as far as it is known without homology.
+struct SharedInfo : Answer {
+    std::string mesh;
+    int dimension = 0, ambient_dimension = 0;
+    BeforeAndAfter<std::vector<GlobalIndex>> cells;
+    BeforeAndAfter<GlobalIndex> euler;
+    GlobalIndex components = 0;
+    bool orientable = true;
+    std::optional<double> volume;
+    GlobalIndex degenerate = 0, boundary_degenerate = 0, branching_degenerate = 0;
+    std::vector<StarNumbers> stars;
+    std::map<GlobalIndex, GlobalIndex> vertices_per_cell;
+    GlobalIndex merged_simplices = 0; ///< pieces of cells of several pieces
+
+    void write(JsonWriter& json) const override {
+        json.member("dimension", dimension);
+        json.member("ambient_dimension", ambient_dimension);
+        json.object("cells", [&] {
+            json.member("input", cells.input);
+            json.member("merged", cells.merged);
+        });
+        json.object("euler", [&] {
+            json.member("input", euler.input);
+            json.member("merged", euler.merged);
+        });
+        json.member("components", components);
+        json.member("orientable", orientable);
+        json.member("volume", volume);
+        json.object("facets", [&] {
+            json.member("degenerate", degenerate);
+            json.member("boundary_degenerate", boundary_degenerate);
+            json.member("branching_degenerate", branching_degenerate);
+        });
+        write_star_numbers(json, "stars", stars);
+        json.object("vertices_per_cell", [&] {
+            for (const auto& [vertices, count] : vertices_per_cell)
+                json.member(std::to_string(vertices), count);
+        });
+        if (dimension < 3 && dimension > 1)
+            json.object("concyclic", [&] {
+                json.member("edges", cells.input[1] - cells.merged[1]);
+                json.member("faces", merged_simplices);
+                json.member("percent", 100.0 * static_cast<double>(merged_simplices) /
+                                           static_cast<double>(cells.input[2]));
+            });
+    }
+
+    void write(Text& text) const override {
+        const auto shown = [](const std::optional<double>& number) {
+            return number ? fmt::format("{:.6g}", *number) : std::string("out of range");
+        };
+        text("{}\ndimension {} in {} coordinates, volume {}\n", printable(mesh), dimension,
+             ambient_dimension, shown(volume));
+        text("cells of degree 0 .. {}\n  input    {}\n  merged   {}\n", dimension,
+             fmt::join(cells.input, ", "), fmt::join(cells.merged, ", "));
+        std::vector<std::string> sizes;
+        for (const auto& [vertices, count] : vertices_per_cell)
+            sizes.push_back(fmt::format("{} with {}", count, vertices));
+        text("  merged {}-cells by vertices: {}\n", dimension, fmt::join(sizes, ", "));
+        text("topology\n  Euler characteristic {}, components {}, {}\n", euler.input, components,
+             orientable ? "orientable" : "not orientable");
+        text("degenerate dual edges\n  {} between two cells, {} on the boundary, {} at branching "
+             "facets\n",
+             degenerate, boundary_degenerate, branching_degenerate);
+        text("Hodge stars after merging\n  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}\n", "degree", "min",
+             "max", "min abs", "negative", "zero");
+        for (std::size_t k = 0; k < stars.size(); ++k)
+            text("  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}\n", k, shown(stars[k].min),
+                 shown(stars[k].max), shown(stars[k].min_abs), stars[k].negative, stars[k].zero);
+    }
+};
+
+StarNumbers star_numbers(const Ranks& ranks, const DistributedMesh& mesh, int k) {
+    const HodgeStar star(mesh.cells.volumes, k);
+    const Vector own = star.diagonal();
+    const int power = mesh.dimension() - 2 * k;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const bool any = own.size() > 0;
+    const auto shown = [&](double value) { return in_input_units(value, mesh.unit, power); };
+    const double largest = ranks.largest(any ? own.cwiseAbs().maxCoeff() : 0.0),
+                 least = ranks.least(any ? own.cwiseAbs().minCoeff() : infinity);
+    StarNumbers numbers;
+    numbers.min = shown(ranks.least(any ? own.minCoeff() : infinity));
+    numbers.max = shown(ranks.largest(any ? own.maxCoeff() : -infinity));
+    numbers.min_abs = shown(least);
+    numbers.negative =
+        static_cast<std::size_t>(ranks.sum(static_cast<GlobalIndex>(star.negatives().size())));
+    numbers.zero =
+        static_cast<std::size_t>(ranks.sum(static_cast<GlobalIndex>(star.zeros().size())));
+    if (numbers.zero == 0)
+        numbers.condition = largest / least;
+    return numbers;
+}
+
+/// How many cells have so many vertices, and how many simplices are not alone in theirs.
+void count_vertices(const Ranks& ranks, const DistributedMesh& mesh, SharedInfo& info) {
+    const int n = mesh.dimension();
+    const Simplices& tops = mesh.local.complex.simplices(n);
+    Points corners(tops.rows(), tops.cols()); // numbers of the file, far below 2^53
+    for (Eigen::Index i = 0; i < tops.size(); ++i)
+        corners.data()[i] = static_cast<double>(mesh.local.vertices[tops.data()[i]]);
+    const PieceRows pieces = gather_pieces(ranks, mesh.local, mesh.cells.degree(n), n, corners);
+    std::map<GlobalIndex, GlobalIndex> own;
+    GlobalIndex merged = 0;
+    for (std::size_t cell = 0; cell + 1 < pieces.begins.size(); ++cell) {
+        const Index begin = pieces.begins[cell], end = pieces.begins[cell + 1];
+        std::set<double> vertices;
+        for (Index piece = begin; piece < end; ++piece)
+            vertices.insert(pieces.rows.row(piece).begin(), pieces.rows.row(piece).end());
+        ++own[std::ssize(vertices)];
+        merged += end - begin > 1 ? end - begin : 0;
+    }
+    info.merged_simplices = ranks.sum(merged);
+    struct Count {
+        GlobalIndex vertices, cells;
+    };
+    std::vector<Count> counts;
+    for (const auto& [vertices, cells] : own)
+        counts.push_back({vertices, cells});
+    for (const auto& [vertices, cells] : ranks.of_all(counts))
+        info.vertices_per_cell[vertices] += cells;
+}
+
+GlobalIndex components_of(const Ranks& ranks, const DistributedMesh& mesh) {
+    const auto vertices = mesh.cells.degree(0).first.size();
+    const auto edges = static_cast<Index>(mesh.cells.degree(1).first.size());
+    const OwnedMat graph = gram_of_columns(ranks, mesh.cells, 0, Vector::Ones(edges));
+    const std::vector<bool> none(vertices, false);
+    return SharedComponents(ranks, graph.get(), {none, none},
+                            Vector::Ones(static_cast<Index>(vertices)))
+        .count();
+}
+
+void run_info(const Ranks& ranks, const SharedArguments& arguments) {
+    Log log;
+    const DistributedMesh mesh = load(ranks, arguments, log);
+    log.timing.begin("diagnose");
+    const int n = mesh.dimension();
+    SharedInfo info;
+    info.mesh = arguments.mesh.mesh.string();
+    info.dimension = n;
+    info.ambient_dimension = static_cast<int>(mesh.local.points.cols());
+    for (int k = 0; k <= n; ++k) {
+        const GlobalIndex input = mesh.local.degree(k).count, merged = mesh.cells.degree(k).count;
+        info.cells.input.push_back(input);
+        info.cells.merged.push_back(merged);
+        info.euler.input += k % 2 == 0 ? input : -input;
+        info.euler.merged += k % 2 == 0 ? merged : -merged;
+        info.stars.push_back(star_numbers(ranks, mesh, k));
+    }
+    info.components = components_of(ranks, mesh);
+    info.orientable = mesh.local.orientable;
+    info.volume = in_input_units(ranks.sum(mesh.cells.volumes.primal(n).sum()), mesh.unit, n);
+    info.degenerate = mesh.merged.degenerate_interior;
+    info.boundary_degenerate = mesh.merged.degenerate_boundary;
+    info.branching_degenerate = mesh.merged.degenerate_branching;
+    count_vertices(ranks, mesh, info);
+    tell(ranks, mesh, info, log, arguments.mesh.tell);
+}
+
+} // namespace
+
+void add_shared_info(CLI::App& app, const Ranks& ranks) {
+    auto* command = app.add_subcommand("info", "what the mesh is, before and after merging");
+    const auto arguments = std::make_shared<SharedArguments>();
+    add_shared_arguments(*command, *arguments);
+    refuse_option(*command, "--out");
+    command->footer("Betti numbers and what can be said of operators run in one process: polydec "
+                    "info.\n\nExample:\n  mpirun -n 4 polydec-mpi info engine.pdm --json");
+    command->callback([ranks, arguments] { run_info(ranks, *arguments); });
+}
+
+} // namespace polydec::tools

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/poisson.h"
+
+#include "base/errors.h"
+#include "meshes/unit_of_length.h"
+#include "tools/conditions.h"
+#include "tools/expression.h"
+#include "tools/messages.h"
+#include "tools/mpi/commands.h"
+#include "tools/mpi/shared_mesh.h"
+#include "tools/poisson_answer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct SharedPoissonArguments {
+    SharedArguments mesh;
+    SharedPoissonOptions poisson;
+    ConditionArguments conditions;
+    std::string rhs, boundary, exact, flux;
+};
+
+/// What the options give at sites of own cells; made before the mesh is read.
+struct SharedData {
+    explicit SharedData(const SharedPoissonArguments& arguments)
+        : rhs("--rhs", arguments.rhs),
+          boundary("--boundary", arguments.boundary.empty() ? "(0)" : arguments.boundary),
+          flux("--flux", arguments.flux.empty() ? "(0)" : arguments.flux) {
+        if (!arguments.conditions.essential_where.empty())
+            essential_where.emplace("--essential-where", arguments.conditions.essential_where);
+        if (!arguments.exact.empty())
+            exact.emplace("--exact", arguments.exact);
+    }
+
+    SiteValues rhs, boundary, flux;
+    std::optional<SiteValues> essential_where, exact;
+};
+
+/// Values at own cells, of which `sites` are in units of the mesh.
+Vector values_at(const Ranks& ranks, const DistributedMesh& mesh, const SiteValues& values, int k,
+                 const Points& sites) {
+    const auto& cells = mesh.cells.degree(k);
+    return ranks.together("data",
+                          [&] { return values.at(mesh.unit * sites, cells.number, cells.count); });
+}
+
+BoundaryConditions conditions_on(const Ranks& ranks, const DistributedMesh& mesh,
+                                 const SharedPoissonArguments& arguments, const SharedData& data) {
+    const int facets = mesh.dimension() - 1;
+    if (arguments.conditions.natural)
+        return {BoundaryCondition::natural};
+    BoundaryConditions result;
+    if (data.essential_where)
+        for (const double value : values_at(ranks, mesh, *data.essential_where, facets,
+                                            cell_centers(ranks, mesh, facets)))
+            result.facets.push_back(value != 0 ? BoundaryCondition::essential
+                                               : BoundaryCondition::natural);
+    return result;
+}
+
+std::string known(const Ranks& ranks, const DistributedMesh& mesh,
+                  const SharedPoissonArguments& arguments) {
+    const int n = mesh.dimension();
+    const auto& first = mesh.cells.degree(n - 1).first;
+    GlobalIndex facets = 0, essential = 0;
+    for (std::size_t f = 0; f < first.size(); ++f)
+        if (mesh.local.complex.coface_counts(n - 1)[first[f]] == 1) {
+            ++facets;
+            if (arguments.poisson.boundary.at(static_cast<Index>(f)) ==
+                BoundaryCondition::essential)
+                ++essential;
+        }
+    return polydec::in_words(
+        ranks.sum(facets), ranks.sum(essential), 0, n,
+        {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
+}
+
+Errors errors_of(const Ranks& ranks, const DistributedMesh& mesh, Side side,
+                 const Vector& difference) {
+    const Vector& volumes = side == Side::primal ? mesh.cells.volumes.dual(0)
+                                                 : mesh.cells.volumes.primal(mesh.dimension());
+    const double largest =
+        ranks.largest(difference.size() > 0 ? difference.cwiseAbs().maxCoeff() : 0.0);
+    const double size = largest > 0 ? std::exp2(std::ilogb(largest)) : 1;
+    const double squared = ranks.sum(volumes.cwiseAbs().dot((difference / size).cwiseAbs2()));
+    return {in_input_units(size * std::sqrt(squared), mesh.unit, mesh.dimension() / 2.0), largest};
+}
+
+void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side, Log& log) {
+    const int k = side == Side::primal ? 0 : mesh.dimension() - 1;
+    const auto count =
+        ranks.sum(static_cast<GlobalIndex>(HodgeStar(mesh.cells.volumes, k).negatives().size()));
+    if (count > 0)
+        log.warn(fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay "
+                             "there): the solution may be far off there; other stars run in one "
+                             "process: polydec poisson",
+                             count, k, count == 1 ? "has" : "have"));
+}
+
+void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
+    Log log;
+    const SharedData data(arguments);
+    const DistributedMesh mesh = load(ranks, arguments.mesh, log);
+    const auto& file = arguments.mesh.mesh.mesh;
+    const Side side = arguments.poisson.side;
+    const int n = mesh.dimension(), k = side == Side::primal ? 0 : n;
+    log.timing.begin("solve");
+    arguments.poisson.boundary = conditions_on(ranks, mesh, arguments, data);
+    const auto solver = computed_on(file, [&] {
+        const SharedProgress progress(ranks);
+        return SharedPoissonSolver(ranks, mesh, arguments.poisson);
+    });
+    const auto in_units = [&](const Vector& values, double power, const char* what) {
+        return ranks.together("data",
+                              [&] { return in_input_units(values, mesh.unit, power, what); });
+    };
+    const Vector f = in_units(values_at(ranks, mesh, data.rhs, k, solver.sites()), 2, "--rhs");
+    const Vector g = values_at(ranks, mesh, data.boundary, side == Side::primal ? 0 : n - 1,
+                               solver.boundary_sites());
+    const Vector h =
+        in_units(values_at(ranks, mesh, data.flux, n - 1, solver.flux_sites()), 1, "--flux");
+    const auto solution = computed_on(file, [&] { return solver.solve(f, g, h); });
+    warn_of_compatibility(solution.compatibility, log);
+    warn_of_negative(ranks, mesh, side, log);
+
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Vector& u = solution.values;
+    Solved answer{ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric)};
+    answer.side = side;
+    answer.boundary = arguments.conditions.natural ? "natural"
+                      : data.essential_where       ? "mixed"
+                                                   : "dirichlet";
+    answer.unknowns = mesh.cells.degree(k).count;
+    answer.min = ranks.least(u.size() > 0 ? u.minCoeff() : infinity);
+    answer.max = ranks.largest(u.size() > 0 ? u.maxCoeff() : -infinity);
+    answer.report = solution.report;
+    answer.free_components = solution.compatibility.free_components;
+    answer.conditions = known(ranks, mesh, arguments);
+    if (data.exact)
+        answer.errors = errors_of(ranks, mesh, side,
+                                  u - values_at(ranks, mesh, *data.exact, k, solver.sites()));
+    tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
+}
+
+} // namespace
+
+void add_shared_poisson(CLI::App& app, const Ranks& ranks) {
+    auto* command = app.add_subcommand("poisson", "solves Delta u = f, Delta = -div grad");
+    const auto arguments = std::make_shared<SharedPoissonArguments>();
+    add_shared_arguments(*command, arguments->mesh);
+    add_side(*command, arguments->poisson.side)->required();
+    command->add_option("--rhs", arguments->rhs, "f: an expression in x, y, z, or a file")
+        ->required();
+    auto* boundary = command->add_option("--boundary", arguments->boundary,
+                                         "values of u on the boundary (Dirichlet): expression or\n"
+                                         "file (default 0)");
+    add_conditions(*command, arguments->conditions,
+                   "no values given on the boundary, only --flux (Neumann);\nu has mean 0",
+                   "values given (Dirichlet) only at boundary facets where this is not 0,\n"
+                   "--flux (Neumann) at the others")
+        ->excludes(boundary);
+    command->add_option("--flux", arguments->flux,
+                        "outward derivative of u on the rest of the boundary (default 0)");
+    command->add_option("--exact", arguments->exact, "exact solution to compare with");
+    command
+        ->add_option("--engine", arguments->poisson.engine.name,
+                     "petsc.cg-hypre, petsc.cg-gamg, petsc.mumps, or auto")
+        ->capture_default_str();
+    command->add_option("--petsc", arguments->poisson.engine.options,
+                        "options of PETSc as they are, '-ksp_type fcg -ksp_monitor'; one that\n"
+                        "nobody reads is refused");
+    for (const char* option : {"--conductivity", "--isolines", "--float32"})
+        refuse_option(*command, option);
+    command->footer("Stars are circumcentric. Files are as for polydec poisson; every rank reads "
+                    "them whole.\n\nExamples:\n"
+                    "  mpirun -n 4 polydec-mpi poisson engine.pdm --side primal --rhs 1\n"
+                    "  srun polydec-mpi poisson grid.pdm --side dual --rhs 'sin(x)' --natural "
+                    "--petsc '-ksp_view'");
+    command->callback([ranks, arguments] { run_poisson(ranks, *arguments); });
+}
+
+} // namespace polydec::tools

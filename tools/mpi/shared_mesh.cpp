@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "tools/mpi/shared_mesh.h"
+
+#include "base/errors.h"
+#include "distributed/mesh_file.h"
+#include "tools/messages.h"
+#include "tools/outputs.h"
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <map>
+
+namespace polydec::tools {
+
+namespace {
+
+const std::map<std::string, Ownership> ownerships{{"morton", Ownership::morton},
+                                                  {"file", Ownership::file}};
+
+/// What a computation took on all ranks.
+struct Effort {
+    int ranks;
+    GlobalIndex cells, held;   ///< n-simplices of the whole, and those that ranks hold, copies too
+    double most_cpu, mean_cpu; ///< seconds
+    GlobalIndex most_sent;     ///< bytes
+};
+
+Effort effort(const Ranks& ranks, const DistributedMesh& mesh) {
+    const auto& tops = mesh.local.degrees.back();
+    const double cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    return {ranks.size(),
+            tops.count,
+            ranks.sum(tops.size()),
+            ranks.largest(cpu),
+            ranks.sum(cpu) / ranks.size(),
+            ranks.largest(ranks.bytes_sent())};
+}
+
+/// An answer with what it took.
+class WithEffort : public Answer {
+public:
+    WithEffort(const Answer& answer, const Effort& effort) : answer_(answer), effort_(effort) {}
+
+    void write(JsonWriter& json) const override {
+        answer_.write(json);
+        json.object("ranks", [&] {
+            json.member("count", effort_.ranks);
+            json.member("cells", effort_.cells);
+            json.member("cells_held", effort_.held);
+            json.member("cpu_seconds", effort_.most_cpu);
+            json.member("mean_cpu_seconds", effort_.mean_cpu);
+            json.member("bytes_sent", effort_.most_sent);
+        });
+    }
+
+    void write(Text& text) const override {
+        answer_.write(text);
+        text("{} rank{}: {:.1f} % of the cells are held twice, {:.2f} s of CPU and {:.1f} MB sent "
+             "by the busiest\n",
+             effort_.ranks, effort_.ranks == 1 ? "" : "s",
+             100.0 * static_cast<double>(effort_.held - effort_.cells) /
+                 static_cast<double>(effort_.cells),
+             effort_.most_cpu, 1e-6 * static_cast<double>(effort_.most_sent));
+    }
+
+private:
+    const Answer& answer_;
+    Effort effort_;
+};
+
+} // namespace
+
+void refuse_option(CLI::App& command, const std::string& option) {
+    const auto refuse = [option, name = command.get_name()](const CLI::results_t&) -> bool {
+        throw CLI::ValidationError(option,
+                                   fmt::format("this runs in one process only: polydec {}", name));
+    };
+    command.add_option(option, refuse, "")->group("")->expected(0, 1);
+}
+
+void add_shared_arguments(CLI::App& command, SharedArguments& arguments) {
+    add_merge_arguments(command, arguments.mesh,
+                        "mesh file: .pdm, of which each rank reads its part, or another format of\n"
+                        "polydec, which rank 0 reads as a whole");
+    std::vector<std::string> names;
+    for (const auto& [name, by] : ownerships)
+        names.push_back(name);
+    command
+        .add_option("--owners", arguments.owners,
+                    "which rank has which vertices: morton (near ones together), or file (in\n"
+                    "their order there); time depends on it, results do not")
+        ->default_str("morton")
+        ->transform(CLI::CheckedTransformer(ownerships).description("morton|file"));
+    for (const char* option : {"--centers", "--keep-groups", "--peel", "--delaunay", "--star"})
+        refuse_option(command, option);
+}
+
+SharedProgress::SharedProgress(const Ranks& ranks) : ranks_(ranks) {
+    if (ranks.rank() == 0)
+        ranks.listen([this](std::string_view what) { progress_(what); });
+}
+
+SharedProgress::~SharedProgress() {
+    if (ranks_.rank() == 0)
+        ranks_.listen({});
+}
+
+DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Log& log) {
+    const SharedProgress progress(ranks);
+    const auto& file = arguments.mesh.mesh;
+    log.timing.begin("read");
+    DistributedMesh mesh = computed_on(file, [&] {
+        const MeshSlice slice = read_slice(ranks, file);
+        if (arguments.mesh.angle_tolerance && slice.dimension() != 2)
+            throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but the cells have "
+                                           "dimension {}: use --tolerance",
+                                           slice.dimension()));
+        return discretize(ranks, slice, vertex_owners(ranks, slice, arguments.owners),
+                          merge_options(arguments.mesh),
+                          [&](std::string_view stage) { log.timing.begin(stage); });
+    });
+    log.timing.end();
+    for (const auto& warning : mesh.warnings)
+        log.warn(warning);
+    return mesh;
+}
+
+void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, Log& log,
+          const TellOptions& options) {
+    tell(WithEffort(answer, effort(ranks, mesh)), log, options);
+}
+
+void check_output_file(const Ranks& ranks, const std::filesystem::path& out,
+                       const std::vector<const char*>& extensions,
+                       const std::filesystem::path& mesh) {
+    ranks.together("output", [&] {
+        if (ranks.rank() == 0)
+            check_output_file(out, extensions, mesh_files(mesh));
+    });
+}
+
+} // namespace polydec::tools

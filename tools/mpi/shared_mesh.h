@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "distributed/discretize.h"
+#include "tools/common.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+namespace polydec::tools {
+
+/// What every command over several ranks that reads a mesh is told.
+struct SharedArguments {
+    MeshArguments mesh;
+    Ownership owners = Ownership::morton;
+};
+
+/// Adds MESH and the options of SharedArguments to a subcommand; options that polydec has besides
+/// are refused by name.
+void add_shared_arguments(CLI::App& command, SharedArguments& arguments);
+
+/// Refuses an option of polydec: what it does runs in one process only.
+void refuse_option(CLI::App& command, const std::string& option);
+
+/// Collective: tells what is being done, on rank 0, until it goes.
+class SharedProgress {
+public:
+    explicit SharedProgress(const Ranks& ranks);
+    ~SharedProgress();
+    SharedProgress(const SharedProgress&) = delete;
+    SharedProgress& operator=(const SharedProgress&) = delete;
+
+private:
+    Ranks ranks_;
+    Progress progress_;
+};
+
+/// Collective: reads, merges and measures the mesh; tells its warnings.
+DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Log& log);
+
+/// Collective: tells the answer, which all ranks have, with what it took them.
+void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, Log& log,
+          const TellOptions& options);
+
+/// Collective: check_output_file, on rank 0.
+void check_output_file(const Ranks& ranks, const std::filesystem::path& out,
+                       const std::vector<const char*>& extensions,
+                       const std::filesystem::path& mesh);
+
+} // namespace polydec::tools

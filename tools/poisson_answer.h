@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/choose_stars.h"
+#include "solvers/poisson.h"
+#include "tools/answer.h"
+
+#include <optional>
+#include <string>
+
+namespace polydec::tools {
+
+/// Errors against the exact solution: L2 with the cells' volumes as weights, and the largest.
+struct Errors {
+    std::optional<double> l2; ///< none if it is no number in the units of the file
+    double max;
+};
+
+/// What is told of the solution of a Poisson problem, wherever it was computed.
+struct Solved : Answer {
+    Side side = Side::primal;
+    const char* boundary = "";
+    std::string conditions; ///< in words
+    std::int64_t unknowns = 0;
+    double min = 0, max = 0;
+    SolveReport report;
+    Index free_components = 0;
+    std::optional<Errors> errors;
+    ChosenStars stars;
+
+    explicit Solved(const ChosenStars& chosen) : stars(chosen) {}
+    void write(JsonWriter& json) const override;
+    void write(Text& text) const override;
+};
+
+void warn_of_compatibility(const Compatibility& compatibility, Log& log);
+
+} // namespace polydec::tools
