@@ -14,10 +14,12 @@ namespace polydec::tools {
 
 namespace {
 
+constexpr const char* one_process_only = "OneProcessOnly";
+
 /// An argument that nobody knows is the cause even where something is missing too.
 std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
     const auto unknown = app->remaining(true);
-    if (unknown.empty())
+    if (unknown.empty() || error.get_name() == one_process_only)
         return fmt::format("{}: {}\nRun with --help for more information.\n", app->get_name(),
                            told(error.what()));
     const auto& first = unknown.front();
@@ -30,6 +32,11 @@ std::string tell_misuse(const CLI::App* app, const CLI::Error& error) {
 }
 
 } // namespace
+
+OneProcessOnly::OneProcessOnly(const std::string& what, const std::string& command)
+    : ParseError(one_process_only,
+                 fmt::format("{} runs in one process only: polydec {}", what, command),
+                 CLI::ExitCodes::ValidationError) {}
 
 std::unique_ptr<CLI::App> empty_command_line(const std::string& name,
                                              const std::string& description) {

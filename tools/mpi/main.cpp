@@ -18,10 +18,8 @@ void refuse_others(CLI::App& app) {
     for (const char* name : {"view", "draw", "hodge", "heat", "wave", "distance", "generate",
                              "reproduce", "backends"}) {
         auto* command = app.add_subcommand(name, "")->group("")->prefix_command();
-        command->callback([name] {
-            throw CLI::ValidationError(
-                name, fmt::format("this runs in one process only: polydec {}", name));
-        });
+        command->parse_complete_callback(
+            [name] { throw polydec::tools::OneProcessOnly(name, name); });
     }
 }
 
@@ -29,6 +27,7 @@ std::unique_ptr<CLI::App> command_line(const Ranks& ranks) {
     auto app = polydec::tools::empty_command_line(
         "polydec-mpi", "discrete exterior calculus over several processes, by MPI");
     polydec::tools::add_shared_info(*app, ranks);
+    polydec::tools::add_shared_merge(*app, ranks);
     polydec::tools::add_shared_poisson(*app, ranks);
     polydec::tools::add_convert(*app, ranks);
     polydec::tools::expect_values(*app);

@@ -2,6 +2,7 @@
 #include "distributed/poisson.h"
 
 #include "base/errors.h"
+#include "distributed/shared_picture.h"
 #include "meshes/unit_of_length.h"
 #include "tools/conditions.h"
 #include "tools/expression.h"
@@ -26,6 +27,7 @@ struct SharedPoissonArguments {
     SharedPoissonOptions poisson;
     ConditionArguments conditions;
     std::string rhs, boundary, exact, flux;
+    std::filesystem::path out;
 };
 
 /// What the options give at sites of own cells; made before the mesh is read.
@@ -108,6 +110,7 @@ void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side
 void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     Log log;
     const SharedData data(arguments);
+    check_picture(ranks, arguments.out, arguments.mesh);
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const auto& file = arguments.mesh.mesh.mesh;
     const Side side = arguments.poisson.side;
@@ -147,6 +150,10 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     if (data.exact)
         answer.errors = errors_of(ranks, mesh, side,
                                   u - values_at(ranks, mesh, *data.exact, k, solver.sites()));
+    if (!arguments.out.empty()) {
+        log.timing.begin("write");
+        write_pvtu(ranks, arguments.out, mesh, {{"u", k, u}});
+    }
     tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
 }
 
@@ -177,11 +184,12 @@ void add_shared_poisson(CLI::App& app, const Ranks& ranks) {
     command->add_option("--petsc", arguments->poisson.engine.options,
                         "options of PETSc as they are, '-ksp_type fcg -ksp_monitor'; one that\n"
                         "nobody reads is refused");
+    add_picture(*command, arguments->out, "u", false);
     for (const char* option : {"--conductivity", "--isolines", "--float32"})
         refuse_option(*command, option);
     command->footer("Stars are circumcentric. Files are as for polydec poisson; every rank reads "
                     "them whole.\n\nExamples:\n"
-                    "  mpirun -n 4 polydec-mpi poisson engine.pdm --side primal --rhs 1\n"
+                    "  mpirun -n 4 polydec-mpi poisson engine.pdm --side primal --rhs 1 -o u.pvtu\n"
                     "  srun polydec-mpi poisson grid.pdm --side dual --rhs 'sin(x)' --natural "
                     "--petsc '-ksp_view'");
     command->callback([ranks, arguments] { run_poisson(ranks, *arguments); });

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "distributed/mesh_file.h"
+#include "tools/command_line.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
 
@@ -73,8 +74,7 @@ private:
 
 void refuse_option(CLI::App& command, const std::string& option) {
     const auto refuse = [option, name = command.get_name()](const CLI::results_t&) -> bool {
-        throw CLI::ValidationError(option,
-                                   fmt::format("this runs in one process only: polydec {}", name));
+        throw OneProcessOnly(option, name);
     };
     command.add_option(option, refuse, "")->group("")->expected(0, 1);
 }
@@ -138,6 +138,22 @@ void check_output_file(const Ranks& ranks, const std::filesystem::path& out,
         if (ranks.rank() == 0)
             check_output_file(out, extensions, mesh_files(mesh));
     });
+}
+
+void add_picture(CLI::App& command, std::filesystem::path& out, const std::string& what,
+                 bool required) {
+    command
+        .add_option("-o,--out", out,
+                    "write " + what +
+                        " as .pvtu, with a .vtu file for each rank in a folder of\n"
+                        "its name")
+        ->required(required);
+}
+
+void check_picture(const Ranks& ranks, const std::filesystem::path& out,
+                   const SharedArguments& arguments) {
+    if (!out.empty())
+        check_output_file(ranks, out, {".pvtu"}, arguments.mesh.mesh);
 }
 
 } // namespace polydec::tools

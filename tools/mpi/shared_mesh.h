@@ -48,4 +48,12 @@ void check_output_file(const Ranks& ranks, const std::filesystem::path& out,
                        const std::vector<const char*>& extensions,
                        const std::filesystem::path& mesh);
 
+/// Adds -o OUT.pvtu, which says that it is `what` that is written.
+void add_picture(CLI::App& command, std::filesystem::path& out, const std::string& what,
+                 bool required);
+
+/// Collective: looks at the file that is asked for, if one is, before any work is done.
+void check_picture(const Ranks& ranks, const std::filesystem::path& out,
+                   const SharedArguments& arguments);
+
 } // namespace polydec::tools

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "base/printable.h"
+#include "distributed/shared_picture.h"
+#include "tools/mpi/commands.h"
+#include "tools/mpi/shared_mesh.h"
+
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct SharedMergeArguments {
+    SharedArguments mesh;
+    std::filesystem::path out;
+};
+
+class SharedMerged : public Answer {
+public:
+    SharedMerged(std::string out, const DistributedMesh& mesh)
+        : out_(std::move(out)),
+          dimension_(mesh.dimension()),
+          input_(mesh.local.degrees.back().count),
+          merged_(mesh.cells.degrees.back().count) {}
+
+    void write(JsonWriter& json) const override {
+        json.member("out", out_);
+        json.member("dimension", dimension_);
+        json.object("cells", [&] {
+            json.member("input", input_);
+            json.member("merged", merged_);
+        });
+    }
+    void write(Text& text) const override {
+        text("{}: {} cells of dimension {} merged into {}\n", printable(out_), input_, dimension_,
+             merged_);
+    }
+
+private:
+    std::string out_;
+    int dimension_;
+    GlobalIndex input_, merged_;
+};
+
+void run_merge(const Ranks& ranks, const SharedMergeArguments& arguments) {
+    Log log;
+    check_picture(ranks, arguments.out, arguments.mesh);
+    const DistributedMesh mesh = load(ranks, arguments.mesh, log);
+    log.timing.begin("write");
+    write_pvtu(ranks, arguments.out, mesh, {});
+    tell(ranks, mesh, SharedMerged(arguments.out.string(), mesh), log, arguments.mesh.mesh.tell);
+}
+
+} // namespace
+
+void add_shared_merge(CLI::App& app, const Ranks& ranks) {
+    auto* command = app.add_subcommand("merge", "writes the merged complex");
+    const auto arguments = std::make_shared<SharedMergeArguments>();
+    add_shared_arguments(*command, arguments->mesh);
+    add_picture(*command, arguments->out, "polygons or polyhedra", true);
+    refuse_option(*command, "--float32");
+    command->footer(
+        "Each cell tells which rank owns it. Other formats run in one process: polydec merge.\n\n"
+        "Example:\n  mpirun -n 4 polydec-mpi merge cubes.pdm -o cubes.pvtu");
+    command->callback([ranks, arguments] { run_merge(ranks, *arguments); });
+}
+
+} // namespace polydec::tools
