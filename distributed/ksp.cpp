@@ -140,6 +140,16 @@ void Ksp::fail(const std::string& why) const {
                         SolveReport::failed(engine_.name));
 }
 
+GlobalIndex Ksp::negative_pivots() const {
+    PC pc = nullptr;
+    Mat factor = nullptr;
+    PetscInt negative = 0;
+    require(KSPGetPC(solver_->ksp.get(), &pc), "looking at a factor");
+    require(PCFactorGetMatrix(pc, &factor), "looking at a factor");
+    require(MatGetInertia(factor, &negative, nullptr, nullptr), "looking at a factor");
+    return negative;
+}
+
 Vector Ksp::solve(const Vector& b, Index& iterations) {
     const petsc::Session session(engine_.name);
     const OwnedVec right = vector_of(ranks_, b), x = vector_of(ranks_, Vector::Zero(b.size()));

@@ -21,6 +21,10 @@ public:
     /// Collective: x with A x = b, as exactly as the engine gives it.
     Vector solve(const Vector& b, Index& iterations);
 
+    /// Collective: the number of negative eigenvalues of the matrix, by the inertia of its factor.
+    /// Of petsc.mumps alone.
+    GlobalIndex negative_pivots() const;
+
 private:
     void set_up(const std::string& own_options, double room_of_mumps);
     void check_setup() const;

@@ -215,6 +215,11 @@ void Ranks::take_largest(std::span<double> own) const {
                   state_->communicator);
 }
 
+void Ranks::add_up(std::span<double> own) const {
+    MPI_Allreduce(MPI_IN_PLACE, own.data(), static_cast<int>(own.size()), MPI_DOUBLE, MPI_SUM,
+                  state_->communicator);
+}
+
 std::vector<GlobalIndex> Ranks::exchange_counts(const std::vector<GlobalIndex>& counts) const {
     std::vector<GlobalIndex> arriving(counts.size());
     MPI_Alltoall(counts.data(), 1, MPI_INT64_T, arriving.data(), 1, MPI_INT64_T,

@@ -96,6 +96,9 @@ public:
     /// Collective: of as many numbers on each rank the largest ones.
     void take_largest(std::span<double> own) const;
 
+    /// Collective: the sums of as many numbers on each rank, the same on all of them.
+    void add_up(std::span<double> own) const;
+
     /// Collective: sends parcel r to rank r, and gives what came from each rank. Memory and time in
     /// proportion to what is sent. Items are plain data.
     template <class Item>

@@ -2,21 +2,17 @@
 #include "solvers/spectra/spectrum.h"
 
 #include "base/memory.h"
-#include "io/diagnosis_json.h"
 #include "io/pictures/draw_modes.h"
-#include "meshes/unit_of_length.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
+#include "tools/spectrum_answer.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -30,48 +26,6 @@ struct SpectrumArguments {
     ConditionArguments conditions;
     bool certify = true;
     PictureArguments picture;
-};
-
-struct Eigenvalues : Answer {
-    const Spectrum& spectrum;
-    std::string conditions; ///< on the boundary, in words
-    const ChosenStars& stars;
-    double seconds;
-
-    Eigenvalues(const Spectrum& found, std::string words, const ChosenStars& chosen, double took)
-        : spectrum(found), conditions(std::move(words)), stars(chosen), seconds(took) {}
-
-    void write(JsonWriter& json) const override {
-        const auto& certificate = spectrum.certificate;
-        json.member("side", name(spectrum.side));
-        json.member("degree", spectrum.degree);
-        json.member("eigenvalues", spectrum.eigenvalues);
-        json.member("radii", spectrum.radii);
-        json.member("residuals", spectrum.residuals);
-        json.object("certificate", [&] {
-            json.member("shift", certificate.shift);
-            json.member("below_shift", certificate.below_shift);
-            json.member("returned_below_shift", certificate.returned_below_shift);
-            json.member("complete", certificate.complete);
-        });
-        json.member("linear_solver", spectrum.linear_solver);
-        json.member("eigen_solver", spectrum.eigen_solver);
-        json.member("seconds", seconds);
-        json.member("conditions", conditions);
-        write_stars(json, stars);
-    }
-
-    void write(Text& text) const override {
-        text("Laplace-de Rham operator on {} {}-forms, {} smallest eigenvalues\n{}\n{}\n\n"
-             "{:>5}  {:>20}  {:>10}  {:>10}\n",
-             name(spectrum.side), spectrum.degree, spectrum.eigenvalues.size(), conditions,
-             in_words(stars), "", "eigenvalue", "radius", "residual");
-        for (Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-            text("{:>5}  {:>20.12g}  {:>10.2e}  {:>10.2e}\n", i, spectrum.eigenvalues[i],
-                 spectrum.radii[i], spectrum.residuals[i]);
-        text("\n{}\n", in_words(spectrum.certificate));
-        text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
-    }
 };
 
 /// Negative duals make A indefinite; the negative eigenvalues they bring come first and mean
@@ -92,25 +46,6 @@ std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
                        negative, negative == 1 ? "is" : "are",
                        duals == 1 ? "1 cell" : fmt::format("{} cells", duals),
                        duals == 1 ? "has" : "have", flip_advice(mesh));
-}
-
-/// What is measured in length^-2, in the units of the file. What is rounding beside the largest
-/// number may vanish; radii then grow by what is lost there.
-void use_input_units(Spectrum& spectrum, double unit) {
-    if (unit == 1)
-        return;
-    auto& shift = spectrum.certificate.shift; // behind them all, where they are rounding alone
-    const double largest = std::max(spectrum.eigenvalues.cwiseAbs().maxCoeff(), std::abs(shift));
-    in_input_units(Vector::Constant(1, largest), unit, -2, "eigenvalues");
-    const auto convert = [&](double& value) { value = std::ldexp(value, -2 * std::ilogb(unit)); };
-    std::for_each(spectrum.eigenvalues.begin(), spectrum.eigenvalues.end(), convert);
-    std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
-    std::for_each(spectrum.radii.begin(), spectrum.radii.end(), convert);
-    convert(shift);
-    // the value and the radius are each off by half of the least number there is
-    for (double& radius : spectrum.radii)
-        if (radius < std::numeric_limits<double>::min())
-            radius += std::numeric_limits<double>::denorm_min();
 }
 
 /// Eigensolvers keep a few vectors for each eigenpair. More than there are is another's to tell.
@@ -161,12 +96,7 @@ void run_spectrum(SpectrumArguments arguments) {
 
     if (const auto spurious = spurious_eigenvalues(mesh, result))
         log.warn(*spurious);
-    if (!result.rough.empty())
-        log.warn(fmt::format(
-            "{} of the eigenvalues, number {} first, {} not known to 1e-6: rounding "
-            "beside the largest one hides the rest; mind the radii, and improve "
-            "cells of extreme shape",
-            result.rough.size(), result.rough.front(), result.rough.size() == 1 ? "is" : "are"));
+    warn_of_rough_values(result, log);
     use_input_units(result, mesh.unit());
     const Eigenvalues answer(result, in_words(boundary, mesh.complex(), result.degree),
                              mesh.chosen_stars(), seconds.count());

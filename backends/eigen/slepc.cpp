@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "backends/component.h"
-#include "backends/linear/petsc_session.h"
+#include "backends/eigen/slepc_session.h"
 #include "base/errors.h"
 
 #include <algorithm>
 #include <exception>
-#include <slepceps.h>
 #include <vector>
 
 namespace polydec {
@@ -77,18 +76,6 @@ void copy(const Session& session, const Vector& from, Vec to) {
     session.require(VecGetArray(to, &entries), "taking over a vector");
     Eigen::Map<Vector>(entries, from.size()) = from;
     session.require(VecRestoreArray(to, &entries), "taking over a vector");
-}
-
-void end_slepc() {
-    if (petsc::is_running() && SlepcInitializeCalled)
-        SlepcFinalize();
-}
-
-void start_slepc(const Session& session) {
-    if (SlepcInitializeCalled)
-        return;
-    session.require(SlepcInitialize(nullptr, nullptr, nullptr, nullptr), "starting SLEPc");
-    petsc::at_exit(end_slepc);
 }
 
 class SlepcSolver final : public EigenSolver {
@@ -190,7 +177,7 @@ EigenPairs Run::pairs(Index count) const {
 EigenPairs SlepcSolver::compute(const SymmetricOperator& A, Index count,
                                 const EigenOptions& options) const {
     const Session session(name());
-    start_slepc(session);
+    petsc::start_slepc(session);
     Shell shell{.A = &A};
     Run run(session, shell, count, options);
     run.solve();

@@ -325,7 +325,7 @@ CertifiedEigenpairs CertifiedEigensolver::State::result(Index count) const {
     result.certificate.shift = pencil.eigenvalue(certificate.shift);
     result.linear_solver = solver->report().engine;
     result.eigen_solver = eigensolver->name();
-    result.rough = rough_values(pairs, pencil, count);
+    result.rough = rough_values(pairs, norm, pencil.eigenvalue(1), count);
     return result;
 }
 

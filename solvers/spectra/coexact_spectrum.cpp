@@ -130,7 +130,7 @@ void measure(const Pencil& given, const DenseMatrix& modes, Index count, Spectru
     spectrum.radii = pencil.eigenvalues(pairs.radii().head(count));
     spectrum.residuals = pencil.eigenvalues(pairs.residuals().head(count));
     spectrum.modes = pencil.eigenvectors(pairs.vectors().leftCols(count));
-    spectrum.rough = rough_values(pairs, pencil, count);
+    spectrum.rough = rough_values(pairs, pencil.norm(), pencil.eigenvalue(1), count);
 }
 
 } // namespace

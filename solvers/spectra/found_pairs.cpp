@@ -61,8 +61,7 @@ Group zeros(const Vector& energies, const Vector& radii, const DenseMatrix& gram
 
 /// The radii of all together from those of each alone.
 Vector joint_radii(const Vector& values, const Vector& radii, const Vector& energies,
-                   const DenseMatrix& vectors) {
-    const DenseMatrix gram = vectors.transpose() * vectors;
+                   const DenseMatrix& gram) {
     const auto radius = [&](Index begin, Index end) {
         if (end - begin == 1)
             return radii[begin];
@@ -118,7 +117,7 @@ void FoundPairs::keep(const std::vector<Index>& chosen) {
     vectors_ = DenseMatrix(vectors_(Eigen::all, chosen));
     for (Vector* const list : {&values_, &lone_radii_, &doubts_, &energies_, &residuals_})
         *list = Vector((*list)(chosen));
-    radii_ = joint_radii(values_, lone_radii_, energies_, vectors_);
+    radii_ = joint_radii(values_, lone_radii_, energies_, products_(vectors_, vectors_));
 }
 
 /// Distance from value i to the nearest one that its interval does not meet; 0 if there is none.
@@ -172,7 +171,7 @@ Index FoundPairs::gap_behind(Index count) const {
     return -1;
 }
 
-std::vector<Index> rough_values(const FoundPairs& pairs, const ScaledPencil& pencil, Index count) {
+std::vector<Index> rough_values(const FoundPairs& pairs, double norm, double unit, Index count) {
     std::vector<Index> rough;
     for (Index i = 0; i < count; ++i) {
         if (!pairs.is_accurate(i, 1))
@@ -180,8 +179,7 @@ std::vector<Index> rough_values(const FoundPairs& pairs, const ScaledPencil& pen
                 "eigenvalue {} cannot be told from its neighbors: it is {:.6g} to within {:.3g}, "
                 "since rounding beside the largest one, about {:.3g}, hides it; improve or remove "
                 "cells that are very much smaller or flatter than others",
-                i, pencil.eigenvalue(pairs.values()[i]), pencil.eigenvalue(pairs.radii()[i]),
-                pencil.eigenvalue(pencil.norm())));
+                i, unit * pairs.values()[i], unit * pairs.radii()[i], unit * norm));
         if (!pairs.is_accurate(i, largest_radius_share))
             rough.push_back(i);
     }

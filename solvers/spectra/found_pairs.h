@@ -3,6 +3,7 @@
 
 #include "solvers/spectra/scaled_pencil.h"
 
+#include <functional>
 #include <vector>
 
 namespace polydec {
@@ -10,8 +11,16 @@ namespace polydec {
 /// The eigenpairs of a pencil found so far, values ascending, and what is known of their accuracy.
 class FoundPairs {
 public:
+    /// X^T Y, wherever the rows of vectors are.
+    using Products = std::function<DenseMatrix(const DenseMatrix& X, const DenseMatrix& Y)>;
+
     /// None; values below `small` in size may be zero.
-    FoundPairs(Index size, double small) : vectors_(size, 0), small_(small) {}
+    FoundPairs(
+        Index size, double small,
+        Products products = [](const DenseMatrix& X, const DenseMatrix& Y) -> DenseMatrix {
+            return X.transpose() * Y;
+        })
+        : vectors_(size, 0), small_(small), products_(std::move(products)) {}
 
     Index count() const { return static_cast<Index>(values_.size()); }
     const Vector& values() const { return values_; }
@@ -39,7 +48,7 @@ public:
     template <class Columns>
     void project_out(Columns& X) const {
         if (count() > 0)
-            X -= vectors_ * (vectors_.transpose() * X);
+            X -= vectors_ * products_(vectors_, X);
     }
 
     /// Whether the radius of pair i is at most this share of its value or of its distance to the
@@ -65,10 +74,12 @@ private:
     Vector values_, lone_radii_, doubts_, energies_, radii_, residuals_;
     DenseMatrix vectors_;
     double small_;
+    Products products_;
 };
 
 /// Those of the first `count` values that are not known to 1e-6 of them or of their distance to the
-/// next ones. Throws SolverFailure, naming it, for one that its radius does not tell from those.
-std::vector<Index> rough_values(const FoundPairs& pairs, const ScaledPencil& pencil, Index count);
+/// next ones. Throws SolverFailure, naming it, for one that its radius does not tell from those. No
+/// eigenvalue is larger than `norm`; `unit` is what messages multiply values by.
+std::vector<Index> rough_values(const FoundPairs& pairs, double norm, double unit, Index count);
 
 } // namespace polydec

@@ -29,6 +29,7 @@ std::unique_ptr<CLI::App> command_line(const Ranks& ranks) {
     polydec::tools::add_shared_info(*app, ranks);
     polydec::tools::add_shared_merge(*app, ranks);
     polydec::tools::add_shared_poisson(*app, ranks);
+    polydec::tools::add_shared_spectrum(*app, ranks);
     polydec::tools::add_convert(*app, ranks);
     polydec::tools::expect_values(*app);
     refuse_others(*app);

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/spectrum.h"
+
+#include "base/errors.h"
+#include "tests/distributed/compare.h"
+
+#include <cmath>
+#include <optional>
+
+namespace polydec::test {
+
+namespace {
+
+constexpr Index most_cells = 120, most_values = 12;
+
+std::optional<Spectrum> of_one_process(const Discretization& mesh, const SpectrumOptions& options) {
+    try {
+        return spectrum(mesh, options);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// Whether both find the same, each within the other's radii.
+void expect_equal(const Spectrum& found, const Spectrum& expected, const std::string& in) {
+    ASSERT_EQ(found.eigenvalues.size(), expected.eigenvalues.size()) << in;
+    const double largest = expected.eigenvalues.cwiseAbs().maxCoeff();
+    for (Index i = 0; i < found.eigenvalues.size(); ++i) {
+        const double distance = std::abs(found.eigenvalues[i] - expected.eigenvalues[i]);
+        EXPECT_LE(distance, found.radii[i] + expected.radii[i]) << in << ", number " << i;
+        EXPECT_LE(distance, 1e-9 * (1 + largest)) << in << ", number " << i;
+        EXPECT_LE(found.radii[i], 1e-6 * (1 + largest)) << in << ", number " << i;
+    }
+    const auto &ours = found.certificate, &theirs = expected.certificate;
+    EXPECT_TRUE(ours.complete) << in;
+    EXPECT_EQ(ours.below_shift, theirs.below_shift) << in;
+    EXPECT_EQ(ours.returned_below_shift, theirs.returned_below_shift) << in;
+}
+
+} // namespace
+
+TEST(DistributedSpectrum, is_that_of_one_process_in_every_degree_with_its_certificate) {
+    const auto ranks = Ranks::all();
+    std::size_t compared = 0;
+    for (const auto& [name, given] : meshes()) {
+        const Discretization whole = discretize(given);
+        const MeshSlice slice = slice_of(ranks, given);
+        const auto by = some_ownerships(ranks, name).back();
+        const DistributedMesh mesh = discretize(ranks, slice, vertex_owners(ranks, slice, by));
+        for (int k = 0; k <= whole.dimension(); ++k) {
+            const Index size = whole.complex().size(k);
+            if (size > most_cells || size < 2)
+                continue;
+            const SpectrumOptions options{.degree = k, .count = std::min(size - 1, most_values)};
+            const auto expected = of_one_process(whole, options);
+            std::optional<Spectrum> found;
+            try {
+                found = spectrum(ranks, mesh, options);
+            } catch (const InvalidInput&) { // where stars are not positive
+                continue;
+            }
+            ASSERT_TRUE(expected) << name << ", degree " << k;
+            expect_equal(*found, *expected, fmt::format("{}, degree {}", name, k));
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 2 * meshes().size());
+}
+
+TEST(DistributedSpectrum, of_all_eigenvalues_needs_no_count) {
+    const auto ranks = Ranks::all();
+    const Mesh& given = mesh_named("grid4");
+    const MeshSlice slice = slice_of(ranks, given);
+    const DistributedMesh mesh =
+        discretize(ranks, slice, vertex_owners(ranks, slice, Ownership::morton));
+    const auto size = static_cast<Index>(mesh.cells.degree(2).count);
+    const auto all = spectrum(ranks, mesh, {.side = Side::dual, .degree = 0, .count = size});
+    EXPECT_EQ(all.eigenvalues.size(), size);
+    EXPECT_TRUE(all.certificate.complete);
+    EXPECT_THROW(spectrum(ranks, mesh, {.count = size + 100}), InvalidInput);
+    EXPECT_THROW(spectrum(ranks, mesh, {.degree = 3}), InvalidInput);
+}
+
+} // namespace polydec::test

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "distributed/spectrum.h"
+
+#include "base/errors.h"
+#include "distributed/shared_picture.h"
+#include "tools/messages.h"
+#include "tools/mpi/commands.h"
+#include "tools/mpi/shared_mesh.h"
+#include "tools/spectrum_answer.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct SharedSpectrumArguments {
+    SharedArguments mesh;
+    SpectrumOptions spectrum;
+    bool certify = true;
+    std::filesystem::path out;
+};
+
+/// The modes on vertices or n-cells, which a picture shows.
+std::vector<SharedValues> modes_to_show(const Spectrum& spectrum, int k) {
+    std::vector<SharedValues> values;
+    for (Index i = 0; i < spectrum.modes.cols(); ++i)
+        values.push_back({fmt::format("mode_{}", i), k, spectrum.modes.col(i)});
+    return values;
+}
+
+void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
+    Log log;
+    check_picture(ranks, arguments.out, arguments.mesh);
+    const DistributedMesh mesh = load(ranks, arguments.mesh, log);
+    const int n = mesh.dimension();
+    const SpectrumOptions& options = arguments.spectrum;
+    const int k = options.side == Side::primal ? options.degree : n - options.degree;
+    if (!arguments.out.empty() && k != 0 && k != n)
+        throw InvalidInput(fmt::format("cannot write {}: several ranks draw functions on vertices "
+                                       "and cells alone; leave out the file",
+                                       arguments.out.string()));
+    log.timing.begin("solve");
+    if (!arguments.certify)
+        arguments.spectrum.certification = Certification::waived;
+    const auto since = std::chrono::steady_clock::now();
+    auto result = computed_on(arguments.mesh.mesh.mesh, [&] {
+        const SharedProgress progress(ranks);
+        return spectrum(ranks, mesh, arguments.spectrum);
+    });
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
+    if (!arguments.out.empty()) {
+        log.timing.begin("write");
+        write_pvtu(ranks, arguments.out, mesh, modes_to_show(result, k));
+    }
+    warn_of_rough_values(result, log);
+    use_input_units(result, mesh.unit);
+    const auto& facets = mesh.cells.degree(n - 1);
+    GlobalIndex on_boundary = 0;
+    for (const Index piece : facets.first)
+        on_boundary += mesh.local.complex.coface_counts(n - 1)[piece] == 1 ? 1 : 0;
+    on_boundary = ranks.sum(on_boundary);
+    const bool essential =
+        built_in_conditions(options.side).everywhere == BoundaryCondition::essential;
+    const Eigenvalues answer(
+        result, polydec::in_words(on_boundary, essential ? on_boundary : 0, options.degree, n),
+        ChosenStars(HodgeStars(mesh.cells.volumes), StarKind::circumcentric), seconds.count());
+    tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);
+}
+
+} // namespace
+
+void add_shared_spectrum(CLI::App& app, const Ranks& ranks) {
+    auto* command = app.add_subcommand(
+        "spectrum", "smallest eigenpairs of the Laplace-de Rham operator, certified");
+    const auto arguments = std::make_shared<SharedSpectrumArguments>();
+    add_shared_arguments(*command, arguments->mesh);
+    add_side(*command, arguments->spectrum.side)->required();
+    command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();
+    command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
+        ->capture_default_str();
+    add_picture(*command, arguments->out, "modes on vertices or cells", false);
+    command->add_flag("!--no-certificate", arguments->certify, "do without the proof");
+    for (const char* option :
+         {"--natural", "--essential-where", "--engine", "--eigen-engine", "--float32"})
+        refuse_option(*command, option);
+    command->footer("Stars are circumcentric, and must be positive. On the boundary, primal forms "
+                    "have no flow\nthrough it (Neumann), dual ones values 0 (Dirichlet).\n\n"
+                    "Example:\n  mpirun -n 4 polydec-mpi spectrum sphere.pdm --side dual --degree "
+                    "0 --count 20 -o modes.pvtu");
+    command->callback([ranks, arguments] { run_spectrum(ranks, *arguments); });
+}
+
+} // namespace polydec::tools
