@@ -3,11 +3,11 @@
 
 #include "dec/merging/merged_volumes.h"
 #include "distributed/in_order.h"
+#include "distributed/number_places.h"
 #include "distributed/piece_rows.h"
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 namespace polydec {
 
@@ -76,24 +76,22 @@ void Numbering::tell_pieces() {
         for (const auto& [first, cell] : parcel)
             directory[static_cast<std::size_t>(first - begin)] = cell;
 
-    std::vector<GlobalIndex> wanted;
+    std::vector<GlobalIndex> firsts;
     for (Index s = 0; s < degree.size(); ++s)
         if (is_piece(s))
-            wanted.push_back(merged_.carriers[k_][s].first);
-    std::sort(wanted.begin(), wanted.end());
-    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+            firsts.push_back(merged_.carriers[k_][s].first);
+    const NumberPlaces place(firsts);
     std::vector<int> whom;
-    for (const GlobalIndex first : wanted)
+    for (const GlobalIndex first : place.numbers())
         whom.push_back(stretches.rank_of(first));
-    const auto found = ranks_.ask<CellNumber>("cell numbers", whom, wanted, [&](GlobalIndex first) {
-        return directory[static_cast<std::size_t>(first - begin)];
-    });
+    const auto found =
+        ranks_.ask<CellNumber>("cell numbers", whom, place.numbers(), [&](GlobalIndex first) {
+            return directory[static_cast<std::size_t>(first - begin)];
+        });
     cells_.of_simplex.resize(static_cast<std::size_t>(degree.size()));
     for (Index s = 0; s < degree.size(); ++s)
         if (is_piece(s))
-            cells_.of_simplex[s] = found[static_cast<std::size_t>(
-                std::lower_bound(wanted.begin(), wanted.end(), merged_.carriers[k_][s].first) -
-                wanted.begin())];
+            cells_.of_simplex[s] = found[place(merged_.carriers[k_][s].first)];
 }
 
 /// Added up in ascending order of pieces, wherever these are.
@@ -142,19 +140,25 @@ std::vector<std::vector<Index>> numbers_of(const std::vector<DistributedCells::D
 void add_cofaces(const LocalComplex& local, const MergedCells& merged,
                  const DistributedCells::Degree& above, int k, DistributedCells::Degree& cells) {
     const Cofaces cofaces(local.complex, k + 1);
+    std::vector<std::pair<CellNumber, double>> row;
     for (const Index s : cells.first) {
-        std::map<GlobalIndex, std::pair<CellNumber, double>> row;
+        row.clear();
         for (const auto& [t, omitted] : cofaces.of(s))
-            if (const CellNumber& cell = above.of_simplex[t]; cell.row >= 0) {
-                auto& entry = row.try_emplace(cell.row, cell, 0.0).first->second;
-                entry.second +=
-                    merged.carriers[k + 1][t].sign * local.complex.sign(k + 1, t, omitted);
+            if (const CellNumber& cell = above.of_simplex[t]; cell.row >= 0)
+                row.emplace_back(cell, merged.carriers[k + 1][t].sign *
+                                           local.complex.sign(k + 1, t, omitted));
+        std::sort(row.begin(), row.end(),
+                  [](const auto& x, const auto& y) { return x.first.row < y.first.row; });
+        for (auto entry = row.begin(); entry != row.end();) {
+            const CellNumber cell = entry->first;
+            double sign = 0;
+            for (; entry != row.end() && entry->first.row == cell.row; ++entry)
+                sign += entry->second;
+            if (sign != 0) {
+                cells.cofaces.push_back(cell);
+                cells.signs.push_back(sign);
             }
-        for (const auto& [column, entry] : row)
-            if (entry.second != 0) {
-                cells.cofaces.push_back(entry.first);
-                cells.signs.push_back(entry.second);
-            }
+        }
         cells.begins.push_back(static_cast<Index>(cells.cofaces.size()));
     }
 }

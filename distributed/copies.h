@@ -11,32 +11,40 @@ struct Copies {
     Parcels<Index> in;  ///< copies, by the rank that owns them; in the order of its list for us
 };
 
-/// Collective: gives every copy the value of its owner.
-template <class Value>
-void refresh(const Ranks& ranks, const Copies& copies, std::vector<Value>& values) {
-    auto parcels = ranks.empty_parcels<Value>();
+/// Collective: calls take(cell here, value) for what the other ranks send of `to`, which have as
+/// many as `from` here: value_of(cell).
+template <class ValueOf, class Take>
+void exchange_values(const Ranks& ranks, const Parcels<Index>& from, const Parcels<Index>& to,
+                     ValueOf value_of, Take take) {
+    auto parcels = ranks.empty_parcels<std::decay_t<std::invoke_result_t<ValueOf, Index>>>();
     for (std::size_t r = 0; r < parcels.size(); ++r)
-        for (const Index s : copies.out[r])
-            parcels[r].push_back(values[s]);
+        for (const Index s : from[r])
+            parcels[r].push_back(value_of(s));
     const auto arrived = ranks.deliver(parcels);
     for (std::size_t r = 0; r < arrived.size(); ++r)
         for (std::size_t i = 0; i < arrived[r].size(); ++i)
-            values[copies.in[r][i]] = arrived[r][i];
+            take(to[r][i], arrived[r][i]);
+}
+
+/// Collective: calls take(copy, value) with the value that its owner has.
+template <class ValueOf, class Take>
+void tell_copies(const Ranks& ranks, const Copies& copies, ValueOf value_of, Take take) {
+    exchange_values(ranks, copies.out, copies.in, value_of, take);
 }
 
 /// Collective: calls take(own cell, value) for the value of every copy of it, in the order of
 /// ranks.
-template <class Value, class Take>
-void collect(const Ranks& ranks, const Copies& copies, const std::vector<Value>& values,
-             Take take) {
-    auto parcels = ranks.empty_parcels<Value>();
-    for (std::size_t r = 0; r < parcels.size(); ++r)
-        for (const Index s : copies.in[r])
-            parcels[r].push_back(values[s]);
-    const auto arrived = ranks.deliver(parcels);
-    for (std::size_t r = 0; r < arrived.size(); ++r)
-        for (std::size_t i = 0; i < arrived[r].size(); ++i)
-            take(copies.out[r][i], arrived[r][i]);
+template <class ValueOf, class Take>
+void collect(const Ranks& ranks, const Copies& copies, ValueOf value_of, Take take) {
+    exchange_values(ranks, copies.in, copies.out, value_of, take);
+}
+
+/// Collective: gives every copy the value of its owner.
+template <class Value>
+void refresh(const Ranks& ranks, const Copies& copies, std::vector<Value>& values) {
+    tell_copies(
+        ranks, copies, [&](Index s) -> Value { return values[s]; },
+        [&](Index s, const Value& value) { values[s] = value; });
 }
 
 } // namespace polydec

@@ -5,6 +5,7 @@
 #include "dec/merging/facet_links.h"
 #include "dec/merging/flat_simplices.h"
 #include "distributed/labels.h"
+#include "distributed/number_places.h"
 
 #include <algorithm>
 
@@ -41,9 +42,10 @@ public:
         const auto found =
             ranks_.deliver(ranks_.together("classes", [&] { return classes_of(arrived); }));
         FacetClasses result{local_.degree(n_).number, {}};
+        const NumberPlaces here(local_.degree(n_).number);
         for (const auto& parcel : found)
             for (const auto& [simplex, first] : parcel)
-                result.first[local_.degree(n_).find(simplex)] = first;
+                result.first[here(simplex)] = first;
         refresh(ranks_, local_.degree(n_).copies, result.first);
         read_off(result);
         return result;
@@ -110,22 +112,21 @@ private:
 /// Links in the order of facets, as one process has them.
 Parcels<SentClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived) const {
     std::vector<SentLink> links;
-    std::vector<std::pair<GlobalIndex, std::int32_t>> simplices; // with their owners
     for (const auto& parcel : arrived)
         links.insert(links.end(), parcel.begin(), parcel.end());
-    std::sort(links.begin(), links.end(),
-              [](const SentLink& x, const SentLink& y) { return x.facet < y.facet; });
+    const auto is_before = [](const SentLink& x, const SentLink& y) { return x.facet < y.facet; };
+    if (!std::is_sorted(links.begin(), links.end(), is_before))
+        std::sort(links.begin(), links.end(), is_before);
+    std::vector<GlobalIndex> ends;
+    for (const SentLink& link : links)
+        ends.insert(ends.end(), {link.a, link.b});
+    const NumberPlaces place(ends);
+    const auto& simplices = place.numbers();
+    std::vector<std::int32_t> owners(simplices.size());
     for (const SentLink& link : links) {
-        simplices.emplace_back(link.a, link.owner_of_a);
-        simplices.emplace_back(link.b, link.owner_of_b);
+        owners[place(link.a)] = link.owner_of_a;
+        owners[place(link.b)] = link.owner_of_b;
     }
-    std::sort(simplices.begin(), simplices.end());
-    simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
-    const auto place = [&](GlobalIndex number) {
-        return static_cast<Index>(
-            std::lower_bound(simplices.begin(), simplices.end(), std::pair(number, 0)) -
-            simplices.begin());
-    };
     std::vector<FacetLink> by_place;
     for (const SentLink& link : links)
         by_place.push_back({place(link.a), place(link.b), link.defect, link.scale});
@@ -133,10 +134,9 @@ Parcels<SentClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived) co
     auto parcels = ranks_.empty_parcels<SentClass>();
     std::vector<GlobalIndex> first(simplices.size(), -1);
     for (std::size_t i = 0; i < simplices.size(); ++i) {
-        const auto& [number, owner] = simplices[i];
         GlobalIndex& of_class = first[classes.find(static_cast<Index>(i)).element];
-        of_class = of_class < 0 ? number : of_class;
-        parcels[owner].push_back({number, of_class});
+        of_class = of_class < 0 ? simplices[i] : of_class;
+        parcels[owners[i]].push_back({simplices[i], of_class});
     }
     return parcels;
 }

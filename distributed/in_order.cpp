@@ -19,10 +19,7 @@ Parcels<GlobalIndex> places_of(const Parcels<GlobalIndex>& arrived, int width) {
     const auto before = [&](std::size_t a, std::size_t b) {
         return std::lexicographical_compare(lists[a], lists[a] + width, lists[b], lists[b] + width);
     };
-    // those of each rank ascend, so that where ranks own stretches of numbers there is nothing to
-    // do
-    if (!std::is_sorted(order.begin(), order.end(), before))
-        std::sort(order.begin(), order.end(), before);
+    std::sort(order.begin(), order.end(), before);
     std::vector<GlobalIndex> place(lists.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         place[order[i]] = static_cast<GlobalIndex>(i);
@@ -37,10 +34,32 @@ Parcels<GlobalIndex> places_of(const Parcels<GlobalIndex>& arrived, int width) {
     return places;
 }
 
+/// Whether the lists of every rank come before those of the next one, as they do where ranks own
+/// stretches of vertices.
+bool are_in_order(const Ranks& ranks, const std::vector<GlobalIndex>& lists, int width) {
+    std::vector<GlobalIndex> ends; // the first and the last list of every rank that has any
+    if (!lists.empty()) {
+        ends.assign(lists.begin(), lists.begin() + width);
+        ends.insert(ends.end(), lists.end() - width, lists.end());
+    }
+    ends = ranks.of_all(ends);
+    for (auto list = ends.begin(); list + width < ends.end(); list += width)
+        if (std::lexicographical_compare(list + width, std::min(list + 2 * width, ends.end()), list,
+                                         list + width))
+            return false;
+    return true;
+}
+
 } // namespace
 
 Ordered places_in_order(const Ranks& ranks, const std::vector<GlobalIndex>& lists, int width,
                         GlobalIndex below) {
+    if (are_in_order(ranks, lists, width)) {
+        const GlobalIndex own = std::ssize(lists) / width;
+        Ordered result{std::vector<GlobalIndex>(static_cast<std::size_t>(own)), ranks.sum(own)};
+        std::iota(result.places.begin(), result.places.end(), ranks.sum_before(own));
+        return result;
+    }
     const EqualStretches stretches(below, ranks.size());
     auto parcels = ranks.empty_parcels<GlobalIndex>();
     for (auto list = lists.begin(); list != lists.end(); list += width) {

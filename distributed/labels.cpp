@@ -19,38 +19,34 @@ public:
     /// Whether any label became less.
     bool go_round() {
         bool changed = false;
-        std::vector<Label> labels = all();
-        collect(ranks_, degree_.copies, labels,
-                [&](Index s, const Label& label) { changed |= take(s, label); });
-        labels = all();
-        refresh(ranks_, degree_.copies, labels);
-        for (const auto& from : degree_.copies.in)
-            for (const Index s : from)
-                changed |= take(s, labels[s]);
+        const auto label = [this](Index s) { return label_of(s); };
+        const auto take = [&](Index s, const Label& other) { changed |= this->take(s, other); };
+        collect(ranks_, degree_.copies, label, take);
+        tell_copies(ranks_, degree_.copies, label, take);
         return ranks_.any(changed);
     }
 
-    Labels finish() {
-        Labels result{all(), std::vector<bool>(of_class_.size(), false)};
-        std::vector<Label> of_owner = result.of;
-        refresh(ranks_, degree_.copies, of_owner);
-        for (std::size_t s = 0; s < of_class_.size(); ++s)
-            result.clashes[s] = result.of[s].owner != nobody && of_owner[s].owner != nobody &&
-                                of_owner[s].sign != result.of[s].sign;
+    Labels finish() const {
+        Labels result{{}, std::vector<bool>(of_class_.size(), false)};
+        for (Index s = 0; s < degree_.size(); ++s)
+            result.of.push_back(label_of(s));
+        tell_copies(
+            ranks_, degree_.copies, [&](Index s) { return result.of[s]; },
+            [&](Index s, const Label& of_owner) {
+                const Label& own = result.of[s];
+                result.clashes[s] =
+                    own.owner != nobody && of_owner.owner != nobody && of_owner.sign != own.sign;
+            });
         return result;
     }
 
 private:
-    std::vector<Label> all() const {
-        std::vector<Label> labels;
-        for (Index s = 0; s < degree_.size(); ++s) {
-            Label label = of_class_[classes_.first[s]];
-            label.sign *= classes_.sign[s];
-            if (!classes_.takes_part[s])
-                label.owner = nobody;
-            labels.push_back(label);
-        }
-        return labels;
+    Label label_of(Index s) const {
+        Label label = of_class_[classes_.first[s]];
+        label.sign *= classes_.sign[s];
+        if (!classes_.takes_part[s])
+            label.owner = nobody;
+        return label;
     }
 
     /// Signs do not count: where they contradict each other they would never settle.

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "distributed/in_order.h"
+#include "distributed/number_places.h"
 #include "distributed/orientation.h"
 
 #include <fmt/format.h>
@@ -27,11 +28,10 @@ std::vector<Index> names_of(const std::vector<GlobalIndex>& vertices) {
 
 /// The cells with the places of their vertices.
 Simplices by_local_vertex(const Stars& stars) {
+    const NumberPlaces place(stars.vertices);
     Simplices tops(stars.cells.rows(), stars.cells.cols());
     for (Eigen::Index i = 0; i < tops.size(); ++i)
-        tops.data()[i] = static_cast<Index>(
-            std::lower_bound(stars.vertices.begin(), stars.vertices.end(), stars.cells.data()[i]) -
-            stars.vertices.begin());
+        tops.data()[i] = place(stars.cells.data()[i]);
     return tops;
 }
 

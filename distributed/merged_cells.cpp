@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace polydec {
 
@@ -32,6 +31,20 @@ struct Flaw {
     CellName cell;
     GlobalIndex euler, is_amiss;
 };
+
+/// What is known of each cell together.
+std::vector<Flaw> summed(std::vector<Flaw> flaws) {
+    std::sort(flaws.begin(), flaws.end(),
+              [](const Flaw& a, const Flaw& b) { return a.cell < b.cell; });
+    std::vector<Flaw> sums;
+    for (const Flaw& flaw : flaws) {
+        if (sums.empty() || sums.back().cell != flaw.cell)
+            sums.push_back({flaw.cell, 0, 0});
+        sums.back().euler += flaw.euler;
+        sums.back().is_amiss |= flaw.is_amiss;
+    }
+    return sums;
+}
 
 Carriers identity(const LocalComplex& local) {
     Carriers carriers;
@@ -119,28 +132,22 @@ Carriers Rounds::carriers_of(const Blocks& blocks) {
 }
 
 std::vector<Flaw> Rounds::local_flaws(const Blocks& blocks, const Carriers& carriers) const {
-    std::map<CellName, Flaw> flaws;
-    const auto of = [&](const CellName& cell) -> Flaw& {
-        return flaws.try_emplace(cell, Flaw{cell, 0, 0}).first->second;
-    };
+    std::vector<Flaw> flaws;
     for (int k = 0; k <= n_; ++k)
         for (Index s = 0; s < local_.degree(k).size(); ++s) {
             const auto& [dimension, sign, first] = carriers[k][s];
             if (local_.owns(ranks_, k, s) && (dimension > k || first != local_.degree(k).number[s]))
-                of({dimension, first}).euler += k % 2 == 0 ? 1 : -1;
+                flaws.push_back({{dimension, first}, k % 2 == 0 ? 1 : -1, 0});
         }
     for (const CellName& cell : clashing_)
-        of(cell).is_amiss = 1;
+        flaws.push_back({cell, 0, 1});
     const FaceTable ends = local_.complex.faces(1);
     for (Index e = 0; e < local_.degree(1).size(); ++e)
         for (int i = 0; i <= 1; ++i)
             if (const Index v = ends(e, i);
                 local_.owns(ranks_, 0, v) && blocks.active_cofaces[0][v] == 0)
-                of({carriers[1][e].dimension, carriers[1][e].first}).is_amiss = 1;
-    std::vector<Flaw> list;
-    for (const auto& [cell, flaw] : flaws)
-        list.push_back(flaw);
-    return list;
+                flaws.push_back({{carriers[1][e].dimension, carriers[1][e].first}, 0, 1});
+    return summed(std::move(flaws));
 }
 
 /// Summed up where the numbers of first pieces lie.
@@ -153,17 +160,13 @@ std::vector<CellName> Rounds::bad_cells(const std::vector<Flaw>& flaws) const {
     }
     const auto arrived = ranks_.deliver(parcels);
     auto bad = ranks_.of_all(ranks_.together("cells", [&] {
-        std::map<CellName, Flaw> totals;
+        std::vector<Flaw> all;
         for (const auto& parcel : arrived)
-            for (const Flaw& flaw : parcel) {
-                Flaw& total = totals.try_emplace(flaw.cell, Flaw{flaw.cell, 0, 0}).first->second;
-                total.euler += flaw.euler;
-                total.is_amiss |= flaw.is_amiss;
-            }
+            all.insert(all.end(), parcel.begin(), parcel.end());
         std::vector<CellName> own;
-        for (const auto& [cell, flaw] : totals)
+        for (const Flaw& flaw : summed(std::move(all)))
             if (flaw.euler != 0 || flaw.is_amiss != 0)
-                own.push_back(cell);
+                own.push_back(flaw.cell);
         return own;
     }));
     std::sort(bad.begin(), bad.end());

@@ -2,6 +2,7 @@
 #include "distributed/orientation.h"
 
 #include "complex/disjoint_sets.h"
+#include "distributed/number_places.h"
 #include "distributed/shared_classes.h"
 
 #include <algorithm>
@@ -139,11 +140,9 @@ void orient(const Ranks& ranks, const Stars& stars, LocalComplex& local) {
     ranks.together("orientation", [&] {
         parts = parts_of(local);
         Simplices rows(stars.cells.rows(), stars.cells.cols());
+        const NumberPlaces place(stars.vertices);
         for (Eigen::Index i = 0; i < rows.size(); ++i) // their order is all that matters
-            rows.data()[i] =
-                static_cast<Index>(std::lower_bound(stars.vertices.begin(), stars.vertices.end(),
-                                                    stars.cells.data()[i]) -
-                                   stars.vertices.begin());
+            rows.data()[i] = place(stars.cells.data()[i]);
         for (Index t = 0; t < tops.size(); ++t)
             given.push_back(sign_of(rows, local.complex.input_row(t)));
     });

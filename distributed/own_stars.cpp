@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "distributed/local_complex.h"
+#include "distributed/number_places.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 namespace polydec {
 
@@ -33,11 +33,8 @@ void check_slice(const Ranks& ranks, const MeshSlice& slice) {
                                 first_cell + t, v, slice.vertices - 1));
 }
 
-std::vector<GlobalIndex> sorted_vertices(const GlobalSimplices& cells) {
-    std::vector<GlobalIndex> vertices(cells.data(), cells.data() + cells.size());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
+NumberPlaces vertices_of(const GlobalSimplices& cells) {
+    return NumberPlaces({cells.data(), static_cast<std::size_t>(cells.size())});
 }
 
 /// The owners of vertices, which the ranks of their slices know.
@@ -79,19 +76,22 @@ Points points_of(const Ranks& ranks, const MeshSlice& slice,
 
 Stars own_stars(const Ranks& ranks, const MeshSlice& slice, const std::vector<int>& owners) {
     ranks.together("slice", [&] { check_slice(ranks, slice); });
-    const std::vector<GlobalIndex> here = sorted_vertices(slice.simplices);
-    const std::vector<int> owners_here = owners_of(ranks, slice, owners, here);
+    const NumberPlaces here =
+        ranks.together("vertices", [&] { return vertices_of(slice.simplices); });
+    const std::vector<int> owners_here = owners_of(ranks, slice, owners, here.numbers());
 
     // each cell to every rank that owns one of its vertices: its number, then the vertices
     const GlobalIndex first = EqualStretches(slice.cells, ranks.size()).begin(ranks.rank());
     auto parcels = ranks.empty_parcels<GlobalIndex>();
     ranks.together("cells", [&] {
+        std::vector<int> takers;
         for (Eigen::Index t = 0; t < slice.simplices.rows(); ++t) {
             const auto cell = slice.simplices.row(t);
-            std::set<int> takers;
+            takers.clear();
             for (const GlobalIndex v : cell)
-                takers.insert(owners_here[static_cast<std::size_t>(
-                    std::lower_bound(here.begin(), here.end(), v) - here.begin())]);
+                if (const int r = owners_here[here(v)];
+                    std::find(takers.begin(), takers.end(), r) == takers.end())
+                    takers.push_back(r);
             for (const int r : takers) {
                 parcels[r].push_back(first + t);
                 parcels[r].insert(parcels[r].end(), cell.begin(), cell.end());
@@ -112,7 +112,7 @@ Stars own_stars(const Ranks& ranks, const MeshSlice& slice, const std::vector<in
                 stars.file_places.push_back(*entry);
                 vertex = std::copy(entry + 1, entry + 1 + corners, vertex);
             }
-        stars.vertices = sorted_vertices(stars.cells);
+        stars.vertices = vertices_of(stars.cells).numbers();
     });
     stars.owners = owners_of(ranks, slice, owners, stars.vertices);
     stars.points = points_of(ranks, slice, stars.vertices);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/piece_rows.h"
 
+#include "distributed/number_places.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -69,9 +71,11 @@ PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
     for (const auto& parcel : ranks.deliver(keys))
         for (const Piece& piece : parcel)
             pieces.push_back({piece.row, piece.number, static_cast<Index>(pieces.size())});
-    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    const auto is_before = [](const Piece& a, const Piece& b) {
         return std::pair(a.row, a.number) < std::pair(b.row, b.number);
-    });
+    };
+    if (!std::is_sorted(pieces.begin(), pieces.end(), is_before))
+        std::sort(pieces.begin(), pieces.end(), is_before);
 
     PieceRows result{std::vector<Index>(cells.first.size() + 1, 0), Points(came)};
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -84,16 +88,15 @@ PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
 
 Points spread_to_pieces(const Ranks& ranks, const DistributedCells::Degree& cells,
                         const Points& of_cells) {
-    std::vector<GlobalIndex> wanted;
+    std::vector<GlobalIndex> rows;
     for (const CellNumber& cell : cells.of_simplex)
         if (cell.row >= 0)
-            wanted.push_back(cell.row);
-    std::sort(wanted.begin(), wanted.end());
-    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+            rows.push_back(cell.row);
+    const NumberPlaces place(rows);
 
     const RowOwners owner(ranks, cells);
     auto questions = ranks.empty_parcels<GlobalIndex>();
-    for (const GlobalIndex row : wanted)
+    for (const GlobalIndex row : place.numbers())
         questions[owner(row)].push_back(row);
     auto answers = ranks.empty_parcels<double>();
     const auto asked = ranks.deliver(questions);
@@ -106,8 +109,7 @@ Points spread_to_pieces(const Ranks& ranks, const DistributedCells::Degree& cell
         Points::Zero(static_cast<Eigen::Index>(cells.of_simplex.size()), of_cells.cols());
     for (Eigen::Index s = 0; s < result.rows(); ++s)
         if (const GlobalIndex row = cells.of_simplex[static_cast<std::size_t>(s)].row; row >= 0)
-            result.row(s) =
-                came.row(std::lower_bound(wanted.begin(), wanted.end(), row) - wanted.begin());
+            result.row(s) = came.row(place(row));
     return result;
 }
 

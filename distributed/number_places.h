@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "distributed/ranks.h"
+
+namespace polydec {
+
+/// Different numbers in ascending order, and the place of each of them. Linear time and memory
+/// where they lie close together, as those of one part of a mesh do.
+class NumberPlaces {
+public:
+    /// Of those in a list, in any order and any number of times.
+    explicit NumberPlaces(std::span<const GlobalIndex> list) {
+        if (list.empty())
+            return;
+        const auto [least, largest] = std::minmax_element(list.begin(), list.end());
+        first_ = *least;
+        const GlobalIndex range = *largest - first_ + 1;
+        constexpr GlobalIndex most_per_number = 4;
+        if (range > most_per_number * std::ssize(list)) {
+            numbers_.assign(list.begin(), list.end());
+            std::sort(numbers_.begin(), numbers_.end());
+            numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
+            return;
+        }
+        table_.assign(static_cast<std::size_t>(range), -1);
+        for (const GlobalIndex number : list)
+            table_[static_cast<std::size_t>(number - first_)] = 0;
+        for (std::size_t i = 0; i < table_.size(); ++i)
+            if (table_[i] == 0) {
+                table_[i] = static_cast<Index>(numbers_.size());
+                numbers_.push_back(first_ + static_cast<GlobalIndex>(i));
+            }
+    }
+
+    const std::vector<GlobalIndex>& numbers() const { return numbers_; }
+
+    /// Of a number that is among them.
+    Index operator()(GlobalIndex number) const {
+        return table_.empty()
+                   ? static_cast<Index>(std::lower_bound(numbers_.begin(), numbers_.end(), number) -
+                                        numbers_.begin())
+                   : table_[static_cast<std::size_t>(number - first_)];
+    }
+
+private:
+    std::vector<GlobalIndex> numbers_;
+    GlobalIndex first_ = 0;
+    std::vector<Index> table_; // by number from the first on; empty where they lie far apart
+};
+
+} // namespace polydec
