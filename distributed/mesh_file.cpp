@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "base/regular_file.h"
+#include "distributed/shared_folder.h"
 #include "io/meshes/pdm.h"
 #include "io/meshes/read_mesh.h"
 #include "io/source_file.h"
@@ -129,13 +130,7 @@ void write_slice(const Ranks& ranks, const std::filesystem::path& path, const Me
             write_part(file->unfinished(), 0, header_of(layout), path);
         }
     });
-    std::vector<char> name;
-    if (file) {
-        const std::string text = file->unfinished().string();
-        name.assign(text.begin(), text.end());
-    }
-    name = ranks.of_all(name);
-    const std::string unfinished(name.begin(), name.end());
+    const std::string unfinished = told_by_first(ranks, file ? file->unfinished().string() : "");
 
     const auto first = [&](GlobalIndex count) {
         return EqualStretches(count, ranks.size()).begin(ranks.rank());

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/shared_picture.h"
 
-#include "base/atomic_folder.h"
 #include "distributed/own_cells.h"
 #include "distributed/piece_rows.h"
+#include "distributed/shared_folder.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/pvtu.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 namespace polydec {
 
@@ -59,33 +58,22 @@ void write_pvtu(const Ranks& ranks, const std::filesystem::path& path, const Dis
                 const std::vector<SharedValues>& values, const VtuOptions& options) {
     std::filesystem::path folder_path = path;
     folder_path.replace_extension();
-    std::unique_ptr<AtomicFolder> folder; // of rank 0
-    std::vector<char> name;
-    ranks.together("output", [&] {
+    ranks.together("picture", [&] {
         check_drawable(mesh.dimension(), static_cast<int>(mesh.local.points.cols()));
-        if (ranks.rank() != 0)
-            return;
-        folder = std::make_unique<AtomicFolder>(folder_path, is_piece);
-        const std::string text = folder->path().string();
-        name.assign(text.begin(), text.end());
     });
-    name = ranks.of_all(name);
+    SharedFolder folder(ranks, folder_path, is_piece);
     const auto cells = own_cells(ranks, mesh, at_local_vertices(ranks, mesh, values));
-    const std::filesystem::path unfinished = std::string(name.begin(), name.end());
     VtuGrid grid;
     ranks.together("write", [&] {
         if (!cells)
             return;
         grid = grid_of(mesh, *cells, values, ranks.rank());
-        write_vtu(unfinished / fmt::format("{}.vtu", ranks.rank()), grid, options);
+        write_vtu(folder.path() / fmt::format("{}.vtu", ranks.rank()), grid, options);
     });
 
     const auto with_cells =
         ranks.of_all(cells ? std::vector<int>{ranks.rank()} : std::vector<int>());
-    ranks.together("write", [&] {
-        if (folder)
-            folder->commit();
-    });
+    folder.commit();
     // the list is that of the first rank with cells, which knows of what kinds they are
     ranks.together("write", [&] {
         std::vector<std::string> pieces;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "distributed/local_complex.h"
+#include "distributed/discretize.h"
 #include "tests/support/families.h"
 
 #include <fmt/format.h>
@@ -22,6 +22,11 @@ inline std::vector<Ownership> some_ownerships(const Ranks& ranks, const std::str
 inline LocalComplex distributed(const Ranks& ranks, const Mesh& mesh, Ownership by) {
     const MeshSlice slice = slice_of(ranks, mesh);
     return local_complex(ranks, slice, vertex_owners(ranks, slice, by));
+}
+
+inline DistributedMesh discretized(const Ranks& ranks, const Mesh& mesh, Ownership by) {
+    const MeshSlice slice = slice_of(ranks, mesh);
+    return discretize(ranks, slice, vertex_owners(ranks, slice, by));
 }
 
 /// What differs between the simplices of a rank and those of one process: numbers, owners,

@@ -3,56 +3,18 @@
 
 #include "base/errors.h"
 #include "io/meshes/write_mesh.h"
+#include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
 
-#include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 namespace polydec::test {
 
 namespace {
 
-/// A folder that all ranks share; rank 0 makes and removes it.
-class SharedFolder {
-public:
-    explicit SharedFolder(const Ranks& ranks) : ranks_(ranks) {
-        std::vector<char> name;
-        if (ranks.rank() == 0) {
-            std::string path = std::filesystem::temp_directory_path() / "polydec-XXXXXX";
-            path = ::mkdtemp(path.data());
-            name.assign(path.begin(), path.end());
-        }
-        name = ranks.of_all(name);
-        folder_ = std::string(name.begin(), name.end());
-    }
-    ~SharedFolder() {
-        ranks_.any(false); // all are done
-        if (ranks_.rank() == 0)
-            std::filesystem::remove_all(folder_);
-    }
-    SharedFolder(const SharedFolder&) = delete;
-    SharedFolder& operator=(const SharedFolder&) = delete;
-
-    std::filesystem::path operator/(const char* name) const { return folder_ / name; }
-
-private:
-    Ranks ranks_;
-    std::filesystem::path folder_;
-};
-
 std::string text_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Work of rank 0 before the others go on.
-template <class Work>
-void on_rank_0(const Ranks& ranks, Work work) {
-    ranks.together("a file", [&] {
-        if (ranks.rank() == 0)
-            work();
-    });
 }
 
 bool same(const MeshSlice& a, const MeshSlice& b) {
@@ -73,7 +35,7 @@ std::string refusal_of(const Ranks& ranks, const std::filesystem::path& path) {
 
 TEST(MeshFiles, ranks_write_the_bytes_of_one_process_and_read_their_own) {
     const auto ranks = Ranks::all();
-    const SharedFolder folder(ranks);
+    const CommonFolder folder(ranks);
     for (const auto& [name, mesh] : meshes()) {
         const MeshSlice slice = slice_of(ranks, mesh);
         write_slice(ranks, folder / "shared.pdm", slice);
@@ -89,7 +51,7 @@ TEST(MeshFiles, ranks_write_the_bytes_of_one_process_and_read_their_own) {
 
 TEST(MeshFiles, one_of_several_blocks_goes_to_every_rank_and_a_cut_is_told_by_all) {
     const auto ranks = Ranks::all();
-    const SharedFolder folder(ranks);
+    const CommonFolder folder(ranks);
     Mesh mesh; // of three blocks and a bit
     mesh.points = Points::NullaryExpr(
         90000, 3, [](Eigen::Index i, Eigen::Index j) { return static_cast<double>(3 * i + j); });
@@ -119,7 +81,7 @@ TEST(MeshFiles, one_of_several_blocks_goes_to_every_rank_and_a_cut_is_told_by_al
 
 TEST(MeshFiles, every_other_format_comes_through_rank_0) {
     const auto ranks = Ranks::all();
-    const SharedFolder folder(ranks);
+    const CommonFolder folder(ranks);
     const Mesh& mesh = meshes().front().mesh;
     on_rank_0(ranks, [&] { write_mesh(folder / "a.nsc", mesh); });
     const MeshSlice read = read_slice(ranks, folder / "a.nsc");

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
+#include "dec/discretization.h"
 #include "dec/forms/laplacian.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
+#include "distributed/operator_files.h"
 #include "distributed/petsc.h"
+#include "tests/distributed/common_folder.h"
 #include "tests/distributed/compare.h"
 #include "tests/support/merged.h"
 
+#include <fstream>
 #include <functional>
+#include <petscviewer.h>
 
 namespace polydec::test {
 
@@ -81,6 +86,59 @@ TEST(DistributedOperators, are_those_of_one_process_in_every_degree_on_both_side
                 [&] { return symmetric_laplacian(whole.P(), stars, k).matrix(); });
         }
     }
+}
+
+/// What a file holds, read by this rank alone.
+OwnedMat loaded(const std::filesystem::path& path) {
+    PetscViewer viewer = nullptr;
+    Mat matrix = nullptr;
+    PetscViewerBinaryOpen(PETSC_COMM_SELF, path.c_str(), FILE_MODE_READ, &viewer);
+    MatCreate(PETSC_COMM_SELF, &matrix);
+    MatSetType(matrix, MATSEQAIJ);
+    MatLoad(matrix, viewer);
+    PetscViewerDestroy(&viewer);
+    return OwnedMat(matrix);
+}
+
+/// Largest difference of the entries of two matrices, rows in the same order.
+double difference(Mat matrix, const SparseMatrix& whole) {
+    DenseMatrix rest = whole;
+    for (PetscInt row = 0; row < whole.rows(); ++row) {
+        PetscInt count = 0;
+        const PetscInt* columns = nullptr;
+        const double* entries = nullptr;
+        MatGetRow(matrix, row, &count, &columns, &entries);
+        for (PetscInt e = 0; e < count; ++e)
+            rest(row, columns[e]) -= entries[e];
+        MatRestoreRow(matrix, row, &count, &columns, &entries);
+    }
+    return rest.size() > 0 ? rest.cwiseAbs().maxCoeff() : 0;
+}
+
+TEST(OperatorFiles, stand_in_the_order_of_numbers_for_any_number_of_ranks) {
+    const auto ranks = Ranks::all();
+    const CommonFolder folder(ranks);
+    for (const char* name : {"kuhn3", "uv8", "grid4"}) {
+        const Mesh& given = mesh_named(name);
+        const Discretization whole = discretize(given);
+        const DistributedMesh mesh = discretized(ranks, given, Ownership::random);
+        EXPECT_TRUE(write_operators(ranks, mesh, folder / name).empty());
+        const auto file = [&](const std::string& of) { return folder / name / (of + ".petsc"); };
+        for (int k = 0; k < whole.dimension(); ++k) {
+            const SparseMatrix d = whole.complex().coboundary(k).cast<double>();
+            EXPECT_EQ(difference(loaded(file(fmt::format("d_{}", k))).get(), d), 0) << name;
+        }
+        const SparseMatrix L = laplacian(whole.complex(), whole.stars(), 0).matrix();
+        EXPECT_LE(difference(loaded(file("laplacian_primal_0")).get(), L), 1e-12 * L.norm());
+        const SparseMatrix twin = 2 * L;
+        EXPECT_GT(difference(loaded(file("laplacian_primal_0")).get(), twin), 1e-12 * L.norm());
+    }
+    on_rank_0(ranks, [&] {
+        std::filesystem::create_directory(folder / "other");
+        std::ofstream(folder / "other" / "file.txt") << "not ours";
+    });
+    const DistributedMesh mesh = discretized(ranks, mesh_named("grid4"), Ownership::file);
+    EXPECT_THROW(write_operators(ranks, mesh, folder / "other"), InvalidInput);
 }
 
 } // namespace

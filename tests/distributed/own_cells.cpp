@@ -50,9 +50,8 @@ TEST(OwnCells, have_the_faces_of_one_process_wherever_their_pieces_are) {
     const auto ranks = Ranks::all();
     for (const auto& [name, given] : meshes()) {
         const Discretization whole = discretize(given);
-        const MeshSlice slice = slice_of(ranks, given);
         for (const Ownership by : some_ownerships(ranks, name)) {
-            const DistributedMesh mesh = discretize(ranks, slice, vertex_owners(ranks, slice, by));
+            const DistributedMesh mesh = discretized(ranks, given, by);
             Points numbers(std::ssize(mesh.local.vertices), 1);
             for (Index v = 0; v < numbers.rows(); ++v)
                 numbers(v, 0) = static_cast<double>(mesh.local.vertices[v]);

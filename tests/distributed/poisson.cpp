@@ -95,9 +95,7 @@ TEST(DistributedPoisson, has_the_solution_of_one_process_with_all_conditions_on_
     std::size_t solved = 0;
     for (const auto& [name, given] : meshes()) {
         const Discretization whole = discretize(given);
-        const MeshSlice slice = slice_of(ranks, given);
-        const auto by = some_ownerships(ranks, name).back();
-        const DistributedMesh mesh = discretize(ranks, slice, vertex_owners(ranks, slice, by));
+        const DistributedMesh mesh = discretized(ranks, given, some_ownerships(ranks, name).back());
         for (const Side side : {Side::primal, Side::dual})
             for (const std::string which : cases)
                 solved +=
@@ -110,9 +108,7 @@ TEST(DistributedPoisson, has_the_solution_of_one_process_with_all_conditions_on_
 TEST(DistributedPoisson, every_engine_gives_the_same_and_options_that_nobody_reads_are_refused) {
     const auto ranks = Ranks::all();
     const Mesh& given = meshes().front().mesh;
-    const MeshSlice slice = slice_of(ranks, given);
-    const DistributedMesh mesh =
-        discretize(ranks, slice, vertex_owners(ranks, slice, Ownership::morton));
+    const DistributedMesh mesh = discretized(ranks, given, Ownership::morton);
     std::optional<Vector> first;
     for (const char* engine : {"petsc.cg-hypre", "petsc.cg-gamg", "petsc.mumps"}) {
         const SharedPoissonSolver solver(ranks, mesh, {.engine = {engine}});

@@ -44,9 +44,7 @@ TEST(DistributedSpectrum, is_that_of_one_process_in_every_degree_with_its_certif
     std::size_t compared = 0;
     for (const auto& [name, given] : meshes()) {
         const Discretization whole = discretize(given);
-        const MeshSlice slice = slice_of(ranks, given);
-        const auto by = some_ownerships(ranks, name).back();
-        const DistributedMesh mesh = discretize(ranks, slice, vertex_owners(ranks, slice, by));
+        const DistributedMesh mesh = discretized(ranks, given, some_ownerships(ranks, name).back());
         for (int k = 0; k <= whole.dimension(); ++k) {
             const Index size = whole.complex().size(k);
             if (size > most_cells || size < 2)
@@ -70,9 +68,7 @@ TEST(DistributedSpectrum, is_that_of_one_process_in_every_degree_with_its_certif
 TEST(DistributedSpectrum, of_all_eigenvalues_needs_no_count) {
     const auto ranks = Ranks::all();
     const Mesh& given = mesh_named("grid4");
-    const MeshSlice slice = slice_of(ranks, given);
-    const DistributedMesh mesh =
-        discretize(ranks, slice, vertex_owners(ranks, slice, Ownership::morton));
+    const DistributedMesh mesh = discretized(ranks, given, Ownership::morton);
     const auto size = static_cast<Index>(mesh.cells.degree(2).count);
     const auto all = spectrum(ranks, mesh, {.side = Side::dual, .degree = 0, .count = size});
     EXPECT_EQ(all.eigenvalues.size(), size);

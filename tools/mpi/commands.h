@@ -10,6 +10,7 @@ namespace polydec::tools {
 
 void add_shared_info(CLI::App& app, const Ranks& ranks);
 void add_shared_merge(CLI::App& app, const Ranks& ranks);
+void add_shared_operators(CLI::App& app, const Ranks& ranks);
 void add_shared_poisson(CLI::App& app, const Ranks& ranks);
 void add_shared_spectrum(CLI::App& app, const Ranks& ranks);
 void add_convert(CLI::App& app, const Ranks& ranks);

@@ -28,6 +28,7 @@ std::unique_ptr<CLI::App> command_line(const Ranks& ranks) {
         "polydec-mpi", "discrete exterior calculus over several processes, by MPI");
     polydec::tools::add_shared_info(*app, ranks);
     polydec::tools::add_shared_merge(*app, ranks);
+    polydec::tools::add_shared_operators(*app, ranks);
     polydec::tools::add_shared_poisson(*app, ranks);
     polydec::tools::add_shared_spectrum(*app, ranks);
     polydec::tools::add_convert(*app, ranks);
