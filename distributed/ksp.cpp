@@ -59,7 +59,7 @@ constexpr double first_room = 50; // percent of memory above MUMPS' estimate
 constexpr double most_room = 1000;
 constexpr int mumps_lacks_room = -9;
 constexpr PetscInt most_iterations = 1000;
-constexpr double tolerance = 1e-12;
+constexpr double ksp_tolerance = 1e-12;
 
 } // namespace
 
@@ -96,7 +96,7 @@ void Ksp::set_up(const std::string& own_options, double room) {
     KSP ksp = solver_->ksp.get();
     require(KSPSetOptionsPrefix(ksp, petsc::prefix), "making a solver");
     require(KSPSetOperators(ksp, matrix_, matrix_), "making a solver");
-    require(KSPSetTolerances(ksp, tolerance, 0, PETSC_MAX_REAL, most_iterations),
+    require(KSPSetTolerances(ksp, ksp_tolerance, 0, PETSC_MAX_REAL, most_iterations),
             "making a solver");
     // errors of these are the same on all ranks: a text that says nothing, a method without a setup
     const auto options_read = KSPSetFromOptions(ksp);

@@ -75,14 +75,14 @@ OwnedMat gram_of_rows(const Ranks& ranks, const DistributedCells& cells, int k,
 
 namespace {
 
-/// Weights on both sides of both halves of a Laplacian; null stands for 1.
-struct Weights {
+/// LaplacianWeights on both sides of both halves of a Laplacian; null stands for 1.
+struct LaplacianWeights {
     Vec upper_left, upper_right, lower_left, lower_right;
 };
 
 /// d_k^T star_(k+1) d_k and d_(k-1) star_(k-1)^-1 d_(k-1)^T, with these weights, added.
 OwnedMat weighted_sum(const Ranks& ranks, const DistributedCells& cells, int k,
-                      const Weights& weights) {
+                      const LaplacianWeights& weights) {
     OwnedMat sum;
     if (k < cells.dimension()) {
         sum = gram_of_columns(ranks, cells, k, ranks.together("star", [&] {

@@ -17,7 +17,8 @@ struct Solved {
 
 Solved solve(const std::vector<SharedElement>& shared) {
     Solved solved;
-    auto& [numbers, classes] = solved;
+    auto& numbers = solved.numbers;
+    auto& classes = solved.classes;
     for (const auto& [a, b, sign] : shared)
         numbers.insert(numbers.end(), {a, b});
     std::sort(numbers.begin(), numbers.end());

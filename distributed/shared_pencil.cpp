@@ -16,7 +16,7 @@ namespace polydec {
 
 namespace {
 
-constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+constexpr double unit_of_rounding = std::numeric_limits<double>::epsilon() / 2;
 
 /// Throws unless a star is positive, but for zeros where these do no harm.
 void check_positive(const HodgeStar& star, bool zeros_too) {
@@ -116,8 +116,8 @@ SharedPencil::SharedPencil(const Ranks& ranks, const DistributedCells& cells, in
 
 void SharedPencil::add_part(OwnedMat F, OwnedMat transposed, Vector weights, Vector uncertainty) {
     OwnedMat sizes = absolute(F.get()), transposed_sizes = absolute(transposed.get());
-    roundoff_ = std::max(roundoff_, unit * (longest_row(ranks_, F.get()) +
-                                            longest_row(ranks_, transposed.get()) + 8));
+    roundoff_ = std::max(roundoff_, unit_of_rounding * (longest_row(ranks_, F.get()) +
+                                                        longest_row(ranks_, transposed.get()) + 8));
     parts_.push_back({std::move(F), std::move(transposed), std::move(sizes),
                       std::move(transposed_sizes), std::move(weights), std::move(uncertainty)});
 }
@@ -180,7 +180,7 @@ Enclosure SharedPencil::enclose(const Vector& y) const {
     result.value = ranks_.sum(x.dot(Ax)) / square;
     const Vector residual = Ax - result.value * Mx;
     const double size = std::abs(result.value);
-    const Vector doubt = doubts + 8 * unit * size * Mx.cwiseAbs();
+    const Vector doubt = doubts + 8 * unit_of_rounding * size * Mx.cwiseAbs();
     // in the norm of M^-1
     const auto norm = [&](const Vector& v) {
         return std::sqrt(ranks_.sum(v.cwiseAbs2().cwiseQuotient(mass_).sum()) / square);

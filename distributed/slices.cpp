@@ -2,6 +2,7 @@
 #include "distributed/slices.h"
 
 #include "base/errors.h"
+#include "distributed/graph_owners.h"
 
 #include <algorithm>
 #include <array>
@@ -126,6 +127,8 @@ MeshSlice scatter(const Ranks& ranks, const std::optional<Mesh>& mesh) {
 
 std::vector<int> vertex_owners(const Ranks& ranks, const MeshSlice& slice, Ownership by) {
     std::vector<int> owners(static_cast<std::size_t>(slice.points.rows()), ranks.rank());
+    if (by == Ownership::graph)
+        return owners_by_graph(ranks, slice);
     if (by == Ownership::morton) {
         const auto keys = morton_keys(slice.points, bounding_box(ranks, slice.points));
         const auto begins = splitters(ranks, keys);

@@ -35,10 +35,12 @@ MeshSlice scatter(const Ranks& ranks, const std::optional<Mesh>& mesh);
 enum class Ownership {
     morton, ///< along a curve through space, in stretches of about equal length
     file,   ///< by their numbers, in equal stretches
+    graph,  ///< by PTScotch, which cuts few edges: takes longer, and holds fewer cells twice
     random, ///< in no order at all: for tests
 };
 
-/// Collective: the rank that owns each vertex of the slice.
+/// Collective: the rank that owns each vertex of the slice. Throws BackendUnavailable for a graph
+/// if PETSc was built without PTScotch, InvalidInput for vertex numbers that there are not.
 std::vector<int> vertex_owners(const Ranks& ranks, const MeshSlice& slice, Ownership by);
 
 } // namespace polydec

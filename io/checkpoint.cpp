@@ -125,21 +125,46 @@ Fingerprint& Fingerprint::add(const Discretization& mesh) {
     return add(name(mesh.chosen_stars().kind));
 }
 
+struct CheckpointWriter::Words {
+    explicit Words(const std::filesystem::path& path) : file(path), words(file) {}
+    AtomicFile file;
+    WordWriter words;
+};
+
+CheckpointWriter::CheckpointWriter(const std::filesystem::path& path,
+                                   const Checkpoint& without_state,
+                                   const std::vector<std::int64_t>& sizes)
+    : words_(std::make_unique<Words>(path)) {
+    words_->file.write(heading);
+    WordWriter& words = words_->words;
+    words.write(without_state.problem);
+    words.write(without_state.step);
+    words.write(std::bit_cast<std::uint64_t>(without_state.time));
+    words.write(static_cast<std::uint64_t>(sizes.size()));
+    for (const std::int64_t size : sizes)
+        words.write(static_cast<std::uint64_t>(size));
+}
+
+CheckpointWriter::~CheckpointWriter() = default;
+
+void CheckpointWriter::add(const Vector& values) {
+    for (const double value : values)
+        words_->words.write(std::bit_cast<std::uint64_t>(value));
+}
+
+void CheckpointWriter::commit() {
+    words_->words.close();
+    words_->file.commit();
+}
+
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-    AtomicFile file(path);
-    file.write(heading);
-    WordWriter words(file);
-    for (const std::uint64_t word :
-         {checkpoint.problem, checkpoint.step, std::bit_cast<std::uint64_t>(checkpoint.time),
-          std::uint64_t{checkpoint.state.size()}})
-        words.write(word);
+    std::vector<std::int64_t> sizes;
     for (const Vector& values : checkpoint.state)
-        words.write(static_cast<std::uint64_t>(values.size()));
+        sizes.push_back(values.size());
+    CheckpointWriter writer(path, checkpoint, sizes);
     for (const Vector& values : checkpoint.state)
-        for (const double value : values)
-            words.write(std::bit_cast<std::uint64_t>(value));
-    words.close();
-    file.commit();
+        writer.add(values);
+    writer.commit();
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t problem) {

@@ -15,7 +15,8 @@ namespace polydec::test {
 /// All ways to own vertices; one of them by turns where there are several ranks, since ranks on a
 /// small machine wait for each other.
 inline std::vector<Ownership> some_ownerships(const Ranks& ranks, const std::string& name) {
-    const std::vector<Ownership> all = {Ownership::file, Ownership::morton, Ownership::random};
+    const std::vector<Ownership> all = {Ownership::file, Ownership::morton, Ownership::graph,
+                                        Ownership::random};
     return ranks.size() == 1 ? all : std::vector{all[name.size() % all.size()]};
 }
 

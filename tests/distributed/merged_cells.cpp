@@ -10,6 +10,9 @@
 #include "tests/distributed/compare.h"
 #include "tests/support/merged.h"
 
+#include <cstdlib>
+#include <random>
+
 namespace polydec::test {
 
 namespace {
@@ -111,12 +114,31 @@ TEST(MergedCells, are_those_of_one_process_where_defects_are_gathered_and_cells_
                         wide > 0.1 ? Ownership::random : Ownership::morton);
 }
 
+/// How many random meshes are looked at: POLYDEC_TEST_SEEDS, or a few.
+unsigned number_of_seeds() {
+    const char* told = std::getenv("POLYDEC_TEST_SEEDS");
+    constexpr unsigned few = 60;
+    return told != nullptr ? static_cast<unsigned>(std::atoi(told)) : few;
+}
+
+/// Without some of its cells, so that what is left may branch, be pinched or fall apart.
+Mesh with_holes(Mesh mesh, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<Index> kept;
+    for (Index t = 0; t < mesh.simplices.rows(); ++t)
+        if (t == 0 || random() % 4 != 0)
+            kept.push_back(t);
+    mesh.simplices = Simplices(mesh.simplices(kept, Eigen::all));
+    return mesh;
+}
+
 TEST(MergedCells, of_small_random_meshes_are_those_of_one_process) {
     const auto ranks = Ranks::all();
-    for (unsigned seed = 1; seed <= 40; ++seed) {
+    for (unsigned seed = 1; seed <= number_of_seeds(); ++seed) {
         const int n = 1 + static_cast<int>(seed % 4);
         const double jitter = seed % 3 == 0 ? 0.1 : seed % 3 == 1 ? 1e-5 : 0;
-        const Mesh mesh = perturbed(kuhn(n, n < 3 ? 3 : 5 - n), jitter, seed);
+        const Mesh whole = perturbed(kuhn(n, n < 3 ? 3 : 5 - n), jitter, seed);
+        const Mesh mesh = seed % 5 < 2 ? with_holes(whole, seed) : whole;
         expect_same(ranks, fmt::format("seed {}", seed), mesh,
                     {MergeCriterion::dual_length, seed % 2 == 0 ? 1e-4 : 0.05}, Ownership::random);
     }

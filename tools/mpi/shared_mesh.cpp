@@ -16,8 +16,8 @@ namespace polydec::tools {
 
 namespace {
 
-const std::map<std::string, Ownership> ownerships{{"morton", Ownership::morton},
-                                                  {"file", Ownership::file}};
+const std::map<std::string, Ownership> ownerships{
+    {"morton", Ownership::morton}, {"file", Ownership::file}, {"ptscotch", Ownership::graph}};
 
 /// What a computation took on all ranks.
 struct Effort {
@@ -88,10 +88,11 @@ void add_shared_arguments(CLI::App& command, SharedArguments& arguments) {
         names.push_back(name);
     command
         .add_option("--owners", arguments.owners,
-                    "which rank has which vertices: morton (near ones together), or file (in\n"
-                    "their order there); time depends on it, results do not")
+                    "which rank has which vertices: morton (near ones together), file (in their\n"
+                    "order there), or ptscotch (few edges cut, for solvers that run long); time\n"
+                    "depends on it, results do not")
         ->default_str("morton")
-        ->transform(CLI::CheckedTransformer(ownerships).description("morton|file"));
+        ->transform(CLI::CheckedTransformer(ownerships).description("morton|file|ptscotch"));
     for (const char* option : {"--centers", "--keep-groups", "--peel", "--delaunay", "--star"})
         refuse_option(command, option);
 }
