@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: MIT
+"""Holds polydec-mpi against polydec, and against faults.
+
+Usage: command.py POLYDEC POLYDEC_MPI MPIEXEC ..; what follows are options of mpiexec. A complaint a
+line; exit code: 0 none, 1 some.
+"""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+WATCHDOG = 60  # seconds, after which a run counts as hanging
+
+MESHES = {
+    "grid": ["grid", "--nx", "7", "--ny", "5"],
+    "sphere": ["uv-sphere", "--meridians", "12", "--bands", "7"],
+    "torus": ["torus", "--major", "12", "--minor", "8"],
+    "cubes": ["kuhn", "--cells", "3", "3", "3"],
+    "tesseracts": ["kuhn", "--cells", "1", "1", "2", "1"],
+}
+EXACT = ["dimension", "ambient_dimension", "cells", "euler", "components", "orientable", "facets",
+         "vertices_per_cell", "concyclic"]
+
+
+class Commands:
+    def __init__(self, words):
+        self.polydec, self.mpi, *self.mpiexec = words
+
+    def alone(self, *words):
+        return subprocess.run([self.polydec, *words], capture_output=True, text=True,
+                              timeout=WATCHDOG)
+
+    def line(self, ranks, *words):
+        return [*self.mpiexec, "-n", str(ranks), self.mpi, *map(str, words)]
+
+    def on(self, ranks, *words):
+        return subprocess.run(self.line(ranks, *words), capture_output=True, text=True,
+                              timeout=WATCHDOG, stdin=subprocess.DEVNULL)
+
+
+complaints = []
+
+
+def expect(holds, what):
+    if not holds:
+        complaints.append(what)
+        print(what, flush=True)
+
+
+def near(a, b, share):
+    return abs(a - b) <= share * max(abs(a), abs(b), 1e-300)
+
+
+def answers(commands, ranks, *words):
+    """What one process and several ranks say as JSON; none where either fails."""
+    one, several = commands.alone(*words, "--json"), commands.on(ranks, *words, "--json")
+    expect(one.returncode == several.returncode,
+           f"{words}: exit code {several.returncode} on {ranks} ranks, {one.returncode} on one:"
+           f" {several.stderr}")
+    if one.returncode != 0 or several.returncode != 0:
+        return None
+    return json.loads(one.stdout), json.loads(several.stdout)
+
+
+def hold_info(commands, ranks, name, mesh):
+    pair = answers(commands, ranks, "info", mesh)
+    if pair is None:
+        return
+    one, several = pair
+    for key in EXACT:
+        expect(several.get(key) == one.get(key), f"info {name}: {key} {several.get(key)}")
+    expect(near(several["volume"], one["volume"], 1e-13), f"info {name}: volume")
+    for k, (ours, theirs) in enumerate(zip(several["stars"], one["stars"], strict=True)):
+        expect(ours == theirs, f"info {name}: star {k}: {ours} for {theirs}")
+    expect(several["ranks"]["count"] == ranks, f"info {name}: ranks {several['ranks']}")
+
+
+def hold_poisson(commands, ranks, name, mesh):
+    for side in ["primal", "dual"]:
+        for more in [["--boundary", "x"], ["--natural"], ["--essential-where", "x<.3", "--flux=y"]]:
+            words = ["poisson", mesh, "--side", side, "--rhs", "1+x*y", *more]
+            one = commands.alone(*words, "--star", "circumcentric", "--json")
+            several = commands.on(ranks, *words, "--json")
+            expect(one.returncode == several.returncode,
+                   f"{words}: exit code {several.returncode}: {several.stderr}")
+            if one.returncode != 0 or several.returncode != 0:
+                continue
+            one, several = json.loads(one.stdout), json.loads(several.stdout)
+            size = max(abs(one["min"]), abs(one["max"]))
+            for key in ["min", "max"]:
+                expect(abs(one[key] - several[key]) <= 1e-9 * size,
+                       f"{words}: {key} {several[key]} for {one[key]}")
+            for key in ["side", "boundary", "unknowns", "free_components", "conditions", "star"]:
+                expect(one[key] == several[key], f"{words}: {key} {several[key]} for {one[key]}")
+
+
+def hold_spectrum(commands, ranks, name, mesh):
+    words = ["spectrum", mesh, "--side", "primal", "--degree", "0", "--count", "6"]
+    pair = answers(commands, ranks, *words)
+    if pair is None:
+        return
+    one, several = pair
+    largest = max(map(abs, one["eigenvalues"]))
+    for a, b in zip(one["eigenvalues"], several["eigenvalues"], strict=True):
+        expect(abs(a - b) <= 1e-9 * largest, f"spectrum {name}: {b} for {a}")
+    for key in ["below_shift", "returned_below_shift", "complete"]:
+        expect(one["certificate"][key] == several["certificate"][key],
+               f"spectrum {name}: {key} of the certificate")
+
+
+def cells_of(piece):
+    return int(re.search(r'NumberOfCells="(\d+)"', piece.read_text()).group(1))
+
+
+def hold_files(commands, folder, mesh):
+    sliced, picture = folder / "a.pdm", folder / "a.pvtu"
+    done = commands.on(3, "convert", mesh, "-o", sliced)
+    expect(done.returncode == 0, f"convert: {done.stderr}")
+    texts = {commands.on(ranks, "info", sliced, "--json").stdout.split('"ranks"')[0]
+             for ranks in [1, 2, 3]}
+    expect(len(texts) == 1, f"info of one file says several things: {texts}")
+    for ranks in [3, 2]:
+        done = commands.on(ranks, "merge", sliced, "-o", picture, "--json")
+        expect(done.returncode == 0, f"merge: {done.stderr}")
+        pieces = re.findall(r'Source="([^"]+)"', picture.read_text())
+        expect(len(pieces) == ranks and len(list((folder / "a").iterdir())) == ranks,
+               f"merge on {ranks} ranks: {pieces}")
+        expect(sum(cells_of(folder / piece) for piece in pieces) ==
+               json.loads(done.stdout)["cells"]["merged"], "merge: cells of the pieces")
+
+
+def hold_errors(commands, folder, mesh):
+    bad = folder / "bad.nsc"
+    bad.write_text("2 2 3 1\n0 0\n1 0\n0 1\n0 1 7\n")
+    cases = [
+        (["info", folder / "none.off"], 4, "No such file"),
+        (["info", bad], 2, "bad.nsc:5"),
+        (["distance", mesh, "--from", "1"], 1, "one process only"),
+        (["info", mesh, "--delaunay"], 1, "one process only"),
+        (["info"], 1, "MESH is required"),
+        (["poisson", mesh, "--side", "dual", "--rhs", "1/0"], 2, "--rhs"),
+        (["poisson", mesh, "--side", "dual", "--rhs", "1", "--petsc", "-foo 3"], 2, "-foo"),
+        (["poisson", mesh, "--side", "dual", "--rhs", "1", "--engine", "none"], 2, "none"),
+        (["poisson", mesh, "--side", "dual", "--rhs", "1", "-o", folder / "u.vtu"], 2, ".pvtu"),
+        (["spectrum", mesh, "--side", "dual", "--degree", "9"], 2, "degree"),
+        (["merge", mesh, "-o", folder / "no" / "a.pvtu"], 4, "make the folder"),
+        (["convert", mesh, "-o", mesh], 2, ".pdm"),
+    ]
+    for words, code, text in cases:
+        done = commands.on(3, *words)
+        expect(done.returncode == code, f"{words}: exit code {done.returncode} for {code}")
+        expect(text in done.stderr, f"{words}: says {done.stderr}")
+        expect(done.stderr.count("polydec-mpi: ") == 1, f"{words}: said by several ranks")
+        expect(done.stdout == "", f"{words}: half an answer")
+
+
+def processes_of(parent):
+    """Those that mpiexec has started."""
+    found = []
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            behind_name = status.read_text().rpartition(")")[2].split()
+        except OSError:  # it has ended
+            continue
+        if int(behind_name[1]) == parent:
+            found.append(int(status.parent.name))
+    return found
+
+
+def hold_deaths(commands, folder):
+    """Whenever a rank dies, all end, and what is written is whole or not there."""
+    mesh, out = folder / "large.pdm", folder / "dead.pdm"
+    commands.alone("generate", "kuhn", "--cells", "24", "24", "24", "-o", str(mesh))
+    for delay in [0.1, 0.3, 0.5]:
+        for ending in [signal.SIGKILL, signal.SIGINT]:
+            run = subprocess.Popen(commands.line(3, "convert", mesh, "-o", out),
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   stdin=subprocess.DEVNULL)
+            time.sleep(delay)
+            victims = processes_of(run.pid)
+            if ending == signal.SIGKILL and victims:
+                os.kill(victims[-1], ending)
+            elif ending == signal.SIGINT:
+                run.send_signal(ending)
+            try:
+                run.communicate(timeout=WATCHDOG)
+            except subprocess.TimeoutExpired:
+                run.kill()
+                expect(False, f"ranks hang after {ending}")
+            if out.exists():
+                expect(out.read_bytes() == mesh.read_bytes(), f"half a file after {ending}")
+                out.unlink()
+
+
+def main():
+    commands = Commands(sys.argv[1:])
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for turn, (mesh, words) in enumerate(MESHES.items()):
+            file = str(folder / f"{mesh}.nsc")
+            made = commands.alone("generate", *words, "-o", file)
+            expect(made.returncode == 0, f"generate {mesh}: {made.stderr}")
+            ranks = 2 + turn % 3
+            hold_info(commands, ranks, mesh, file)
+            hold_spectrum(commands, ranks, mesh, file)
+            if turn % 2 == 0:
+                hold_poisson(commands, ranks, mesh, file)
+        hold_files(commands, folder, folder / "cubes.nsc")
+        hold_errors(commands, folder, str(folder / "grid.nsc"))
+        hold_deaths(commands, folder)
+    print(f"{len(complaints)} complaint(s)")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
