@@ -89,6 +89,7 @@
 #include "io/pictures/draw_overlay.h"
 #include "io/pictures/draw_solid.h"
 #include "io/pictures/draw_structure.h"
+#include "io/pictures/pvtu.h"
 #include "io/pictures/svg_drawing.h"
 #include "io/pictures/vtu.h"
 #include "meshes/generate.h"

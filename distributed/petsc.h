@@ -20,6 +20,9 @@ using OwnedVec = std::unique_ptr<_p_Vec, PetscDestroy>;
 /// Collective: the vector of which each rank has these entries.
 OwnedVec vector_of(const Ranks& ranks, const Vector& own);
 
+/// The own entries of a vector.
+Vector own_entries(Vec vector);
+
 // Operators over all ranks. Row i belongs to the cell whose CellNumber::row is i. All of them are
 // collective, throw InvalidInput for a degree that there is not, and for more cells than PETSc's
 // numbers can count; an error of PETSc itself ends the program.

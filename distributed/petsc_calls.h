@@ -25,9 +25,6 @@ OwnedMat made(const char* what, Make make) {
     return OwnedMat(matrix);
 }
 
-/// The own entries of a vector.
-Vector own_entries(Vec vector);
-
 /// Collective: A x, of own rows.
 Vector product(const Ranks& ranks, Mat A, const Vector& x);
 

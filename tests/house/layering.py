@@ -62,7 +62,8 @@ def include_complaint(path, delimiter, target, public):
         return f'"{target}" is no path from the repository root (third-party headers go in <>)'
 
     in_backends = "backends" in path.parts[:2]
-    may_have = in_backends or (here == "distributed" and OVER_RANKS.match(target))
+    over_ranks = here in LAST | {"distributed", "examples"}
+    may_have = in_backends or (over_ranks and OVER_RANKS.match(target))
     in_test = here in LAST | {"examples"} and target.startswith("Eigen/")
     if not may_have and not in_test and ENGINE.match(target):
         return f"the engine header <{target}> belongs into backends/"

@@ -182,8 +182,9 @@ TEST(RealFiles, AreMissedWhereThereAreOthers) {
 }
 
 TEST(ReadMesh, RefusesUnknownExtensions) {
-    const std::string known = "one of .off .obj .ply .stl .nsc .mesh .msh .node .ele .vtk .vtu; "
-                              "rename or convert the file";
+    const std::string known =
+        "one of .off .obj .ply .stl .nsc .mesh .msh .node .ele .vtk .vtu .pdm; "
+        "rename or convert the file";
     EXPECT_EQ(error_of([] { read_mesh("folder/a.xyz"); }),
               "InvalidInput: folder/a.xyz: the extension '.xyz' stands for no mesh format; "
               "expected " +

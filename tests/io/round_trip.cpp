@@ -224,7 +224,7 @@ TEST(WriteMesh, RefusesWhatTheFormatCannotHold) {
     EXPECT_EQ(
         writing_error("a.vtk", mesh),
         "InvalidInput: cannot write a.vtk: the extension '.vtk' stands for no mesh format; use "
-        ".off, .obj, .ply, .stl, .mesh or .nsc");
+        ".off, .obj, .ply, .stl, .mesh, .nsc or .pdm");
     mesh.simplices(0, 3) = 5;
     EXPECT_EQ(writing_error("a.nsc", mesh),
               "InvalidInput: cannot write a.nsc: cell 0 has the vertex 5; expected 0 to 4");

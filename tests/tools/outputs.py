@@ -39,7 +39,7 @@ class Files(TestCase):
                             f"stands for no format that can be written here; use {known}",
                             *self.arguments(name, "no-such.off", out))
         self.refuse(2, "cannot write a.vtu: the extension '.vtu' stands for no format that can be "
-                    "written here; use .off .obj .ply .stl .mesh .nsc .html",
+                    "written here; use .off .obj .ply .stl .mesh .nsc .pdm .html",
                     "generate", "grid", "-o", "a.vtu")
 
     def test_the_case_of_extensions_does_not_matter(self):
