@@ -68,7 +68,7 @@ void Numbering::tell_pieces() {
         parcels[stretches.rank_of(first)].push_back(
             {first, {cells_.number[i], cells_.first_row + static_cast<GlobalIndex>(i)}});
     }
-    const auto arrived = ranks_.deliver(parcels);
+    const auto arrived = ranks_.deliver(std::move(parcels));
     std::vector<CellNumber> directory(
         static_cast<std::size_t>(stretches.end(ranks_.rank()) - stretches.begin(ranks_.rank())));
     const GlobalIndex begin = stretches.begin(ranks_.rank());
@@ -77,6 +77,7 @@ void Numbering::tell_pieces() {
             directory[static_cast<std::size_t>(first - begin)] = cell;
 
     std::vector<GlobalIndex> firsts;
+    firsts.reserve(static_cast<std::size_t>(degree.size()));
     for (Index s = 0; s < degree.size(); ++s)
         if (is_piece(s))
             firsts.push_back(merged_.carriers[k_][s].first);
@@ -141,6 +142,7 @@ void add_cofaces(const LocalComplex& local, const MergedCells& merged,
                  const DistributedCells::Degree& above, int k, DistributedCells::Degree& cells) {
     const Cofaces cofaces(local.complex, k + 1);
     std::vector<std::pair<CellNumber, double>> row;
+    cells.begins.reserve(cells.first.size() + 1);
     for (const Index s : cells.first) {
         row.clear();
         for (const auto& [t, omitted] : cofaces.of(s))

@@ -27,7 +27,7 @@ Vector in_stretch(const Ranks& ranks, const DistributedCells::Degree& cells, con
             {cells.number[i], own[static_cast<Index>(i)]});
     const GlobalIndex begin = stretches.begin(ranks.rank());
     Vector result(stretches.end(ranks.rank()) - begin);
-    for (const auto& parcel : ranks.deliver(parcels))
+    for (const auto& parcel : ranks.deliver(std::move(parcels)))
         for (const auto& [number, value] : parcel)
             result[static_cast<Index>(number - begin)] = value;
     return result;
@@ -58,7 +58,7 @@ void write_checkpoint(const Ranks& ranks, const std::filesystem::path& path,
             auto parcels = ranks.empty_parcels<double>();
             if (turn == ranks.rank())
                 parcels[0].assign(stretch.begin(), stretch.end());
-            const auto arrived = ranks.deliver(parcels);
+            const auto arrived = ranks.deliver(std::move(parcels));
             ranks.together("write", [&] {
                 if (writer)
                     writer->add(
@@ -92,7 +92,7 @@ SharedCheckpoint read_checkpoint(const Ranks& ranks, const std::filesystem::path
         for (auto& parcel : heads)
             parcel.push_back({whole->problem, whole->step, whole->time});
     });
-    const auto [of_problem, step, time] = ranks.deliver(heads)[0][0];
+    const auto [of_problem, step, time] = ranks.deliver(std::move(heads))[0][0];
     SharedCheckpoint result{{of_problem, step, time, {}}, degrees};
     for (std::size_t i = 0; i < degrees.size(); ++i) {
         const auto& numbers = cells.degree(degrees[i]).number;

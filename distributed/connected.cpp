@@ -141,7 +141,7 @@ std::vector<double> SharedComponents::over_all(std::vector<double> of_parts) con
         shares[whom.back()].push_back({component_[p], of_parts[p]});
     }
     std::vector<double> totals(of_parts.size(), 0);
-    for (const auto& parcel : ranks_.deliver(shares))
+    for (const auto& parcel : ranks_.deliver(std::move(shares)))
         for (const auto& [component, value] : parcel)
             totals[static_cast<std::size_t>(component - first_part_)] += value;
     return ranks_.ask<double>("sums", whom, component_, [&](GlobalIndex component) {

@@ -20,7 +20,7 @@ void exchange_values(const Ranks& ranks, const Parcels<Index>& from, const Parce
     for (std::size_t r = 0; r < parcels.size(); ++r)
         for (const Index s : from[r])
             parcels[r].push_back(value_of(s));
-    const auto arrived = ranks.deliver(parcels);
+    const auto arrived = ranks.deliver(std::move(parcels));
     for (std::size_t r = 0; r < arrived.size(); ++r)
         for (std::size_t i = 0; i < arrived[r].size(); ++i)
             take(to[r][i], arrived[r][i]);

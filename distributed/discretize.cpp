@@ -45,8 +45,8 @@ std::vector<std::string> warnings_of(const Ranks& ranks, const MeshSlice& slice,
 
 } // namespace
 
-DistributedMesh discretize(const Ranks& ranks, const MeshSlice& slice,
-                           const std::vector<int>& owners, const MergeOptions& options,
+DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vector<int>& owners,
+                           const MergeOptions& options,
                            const std::function<void(std::string_view)>& stage) {
     const auto begin = [&](std::string_view what) {
         if (stage)
@@ -59,6 +59,7 @@ DistributedMesh discretize(const Ranks& ranks, const MeshSlice& slice,
     if (mesh.unit != 1)
         local.points = in_units(std::move(local.points), mesh.unit);
     mesh.warnings = warnings_of(ranks, slice, local, mesh.unit);
+    slice = {};
     begin("volumes");
     const CellVolumes volumes = ranks.together(
         "volumes", [&] { return circumcentric_volumes(local.complex, local.points); });

@@ -22,11 +22,12 @@ struct DistributedMesh {
     int dimension() const { return local.dimension(); }
 };
 
-/// Collective: complex, volumes and merged cells of a mesh of which each rank has a slice. `owners`
+/// Collective: complex, volumes and merged cells of a mesh of which each rank has a slice, whose
+/// memory is given back as soon as may be. `owners`
 /// are those of the slice's vertices. Throws like local_complex and merge_cospherical, and where a
 /// cell has no volume. stage, if any, is told what begins.
-DistributedMesh discretize(const Ranks& ranks, const MeshSlice& slice,
-                           const std::vector<int>& owners, const MergeOptions& options = {},
+DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vector<int>& owners,
+                           const MergeOptions& options = {},
                            const std::function<void(std::string_view)>& stage = {});
 
 } // namespace polydec

@@ -118,6 +118,7 @@ Parcels<SentClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived) co
     if (!std::is_sorted(links.begin(), links.end(), is_before))
         std::sort(links.begin(), links.end(), is_before);
     std::vector<GlobalIndex> ends;
+    ends.reserve(2 * links.size());
     for (const SentLink& link : links)
         ends.insert(ends.end(), {link.a, link.b});
     const NumberPlaces place(ends);
@@ -128,6 +129,7 @@ Parcels<SentClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived) co
         owners[place(link.b)] = link.owner_of_b;
     }
     std::vector<FacetLink> by_place;
+    by_place.reserve(links.size());
     for (const SentLink& link : links)
         by_place.push_back({place(link.a), place(link.b), link.defect, link.scale});
     DisjointSets classes = join_links(static_cast<Index>(simplices.size()), by_place, tolerance_);
@@ -188,6 +190,7 @@ FacetDefects measure_facets(const Ranks& ranks, const LocalComplex& local,
         bool is_degenerate;
     };
     std::vector<Measure> measures;
+    measures.reserve(static_cast<std::size_t>(defects.defect.size()));
     auto& [interior, boundary, branching, marks] = defects.degenerate;
     for (Eigen::Index f = 0; f < defects.defect.size(); ++f)
         measures.push_back({defects.defect[f], defects.scale[f], marks[f]});

@@ -45,7 +45,7 @@ std::vector<Neighbors> neighbors_of(const Ranks& ranks, const MeshSlice& slice) 
         }
     });
     std::vector<Neighbors> list;
-    for (const auto& parcel : ranks.deliver(parcels))
+    for (const auto& parcel : ranks.deliver(std::move(parcels)))
         list.insert(list.end(), parcel.begin(), parcel.end());
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());

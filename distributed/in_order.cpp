@@ -66,7 +66,7 @@ Ordered places_in_order(const Ranks& ranks, const std::vector<GlobalIndex>& list
         auto& parcel = parcels[stretches.rank_of(*list)];
         parcel.insert(parcel.end(), list, list + width);
     }
-    const auto arrived = ranks.deliver(parcels);
+    const auto arrived = ranks.deliver(std::move(parcels));
     auto places = ranks.together("order", [&] { return places_of(arrived, width); });
     GlobalIndex count = 0;
     for (const auto& of_rank : places)
@@ -77,7 +77,7 @@ Ordered places_in_order(const Ranks& ranks, const std::vector<GlobalIndex>& list
             place += before;
     Ordered result{{}, ranks.sum(count)};
     // lists ascend, and so do the ranks that ordered them
-    for (const auto& of_rank : ranks.deliver(places))
+    for (const auto& of_rank : ranks.deliver(std::move(places)))
         result.places.insert(result.places.end(), of_rank.begin(), of_rank.end());
     return result;
 }

@@ -12,6 +12,7 @@ class Spreading {
 public:
     Spreading(const Ranks& ranks, const LocalComplex& local, int k, const LocalClasses& classes)
         : ranks_(ranks), degree_(local.degree(k)), classes_(classes) {
+        of_class_.reserve(degree_.number.size());
         for (Index s = 0; s < degree_.size(); ++s) // the first one has the least number here
             of_class_.push_back({degree_.number[s], degree_.owner[s], 1});
     }
@@ -28,6 +29,7 @@ public:
 
     Labels finish() const {
         Labels result{{}, std::vector<bool>(of_class_.size(), false)};
+        result.of.reserve(of_class_.size());
         for (Index s = 0; s < degree_.size(); ++s)
             result.of.push_back(label_of(s));
         tell_copies(

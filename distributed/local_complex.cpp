@@ -60,6 +60,8 @@ LocalComplex::Degree degree_of(const Ranks& ranks, const SimplicialComplex& comp
                                const std::vector<int>& owners, int k) {
     LocalComplex::Degree degree;
     const Simplices& simplices = complex.simplices(k);
+    degree.owner.reserve(static_cast<std::size_t>(simplices.rows()));
+    degree.complete.reserve(static_cast<std::size_t>(simplices.rows()));
     for (Eigen::Index s = 0; s < simplices.rows(); ++s) {
         const auto corners = simplices.row(s);
         degree.owner.push_back(owners[corners[0]]);
@@ -114,7 +116,7 @@ void find_copies(const Ranks& ranks, const SimplicialComplex& complex,
             append_vertices(wanted[r], simplices, s, vertices);
             degree.copies.in[r].push_back(s);
         }
-    const auto asked = ranks.deliver(wanted);
+    const auto asked = ranks.deliver(std::move(wanted));
     degree.copies.out = ranks.empty_parcels<Index>();
     ranks.together("copies", [&] {
         for (std::size_t r = 0; r < asked.size(); ++r)
@@ -130,6 +132,7 @@ void number(const Ranks& ranks, const SimplicialComplex& complex,
     const Simplices& simplices = complex.simplices(k);
     std::vector<GlobalIndex> lists;
     ranks.together("numbers", [&] {
+        lists.reserve(degree.owner.size() * static_cast<std::size_t>(k + 1));
         for (Index s = 0; s < static_cast<Index>(simplices.rows()); ++s)
             if (degree.owner[s] == ranks.rank())
                 append_vertices(lists, simplices, s, vertices);

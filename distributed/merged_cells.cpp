@@ -50,6 +50,7 @@ Carriers identity(const LocalComplex& local) {
     Carriers carriers;
     for (int k = 0; k <= local.dimension(); ++k) {
         auto& own = carriers.emplace_back();
+        own.reserve(local.degree(k).number.size());
         for (const GlobalIndex number : local.degree(k).number)
             own.push_back({k, 1, number});
     }
@@ -107,6 +108,8 @@ Carriers Rounds::carriers_of(const Blocks& blocks) {
     for (int k = 0; k <= n_; ++k) {
         const auto& own = blocks.carriers[k];
         LocalClasses classes{{}, blocks.signs[k], {}};
+        classes.first.reserve(own.size());
+        classes.takes_part.reserve(own.size());
         for (std::size_t s = 0; s < own.size(); ++s) {
             const bool is_piece = own[s].dimension == k;
             classes.first.push_back(is_piece ? own[s].piece : static_cast<Index>(s));
@@ -121,6 +124,7 @@ Carriers Rounds::carriers_of(const Blocks& blocks) {
     }
     for (int k = 0; k <= n_; ++k) {
         const auto& own = blocks.carriers[k];
+        carriers[k].reserve(own.size());
         for (std::size_t s = 0; s < own.size(); ++s) {
             const auto& [dimension, piece] = own[s];
             const Label& label = dimension == k ? labels[k].of[s] : labels[dimension].of[piece];
@@ -158,7 +162,7 @@ std::vector<CellName> Rounds::bad_cells(const std::vector<Flaw>& flaws) const {
         const EqualStretches stretches(local_.degree(k).count, ranks_.size());
         parcels[stretches.rank_of(flaw.cell.first)].push_back(flaw);
     }
-    const auto arrived = ranks_.deliver(parcels);
+    const auto arrived = ranks_.deliver(std::move(parcels));
     auto bad = ranks_.of_all(ranks_.together("cells", [&] {
         std::vector<Flaw> all;
         for (const auto& parcel : arrived)

@@ -87,8 +87,8 @@ Bytes own_blocks(const Ranks& ranks, const PdmLayout& layout, const std::vector<
                 places[r].push_back({sent.begin, std::ssize(sent.text)});
             }
     });
-    const auto arrived = ranks.deliver(texts);
-    const auto where = ranks.deliver(places);
+    const auto arrived = ranks.deliver(std::move(texts));
+    const auto where = ranks.deliver(std::move(places));
     return ranks.together("blocks", [&] {
         const std::int64_t begin = layout.block_begin(blocks.begin(ranks.rank())),
                            end = layout.block_begin(blocks.end(ranks.rank()));

@@ -39,7 +39,7 @@ OwnedMat in_order_of_numbers(const Ranks& ranks, const DistributedCells::Degree&
                       count = stretches.end(ranks.rank()) - begin;
     std::vector<PetscInt> begins(static_cast<std::size_t>(count) + 1),
         columns(static_cast<std::size_t>(count));
-    for (const auto& parcel : ranks.deliver(parcels))
+    for (const auto& parcel : ranks.deliver(std::move(parcels)))
         for (const auto& [number, row] : parcel)
             columns[static_cast<std::size_t>(number - begin)] = static_cast<PetscInt>(row);
     std::iota(begins.begin(), begins.end(), 0);

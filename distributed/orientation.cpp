@@ -115,7 +115,7 @@ std::vector<int> decide(const Ranks& ranks, const std::vector<Vote>& votes) {
         whom.push_back(static_cast<int>(vote.part % ranks.size()));
         parcels[whom.back()].push_back(vote);
     }
-    const auto arrived = ranks.deliver(parcels);
+    const auto arrived = ranks.deliver(std::move(parcels));
     std::map<GlobalIndex, Vote> totals;
     ranks.together("orientation", [&] {
         for (const auto& parcel : arrived)

@@ -58,7 +58,7 @@ Points points_of(const Ranks& ranks, const MeshSlice& slice,
     auto wanted = ranks.empty_parcels<GlobalIndex>();
     for (const GlobalIndex v : vertices)
         wanted[stretches.rank_of(v)].push_back(v);
-    const auto asked = ranks.deliver(wanted);
+    const auto asked = ranks.deliver(std::move(wanted));
     const GlobalIndex first = stretches.begin(ranks.rank());
     auto rows = ranks.empty_parcels<double>();
     for (std::size_t r = 0; r < asked.size(); ++r)
@@ -67,7 +67,7 @@ Points points_of(const Ranks& ranks, const MeshSlice& slice,
                 rows[r].push_back(x);
     Points points(static_cast<Eigen::Index>(vertices.size()), slice.points.cols());
     double* entry = points.data();
-    for (const auto& parcel : ranks.deliver(rows))
+    for (const auto& parcel : ranks.deliver(std::move(rows)))
         entry = std::copy(parcel.begin(), parcel.end(), entry);
     return points;
 }
@@ -98,7 +98,7 @@ Stars own_stars(const Ranks& ranks, const MeshSlice& slice, const std::vector<in
             }
         }
     });
-    const auto arrived = ranks.deliver(parcels);
+    const auto arrived = ranks.deliver(std::move(parcels));
     Stars stars;
     ranks.together("stars", [&] {
         const auto corners = slice.simplices.cols();
@@ -106,6 +106,7 @@ Stars own_stars(const Ranks& ranks, const MeshSlice& slice, const std::vector<in
         for (const auto& parcel : arrived)
             entries += parcel.size();
         stars.cells.resize(static_cast<Eigen::Index>(entries) / (corners + 1), corners);
+        stars.file_places.reserve(static_cast<std::size_t>(stars.cells.rows()));
         GlobalIndex* vertex = stars.cells.data();
         for (const auto& parcel : arrived)
             for (auto entry = parcel.begin(); entry != parcel.end(); entry += corners + 1) {

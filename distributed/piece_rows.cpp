@@ -66,9 +66,9 @@ PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
             keys[owner(row)].push_back({row, degree.number[s], 0});
             append_row(numbers[owner(row)], of_simplices, s);
         }
-    const Points came = as_rows(ranks.deliver(numbers), of_simplices.cols());
+    const Points came = as_rows(ranks.deliver(std::move(numbers)), of_simplices.cols());
     std::vector<Piece> pieces;
-    for (const auto& parcel : ranks.deliver(keys))
+    for (const auto& parcel : ranks.deliver(std::move(keys)))
         for (const Piece& piece : parcel)
             pieces.push_back({piece.row, piece.number, static_cast<Index>(pieces.size())});
     const auto is_before = [](const Piece& a, const Piece& b) {
@@ -99,11 +99,11 @@ Points spread_to_pieces(const Ranks& ranks, const DistributedCells::Degree& cell
     for (const GlobalIndex row : place.numbers())
         questions[owner(row)].push_back(row);
     auto answers = ranks.empty_parcels<double>();
-    const auto asked = ranks.deliver(questions);
+    const auto asked = ranks.deliver(std::move(questions));
     for (std::size_t r = 0; r < asked.size(); ++r)
         for (const GlobalIndex row : asked[r])
             append_row(answers[r], of_cells, row - cells.first_row);
-    const Points came = as_rows(ranks.deliver(answers), of_cells.cols());
+    const Points came = as_rows(ranks.deliver(std::move(answers)), of_cells.cols());
 
     Points result =
         Points::Zero(static_cast<Eigen::Index>(cells.of_simplex.size()), of_cells.cols());

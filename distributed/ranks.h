@@ -100,16 +100,18 @@ public:
     void add_up(std::span<double> own) const;
 
     /// Collective: sends parcel r to rank r, and gives what came from each rank. Memory and time in
-    /// proportion to what is sent. Items are plain data.
+    /// proportion to what is sent; what a rank has for itself is not copied. Items are plain data.
     template <class Item>
-    Parcels<Item> deliver(const Parcels<Item>& parcels) const {
+    Parcels<Item> deliver(Parcels<Item> parcels) const {
         static_assert(std::is_trivially_copyable_v<Item>);
+        const auto own = static_cast<std::size_t>(rank());
         std::vector<GlobalIndex> counts;
         std::vector<const void*> from;
         for (const auto& parcel : parcels) {
             counts.push_back(static_cast<GlobalIndex>(parcel.size()));
             from.push_back(parcel.data());
         }
+        counts[own] = 0;
         const auto arriving = exchange_counts(counts);
         Parcels<Item> result(parcels.size());
         std::vector<void*> to;
@@ -120,6 +122,7 @@ public:
             }
         }();
         transfer(sizeof(Item), counts, from, arriving, to);
+        result[own] = std::move(parcels[own]);
         return result;
     }
 
@@ -131,7 +134,7 @@ public:
         Parcels<Question> asked = empty_parcels<Question>();
         for (std::size_t i = 0; i < whom.size(); ++i)
             asked[whom[i]].push_back(questions[i]);
-        const auto to_answer = deliver(asked);
+        const auto to_answer = deliver(std::move(asked));
         const auto given = deliver(together(what, [&] {
             Parcels<Answer> answers = empty_parcels<Answer>();
             for (std::size_t r = 0; r < answers.size(); ++r)

@@ -94,7 +94,7 @@ MeanSpheres::Means fetch_means(const Ranks& ranks, const LocalComplex& local,
     auto wanted = ranks.empty_parcels<GlobalIndex>();
     for (const Index t : order)
         wanted[stretches.rank_of(classes.first[t])].push_back(classes.first[t]);
-    const auto asked = ranks.deliver(wanted);
+    const auto asked = ranks.deliver(std::move(wanted));
     auto answers = ranks.empty_parcels<double>();
     ranks.together("centers", [&] {
         for (std::size_t r = 0; r < asked.size(); ++r)
@@ -106,7 +106,7 @@ MeanSpheres::Means fetch_means(const Ranks& ranks, const LocalComplex& local,
     const Index size = tops.size();
     MeanSpheres::Means result{Points(size, n), Points(size, n), Points(size, term_count),
                               std::vector<Index>(static_cast<std::size_t>(size))};
-    const auto found = ranks.deliver(answers);
+    const auto found = ranks.deliver(std::move(answers));
     auto next = order.begin();
     for (const auto& parcel : found)
         for (auto mean = parcel.begin(); mean != parcel.end();
@@ -128,7 +128,8 @@ Centers shared_centers(const Ranks& ranks, const LocalComplex& local, const Cell
         "centers", [&] { return MeanSpheres(local.complex, local.points, volumes, none_is_flat); });
     const Members members = ranks.together(
         "centers", [&] { return members_of(ranks, local, volumes, classes, spheres); });
-    const Members arrived{ranks.deliver(members.numbers), ranks.deliver(members.values)};
+    const Members arrived{ranks.deliver(std::move(members.numbers)),
+                          ranks.deliver(std::move(members.values))};
     auto means = fetch_means(ranks, local, classes, arrived);
     return ranks.together("centers", [&] {
         std::vector<Index> own(classes.first.size()); // each has the means of its class

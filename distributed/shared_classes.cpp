@@ -56,7 +56,7 @@ std::vector<SharedClass> join_shared(const Ranks& ranks, GlobalIndex first, Inde
     shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
     auto edges = ranks.empty_parcels<SharedElement>();
     edges[0] = std::move(shared);
-    auto at_first = ranks.deliver(edges);
+    auto at_first = ranks.deliver(std::move(edges));
     const Solved solved = ranks.together("shared classes", [&] {
         std::vector<SharedElement> all;
         for (const auto& parcel : at_first)
@@ -79,7 +79,7 @@ std::vector<SharedClass> join_shared(const Ranks& ranks, GlobalIndex first, Inde
     std::vector<SharedClass> result;
     for (Index c = 0; c < count; ++c)
         result.push_back({first + c, 1, false});
-    const auto arrived = ranks.deliver(answers);
+    const auto arrived = ranks.deliver(std::move(answers));
     for (const auto& [number, of] : arrived[0])
         result[static_cast<std::size_t>(number - first)] = of;
     return result;

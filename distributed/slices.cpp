@@ -110,9 +110,9 @@ MeshSlice scatter(const Ranks& ranks, const std::optional<Mesh>& mesh) {
                             slice.simplices.data() + slice.simplices.size());
         }
     });
-    const auto [vertices, all_cells, N, corners] = ranks.deliver(sizes)[0][0];
-    const auto own_points = ranks.deliver(points)[0];
-    const auto own_cells = ranks.deliver(cells)[0];
+    const auto [vertices, all_cells, N, corners] = ranks.deliver(std::move(sizes))[0][0];
+    const auto own_points = ranks.deliver(std::move(points))[0];
+    const auto own_cells = ranks.deliver(std::move(cells))[0];
     MeshSlice slice{vertices, all_cells, {}, {}};
     const auto rows = [](const auto& entries, GlobalIndex width) {
         return static_cast<Eigen::Index>(entries.size()) / std::max<GlobalIndex>(width, 1);

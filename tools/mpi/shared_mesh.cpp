@@ -11,6 +11,7 @@
 
 #include <ctime>
 #include <map>
+#include <sys/resource.h>
 
 namespace polydec::tools {
 
@@ -25,7 +26,15 @@ struct Effort {
     GlobalIndex cells, held;   ///< n-simplices of the whole, and those that ranks hold, copies too
     double most_cpu, mean_cpu; ///< seconds
     GlobalIndex most_sent;     ///< bytes
+    GlobalIndex most_memory;   ///< bytes of a rank, at its peak
 };
+
+GlobalIndex peak_memory() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    constexpr GlobalIndex kilo = 1024;
+    return kilo * usage.ru_maxrss;
+}
 
 Effort effort(const Ranks& ranks, const DistributedMesh& mesh) {
     const auto& tops = mesh.local.degrees.back();
@@ -35,7 +44,8 @@ Effort effort(const Ranks& ranks, const DistributedMesh& mesh) {
             ranks.sum(tops.size()),
             ranks.largest(cpu),
             ranks.sum(cpu) / ranks.size(),
-            ranks.largest(ranks.bytes_sent())};
+            ranks.largest(ranks.bytes_sent()),
+            ranks.largest(peak_memory())};
 }
 
 /// An answer with what it took.
@@ -52,17 +62,19 @@ public:
             json.member("cpu_seconds", effort_.most_cpu);
             json.member("mean_cpu_seconds", effort_.mean_cpu);
             json.member("bytes_sent", effort_.most_sent);
+            json.member("peak_memory", effort_.most_memory);
         });
     }
 
     void write(Text& text) const override {
         answer_.write(text);
-        text("{} rank{}: {:.1f} % of the cells are held twice, {:.2f} s of CPU and {:.1f} MB sent "
-             "by the busiest\n",
+        text("{} rank{}: {:.1f} % of the cells are held twice; {:.2f} s of CPU, {:.1f} MB sent and "
+             "{:.0f} MB of memory at most\n",
              effort_.ranks, effort_.ranks == 1 ? "" : "s",
              100.0 * static_cast<double>(effort_.held - effort_.cells) /
                  static_cast<double>(effort_.cells),
-             effort_.most_cpu, 1e-6 * static_cast<double>(effort_.most_sent));
+             effort_.most_cpu, 1e-6 * static_cast<double>(effort_.most_sent),
+             1e-6 * static_cast<double>(effort_.most_memory));
     }
 
 private:
@@ -112,13 +124,13 @@ DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Log& 
     const auto& file = arguments.mesh.mesh;
     log.timing.begin("read");
     DistributedMesh mesh = computed_on(file, [&] {
-        const MeshSlice slice = read_slice(ranks, file);
+        MeshSlice slice = read_slice(ranks, file);
         if (arguments.mesh.angle_tolerance && slice.dimension() != 2)
             throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but the cells have "
                                            "dimension {}: use --tolerance",
                                            slice.dimension()));
-        return discretize(ranks, slice, vertex_owners(ranks, slice, arguments.owners),
-                          merge_options(arguments.mesh),
+        const auto owners = vertex_owners(ranks, slice, arguments.owners);
+        return discretize(ranks, std::move(slice), owners, merge_options(arguments.mesh),
                           [&](std::string_view stage) { log.timing.begin(stage); });
     });
     log.timing.end();
