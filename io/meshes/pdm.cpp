@@ -26,6 +26,8 @@ constexpr std::size_t header_words = 7; // behind the magic; a checksum follows
 
 template <typename Number>
 std::string little_endian(const Number* numbers, std::size_t count) {
+    if (count == 0) // of no numbers there is no address
+        return {};
     std::string bytes(count * sizeof(Number), '\0');
     if constexpr (std::endian::native == std::endian::little) {
         std::memcpy(bytes.data(), numbers, bytes.size());
