@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backends/eigen_solver.h"
+#include "backends/integrator.h"
 #include "backends/linear_solver.h"
 #include "backends/mesher.h"
 
@@ -17,6 +18,7 @@ std::unique_ptr<LinearSolver> make_eigen_cg(const LinearSolverOptions& options);
 std::unique_ptr<LinearSolver> make_eigen_bicgstab(const LinearSolverOptions& options);
 std::unique_ptr<EigenSolver> make_block_lanczos();
 std::unique_ptr<EigenSolver> make_spectra();
+std::unique_ptr<Integrator> make_runge_kutta(const IntegratorOptions& options);
 
 /// The mesher `tetgen`. TetGen is under the AGPL, and ends its process in a crash on much of what
 /// it cannot do, so it is not linked but run as a program, with limits of time and memory, in a

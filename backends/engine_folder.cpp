@@ -30,6 +30,10 @@ public:
         if (!has_eigen_solver(info.name))
             register_eigen_solver(info, std::move(factory));
     }
+    void add_integrator(const EngineInfo& info, IntegratorFactory factory) override {
+        if (!has_integrator(info.name))
+            register_integrator(info, std::move(factory));
+    }
 };
 
 /// Modules that were tried, by name, with the reason why they are of no use; empty: they are.

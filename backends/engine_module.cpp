@@ -28,6 +28,9 @@ public:
     void add_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) override {
         register_eigen_solver(info, std::move(factory));
     }
+    void add_integrator(const EngineInfo& info, IntegratorFactory factory) override {
+        register_integrator(info, std::move(factory));
+    }
 };
 
 struct CloseModule {

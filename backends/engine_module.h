@@ -8,7 +8,7 @@
 namespace polydec {
 
 /// Grows whenever an engine built against older headers would not work any more.
-inline constexpr int engine_module_version = 1;
+inline constexpr int engine_module_version = 2;
 
 /// What a module is handed to register its engines with: those of the program that loads it, also
 /// where the module carries a copy of the library.
@@ -17,9 +17,10 @@ public:
     virtual ~EngineRegistrar() = default;
     virtual void add_linear_solver(const EngineInfo& info, LinearSolverFactory factory) = 0;
     virtual void add_eigen_solver(const EngineInfo& info, EigenSolverFactory factory) = 0;
+    virtual void add_integrator(const EngineInfo& info, IntegratorFactory factory) = 0;
 };
 
-/// Registers in this program, by register_linear_solver and register_eigen_solver.
+/// Registers in this program, by register_linear_solver and its like.
 EngineRegistrar& program_registrar();
 
 /// Loads a shared library that brings engines, and registers them. It exports

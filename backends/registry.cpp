@@ -38,6 +38,7 @@ struct Registry {
     std::mutex mutex;
     std::map<std::string, Entry<LinearSolverFactory>> linear;
     std::map<std::string, Entry<EigenSolverFactory>> eigen;
+    std::map<std::string, Entry<IntegratorFactory>> integrator;
     std::map<std::string, Entry<Mesher>> mesher;
 };
 
@@ -70,6 +71,16 @@ void add_missing(Registry& registry) {
     registry.eigen["slepc"] = {.info = {"slepc", EngineKind::eigen, false,
                                         "SLEPc's Krylov-Schur method", POLYDEC_SLEPC_FROM},
                                .component = "slepc"};
+    const auto integrator = [&](const char* from, const char* name, const char* description) {
+        registry.integrator[name] = {
+            .info = {name, EngineKind::integrator, false, description, from}};
+    };
+    integrator(POLYDEC_ARKODE_FROM, "arkode",
+               "SUNDIALS' ARKODE: Runge-Kutta methods, explicit, implicit or both, of orders 2 .. "
+               "8");
+    integrator(POLYDEC_CVODE_FROM, "cvode",
+               "SUNDIALS' CVODE: multistep methods of varying order, BDF where something is stiff, "
+               "else Adams");
 }
 
 void add_builtin(Registry& registry) {
@@ -94,6 +105,12 @@ void add_builtin(Registry& registry) {
     add(registry.eigen,
         {"spectra", EngineKind::eigen, true, "Spectra's implicitly restarted Lanczos", ""},
         EigenSolverFactory(builtin::make_spectra));
+    add(registry.integrator,
+        {"runge-kutta", EngineKind::integrator, true,
+         "additive Runge-Kutta: Kennedy and Carpenter's 4(3) with a stiff part, else Dormand and "
+         "Prince's 5(4)",
+         ""},
+        IntegratorFactory(builtin::make_runge_kutta));
     add(registry.mesher,
         {"tetgen", EngineKind::mesher, false,
          "TetGen: Delaunay tetrahedra in closed surfaces, with bounds of quality and volume; run "
@@ -224,6 +241,14 @@ std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name) {
     return solver;
 }
 
+std::unique_ptr<Integrator> make_integrator(const std::string& name,
+                                            const IntegratorOptions& options) {
+    auto integrator = find(registry().integrator, name, "integrator")(options);
+    if (!integrator)
+        throw BackendUnavailable(fmt::format("the factory of integrator `{}` made none", name));
+    return integrator;
+}
+
 Mesher find_mesher(const std::string& name) {
     if (auto mesher = found_now(registry().mesher, name))
         return mesher;
@@ -246,13 +271,23 @@ void register_eigen_solver(const std::string& name, EigenSolverFactory factory) 
     register_eigen_solver(EngineInfo{.name = name, .kind = EngineKind::eigen}, std::move(factory));
 }
 
+void register_integrator(const EngineInfo& info, IntegratorFactory factory) {
+    enroll(registry().integrator, info, EngineKind::integrator, std::move(factory));
+}
+
+void register_integrator(const std::string& name, IntegratorFactory factory) {
+    register_integrator(EngineInfo{.name = name, .kind = EngineKind::integrator},
+                        std::move(factory));
+}
+
 void register_mesher(const EngineInfo& info, Mesher mesher) {
     enroll(registry().mesher, info, EngineKind::mesher, std::move(mesher));
 }
 
 std::vector<EngineInfo> engines() {
     std::vector<EngineInfo> result;
-    for (const auto kind : {EngineKind::linear, EngineKind::eigen, EngineKind::mesher})
+    for (const auto kind :
+         {EngineKind::linear, EngineKind::eigen, EngineKind::integrator, EngineKind::mesher})
         for (auto& engine : engines(kind))
             result.push_back(std::move(engine));
     return result;
@@ -272,6 +307,8 @@ std::vector<EngineInfo> engines(EngineKind kind) {
             list(registry().linear);
         else if (kind == EngineKind::eigen)
             list(registry().eigen);
+        else if (kind == EngineKind::integrator)
+            list(registry().integrator);
         else
             list(registry().mesher);
     }
@@ -286,6 +323,10 @@ bool has_linear_solver(const std::string& name) {
 
 bool has_eigen_solver(const std::string& name) {
     return static_cast<bool>(found_anywhere(registry().eigen, name));
+}
+
+bool has_integrator(const std::string& name) {
+    return static_cast<bool>(found_anywhere(registry().integrator, name));
 }
 
 } // namespace polydec

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backends/eigen_solver.h"
+#include "backends/integrator.h"
 #include "backends/linear_solver.h"
 #include "backends/mesher.h"
 
@@ -12,7 +13,7 @@
 
 namespace polydec {
 
-enum class EngineKind { linear, eigen, mesher };
+enum class EngineKind { linear, eigen, integrator, mesher };
 
 /// What `polydec backends` tells of an engine.
 struct EngineInfo {
@@ -26,6 +27,7 @@ struct EngineInfo {
 using LinearSolverFactory =
     std::function<std::unique_ptr<LinearSolver>(const LinearSolverOptions&)>;
 using EigenSolverFactory = std::function<std::unique_ptr<EigenSolver>()>;
+using IntegratorFactory = std::function<std::unique_ptr<Integrator>(const IntegratorOptions&)>;
 
 /// A new solver of that name: auto, eigen.ldlt, eigen.lu, eigen.cg, eigen.bicgstab, one of a module
 /// that is there (the optional engines' are loaded when one is first asked for), or what was
@@ -38,6 +40,10 @@ std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name,
 /// The same for eigensolvers: block-lanczos, spectra, or what there is else.
 std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name);
 
+/// The same for integrators in time: runge-kutta, or what there is else.
+std::unique_ptr<Integrator> make_integrator(const std::string& name,
+                                            const IntegratorOptions& options = {});
+
 /// The mesher of that name: tetgen, or what was registered. One whose program is not there is
 /// found, and throws BackendUnavailable when it is called. Throws InvalidInput, listing the known
 /// names.
@@ -49,12 +55,14 @@ void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory)
 void register_linear_solver(const std::string& name, LinearSolverFactory factory);
 void register_eigen_solver(const EngineInfo& info, EigenSolverFactory factory);
 void register_eigen_solver(const std::string& name, EigenSolverFactory factory);
+void register_integrator(const EngineInfo& info, IntegratorFactory factory);
+void register_integrator(const std::string& name, IntegratorFactory factory);
 
 /// The same for a mesher.
 void register_mesher(const EngineInfo& info, Mesher mesher);
 
-/// Every engine that is known, the missing ones too; linear first, then eigensolvers, then meshers,
-/// each kind ordered by name; of a module that cannot be loaded, how_to_get says why. Loads every
+/// Every engine that is known, the missing ones too; linear first, then eigensolvers, integrators and
+/// meshers, each kind ordered by name; of a module that cannot be loaded, how_to_get says why. Loads every
 /// module there is. An engine that runs a program is available if that is on PATH now.
 std::vector<EngineInfo> engines();
 
@@ -66,5 +74,8 @@ bool has_linear_solver(const std::string& name);
 
 /// The same for make_eigen_solver(name).
 bool has_eigen_solver(const std::string& name);
+
+/// The same for make_integrator(name).
+bool has_integrator(const std::string& name);
 
 } // namespace polydec

@@ -19,6 +19,8 @@ const char* kind_name(EngineKind kind) {
         return "linear solver";
     case EngineKind::eigen:
         return "eigensolver";
+    case EngineKind::integrator:
+        return "integrator";
     case EngineKind::mesher:
         return "mesher";
     }

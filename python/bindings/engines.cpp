@@ -14,7 +14,17 @@ namespace polydec::python {
 namespace {
 
 const char* kind_name(EngineKind kind) {
-    return kind == EngineKind::linear ? "linear" : kind == EngineKind::eigen ? "eigen" : "mesher";
+    switch (kind) {
+    case EngineKind::linear:
+        return "linear";
+    case EngineKind::eigen:
+        return "eigen";
+    case EngineKind::integrator:
+        return "integrator";
+    case EngineKind::mesher:
+        return "mesher";
+    }
+    return "";
 }
 
 py::dict engine_of(const EngineInfo& info) {

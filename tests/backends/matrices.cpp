@@ -27,6 +27,10 @@ std::vector<std::string> eigen_engine_names() {
     return engine_names(EngineKind::eigen);
 }
 
+std::vector<std::string> integrator_engine_names() {
+    return engine_names(EngineKind::integrator);
+}
+
 std::string test_name(std::string engine) {
     std::replace_if(
         engine.begin(), engine.end(), [](char letter) { return letter == '.' || letter == '-'; },

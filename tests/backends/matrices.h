@@ -17,6 +17,7 @@ std::vector<std::string> linear_engine_names();
 
 /// The same for eigensolvers.
 std::vector<std::string> eigen_engine_names();
+std::vector<std::string> integrator_engine_names();
 
 /// An engine's name as a name that a test may have.
 std::string test_name(std::string engine);

@@ -25,6 +25,15 @@ EngineInfo info_of(const std::string& name) {
     return {};
 }
 
+void make(EngineKind kind, const std::string& name) {
+    if (kind == EngineKind::linear)
+        make_linear_solver(name);
+    else if (kind == EngineKind::eigen)
+        make_eigen_solver(name);
+    else
+        make_integrator(name);
+}
+
 TEST(registry, the_engines_that_are_always_there_are_there) {
     for (const char* name : {"auto", "eigen.ldlt", "eigen.lu", "eigen.cg", "eigen.bicgstab"}) {
         EXPECT_TRUE(has_linear_solver(name));
@@ -35,6 +44,8 @@ TEST(registry, the_engines_that_are_always_there_are_there) {
     EXPECT_EQ(make_eigen_solver("spectra")->name(), "spectra");
     EXPECT_EQ(info_of("spectra").kind, EngineKind::eigen);
     EXPECT_EQ(make_eigen_solver("block-lanczos")->name(), "block-lanczos");
+    EXPECT_EQ(make_integrator("runge-kutta")->name(), "runge-kutta");
+    EXPECT_EQ(info_of("runge-kutta").kind, EngineKind::integrator);
 }
 
 TEST(registry, missing_engines_are_listed_with_how_to_get_them) {
@@ -43,7 +54,9 @@ TEST(registry, missing_engines_are_listed_with_how_to_get_them) {
           std::tuple{"mumps", "libmumps-seq-dev", "POLYDEC_MUMPS"},
           std::tuple{"petsc.cg-hypre", "petsc-dev", "POLYDEC_PETSC"},
           std::tuple{"petsc.cg-gamg", "petsc-dev", "POLYDEC_PETSC"},
-          std::tuple{"slepc", "slepc-dev", "POLYDEC_SLEPC"}}) {
+          std::tuple{"slepc", "slepc-dev", "POLYDEC_SLEPC"},
+          std::tuple{"arkode", "libsundials-dev", "POLYDEC_ARKODE"},
+          std::tuple{"cvode", "libsundials-dev", "POLYDEC_CVODE"}}) {
         const auto info = info_of(name);
         EXPECT_EQ(info.name, name);
         EXPECT_FALSE(info.description.empty()) << name;
@@ -51,13 +64,10 @@ TEST(registry, missing_engines_are_listed_with_how_to_get_them) {
         EXPECT_NE(info.how_to_get.find(option), std::string::npos) << name;
         if (info.available)
             continue;
-        const bool is_linear = info.kind == EngineKind::linear;
-        const auto message = message_of<BackendUnavailable>([&, called = std::string(name)] {
-            is_linear ? void(make_linear_solver(called)) : void(make_eigen_solver(called));
-        });
-        EXPECT_EQ(message.find(fmt::format("the {} `{}` is not part of this program\nTo get it: ",
-                                           is_linear ? "linear solver" : "eigensolver", name)),
-                  0u)
+        const auto message = message_of<BackendUnavailable>(
+            [&, called = std::string(name)] { make(info.kind, called); });
+        EXPECT_NE(message.find(fmt::format("`{}` is not part of this program\nTo get it: ", name)),
+                  std::string::npos)
             << message;
     }
 }
@@ -81,11 +91,14 @@ TEST(registry, names_are_taken_once) {
     EXPECT_THROW(register_linear_solver("", factory), InvalidInput);
     EXPECT_THROW(register_linear_solver("registry.empty", {}), InvalidInput);
     EXPECT_THROW(register_eigen_solver("registry.empty", {}), InvalidInput);
+    EXPECT_THROW(register_integrator("registry.empty", {}), InvalidInput);
 }
 
 TEST(registry, factories_that_make_nothing_are_an_error) {
     register_linear_solver("registry.none", [](const LinearSolverOptions&) { return nullptr; });
     EXPECT_THROW(make_linear_solver("registry.none"), BackendUnavailable);
+    register_integrator("registry.none", [](const IntegratorOptions&) { return nullptr; });
+    EXPECT_THROW(make_integrator("registry.none"), BackendUnavailable);
 }
 
 TEST(registry, threads_may_register_and_make_at_once) {

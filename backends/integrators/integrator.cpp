@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "backends/integrator.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+void check_option(const std::string& engine, const char* option, double value, bool may_be_zero) {
+    if (!std::isfinite(value) || value < 0 || (value == 0 && !may_be_zero))
+        throw InvalidInput(fmt::format("{}: {} is {}: expected a finite number {} 0", engine,
+                                       option, value, may_be_zero ? "of at least" : "above"));
+}
+
+Eigen::Index first_not_finite(const Vector& values) {
+    Eigen::Index i = 0;
+    while (i < values.size() && std::isfinite(values[i]))
+        ++i;
+    return i;
+}
+
+} // namespace
+
+Integrator::Integrator(const std::string& name, const IntegratorOptions& options)
+    : options_(options) {
+    report_.engine = name;
+    check_option(name, "relative_tolerance", options.relative_tolerance, true);
+    check_option(name, "absolute_tolerance", options.absolute_tolerance, false);
+    check_option(name, "first_step", options.first_step, true);
+    check_option(name, "largest_step", options.largest_step, true);
+    check_option(name, "fixed_step", options.fixed_step, true);
+    if (options.most_steps < 1)
+        throw InvalidInput(fmt::format("{}: most_steps is {}: expected at least 1", name,
+                                       options.most_steps));
+}
+
+void Integrator::check(const InitialValueProblem& problem, double time,
+                       const Vector& state) const {
+    if (!problem.rate && !problem.stiff)
+        throw InvalidInput(name() + ": the problem has no rate, neither a stiff one");
+    if (problem.stiff &&
+        !(problem.stiff->rate && problem.stiff->prepare && problem.stiff->solve))
+        throw InvalidInput(name() + ": the stiff part needs a rate, prepare and solve");
+    if (!std::isfinite(time))
+        throw InvalidInput(fmt::format("{}: the time at the beginning is {}", name(), time));
+    if (const auto i = first_not_finite(state); i < state.size())
+        throw InvalidInput(fmt::format("{}: entry {} of the state at the beginning is {}: expected "
+                                       "finite numbers",
+                                       name(), i, state[i]));
+    if (problem.scale.size() != 0 &&
+        (problem.scale.size() != state.size() || !problem.scale.allFinite() ||
+         !(problem.scale.array() > 0).all()))
+        throw InvalidInput(fmt::format("{}: expected a scale above 0 for each of the {} entries of "
+                                       "the state, or none",
+                                       name(), state.size()));
+    if (options_.fixed_step > 0 && !traits().has_fixed_steps)
+        throw InvalidInput(name() + ": takes steps by the tolerances, and no fixed ones");
+}
+
+void Integrator::begin(InitialValueProblem problem, double time, Vector state,
+                       const Vector& memory) {
+    check(problem, time, state);
+    problem_ = std::move(problem);
+    time_ = time;
+    state_ = std::move(state);
+    report_ = {.engine = report_.engine};
+    has_begun_ = true;
+    if (state_.size() > 0)
+        start(memory);
+}
+
+Arrival Integrator::advance(double time) {
+    if (!has_begun_)
+        throw InvalidInput(name() + ": cannot advance before it begins");
+    if (!std::isfinite(time) || time < time_)
+        throw InvalidInput(fmt::format("{}: cannot advance from the time {} to {}", name(), time_,
+                                       time));
+    if (state_.size() == 0)
+        time_ = time;
+    return time == time_ ? Arrival::at_time : march(time);
+}
+
+Vector Integrator::sized(Vector rate, const char* what) const {
+    if (rate.size() != state_.size())
+        throw InvalidInput(fmt::format("{}: {} has {} entries, the state {}", name(), what,
+                                       rate.size(), state_.size()));
+    return rate;
+}
+
+Vector Integrator::rate(double time, const Vector& state) {
+    ++report_.evaluations;
+    return sized(problem_.rate(time, state), "the rate");
+}
+
+Vector Integrator::stiff_rate(double time, const Vector& state) {
+    ++report_.stiff_evaluations;
+    return sized(problem_.stiff->rate(time, state), "the stiff rate");
+}
+
+void Integrator::prepare(double time, const Vector& state, double gamma) {
+    ++report_.preparations;
+    problem_.stiff->prepare(time, state, gamma);
+}
+
+Vector Integrator::solve(const Vector& b) {
+    ++report_.solves;
+    return sized(problem_.stiff->solve(b), "the solution of the stiff part");
+}
+
+double Integrator::event(double time, const Vector& state) const {
+    const double value = problem_.event(time, state);
+    if (!std::isfinite(value))
+        fail(fmt::format("the event function is {} at the time {:.17g}", value, time));
+    return value;
+}
+
+void Integrator::accept(double time, Vector state, double step) {
+    time_ = time;
+    state_ = std::move(state);
+    report_.last_step = step;
+    ++report_.steps;
+}
+
+Vector Integrator::allowed(const Vector& state) const {
+    const Vector relative = options_.relative_tolerance * state.cwiseAbs();
+    if (problem_.scale.size() == 0)
+        return relative.array() + options_.absolute_tolerance;
+    return relative + options_.absolute_tolerance * problem_.scale;
+}
+
+double Integrator::size(const Vector& error, const Vector& allowed) const {
+    return std::sqrt((error.array() / allowed.array()).square().mean());
+}
+
+void Integrator::fail(const std::string& reason) const {
+    throw SolverFailure(fmt::format("{}: after {} steps, at the time {:.10g}: {}", name(),
+                                    report_.steps, time_, reason),
+                        SolveReport::failed(name(), report_.steps));
+}
+
+void Integrator::fail_of_rate() {
+    const auto look = [&](const char* what, const Vector& rate) {
+        if (const auto i = first_not_finite(rate); i < rate.size())
+            fail(fmt::format("entry {} of {} is {}: expected finite numbers", i, what, rate[i]));
+    };
+    if (problem_.rate)
+        look("the rate", rate(time_, state_));
+    if (problem_.stiff)
+        look("the stiff rate", stiff_rate(time_, state_));
+    fail("a rate is not finite, however short the step: the solution may end here");
+}
+
+} // namespace polydec

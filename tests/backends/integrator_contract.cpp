@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+#include "backends/registry.h"
+#include "base/errors.h"
+#include "tests/backends/matrices.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+namespace polydec::test {
+namespace {
+
+/// u' = L u + q(t) - L p(t) with p' = q has the solution p, whatever the stiffness of L = -lambda
+/// is; p is (cos t, sin 2t, ..) for any size.
+struct Forced {
+    double stiffness = 1;
+    Index size = 4;
+
+    Vector exact(double t) const {
+        return Vector::NullaryExpr(size, [&](Eigen::Index i) { return std::cos((i + 1) * t + i); });
+    }
+    Vector slope(double t) const {
+        return Vector::NullaryExpr(
+            size, [&](Eigen::Index i) { return -(i + 1) * std::sin((i + 1) * t + i); });
+    }
+    Vector lambda() const { return stiffness * Vector::LinSpaced(size, 0.5, 1); }
+
+    /// -lambda (u - p) as the stiff part.
+    StiffPart decay() const {
+        const auto gamma = std::make_shared<double>(0);
+        return {.rate =
+                    [*this](double t, const Vector& y) {
+                        return Vector(lambda().cwiseProduct(exact(t) - y));
+                    },
+                .prepare = [gamma](double, const Vector&, double value) { *gamma = value; },
+                .solve =
+                    [*this, gamma](const Vector& b) {
+                        return Vector(b.array() / (1 + *gamma * lambda().array()));
+                    }};
+    }
+
+    InitialValueProblem split() const {
+        return {.rate = [*this](double t, const Vector&) { return slope(t); }, .stiff = decay()};
+    }
+
+    /// All of it in one of the parts.
+    InitialValueProblem stiff_alone() const {
+        auto stiff = decay();
+        stiff.rate = [*this](double t, const Vector& y) {
+            return Vector(slope(t) + lambda().cwiseProduct(exact(t) - y));
+        };
+        return {.stiff = std::move(stiff)};
+    }
+    InitialValueProblem mild_alone() const {
+        return {.rate = [*this](double t, const Vector& y) {
+            return Vector(slope(t) + lambda().cwiseProduct(exact(t) - y));
+        }};
+    }
+};
+
+/// A rotation that grows and shrinks: u' = (cos t + i) u.
+InitialValueProblem swinging() {
+    return {.rate = [](double t, const Vector& y) {
+        return Vector{{std::cos(t) * y[0] - y[1], std::cos(t) * y[1] + y[0]}};
+    }};
+}
+Vector swung(double t) {
+    return std::exp(std::sin(t)) * Vector{{std::cos(t), std::sin(t)}};
+}
+
+/// The cube root of its forcing: u' = p' - k (u^3 - p^3), stiff and nonlinear, with p = 2 + sin t.
+InitialValueProblem cubic(double k) {
+    const auto p = [](double t) { return 2 + std::sin(t); };
+    const auto weight = std::make_shared<double>(0);
+    StiffPart stiff{.rate =
+                        [=](double t, const Vector& y) {
+                            return Vector{{-k * (std::pow(y[0], 3) - std::pow(p(t), 3))}};
+                        },
+                    .prepare =
+                        [=](double, const Vector& y, double gamma) {
+                            *weight = 1 + gamma * 3 * k * y[0] * y[0];
+                        },
+                    .solve = [=](const Vector& b) { return Vector(b / *weight); },
+                    .linearity = Linearity::general};
+    return {.rate = [](double t, const Vector&) { return Vector{{std::cos(t)}}; },
+            .stiff = std::move(stiff)};
+}
+
+/// What every integrator promises, whichever it is.
+class IntegratorContract : public testing::TestWithParam<std::string> {
+protected:
+    std::unique_ptr<Integrator> make(const IntegratorOptions& options = {}) const {
+        return make_integrator(GetParam(), options);
+    }
+
+    std::unique_ptr<Integrator> begun(const InitialValueProblem& problem, const Vector& state,
+                                      const IntegratorOptions& options = {}) const {
+        auto result = make(options);
+        result->begin(problem, 0, state);
+        return result;
+    }
+
+    /// Of the error at the end of a march by fixed steps, when these are halved.
+    double order(const InitialValueProblem& problem, const Vector& begin, const Vector& end,
+                 double until, Index steps) const {
+        const auto error = [&](Index count) {
+            const auto run = begun(problem, begin, {.absolute_tolerance = 1e-13, .fixed_step = until / count});
+            run->advance(until);
+            EXPECT_EQ(run->report().steps, count);
+            return (run->state() - end).norm();
+        };
+        return std::log2(error(steps) / error(2 * steps));
+    }
+};
+
+TEST_P(IntegratorContract, fixed_steps_have_the_order_of_the_engine) {
+    const auto traits = make()->traits();
+    if (!traits.has_fixed_steps) {
+        EXPECT_EQ(message_of<InvalidInput>(
+                      [&] { begun(swinging(), swung(0), {.fixed_step = 0.1}); }),
+                  GetParam() + ": takes steps by the tolerances, and no fixed ones");
+        return;
+    }
+    EXPECT_NEAR(order(swinging(), swung(0), swung(2), 2, 20), traits.explicit_order, 0.35);
+    const Forced forced;
+    for (const auto& problem : {forced.split(), forced.stiff_alone()})
+        EXPECT_NEAR(order(problem, forced.exact(0), forced.exact(2), 2, 20),
+                    traits.implicit_order, 0.35);
+    EXPECT_NEAR(order(cubic(0.5), Vector{{2}}, Vector{{2 + std::sin(2.0)}}, 2, 20),
+                traits.implicit_order, 0.5);
+}
+
+TEST_P(IntegratorContract, errors_are_about_what_the_tolerances_allow) {
+    const Forced forced;
+    for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
+        const IntegratorOptions options{.relative_tolerance = tolerance,
+                                        .absolute_tolerance = tolerance};
+        const auto expect_small = [&](const InitialValueProblem& problem, const Vector& begin,
+                                      const Vector& end) {
+            const auto run = begun(problem, begin, options);
+            run->advance(3);
+            EXPECT_LE((run->state() - end).cwiseAbs().maxCoeff(), 100 * tolerance);
+        };
+        expect_small(swinging(), swung(0), swung(3));
+        expect_small(forced.mild_alone(), forced.exact(0), forced.exact(3));
+        expect_small(forced.split(), forced.exact(0), forced.exact(3));
+        expect_small(forced.stiff_alone(), forced.exact(0), forced.exact(3));
+    }
+}
+
+// The twin: the same rate takes many steps where nobody says that it is stiff.
+TEST_P(IntegratorContract, stiffness_costs_no_steps_where_it_is_told) {
+    const Forced forced{.stiffness = 1e6};
+    for (const auto& problem : {forced.split(), forced.stiff_alone()}) {
+        const auto run = begun(problem, forced.exact(0), {.absolute_tolerance = 1e-5});
+        run->advance(3);
+        EXPECT_LE((run->state() - forced.exact(3)).norm(), 1e-4);
+        std::cerr << run->name() << " steps " << run->report().steps << " prep " << run->report().preparations << " rej " << run->report().rejected << " err " << (run->state() - forced.exact(3)).norm() << "\n";
+        EXPECT_LT(run->report().steps, 400);
+        EXPECT_LT(run->report().preparations, 100);
+        EXPECT_GE(run->report().solves, run->report().steps);
+    }
+    const auto untold = begun(forced.mild_alone(), forced.exact(0),
+                              {.absolute_tolerance = 1e-5, .most_steps = 5000});
+    EXPECT_THROW(untold->advance(3), SolverFailure);
+}
+
+TEST_P(IntegratorContract, stiff_rates_need_not_be_linear) {
+    const auto run = begun(cubic(1e5), Vector{{2}});
+    run->advance(5);
+    EXPECT_NEAR(run->state()[0], 2 + std::sin(5.0), 1e-3);
+    EXPECT_LT(run->report().steps, 400);
+}
+
+TEST_P(IntegratorContract, a_transient_is_followed) {
+    const auto run = begun(cubic(1e3), Vector{{5}}, {.relative_tolerance = 1e-6});
+    run->advance(1);
+    EXPECT_NEAR(run->state()[0], 2 + std::sin(1.0), 1e-4);
+}
+
+TEST_P(IntegratorContract, marches_end_at_the_times_that_are_asked_for) {
+    const auto run = begun(swinging(), swung(0), {.relative_tolerance = 1e-7});
+    for (const double time : {0.1, 0.1, 0.100001, 0.3, std::numbers::pi}) {
+        EXPECT_EQ(run->advance(time), Arrival::at_time);
+        EXPECT_EQ(run->time(), time);
+        EXPECT_LE((run->state() - swung(time)).norm(), 1e-5);
+    }
+    EXPECT_EQ(message_of<InvalidInput>([&] { run->advance(1); }),
+              GetParam() + ": cannot advance from the time 3.141592653589793 to 1");
+}
+
+TEST_P(IntegratorContract, frames_cost_few_factorizations) {
+    const Forced forced{.stiffness = 1e4};
+    const auto run = begun(forced.split(), forced.exact(0));
+    for (int frame = 1; frame <= 100; ++frame)
+        run->advance(0.1 * frame);
+    EXPECT_LE((run->state() - forced.exact(10)).norm(), 1e-3);
+    EXPECT_LT(run->report().preparations, run->report().steps / 2);
+}
+
+TEST_P(IntegratorContract, a_march_stops_at_events_and_goes_on_behind_them) {
+    auto problem = swinging();
+    problem.event = [](double, const Vector& y) { return y[0]; };
+    const auto run = begun(problem, swung(0), {.relative_tolerance = 1e-9});
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(run->advance(20), Arrival::at_event);
+        EXPECT_NEAR(run->time(), (i + 0.5) * std::numbers::pi, 1e-6);
+        EXPECT_NEAR(run->state()[0], 0, 1e-6);
+        EXPECT_LE((run->state() - swung(run->time())).norm(), 1e-6);
+    }
+    EXPECT_EQ(run->advance(3 * std::numbers::pi), Arrival::at_time);
+    EXPECT_LE((run->state() - swung(run->time())).norm(), 1e-6);
+}
+
+TEST_P(IntegratorContract, events_of_stiff_problems_are_found) {
+    auto problem = Forced{.stiffness = 1e5, .size = 1}.split();
+    problem.event = [](double, const Vector& y) { return y[0]; };
+    const auto run = begun(problem, Vector{{1}}, {.relative_tolerance = 1e-7});
+    EXPECT_EQ(run->advance(3), Arrival::at_event);
+    EXPECT_NEAR(run->time(), std::numbers::pi / 2, 1e-5);
+}
+
+// The twin: without the memory it goes on with other steps.
+TEST_P(IntegratorContract, what_goes_on_from_its_memory_ends_in_the_same_bits) {
+    const Forced forced{.stiffness = 300};
+    for (const auto& problem : {swinging(), forced.split(), forced.stiff_alone()}) {
+        const Vector begin = problem.stiff ? forced.exact(0) : swung(0);
+        const auto whole = begun(problem, begin);
+        whole->advance(1);
+        const Vector middle = whole->state(), memory = whole->memory();
+        whole->advance(2);
+        const auto end_of = [&](const Vector& remembered) {
+            const auto rest = make();
+            rest->begin(problem, 1, middle, remembered);
+            rest->advance(2);
+            return rest->state();
+        };
+        EXPECT_LE((end_of(memory) - whole->state()).norm(), 1e-3);
+        if (make()->traits().resumes_exactly) {
+            EXPECT_EQ(end_of(memory), whole->state());
+            EXPECT_NE(end_of({}), whole->state());
+        }
+    }
+    EXPECT_THROW(make()->begin(swinging(), 0, swung(0), Vector{{1, 2, 3}}), InvalidInput);
+}
+
+TEST_P(IntegratorContract, a_problem_without_entries_is_solved_at_once) {
+    const auto run = begun(swinging(), Vector());
+    EXPECT_EQ(run->advance(5), Arrival::at_time);
+    EXPECT_EQ(run->time(), 5);
+    EXPECT_EQ(run->state().size(), 0);
+}
+
+TEST_P(IntegratorContract, what_is_no_number_is_refused_by_its_place) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(message_of<InvalidInput>([&] { begun(swinging(), Vector{{1, nan}}); }),
+              GetParam() + ": entry 1 of the state at the beginning is nan: expected finite "
+                           "numbers");
+    const auto from_the_beginning =
+        begun({.rate = [nan](double, const Vector&) { return Vector{{0, nan}}; }}, swung(0));
+    EXPECT_EQ(message_of<SolverFailure>([&] { from_the_beginning->advance(1); }),
+              GetParam() + ": after 0 steps, at the time 0: entry 1 of the rate is nan: expected "
+                           "finite numbers");
+    const auto later = begun({.rate =
+                                  [nan](double t, const Vector& y) {
+                                      return t < 0.5 ? Vector(-y) : Vector{{nan, nan}};
+                                  }},
+                             swung(0));
+    EXPECT_THROW(later->advance(1), SolverFailure);
+    EXPECT_LE(later->time(), 0.5);
+    EXPECT_TRUE(later->state().allFinite());
+}
+
+TEST_P(IntegratorContract, what_a_rate_throws_passes_through) {
+    struct Mine {};
+    const auto run = begun({.rate = [](double t, const Vector& y) -> Vector {
+                               if (t > 0.5)
+                                   throw Mine{};
+                               return -y;
+                           }},
+                           swung(0));
+    EXPECT_THROW(run->advance(1), Mine);
+}
+
+TEST_P(IntegratorContract, scales_measure_what_is_small) {
+    const IntegratorOptions options{.relative_tolerance = 0, .absolute_tolerance = 1e-6};
+    auto problem = swinging();
+    const auto plain = begun(problem, 1e-9 * swung(0), options);
+    plain->advance(2);
+    problem.scale = Vector{{1e-9, 1e-9}};
+    const auto scaled = begun(problem, 1e-9 * swung(0), options);
+    scaled->advance(2);
+    EXPECT_LE((scaled->state() - 1e-9 * swung(2)).norm(), 1e-13);
+    EXPECT_GT(scaled->report().steps, plain->report().steps);
+}
+
+TEST_P(IntegratorContract, what_makes_no_sense_is_refused) {
+    EXPECT_EQ(message_of<InvalidInput>([&] { make({.absolute_tolerance = 0}); }),
+              GetParam() + ": absolute_tolerance is 0: expected a finite number above 0");
+    EXPECT_EQ(message_of<InvalidInput>([&] { make({.first_step = -1}); }),
+              GetParam() + ": first_step is -1: expected a finite number of at least 0");
+    EXPECT_THROW(make({.most_steps = 0}), InvalidInput);
+    EXPECT_THROW(begun({}, swung(0)), InvalidInput);
+    EXPECT_THROW(begun({.stiff = StiffPart{}}, swung(0)), InvalidInput);
+    EXPECT_THROW(make()->advance(1), InvalidInput);
+    auto problem = swinging();
+    problem.scale = Vector{{1, -1}};
+    EXPECT_THROW(begun(problem, swung(0)), InvalidInput);
+    const auto short_rate =
+        begun({.rate = [](double, const Vector&) { return Vector{{1}}; }}, swung(0));
+    EXPECT_EQ(message_of<InvalidInput>([&] { short_rate->advance(1); }),
+              GetParam() + ": the rate has 1 entries, the state 2");
+}
+
+INSTANTIATE_TEST_SUITE_P(engines, IntegratorContract, testing::ValuesIn(integrator_engine_names()),
+                         [](const auto& engine) { return test_name(engine.param); });
+
+} // namespace
+} // namespace polydec::test
