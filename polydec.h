@@ -103,6 +103,8 @@
 #include "meshes/unit_of_length.h"
 #include "solvers/constrained_system.h"
 #include "solvers/darcy.h"
+#include "solvers/diffusion.h"
+#include "solvers/evolution.h"
 #include "solvers/heat.h"
 #include "solvers/hodge.h"
 #include "solvers/leapfrog.h"

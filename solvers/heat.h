@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "backends/linear_solver.h"
-#include "dec/conditioned_complex.h"
-#include "dec/forms/cochain.h"
-#include "dec/forms/operator.h"
+#include "solvers/diffusion.h"
 
-#include <memory>
 #include <string>
 
 namespace polydec {
@@ -53,18 +49,11 @@ public:
     Cochain step(const Cochain& form) const;
 
 private:
-    HeatSolver(const CellComplex& whole, const ConditionedComplex& space, Side side, int degree,
-               const HeatOptions& options);
+    HeatSolver(const CellComplex& complex, Diffusion diffusion, const HeatOptions& options);
 
     CellComplex complex_;
-    std::vector<Index> kept_; // the cells whose values are not fixed at 0
-    Side side_;
-    int degree_;
-    double explicit_part_; // of the time step
-    Operator stiffness_;
-    Index unknowns_; // solved for in a step
-    HodgeStar mass_;
-    std::unique_ptr<LinearSolver> solver_;
+    double explicit_part_ = 0; // of the time step
+    Diffusion diffusion_;
 };
 
 } // namespace polydec

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/evolution.h"
+
+#include "backends/registry.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+std::shared_ptr<Diffusion> stiff_part(const CellComplex& complex, const HodgeStars& stars,
+                                      const Discretization* mesh, const Unknown& unknown,
+                                      const std::string& linear_solver) {
+    if (unknown.stiff || unknown.diffusion == 0)
+        return unknown.stiff;
+    const auto& [side, degree, values] = unknown.start;
+    const DiffusionOptions options{.coefficient = unknown.diffusion,
+                                   .conditions = unknown.conditions,
+                                   .linear_solver = linear_solver};
+    return mesh ? std::make_shared<Diffusion>(*mesh, side, degree, options)
+                : std::make_shared<Diffusion>(complex, stars, side, degree, options);
+}
+
+/// Sizes of cells, by which values are coefficients; where one is nothing, the mean.
+Vector sizes_of_cells(const CellVolumes& volumes, Side side, int degree) {
+    Vector sizes = side == Side::primal ? volumes.primal(degree)
+                                        : volumes.dual(volumes.dimension() - degree);
+    sizes = sizes.cwiseAbs();
+    const double mean = sizes.size() > 0 ? sizes.mean() : 0;
+    const double least = 1e-3;
+    return mean > 0 ? Vector(sizes.cwiseMax(least * mean)) : Vector::Ones(sizes.size());
+}
+
+} // namespace
+
+/// The unknowns, and how their values are one vector: those of the cells that nothing fixes, one
+/// unknown behind the other.
+struct Evolution::Equation {
+    struct Part {
+        Unknown unknown;
+        std::shared_ptr<Diffusion> stiff; ///< or null
+        std::vector<Index> kept;
+        Index first;
+
+        Index size() const { return static_cast<Index>(kept.size()); }
+        Vector of(const Vector& values) const { return values.segment(first, size()); }
+    };
+
+    std::vector<Part> parts;
+    Reaction reaction;
+    EvolutionOptions options;
+    Vector start, scale;
+
+    void add(const CellComplex& whole, const HodgeStars& stars, const Discretization* mesh,
+             const Unknown& unknown);
+    std::vector<Cochain> forms(double time, const Vector& values) const;
+    Vector rate(double time, const Vector& values) const;
+    Vector stiff_rate(double time, const Vector& values) const;
+    Vector solve(const Vector& b) const;
+    InitialValueProblem problem(const std::shared_ptr<Equation>& self) const;
+};
+
+void Evolution::Equation::add(const CellComplex& whole, const HodgeStars& stars,
+                              const Discretization* mesh, const Unknown& unknown) {
+    const auto& [side, degree, values] = unknown.start;
+    const std::size_t number = parts.size();
+    check(whole, unknown.start);
+    auto stiff = stiff_part(whole, stars, mesh, unknown, options.linear_solver);
+    if (stiff && (stiff->side() != side || stiff->degree() != degree))
+        throw InvalidInput(fmt::format("unknown {}: its stiff part is for {} {}-forms, and it is a "
+                                       "{} {}-form",
+                                       number, name(stiff->side()), stiff->degree(), name(side),
+                                       degree));
+    if (unknown.boundary_values && !stiff)
+        throw InvalidInput(fmt::format("unknown {}: boundary values are given, and no diffusion "
+                                       "that would take them in",
+                                       number));
+    std::vector<Index> kept(values.size());
+    std::iota(kept.begin(), kept.end(), 0);
+    if (stiff)
+        kept = stiff->kept();
+    const Vector sizes = sizes_of_cells(stars.volumes(), side, degree);
+    const auto first = static_cast<Index>(start.size());
+    start.conservativeResize(first + kept.size());
+    scale.conservativeResize(first + kept.size());
+    start.tail(kept.size()) = values(kept);
+    scale.tail(kept.size()) = sizes(kept);
+    parts.push_back({unknown, std::move(stiff), std::move(kept), first});
+}
+
+std::vector<Cochain> Evolution::Equation::forms(double time, const Vector& values) const {
+    std::vector<Cochain> result;
+    for (const Part& part : parts) {
+        const Cochain& start_form = part.unknown.start;
+        Vector all = Vector::Zero(start_form.values.size());
+        if (part.unknown.boundary_values && start_form.side == Side::primal)
+            all = part.unknown.boundary_values(time);
+        all(part.kept) = part.of(values);
+        result.push_back({start_form.side, start_form.degree, std::move(all)});
+    }
+    return result;
+}
+
+Vector Evolution::Equation::rate(double time, const Vector& values) const {
+    const auto rates = reaction(time, forms(time, values));
+    if (rates.size() != parts.size())
+        throw InvalidInput(fmt::format("the reaction gives rates of {} unknowns: expected {}",
+                                       rates.size(), parts.size()));
+    Vector result = Vector::Zero(values.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Part& part = parts[i];
+        const auto expected = part.unknown.start.values.size();
+        if (rates[i].size() != 0 && rates[i].size() != expected)
+            throw InvalidInput(fmt::format("the reaction gives {} rates of unknown {}: expected "
+                                           "{}, one for each cell, or none",
+                                           rates[i].size(), i, expected));
+        if (rates[i].size() != 0)
+            result.segment(part.first, part.size()) = rates[i](part.kept);
+    }
+    return result;
+}
+
+Vector Evolution::Equation::stiff_rate(double time, const Vector& values) const {
+    Vector result = Vector::Zero(values.size());
+    for (const Part& part : parts) {
+        if (!part.stiff)
+            continue;
+        auto mine = result.segment(part.first, part.size());
+        mine = part.stiff->rate(part.of(values));
+        if (part.unknown.boundary_values)
+            mine += part.stiff->boundary_rate(part.unknown.boundary_values(time));
+    }
+    return result;
+}
+
+Vector Evolution::Equation::solve(const Vector& b) const {
+    Vector result = b;
+    for (const Part& part : parts)
+        if (part.stiff)
+            result.segment(part.first, part.size()) = part.stiff->solve(part.of(b));
+    return result;
+}
+
+InitialValueProblem
+Evolution::Equation::problem(const std::shared_ptr<Equation>& self) const {
+    InitialValueProblem result{.scale = scale};
+    const bool is_stiff =
+        std::any_of(parts.begin(), parts.end(), [](const Part& part) { return !!part.stiff; });
+    if (reaction || !is_stiff)
+        result.rate = [self](double t, const Vector& y) {
+            return self->reaction ? self->rate(t, y) : Vector(Vector::Zero(y.size()));
+        };
+    if (is_stiff)
+        result.stiff = {
+            .rate = [self](double t, const Vector& y) { return self->stiff_rate(t, y); },
+            .prepare =
+                [self](double, const Vector&, double gamma) {
+                    for (const Part& part : self->parts)
+                        if (part.stiff)
+                            part.stiff->prepare(gamma);
+                },
+            .solve = [self](const Vector& b) { return self->solve(b); }};
+    if (options.event)
+        result.event = [self](double t, const Vector& y) {
+            return self->options.event(t, self->forms(t, y));
+        };
+    return result;
+}
+
+Evolution::Evolution(const Discretization& mesh, std::vector<Unknown> unknowns, Reaction reaction,
+                     EvolutionOptions options)
+    : equation_(std::make_shared<Equation>()),
+      integrator_(make_integrator(options.integrator, options.steps)) {
+    const double time = options.time;
+    equation_->reaction = std::move(reaction);
+    equation_->options = std::move(options);
+    for (const Unknown& unknown : unknowns)
+        equation_->add(mesh.complex(), mesh.stars(), &mesh, unknown);
+    begin(time, equation_->start, {});
+}
+
+Evolution::Evolution(const CellComplex& complex, const HodgeStars& stars,
+                     std::vector<Unknown> unknowns, Reaction reaction, EvolutionOptions options)
+    : equation_(std::make_shared<Equation>()),
+      integrator_(make_integrator(options.integrator, options.steps)) {
+    const double time = options.time;
+    equation_->reaction = std::move(reaction);
+    equation_->options = std::move(options);
+    for (const Unknown& unknown : unknowns)
+        equation_->add(complex, stars, nullptr, unknown);
+    begin(time, equation_->start, {});
+}
+
+void Evolution::begin(double time, const Vector& values, const Vector& memory) {
+    integrator_->begin(equation_->problem(equation_), time, values, memory);
+}
+
+Arrival Evolution::march(double until) {
+    return integrator_->advance(until);
+}
+
+Arrival Evolution::march(const std::vector<double>& times,
+                         const std::function<void(const Evolution&)>& show) {
+    for (const double time : times) {
+        const Arrival arrival = march(time);
+        show(*this);
+        if (arrival == Arrival::at_event)
+            return arrival;
+    }
+    return Arrival::at_time;
+}
+
+double Evolution::time() const {
+    return integrator_->time();
+}
+
+std::vector<Cochain> Evolution::forms() const {
+    return equation_->forms(time(), integrator_->state());
+}
+
+std::vector<Vector> Evolution::state() const {
+    return {integrator_->state(), integrator_->memory()};
+}
+
+void Evolution::resume(double time, const std::vector<Vector>& state) {
+    if (state.size() != 2 || state[0].size() != equation_->start.size())
+        throw InvalidInput(fmt::format("a state of another evolution is given: expected {} values "
+                                       "and the integrator's memory",
+                                       equation_->start.size()));
+    begin(time, state[0], state[1]);
+}
+
+const IntegratorReport& Evolution::report() const {
+    return integrator_->report();
+}
+
+} // namespace polydec

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backends/integrator.h"
+#include "solvers/diffusion.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+/// A form that changes in time, and what of its rate is stiff: diffusion, -nu Delta u.
+struct Unknown {
+    Cochain start = {};
+    double diffusion = 0; ///< nu, at least 0; length squared over time
+    /// Under these conditions; without, the built-in ones. Without diffusion they fix nothing.
+    std::optional<BoundaryConditions> conditions = {};
+
+    /// The values on essential facets at a time. Of primal k-forms a value for each k-cell of the
+    /// mesh, of which those at fixed cells count; of dual j-forms what dual_boundary_derivative
+    /// takes, for j = 0 a value for each facet. Empty: 0.
+    std::function<Vector(double time)> boundary_values = {};
+
+    /// Another stiff part, in place of diffusion and its conditions.
+    std::shared_ptr<Diffusion> stiff = {};
+};
+
+/// What is not stiff: of each unknown the rate at all its cells, at a time of these forms; an empty
+/// one is 0.
+using Reaction = std::function<std::vector<Vector>(double time, const std::vector<Cochain>& forms)>;
+
+struct EvolutionOptions {
+    double time = 0; ///< at the beginning
+    std::string integrator = "runge-kutta";
+    IntegratorOptions steps = {};
+    std::string linear_solver = "auto";
+    /// A march stops where this goes through 0.
+    std::function<double(double time, const std::vector<Cochain>& forms)> event = {};
+};
+
+/// Forms that change in time: u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual
+/// forms of any degrees on one mesh. The steps are what the tolerances ask for, however fine the
+/// mesh is, since diffusion is solved for. A step's error is measured in values over the sizes of
+/// cells, so that the absolute tolerance is one of coefficients.
+class Evolution {
+public:
+    /// Throws InvalidInput, numbering the unknown from 0, for forms that do not live on the mesh,
+    /// and like Diffusion; BackendUnavailable or InvalidInput for an integrator that is not there.
+    Evolution(const Discretization& mesh, std::vector<Unknown> unknowns, Reaction reaction = {},
+              EvolutionOptions options = {});
+
+    /// The same on any cells; sizes of cells are those of stars.volumes().
+    Evolution(const CellComplex& complex, const HodgeStars& stars, std::vector<Unknown> unknowns,
+              Reaction reaction = {}, EvolutionOptions options = {});
+
+    /// Marches to this time, or to the first event. Throws like Integrator::advance.
+    Arrival march(double until);
+
+    /// Marches to each of these times, ascending, and shows what is there; stops behind an event.
+    Arrival march(const std::vector<double>& times,
+                  const std::function<void(const Evolution&)>& show);
+
+    double time() const;
+
+    /// The forms now, values on essential facets included.
+    std::vector<Cochain> forms() const;
+    Cochain form(std::size_t unknown) const { return forms().at(unknown); }
+
+    /// What a checkpoint has to keep beside the time: with it, resume() goes on with the same
+    /// steps; to the same bits if the integrator resumes exactly.
+    std::vector<Vector> state() const;
+    void resume(double time, const std::vector<Vector>& state);
+
+    const IntegratorReport& report() const;
+
+private:
+    struct Equation;
+    void begin(double time, const Vector& values, const Vector& memory);
+
+    std::shared_ptr<Equation> equation_;
+    std::unique_ptr<Integrator> integrator_;
+};
+
+} // namespace polydec
