@@ -101,6 +101,7 @@
 #include "meshes/tetrahedralize.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
+#include "solvers/absorbing_layer.h"
 #include "solvers/constrained_system.h"
 #include "solvers/darcy.h"
 #include "solvers/diffusion.h"

@@ -6,7 +6,7 @@
 #include "dec/galerkin_mass.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
-#include "dec/metric/dual_parts.h"
+#include "dec/parts_of_products.h"
 
 #include <fmt/format.h>
 
@@ -27,17 +27,6 @@ Vector ones_on(const Cells& cells) {
         if (cells[t])
             ones[static_cast<Index>(t)] = 1;
     return ones;
-}
-
-/// The part of |E||*E| that lies in each n-cell, for all its k-cells E: size(n) x size(k).
-SparseMatrix parts_of_products(const Discretization& mesh, int k, const Centers& centers) {
-    const int n = mesh.dimension();
-    const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), k, n, centers);
-    const SparseMatrix cells = mesh.merging().diamond(n).cast<double>().cwiseAbs();
-    const SparseMatrix faces = mesh.merging().diamond(k).cast<double>().cwiseAbs();
-    return cells * parts * mesh.piece_volumes().primal(k).asDiagonal() *
-           SparseMatrix(faces.transpose());
 }
 
 CellVolumes barycentric_volumes(const Discretization& mesh) {

@@ -5,6 +5,7 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/galerkin_mass.h"
+#include "dec/parts_of_products.h"
 
 #include <fmt/format.h>
 
@@ -87,6 +88,46 @@ SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMa
     SparseMatrix W(K.size(n - 1), K.size(n - 1));
     W.setFromTriplets(entries.begin(), entries.end());
     return lifted(mesh, n - 1, W);
+}
+
+Vector cell_means(const Discretization& mesh, int k, const Vector& weights) {
+    const int n = mesh.dimension();
+    check_number("means around cells of degree", k, 0, n);
+    check_as_many(fmt::format("weights of {}-cells", n), weights.size(), mesh.complex().size(n));
+    for (Index cell = 0; cell < weights.size(); ++cell)
+        if (!(weights[cell] >= 0 && std::isfinite(weights[cell])))
+            throw InvalidInput(fmt::format("the weight of {}-cell {} is {}: expected a number of "
+                                           "at least 0",
+                                           n, cell, weights[cell]),
+                               {.degree = n, .cells = {cell}});
+    const SparseMatrix parts = parts_of_products(mesh, k, mesh.centers()).cwiseAbs();
+    const Vector sums = parts.transpose() * Vector::Ones(parts.rows());
+    const Vector means = (parts.transpose() * weights).cwiseQuotient(sums);
+    if (means.allFinite())
+        return means;
+    // cells without dual: the mean of the n-cells they touch
+    SparseMatrix where = parts;
+    where.coeffs().setOnes();
+    const Vector plain = (where.transpose() * weights)
+                             .cwiseQuotient(where.transpose() * Vector::Ones(parts.rows()));
+    return (sums.array() > 0).select(means, plain);
+}
+
+HodgeStars weighted_stars(const Discretization& mesh, int k, const Vector& weights) {
+    const int n = mesh.dimension();
+    check_number("a star of degree", k, 0, n);
+    check_as_many(fmt::format("weights of {}-cells", n), weights.size(), mesh.complex().size(n));
+    check_cell_weights("weight", weights, n);
+    const HodgeStars& stars = mesh.stars();
+    if (!stars[k].is_diagonal())
+        return stars.with(k, material_star(mesh, k, weights));
+    const CellVolumes& volumes = stars.volumes();
+    HodgeStars result(volumes.with_dual(
+        k, volumes.dual(k).cwiseProduct(cell_means(mesh, k, weights))));
+    for (int j = 0; j <= n; ++j)
+        if (!stars[j].is_diagonal())
+            result = result.with(j, stars[j].matrix());
+    return result;
 }
 
 } // namespace polydec

@@ -1,51 +1,122 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dec/conditioned_complex.h"
 #include "dec/discretization.h"
 #include "dec/forms/operator.h"
+#include "solvers/absorbing_layer.h"
+
+#include <memory>
+#include <vector>
 
 namespace polydec {
 
-/// Waves of primal k-forms by leapfrog steps: with E a k-form at whole times and B a (k+1)-form at
-/// half times, B -= dt d E and E += dt star_k^-1 d^T star_(k+1) B, so that E has the second time
-/// derivative -delta d E. For k = 1 in space this is Maxwell's equations with the electric field on
-/// edges and the magnetic flux through faces; on a merged Kuhn grid it is exactly the scheme of Yee
-/// 1966. For k = 0 it is the scalar wave equation in any dimension. On a complex relative to its
-/// boundary E vanishes there (a perfect conductor, a clamped membrane: Dirichlet for k = 0), else
-/// nothing flows out (Neumann). A star_k that is a matrix is factorized once, and each step solves
-/// with it.
+/// What waves meet on their way beside the stars, in which the materials are that they are fast or
+/// slow in (see weighted_stars).
+struct LeapfrogOptions {
+    double time_step = 0;
+    /// Rates of decay of E and of B by themselves, at least 0, one for each value, or none: for
+    /// Maxwell's equations conductivity over permittivity (see cell_means). 1 / time.
+    Vector loss = {}, upper_loss = {};
+    AbsorbingLayer layer = {}; ///< of no width: none
+};
+
+/// What is added to the rate of E at the middle of a step, and to that of B at its beginning, one
+/// for each value; or nothing.
+struct WaveSources {
+    Vector E = {}, B = {};
+};
+
+/// All that is known of a wave at one time.
+struct WaveState {
+    Vector E; ///< at a time t
+    Vector B; ///< half a step before
+    Vector E_memory = {}, B_memory = {}; ///< of an absorbing layer; none: nothing has come there
+};
+
+/// Waves of j-forms of either side by leapfrog steps: with E a j-form at whole times and B a
+/// (j+1)-form at half times, B -= dt d E and E += dt delta B, so that E has the second time
+/// derivative -delta d E. For primal 1-forms in space this is Maxwell's equations with the electric
+/// field on edges and the magnetic flux through faces; on a merged Kuhn grid it is exactly the
+/// scheme of Yee 1966. For 0-forms it is the scalar wave equation in any dimension. Dual forms are
+/// stars of primal ones: the same matrices, transposed. Losses are taken by the midpoint rule, so
+/// that steps stay of second order and stable. A star that is a matrix is factorized once, and each
+/// step solves with it.
 class Leapfrog {
 public:
-    /// Throws InvalidInput if there is no degree k < n, if star_k is not positive or star_(k+1) has
-    /// a negative entry, or if the time step is not positive and below stable_step.
-    Leapfrog(const CellComplex& complex, const HodgeStars& stars, int k, double time_step);
-    Leapfrog(const Discretization& mesh, int k, double time_step)
-        : Leapfrog(mesh.complex(), mesh.stars(), k, time_step) {}
+    /// On a complex as it is: relative to its boundary, primal E vanishes there (a perfect
+    /// conductor, a clamped membrane), else nothing flows out.
+    /// Throws InvalidInput if there are no degrees j and j+1; if star_j is not positive or star_(j+1)
+    /// has a negative entry; of dual forms unless the stars of both are positive; for a time step
+    /// that is not positive and below stable_step; for losses that are negative or not as many as
+    /// values, and those of forms whose mass is the inverse of a matrix; for a layer.
+    Leapfrog(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
+             const LeapfrogOptions& options);
+    Leapfrog(const CellComplex& complex, const HodgeStars& stars, int degree, double time_step)
+        : Leapfrog(complex, stars, Side::primal, degree, {.time_step = time_step}) {}
+    Leapfrog(const Discretization& mesh, int degree, double time_step)
+        : Leapfrog(mesh.complex(), mesh.stars(), degree, time_step) {}
 
-    /// One step on E (size(k) values) and B (size(k+1) values). Throws InvalidInput, as energy
-    /// does, for other numbers of values.
+    /// Under homogeneous conditions on the boundary, those of conditioned_complex: E and B have
+    /// values for all cells, and those that the conditions fix are 0 after every step. An essential
+    /// condition on primal 1-forms in space is a perfect conductor, a natural one a symmetry (or
+    /// magnetic) wall. Throws like the above, like conditioned_complex and AbsorbingLayer.
+    Leapfrog(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
+             int degree, const LeapfrogOptions& options);
+
+    /// One step. Throws InvalidInput for other numbers of values than there are cells.
+    void step(WaveState& state, const WaveSources& sources = {}) const;
+
+    /// The same without sources, where there is no absorbing layer, which throws InvalidInput.
     void step(Vector& E, Vector& B) const;
 
-    /// Half of <E, E> + <B, B'>, B' being the B after the next half of the step: conserved to
-    /// rounding by every step. Positive for stable steps.
+    /// Half of <E, E> + <B, B'>, B' being the B after the next half of a step without sources and
+    /// losses: conserved to rounding by every such step. Positive for stable steps. Throws likewise.
     double energy(const Vector& E, const Vector& B) const;
 
     double time_step() const { return time_step_; }
 
+    /// What the layer has become: stretched or conducting; automatic where there is none.
+    LayerKind layer() const { return layer_; }
+
 private:
-    void check_sizes(const Vector& E, const Vector& B) const;
+    /// Values of one degree, as they change in a step.
+    struct Field {
+        std::vector<Index> kept; ///< the cells whose values are not fixed at 0
+        Index whole;             ///< how many cells there are
+        Operator mass;
+        Vector loss = {};                    ///< rates; or none
+        SparseMatrix lost = {};              ///< mass times loss, where the mass is a matrix
+        std::shared_ptr<HodgeStar> mid = {}; ///< with half a step's loss in it, there
+        LayerMemory layer = {};
+
+        Vector restricted(const Vector& values, const char* what) const;
+        void put_back(Vector&& of_kept, Vector& values) const;
+        void advance(Vector& values, Vector rate, double time_step) const;
+    };
+
+    Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Side side, int degree,
+             const LeapfrogOptions& options, const Discretization* mesh);
+
+    static Field field(const CellComplex& whole, const ConditionedComplex& space, Side side, int k);
 
     double time_step_;
-    Operator d_, mass_, upper_mass_;
-    Operator acceleration_; // of E by B
+    Operator d_, inverse_mass_;
+    Field E_, B_;
+    LayerKind layer_ = LayerKind::automatic;
 };
 
-/// 2 / sqrt of the largest eigenvalue of delta d on k-forms: steps must be shorter. Units length.
-/// Throws InvalidInput like Leapfrog, SolverFailure if the root of a star_k that is a matrix takes
+/// 2 / sqrt of the largest eigenvalue of delta d on forms: steps must be shorter. Units length.
+/// Throws InvalidInput like Leapfrog, SolverFailure if the root of a star that is a matrix takes
 /// more memory than there is; infinity if d is zero.
-double stable_step(const CellComplex& complex, const HodgeStars& stars, int k);
-inline double stable_step(const Discretization& mesh, int k) {
-    return stable_step(mesh.complex(), mesh.stars(), k);
+double stable_step(const CellComplex& complex, const HodgeStars& stars, Side side, int degree);
+double stable_step(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
+                   int degree);
+inline double stable_step(const CellComplex& complex, const HodgeStars& stars, int degree) {
+    return stable_step(complex, stars, Side::primal, degree);
+}
+inline double stable_step(const Discretization& mesh, int degree) {
+    return stable_step(mesh.complex(), mesh.stars(), degree);
 }
 
 } // namespace polydec
