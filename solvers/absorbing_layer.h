@@ -27,7 +27,7 @@ struct AbsorbingLayer {
     LayerKind kind = LayerKind::automatic;
     /// Along which sides: the low and the high one of each coordinate; empty: all.
     std::vector<std::array<bool, 2>> sides = {};
-    double reflection = 1e-7; ///< of a wave that comes straight, if cells were infinitely small
+    double reflection = 1e-6; ///< of a wave that comes straight, if cells were infinitely small
     double power = 3;         ///< of the depth, with which the rate of decay grows
 };
 

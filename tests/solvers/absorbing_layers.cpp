@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/cell_centers.h"
+#include "dec/fields/de_rham.h"
+#include "meshes/generate.h"
+#include "solvers/leapfrog.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace polydec::test {
+namespace {
+
+constexpr double width_of_pulse = 3; // cells have the size 1
+
+/// A pulse in the middle, which runs in all directions: round about it for 1-forms.
+Cochain pulse(const Discretization& box, Side side, int degree) {
+    const auto height = [](const Vector& x) {
+        return std::exp(-x.squaredNorm() / (width_of_pulse * width_of_pulse));
+    };
+    const SmoothForm form =
+        degree == 0 ? function_form(height) : circulation_form([&](const Vector& x) -> Vector {
+            Vector around = Vector::Zero(x.size());
+            around.head(2) << -x[1] * height(x), x[0] * height(x);
+            return around;
+        });
+    return side == Side::primal ? de_rham(box, degree, form) : dual_de_rham(box, degree, form);
+}
+
+/// A box of cubes around the origin, of these halves of its sides, and its layer.
+struct Experiment {
+    int n;
+    Side side;
+    int degree;
+    int inner; ///< where waves are looked at, in cells from the middle
+    AbsorbingLayer layer = {};
+    bool memory = true;
+};
+
+/// The values in the inner part over time, in the order of places.
+std::vector<double> watched(const Experiment& experiment, int half, const AbsorbingLayer& layer) {
+    const auto [n, side, degree, inner, ignored, memory] = experiment;
+    Mesh mesh = kuhn(std::vector<int>(n, 2 * half), std::vector<double>(n, 2.0 * half));
+    mesh.points.array() -= half;
+    const auto box = discretize(mesh);
+    const Leapfrog waves(box, built_in_conditions(side), side, degree,
+                         {.time_step = 0.9 / std::sqrt(n), .layer = layer});
+    const int e = side == Side::primal ? degree : n - degree;
+    const int b = side == Side::primal ? e + 1 : e - 1;
+    std::vector<Index> inside; // cells of grids of one kind are in one order
+    const Points centers = cell_centers(box, e);
+    for (Index i = 0; i < centers.rows(); ++i)
+        if (centers.row(i).cwiseAbs().maxCoeff() < inner - 0.9)
+            inside.push_back(i);
+
+    WaveState state{pulse(box, side, degree).values, Vector::Zero(box.complex().size(b))};
+    std::vector<double> values;
+    const double until = 2 * inner + 4 * width_of_pulse;
+    for (double t = 0; t < until; t += waves.time_step()) {
+        waves.step(state);
+        if (!memory)
+            state.B_memory.setZero();
+        for (const Index i : inside)
+            values.push_back(state.E[i]);
+    }
+    return values;
+}
+
+/// What comes back from the layer, as a part of the largest value: the difference from a box so
+/// large that nothing can come back in time.
+double reflection(const Experiment& experiment) {
+    const int layer = static_cast<int>(experiment.layer.width);
+    const int far = 2 * experiment.inner + static_cast<int>(4 * width_of_pulse) + 2;
+    const auto found = watched(experiment, experiment.inner + layer, experiment.layer);
+    const auto wanted = watched(experiment, far, {});
+    EXPECT_EQ(found.size(), wanted.size());
+    double difference = 0, largest = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        difference = std::max(difference, std::abs(found[i] - wanted[i]));
+        largest = std::max(largest, std::abs(wanted[i]));
+    }
+    return difference / largest;
+}
+
+TEST(StretchedLayers, throw_back_less_than_1e4th_of_a_pulse_of_all_directions) {
+    for (const Side side : {Side::primal, Side::dual})
+        for (const int degree : {0, 1})
+            EXPECT_LT(reflection({2, side, degree, 12, {.width = 10}}), 1e-4)
+                << name(side) << ' ' << degree;
+}
+
+TEST(StretchedLayers, throw_back_less_than_1e4th_of_a_pulse_of_light_in_space) {
+    EXPECT_LT(reflection({3, Side::primal, 1, 5, {.width = 10}}), 1e-4);
+}
+
+TEST(StretchedLayers, need_their_memory_and_their_width) {
+    EXPECT_GT(reflection({2, Side::primal, 0, 12, {.width = 10}, false}), 1e-2);
+    EXPECT_GT(reflection({2, Side::primal, 0, 12, {.width = 3}}), 1e-3);
+}
+
+TEST(StretchedLayers, get_better_with_their_width) {
+    const double thin = reflection({2, Side::primal, 0, 12, {.width = 6}});
+    EXPECT_LT(reflection({2, Side::primal, 0, 12, {.width = 12}}), thin / 10);
+}
+
+TEST(ConductingLayers, are_worse_where_waves_come_aslant) {
+    const double both[] = {
+        reflection({2, Side::primal, 0, 12, {.width = 10}}),
+        reflection({2, Side::primal, 0, 12, {.width = 10, .kind = LayerKind::conducting}})};
+    EXPECT_GT(both[1], 10 * both[0]);
+    EXPECT_LT(both[1], 0.03);
+}
+
+/// What comes back of a plane pulse that runs along a box of cells which are no boxes, between walls
+/// along which nothing flows.
+double straight_reflection(const std::function<Mesh(int length)>& mesh, const AbsorbingLayer& layer) {
+    constexpr double height = 24, until = 40;
+    const auto low_values = [&](int length, bool with_layer) {
+        const auto box = discretize(mesh(length));
+        const BoundaryConditions free{BoundaryCondition::natural};
+        const double step = 0.4;
+        const Leapfrog waves(box, free, Side::primal, 0,
+                             {.time_step = step, .layer = with_layer ? layer : AbsorbingLayer{}});
+        const Vector z = box.points().rightCols(1);
+        WaveState state{(-((z.array() - 8) / 4).square()).exp(),
+                        Vector::Zero(box.complex().size(1))};
+        std::vector<double> values;
+        for (double t = 0; t < until; t += step) {
+            waves.step(state);
+            for (Index i = 0; i < z.size(); ++i)
+                if (z[i] < height)
+                    values.push_back(state.E[i]);
+        }
+        std::sort(values.begin(), values.end()); // vertices are numbered otherwise
+        return values;
+    };
+    const auto found = low_values(static_cast<int>(height + layer.width), true);
+    const auto wanted = low_values(60, false);
+    EXPECT_EQ(found.size(), wanted.size());
+    double difference = 0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        difference = std::max(difference, std::abs(found[i] - wanted[i]));
+    return difference / wanted.back();
+}
+
+TEST(ConductingLayers, throw_back_less_than_1e4th_of_what_comes_straight_on_octahedra) {
+    const auto octahedra = [](int length) { return fcc({2, 2, length / 2}, 2.0); };
+    AbsorbingLayer layer{.width = 20};
+    layer.sides = {{false, false}, {false, false}, {false, true}};
+    EXPECT_LT(straight_reflection(octahedra, layer), 1e-4);
+    layer.reflection = 1e-2;
+    EXPECT_GT(straight_reflection(octahedra, layer), 1e-3) << "a weak one";
+}
+
+} // namespace
+} // namespace polydec::test

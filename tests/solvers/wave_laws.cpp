@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "dec/forms/boundary_conditions.h"
+#include "dec/fields/de_rham.h"
+#include "dec/material_stars.h"
+#include "meshes/generate.h"
+#include "solvers/leapfrog.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test {
+namespace {
+
+constexpr BoundaryCondition kinds[] = {BoundaryCondition::essential, BoundaryCondition::natural};
+
+/// Waves of one side and degree, with all that their laws speak of as matrices.
+struct Waves {
+    Discretization mesh;
+    Side side;
+    int degree;
+    BoundaryConditions conditions;
+    int e = side == Side::primal ? degree : mesh.dimension() - degree;
+    int b = side == Side::primal ? e + 1 : e - 1;
+    ConditionedComplex space = conditioned_complex(mesh, side, degree, conditions);
+
+    SparseMatrix d() const {
+        const SparseMatrix of_lower =
+            space.relative.complex.coboundary(std::min(e, b)).cast<double>();
+        return side == Side::primal ? of_lower
+                                    : SparseMatrix((e % 2 == 0 ? 1 : -1) * of_lower.transpose());
+    }
+    Vector mass(int k) const {
+        const Vector star = space.stars[k].diagonal();
+        return side == Side::primal ? star : star.cwiseInverse();
+    }
+    Vector random(int k, unsigned seed) const {
+        const Index kept = space.relative.complex.size(k);
+        return space.relative.extend(k, random_vector(kept, seed));
+    }
+    Vector kept(int k, const Vector& values) const { return space.relative.restrict(k, values); }
+};
+
+/// Grids of every kind of cell, under both conditions, of every degree and side.
+std::vector<Waves> samples() {
+    std::vector<Waves> result;
+    const Mesh meshes[] = {well_centered(4), grid(4, 4), hexagons(4), kuhn(3, 3),
+                           fcc(2),           bcc(2),     torus(8, 6), kuhn(1, 5)};
+    for (const Mesh& mesh : meshes) {
+        const auto cells = discretize(mesh);
+        for (const Side side : {Side::primal, Side::dual})
+            for (int degree = 0; degree < cells.dimension(); ++degree)
+                for (const auto kind : kinds) {
+                    Waves waves{cells, side, degree, {kind}};
+                    const auto bad = [&](int k) {
+                        return !waves.space.stars[k].zeros().empty() ||
+                               !waves.space.stars[k].negatives().empty() ||
+                               waves.space.relative.complex.size(k) == 0;
+                    };
+                    if (!bad(waves.e) && !bad(waves.b))
+                        result.push_back(std::move(waves));
+                }
+    }
+    return result;
+}
+
+std::string in_words(const Waves& waves) {
+    return std::string(name(waves.side)) + " " + std::to_string(waves.degree) + "-forms in " +
+           std::to_string(waves.mesh.dimension()) + " dimensions, " +
+           in_words(waves.conditions, waves.mesh.complex(), waves.degree);
+}
+
+double half_stable(const Waves& waves) {
+    return stable_step(waves.mesh, waves.conditions, waves.side, waves.degree) / 2;
+}
+
+TEST(WavesOfBothSides, are_on_every_mesh_and_degree) {
+    int dual = 0;
+    for (const Waves& waves : samples())
+        dual += waves.side == Side::dual;
+    EXPECT_GE(dual, 20);
+    EXPECT_GE(std::ssize(samples()), 50);
+}
+
+TEST(WavesOfBothSides, have_minus_delta_d_as_their_second_difference) {
+    for (const Waves& waves : samples()) {
+        const double dt = half_stable(waves);
+        const Leapfrog leapfrog(waves.mesh, waves.conditions, waves.side, waves.degree,
+                                {.time_step = dt});
+        WaveState state{waves.random(waves.e, 1), waves.random(waves.b, 2)};
+        const Vector before = state.E;
+        leapfrog.step(state);
+        const Vector now = state.E;
+        leapfrog.step(state);
+        const Vector difference = waves.kept(waves.e, state.E - 2 * now + before);
+        const SparseMatrix d = waves.d();
+        const Vector flow = waves.mass(waves.b).cwiseProduct(d * waves.kept(waves.e, now));
+        const Vector expected =
+            -dt * dt * (d.transpose() * flow).cwiseQuotient(waves.mass(waves.e));
+        EXPECT_LE(relative_difference(difference, expected), 1e-12) << in_words(waves);
+        EXPECT_GT(relative_difference(difference, 1.01 * expected), 1e-3) << "of another speed";
+    }
+}
+
+TEST(WavesOfBothSides, keep_their_energy) {
+    for (const Waves& waves : samples()) {
+        const Leapfrog leapfrog(waves.mesh, waves.conditions, waves.side, waves.degree,
+                                {.time_step = 1.9 * half_stable(waves)});
+        WaveState state{waves.random(waves.e, 1), waves.random(waves.b, 2)};
+        const double begin = leapfrog.energy(state.E, state.B);
+        double squares = 0, first = 0;
+        for (int i = 0; i < 200; ++i) {
+            leapfrog.step(state);
+            const Vector b = waves.kept(waves.b, state.B);
+            squares = b.dot(waves.mass(waves.b).cwiseProduct(b));
+            first = i == 0 ? squares : first;
+        }
+        EXPECT_NEAR(leapfrog.energy(state.E, state.B), begin, 1e-11 * begin) << in_words(waves);
+        EXPECT_GT(std::abs(squares - first), 1e-6 * first) << "a part of it is kept alone";
+    }
+}
+
+TEST(WavesOfBothSides, are_stars_of_each_other) {
+    // with H = star B and D = star E a primal wave of degree k - 1 is a dual one of degree n - k
+    const auto mesh = discretize(kuhn(3, 3));
+    const int n = 3;
+    for (int k = 1; k <= n; ++k) {
+        const Waves dual{mesh, Side::dual, n - k, {BoundaryCondition::essential}};
+        const Waves primal{mesh, Side::primal, k - 1, {BoundaryCondition::natural}};
+        EXPECT_NEAR(half_stable(dual), half_stable(primal), 1e-6 * half_stable(primal));
+    }
+}
+
+/// The energy that a step finds, by the B half a step before and after.
+double energy(const Waves& waves, const Vector& E, const Vector& before, const Vector& after) {
+    const Vector e = waves.kept(waves.e, E);
+    return (e.dot(waves.mass(waves.e).cwiseProduct(e)) +
+            waves.kept(waves.b, before)
+                .dot(waves.mass(waves.b).cwiseProduct(waves.kept(waves.b, after)))) /
+           2;
+}
+
+/// What is missing in the balance of energy of a step in the middle of others, of what flows in
+/// one; losses as the balance believes them are those given times `believed`.
+double imbalance(const Waves& waves, double believed) {
+    const double dt = half_stable(waves);
+    LeapfrogOptions options{.time_step = dt};
+    options.loss = random_vector(waves.mesh.complex().size(waves.e), 5).cwiseAbs() / dt;
+    const Leapfrog leapfrog(waves.mesh, waves.conditions, waves.side, waves.degree, options);
+    const WaveSources sources{waves.random(waves.e, 6) / dt, waves.random(waves.b, 7) / dt};
+    WaveState state{waves.random(waves.e, 1), waves.random(waves.b, 2)};
+    const Vector B0 = state.B, E0 = state.E;
+    leapfrog.step(state, sources);
+    const Vector B1 = state.B, E1 = state.E;
+    leapfrog.step(state, sources);
+    const Vector B2 = state.B;
+    const Vector mean = waves.kept(waves.e, E0 + E1) / 2;
+    const Vector loss = waves.kept(waves.e, options.loss);
+    const double flow =
+        mean.dot(waves.mass(waves.e).cwiseProduct(waves.kept(waves.e, sources.E) -
+                                                  believed * loss.cwiseProduct(mean))) +
+        waves.kept(waves.b, B1).dot(
+            waves.mass(waves.b).cwiseProduct(waves.kept(waves.b, sources.B)));
+    const double change = energy(waves, E1, B1, B2) - energy(waves, E0, B0, B1);
+    return std::abs(change - dt * flow) / (std::abs(dt * flow) + energy(waves, E0, B0, B0));
+}
+
+TEST(WavesWithLosses, balance_their_energy_to_rounding) {
+    for (const Waves& waves : samples()) {
+        EXPECT_LE(imbalance(waves, 1), 1e-11) << in_words(waves);
+        EXPECT_GT(imbalance(waves, 0.9), 1e-5) << "with other losses";
+    }
+}
+
+TEST(WavesWithLosses, die_away_where_stars_are_matrices) {
+    auto mesh = discretize(kuhn(3, 2));
+    const Index cells = mesh.complex().size(3);
+    mesh = mesh.with_stars(mesh.stars().with(1, material_star(mesh, 1, Vector::Ones(cells))));
+    const BoundaryConditions conditions{BoundaryCondition::essential};
+    LeapfrogOptions options{.time_step = stable_step(mesh, conditions, Side::primal, 1) / 2};
+    const double rate = 1 / options.time_step;
+    const auto last_energy = [&](double loss) {
+        options.loss = Vector::Constant(mesh.complex().size(1), loss);
+        const Leapfrog leapfrog(mesh, conditions, Side::primal, 1, options);
+        const Waves waves{mesh, Side::primal, 1, conditions};
+        WaveState state{waves.random(1, 1), Vector::Zero(mesh.complex().size(2))};
+        const double begin = leapfrog.energy(state.E, state.B);
+        for (int i = 0; i < 20; ++i)
+            leapfrog.step(state);
+        return leapfrog.energy(state.E, state.B) / begin;
+    };
+    EXPECT_NEAR(last_energy(0), 1, 1e-11);
+    EXPECT_LT(last_energy(0.1 * rate), 0.5);
+}
+
+TEST(WavesWithLosses, keep_the_divergence_of_their_fluxes) {
+    const auto mesh = discretize(kuhn(3, 3));
+    const Waves waves{mesh, Side::primal, 1, {BoundaryCondition::essential}};
+    LeapfrogOptions options{.time_step = half_stable(waves)};
+    const SparseMatrix out = mesh.complex().coboundary(2).cast<double>();
+    const auto divergence = [&](double magnetic) {
+        options.loss = Vector::Constant(mesh.complex().size(1), 0.3);
+        options.upper_loss = magnetic * random_vector(mesh.complex().size(2), 3).cwiseAbs();
+        const Leapfrog leapfrog(mesh, waves.conditions, Side::primal, 1, options);
+        WaveState state{waves.random(1, 1), Vector::Zero(mesh.complex().size(2))};
+        const WaveSources sources{waves.random(1, 9)};
+        for (int i = 0; i < 100; ++i)
+            leapfrog.step(state, sources);
+        return (out * state.B).norm() / state.B.norm();
+    };
+    EXPECT_LE(divergence(0), 1e-13);
+    EXPECT_GT(divergence(1), 1e-3) << "magnetic losses are sources of B";
+}
+
+TEST(Materials, weigh_diagonal_stars_by_the_parts_of_duals) {
+    for (const Mesh& input : {grid(3, 3), kuhn(3, 2), well_centered(3)}) {
+        const auto mesh = discretize(input);
+        const int n = mesh.dimension();
+        for (int k = 0; k <= n; ++k) {
+            const Vector two = Vector::Constant(mesh.complex().size(n), 2);
+            const Vector twice = weighted_stars(mesh, k, two)[k].diagonal();
+            EXPECT_LE(relative_difference(twice, 2 * mesh.stars()[k].diagonal()), 1e-14);
+            const Vector weights =
+                Vector::Ones(two.size()) + random_vector(two.size(), 3).cwiseAbs();
+            const Vector means = cell_means(mesh, k, weights);
+            EXPECT_GE(means.minCoeff(), weights.minCoeff() - 1e-14);
+            EXPECT_LE(means.maxCoeff(), weights.maxCoeff() + 1e-14);
+            // the sums over all of |s||*s| count each n-cell binomial(n, k) times
+            const Vector products =
+                mesh.volumes().primal(k).cwiseProduct(mesh.volumes().dual(k));
+            const double all = weights.dot(mesh.volumes().primal(n));
+            EXPECT_NEAR(products.dot(means) / products.sum(),
+                        all / mesh.volumes().primal(n).sum(), 1e-12);
+        }
+    }
+}
+
+TEST(Materials, slow_waves_down) {
+    const auto mesh = discretize(kuhn(2, 4));
+    const Vector four = Vector::Constant(mesh.complex().size(2), 4);
+    for (const int k : {0, 1}) {
+        const auto slow = mesh.with_stars(weighted_stars(mesh, k, four));
+        EXPECT_NEAR(stable_step(slow, k), 2 * stable_step(mesh, k), 1e-6);
+    }
+}
+
+TEST(WaveErrors, name_losses_layers_and_sides) {
+    const auto mesh = discretize(grid(4, 4));
+    const BoundaryConditions conditions{BoundaryCondition::natural};
+    const double dt = 1e-3;
+    const auto made = [&](LeapfrogOptions options) {
+        options.time_step = dt;
+        return refusal([&] { Leapfrog(mesh, conditions, Side::primal, 0, options); });
+    };
+    EXPECT_EQ(made({.loss = Vector::Constant(25, -1)}),
+              "the loss of value 0 of E is -1: expected a rate of at least 0");
+    EXPECT_NE(made({.loss = Vector::Ones(3)}).find("losses of E"), std::string::npos);
+    EXPECT_EQ(made({.layer = {.width = 2}}),
+              "an absorbing layer of the width 2 is asked for: expected one above 0 and below 1, "
+              "that of the mesh");
+    EXPECT_EQ(made({.layer = {.width = 0.2, .reflection = 2}}),
+              "a layer with the reflection 2 and the power 3 is asked for: expected one between 0 "
+              "and 1, and one of at least 1");
+    EXPECT_EQ(refusal([&] {
+                  Leapfrog(mesh.complex(), mesh.stars(), Side::primal, 0,
+                           {.time_step = dt, .layer = {.width = 0.2}});
+              }),
+              "an absorbing layer needs to know where the cells are: give the mesh and its "
+              "conditions");
+    EXPECT_EQ(refusal([&] { stable_step(mesh, conditions, Side::dual, 2); }),
+              "waves of 2-forms are asked for: in dimension 2 the degrees are 0 to 1");
+    const auto triangles = discretize(well_centered(8));
+    EXPECT_NE(refusal([&] {
+                  Leapfrog(triangles, conditions, Side::primal, 0,
+                           {.time_step = dt,
+                            .layer = {.width = 0.2, .kind = LayerKind::stretched}});
+              }).find("not parallel to the axes"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace polydec::test

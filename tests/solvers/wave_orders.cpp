@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "dec/choose_stars.h"
+#include "dec/fields/de_rham.h"
+#include "dec/forms/derivative.h"
+#include "meshes/generate.h"
+#include "solvers/leapfrog.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+
+namespace polydec::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double omega = 2, end = 1;
+
+/// Of a form E_0 cos(omega t) with delta d E_0 = lambda E_0, in a conducting medium with sources.
+struct Manufactured {
+    int degree;
+    BoundaryCondition condition;
+    double lambda;
+    SmoothForm form;
+};
+
+Manufactured clamped(int n) {
+    return {0, BoundaryCondition::essential, n * pi * pi,
+            function_form([](const Vector& x) { return (pi * x.array()).sin().prod(); })};
+}
+
+Manufactured free_membrane(int n) {
+    return {0, BoundaryCondition::natural, n * pi * pi,
+            function_form([](const Vector& x) { return (pi * x.array()).cos().prod(); })};
+}
+
+/// Along the last axis, constant along it; for perfect conductors. In the plane along x.
+Manufactured electric(int n) {
+    return {1, BoundaryCondition::essential, (n - 1) * pi * pi,
+            circulation_form([n](const Vector& x) -> Vector {
+                return (pi * x.head(n - 1).array()).sin().prod() * Vector::Unit(n, n - 1);
+            })};
+}
+
+/// In the first two directions around the middle, so that its flux is 0 at the walls.
+Manufactured between_magnetic_walls(int n) {
+    return {1, BoundaryCondition::natural, 2 * pi * pi,
+            circulation_form([n](const Vector& x) -> Vector {
+                return std::sin(pi * x[0]) * std::cos(pi * x[1]) * Vector::Unit(n, 0) -
+                       std::cos(pi * x[0]) * std::sin(pi * x[1]) * Vector::Unit(n, 1);
+            })};
+}
+
+struct Sampled {
+    std::function<Mesh(int)> mesh;
+    int coarse;
+};
+
+/// The largest error of E over time, of its largest size; speed is that which the sources are for,
+/// squared.
+double error(const Discretization& mesh, const Manufactured& exact, Side side, double speed) {
+    const int n = mesh.dimension(), degree = exact.degree;
+    const int e = side == Side::primal ? degree : n - degree;
+    const auto space = conditioned_complex(mesh, side, degree, {exact.condition});
+    const HodgeStar star = space.stars[e];
+    const auto norm = [&](const Vector& values) {
+        const Vector kept = space.relative.restrict(e, values);
+        return std::sqrt(kept.dot(side == Side::primal ? star * kept : star.solve(kept)));
+    };
+
+    const double limit = stable_step(mesh, {exact.condition}, side, degree);
+    const int steps = static_cast<int>(std::ceil(end / (0.5 * limit)));
+    const double dt = end / steps;
+    const double sigma = side == Side::primal || star.is_diagonal() ? 0.7 : 0;
+    const Vector E0 = side == Side::primal ? de_rham(mesh, degree, exact.form).values
+                                           : dual_de_rham(mesh, degree, exact.form).values;
+    LeapfrogOptions options{.time_step = dt};
+    if (sigma > 0)
+        options.loss = Vector::Constant(E0.size(), sigma);
+    const Leapfrog leapfrog(mesh, {exact.condition}, side, degree, options);
+    // dB/dt = -d E_0 cos(omega t), so that B = -d E_0 sin(omega t) / omega
+    WaveState state{E0, std::sin(omega * dt / 2) / omega *
+                            d(mesh.complex(), {side, degree, E0}).values};
+    double worst = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double t = (i + 0.5) * dt;
+        const double rate =
+            (speed * exact.lambda / omega - omega) * std::sin(omega * t) + sigma * std::cos(omega * t);
+        leapfrog.step(state, {rate * E0});
+        worst = std::max(worst, norm(state.E - std::cos(omega * (i + 1) * dt) * E0));
+    }
+    return worst / norm(E0);
+}
+
+/// With circumcentric stars if waves of this kind can be had with them, else with those that are
+/// positive on every mesh.
+Discretization with_usable_stars(const Mesh& input, const Manufactured& exact, Side side) {
+    auto mesh = discretize(input);
+    try {
+        stable_step(mesh, {exact.condition}, side, exact.degree);
+    } catch (const InvalidInput&) {
+        mesh = mesh.with_stars(choose_stars(mesh, StarKind::automatic));
+    }
+    return mesh;
+}
+
+double order(const Sampled& sampled, const Manufactured& exact, Side side, double speed = 1) {
+    const auto coarse = with_usable_stars(sampled.mesh(sampled.coarse), exact, side);
+    const auto fine = with_usable_stars(sampled.mesh(2 * sampled.coarse), exact, side);
+    return std::log2(error(coarse, exact, side, speed) / error(fine, exact, side, speed));
+}
+
+const std::map<std::string, Sampled> planar = {
+    {"triangles", {[](int n) { return well_centered(n); }, 12}},
+    {"squares", {[](int n) { return grid(n, n); }, 8}},
+    {"hexagons", {[](int n) { return hexagons(n); }, 8}},
+};
+const std::map<std::string, Sampled> solid = {
+    {"cubes", {[](int n) { return kuhn(3, n); }, 4}},
+    {"octahedra", {[](int n) { return fcc(n); }, 3}},
+    {"tetrahedra", {[](int n) { return bcc(n); }, 4}},
+};
+
+TEST(WaveOrders, print) {
+    for (const auto& [meshes, n] : {std::pair{&planar, 2}, {&solid, 3}})
+        for (const auto& [name, sampled] : *meshes)
+            for (const auto& exact : {clamped(n), free_membrane(n), electric(n), between_magnetic_walls(n)})
+                for (const Side side : {Side::primal, Side::dual}) {
+                    std::cout << name << " degree " << exact.degree << " cond " << int(exact.condition) << " side " << int(side) << " ";
+                    try { std::cout << order(sampled, exact, side) << std::endl; } catch (const std::exception& e) { std::cout << e.what() << std::endl; }
+                }
+}
+
+} // namespace
+} // namespace polydec::test
