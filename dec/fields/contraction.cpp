@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/contraction.h"
+
+#include "base/errors.h"
+#include "dec/metric/circumsphere.h"
+#include "dec/metric/simplex_geometry.h"
+
+#include <fmt/format.h>
+
+namespace polydec {
+
+void check_degree_of_contraction(int k, int largest) {
+    if (k < 0 || k > largest)
+        throw InvalidInput(fmt::format("a vector field is to act on {}-forms: expected a degree "
+                                       "from 0 to {}",
+                                       k, largest));
+}
+
+void check_field(const Pieces& complex, const Points& points, const Points& field) {
+    require_straight(complex, points, "a vector field");
+    if (field.rows() != points.rows() || field.cols() != points.cols())
+        throw InvalidInput(fmt::format("a vector field of {} x {} numbers is given: expected {} x "
+                                       "{}, a row for each point",
+                                       field.rows(), field.cols(), points.rows(), points.cols()));
+    for (Index v = 0; v < field.rows(); ++v)
+        if (!field.row(v).allFinite())
+            throw InvalidInput(
+                fmt::format("the vector field at vertex {} is not finite: give it a value",
+                            complex.vertex_number(v)),
+                {.vertices = {complex.vertex_number(v)}});
+}
+
+namespace {
+
+Vector top_volumes(const Pieces& complex, const Points& points) {
+    const int n = complex.dimension();
+    Circumsphere sphere(points);
+    Vector volumes(complex.size(n));
+    for (Index t = 0; t < complex.size(n); ++t) {
+        // one without volume has no weight but where it is alone
+        const bool has_volume = sphere.look_at(vertices(complex.simplices(n), t));
+        volumes[t] = has_volume ? sphere.volume() : std::numeric_limits<double>::min();
+    }
+    return volumes;
+}
+
+} // namespace
+
+Contraction::Contraction(const Pieces& complex, const Points& points, int k)
+    : complex_(complex),
+      k_(k),
+      volumes_(top_volumes(complex, points)),
+      volumes_around_(Vector::Zero(complex.size(k - 1))),
+      on_boundary_(boundary_cells(complex)[k - 1]) {
+    const int n = complex.dimension();
+    SimplexFaces faces(complex, n, k - 1);
+    const SimplexFaces cofaces(complex, n, k);
+    for (const auto& face : faces.positions())
+        extensions_.push_back(extensions_of(face, cofaces.positions()));
+    gradients_.resize(Eigen::Index{complex.size(n)} * (n + 1), points.cols());
+    for (Index t = 0; t < complex.size(n); ++t) {
+        gradients_.middleRows(Eigen::Index{t} * (n + 1), n + 1) =
+            barycentric_gradients(points, vertices(complex.simplices(n), t));
+        for (const Index s : faces.of(t))
+            volumes_around_[s] += volumes_[t];
+    }
+    steepness_ = gradients_.rowwise().norm();
+}
+
+/// What a face becomes with each of the other vertices; the sign is that of putting it first.
+std::vector<Contraction::Extension>
+Contraction::extensions_of(const std::vector<int>& face,
+                           const std::vector<std::vector<int>>& cofaces) const {
+    std::vector<Extension> extensions;
+    for (int q = 0; q <= complex_.dimension(); ++q) {
+        const auto place = std::lower_bound(face.begin(), face.end(), q);
+        if (place != face.end() && *place == q)
+            continue;
+        auto extended = face;
+        extended.insert(extended.begin() + (place - face.begin()), q);
+        const auto found = std::lower_bound(cofaces.begin(), cofaces.end(), extended);
+        extensions.push_back({q, static_cast<std::size_t>(found - cofaces.begin()),
+                              (place - face.begin()) % 2 == 0 ? 1.0 : -1.0});
+    }
+    return extensions;
+}
+
+/// How far the opposite of the field points into a simplex, from a face of it.
+double Contraction::upwindness(const std::vector<Term>& terms) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& term : terms)
+        least = std::min(least, -term.slope / term.steepness);
+    return least;
+}
+
+/// Of each face the n-simplex into which the opposite of the field points farthest.
+std::vector<Index> Contraction::upwind_simplices(const Points& field) const {
+    std::vector<Index> best(complex_.size(k_ - 1), -1);
+    Vector most = Vector::Zero(complex_.size(k_ - 1));
+    visit_faces(field, [&](Index t, Index s, const std::vector<Term>& terms) {
+        const double here = upwindness(terms);
+        if (best[s] < 0 || here > most[s]) {
+            best[s] = t;
+            most[s] = here;
+        }
+    });
+    return best;
+}
+
+} // namespace polydec

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/components.h"
+#include "dec/fields/interior_product.h"
+#include "dec/metric/simplex_faces.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace polydec {
+
+/// Throws InvalidInput unless 0 <= k <= largest.
+void check_degree_of_contraction(int k, int largest);
+
+/// Throws InvalidInput unless the field has a finite vector for each of the points, naming the
+/// vertex, and the simplices are straight between these.
+void check_field(const Pieces& complex, const Points& points, const Points& field);
+
+/// What a form is on the far side of an inflow boundary.
+enum class Beyond {
+    the_same, ///< as if the nearest simplex went on
+    nothing,
+};
+
+/// Contractions of k-forms with vector fields, k = 1..n: all that does not depend on the field,
+/// made once. Entries of the matrices are visited, so they can be collected or applied as they
+/// come.
+class Contraction {
+public:
+    Contraction(const Pieces& complex, const Points& points, int k);
+
+    int degree() const { return k_; }
+
+    /// Calls visit(s, c, value) for what the k-simplex c adds to the contraction at its face s.
+    template <class Visit>
+    void visit_entries(const Points& field, Sampling sampling, Beyond beyond, Visit visit) const {
+        const bool cut = sampling == Sampling::upwind && beyond == Beyond::nothing;
+        const auto nearest =
+            sampling == Sampling::upwind ? upwind_simplices(field) : std::vector<Index>();
+        visit_faces(field, [&](Index t, Index s, const std::vector<Term>& terms) {
+            if (!nearest.empty() && nearest[s] != t)
+                return;
+            const double weight = nearest.empty() ? volumes_[t] / volumes_around_[s] : 1;
+            for (const auto& term : terms)
+                if (!cut || term.slope <= 0)
+                    visit(s, term.coface, -k_ * weight * term.slope * term.incidence);
+        });
+    }
+
+    /// Calls visit(s, rate) for the boundary (k-1)-simplices at which the field flows in: at what
+    /// rate values of a (k-1)-form outside come in.
+    template <class Visit>
+    void visit_inflow(const Points& field, Visit visit) const {
+        const auto nearest = upwind_simplices(field);
+        visit_faces(field, [&](Index t, Index s, const std::vector<Term>& terms) {
+            if (!on_boundary_[s] || nearest[s] != t)
+                return;
+            double rate = 0;
+            for (const auto& term : terms)
+                rate += k_ * std::max(term.slope, 0.0);
+            if (rate > 0)
+                visit(s, rate);
+        });
+    }
+
+private:
+    /// The slope of the barycentric coordinate of a further vertex along the field, the coface
+    /// with this vertex, and its incidence with the face.
+    struct Term {
+        Index coface;
+        double incidence;
+        double slope;
+        double steepness; // length of the gradient
+    };
+    struct Extension {
+        int vertex;
+        std::size_t coface;
+        double sign;
+    };
+
+    template <class Visit>
+    void visit_faces(const Points& field, Visit visit) const;
+    std::vector<Extension> extensions_of(const std::vector<int>& face,
+                                         const std::vector<std::vector<int>>& cofaces) const;
+    std::vector<Index> upwind_simplices(const Points& field) const;
+    static double upwindness(const std::vector<Term>& terms);
+
+    Pieces complex_;
+    int k_;
+    std::vector<std::vector<Extension>> extensions_; // by face of the n-simplex
+    Points gradients_;                               // n + 1 rows for each n-simplex
+    Vector steepness_;                               // their lengths
+    Vector volumes_, volumes_around_;                // of n-simplices; of those around each face
+    std::vector<bool> on_boundary_;                  // of faces
+};
+
+/// Calls visit(t, s, terms) for the (k-1)-faces s of the n-simplices t.
+template <class Visit>
+void Contraction::visit_faces(const Points& field, Visit visit) const {
+    const int n = complex_.dimension();
+    const auto& tops = complex_.simplices(n);
+    SimplexFaces faces(complex_, n, k_ - 1), cofaces(complex_, n, k_);
+    std::vector<Term> terms;
+    Eigen::RowVectorXd X(field.cols());
+    for (Index t = 0; t < complex_.size(n); ++t) {
+        const auto &sides = faces.of(t), &around = cofaces.of(t);
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            X.setZero();
+            for (const int p : faces.positions()[i])
+                X += field.row(tops(t, p)) / k_;
+            terms.clear();
+            for (const auto& extension : extensions_[i]) {
+                const Index coface = around[extension.coface];
+                const Eigen::Index row = Eigen::Index{t} * (n + 1) + extension.vertex;
+                const double side = k_ == n ? complex_.orientation(coface) : 1;
+                terms.push_back(
+                    {coface, extension.sign * side, X.dot(gradients_.row(row)), steepness_[row]});
+            }
+            visit(t, sides[i], terms);
+        }
+    }
+}
+
+} // namespace polydec

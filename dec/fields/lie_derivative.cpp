@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/lie_derivative.h"
+
+#include "base/errors.h"
+#include "dec/fields/contraction.h"
+#include "dec/fields/transfer.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace polydec {
+
+struct LieDerivative::Parts {
+    std::optional<Discretization> mesh; // none: the simplices themselves
+    Pieces complex;
+    Points points;
+    int k;
+    Sampling sampling;
+    std::optional<Contraction> lower, upper; // of k-forms and of their derivatives
+
+    Parts(std::optional<Discretization> on, const Pieces& simplices, const Points& places,
+          int degree, Sampling how)
+        : mesh(std::move(on)), complex(simplices), points(places), k(degree), sampling(how) {
+        check_degree_of_contraction(k, complex.dimension());
+        require_straight(complex, points, "a vector field");
+        if (k > 0)
+            lower.emplace(complex, points, k);
+        if (k < complex.dimension())
+            upper.emplace(complex, points, k + 1);
+    }
+
+    Points checked(const Points& field) const {
+        const Points here = mesh ? Points(mesh->passage().back(0, field)) : field;
+        check_field(complex, points, here);
+        return here;
+    }
+
+    /// The values on the simplices.
+    Cochain checked(const Cochain& form) const {
+        if (form.side != Side::primal || form.degree != k)
+            throw InvalidInput(fmt::format("a vector field is to act on a {} {}-form: this one "
+                                           "acts on primal {}-forms",
+                                           name(form.side), form.degree, k));
+        if (mesh)
+            return lifted(*mesh, form);
+        check(complex, form);
+        return form;
+    }
+
+    Cochain on_cells(Cochain form) const {
+        return mesh && form.degree >= 0 ? to_merged(*mesh, form) : form;
+    }
+
+    Cochain contract(const Contraction& by, const Points& field, const Cochain& form,
+                     Beyond beyond) const {
+        Vector values = Vector::Zero(complex.size(by.degree() - 1));
+        by.visit_entries(field, sampling, beyond, [&](Index s, Index coface, double value) {
+            values[s] += value * form.values[coface];
+        });
+        return {Side::primal, by.degree() - 1, std::move(values)};
+    }
+
+    void add_inflow(const Points& field, const Cochain& outside, Vector& to) const {
+        if (upper && sampling == Sampling::upwind)
+            upper->visit_inflow(field,
+                                [&](Index s, double rate) { to[s] += rate * outside.values[s]; });
+    }
+};
+
+LieDerivative::LieDerivative(const Pieces& complex, const Points& points, int k, Sampling sampling)
+    : parts_(std::make_shared<Parts>(std::nullopt, complex, points, k, sampling)) {}
+
+LieDerivative::LieDerivative(const Discretization& mesh, int k, Sampling sampling)
+    : parts_(std::make_shared<Parts>(mesh, mesh.input(), mesh.input_points(), k, sampling)) {}
+
+Cochain LieDerivative::interior_product(const Points& field, const Cochain& form) const {
+    const Points X = parts_->checked(field);
+    const Cochain a = parts_->checked(form);
+    if (!parts_->lower)
+        return {Side::primal, -1, {}};
+    return parts_->on_cells(parts_->contract(*parts_->lower, X, a, Beyond::the_same));
+}
+
+Cochain LieDerivative::operator()(const Points& field, const Cochain& form) const {
+    const Points X = parts_->checked(field);
+    const Cochain a = parts_->checked(form);
+    Cochain result{Side::primal, a.degree, Vector::Zero(a.values.size())};
+    if (parts_->upper)
+        result.values +=
+            parts_->contract(*parts_->upper, X, d(parts_->complex, a), Beyond::nothing).values;
+    if (parts_->lower)
+        result.values +=
+            d(parts_->complex, parts_->contract(*parts_->lower, X, a, Beyond::nothing)).values;
+    parts_->add_inflow(X, a, result.values);
+    return parts_->on_cells(std::move(result));
+}
+
+Cochain LieDerivative::inflow(const Points& field, const Cochain& outside) const {
+    const Points X = parts_->checked(field);
+    const Cochain g = parts_->checked(outside);
+    Cochain result{Side::primal, g.degree, Vector::Zero(g.values.size())};
+    parts_->add_inflow(X, g, result.values);
+    return parts_->on_cells(std::move(result));
+}
+
+} // namespace polydec

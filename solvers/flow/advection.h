@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "dec/forms/cochain.h"
+
+#include <memory>
+
+namespace polydec {
+
+/// Advection of flows in vector-invariant form: the force i_u omega that a flow with the fluxes w
+/// (a primal (n-1)-form) meets in the vorticity z, along the duals of facets, size(n-1) values. z
+/// is the primal (n-2)-form star^-1 omega: for n = 2 the vorticity at vertices, for n = 3 its
+/// circulation along edges. Any n >= 2, cells of any shape, lengths alone.
+///
+/// In each n-cell P the velocity is Perot's, u = sum over its facets of w(f) r_f / |P| with r_f
+/// from the centroid of P to that of f, positive outwards, and z is the mean of its Whitney form.
+/// The force along the part of *f in P is z ^ u ^ r_f: so w' . A(z) w = sum over P of |P| z ^ u ^
+/// u', which is antisymmetric in u and u': A(z) is an antisymmetric matrix on every mesh, and does
+/// no work to rounding. For constant z and u on flat cells A(z) w is exactly the integral of i_u
+/// omega along dual edges, but for a gradient of cells. Source: Mullen et al. 2009 for the
+/// principle; Perot 2000 for u.
+class Advection {
+public:
+    /// Throws InvalidInput for n < 2, naming facets where cells are not oriented alike or branch,
+    /// and naming a cell that lies on both sides of a facet.
+    explicit Advection(const Discretization& mesh);
+
+    int dimension() const;
+
+    /// A(z) w; z has size(n-2) values, w size(n-1), or else InvalidInput is thrown.
+    Vector operator()(const Vector& z, const Vector& w) const;
+
+    /// A(z): size(n-1) x size(n-1), antisymmetric.
+    SparseMatrix matrix(const Vector& z) const;
+
+    /// |u|^2 / 2 in each n-cell.
+    Vector kinetic_energy(const Vector& w) const;
+
+    /// How often a second the content of an n-cell is exchanged, at most: half the sum of |w| over
+    /// its facets, over its volume. Explicit steps must be about as short as its inverse.
+    double exchange_rate(const Vector& w) const;
+
+private:
+    struct Parts;
+
+    std::shared_ptr<const Parts> parts_;
+};
+
+} // namespace polydec

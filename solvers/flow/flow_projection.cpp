@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/flow/flow_projection.h"
+
+#include "base/errors.h"
+#include "dec/forms/derivative.h"
+#include "solvers/constrained_system.h"
+#include "solvers/flow/flow_operators.h"
+#include "solvers/saddle_solver.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace polydec {
+
+/// By the multipliers alone where the matrix of the flow is diagonal, else by both together.
+struct FlowProjection::Solver {
+    SparseMatrix divergence;
+    Vector weights; // 1 over the diagonal of star, or empty
+    std::optional<ConstrainedSolver> poisson;
+    std::optional<SaddleSolver> saddle;
+
+    Solver(const FlowOperators& flow, double theta) : divergence(flow.divergence) {
+        const auto& engine = flow.options.linear_solver;
+        if (theta * flow.options.viscosity == 0 && flow.unknown_star.is_diagonal()) {
+            weights = flow.unknown_star.inverse();
+            ConstrainedSystem system;
+            system.A = divergence * weights.asDiagonal() * SparseMatrix(divergence.transpose());
+            system.fixed.assign(static_cast<std::size_t>(divergence.rows()), false);
+            system.tied = flow.tied;
+            system.weights = flow.mesh.volumes().primal(flow.n);
+            system.definiteness = Definiteness::semidefinite;
+            system.domain_dimension = flow.n;
+            poisson.emplace(std::move(system), engine);
+        } else
+            saddle.emplace(matrix(flow, theta), divergence, engine, flow.n);
+    }
+
+    static SparseMatrix matrix(const FlowOperators& flow, double theta) {
+        SparseMatrix M = flow.unknown_star.matrix();
+        const double factor = theta * flow.options.viscosity;
+        if (factor == 0)
+            return M;
+        const SparseMatrix whole = (flow.star * flow.curl).matrix();
+        std::vector<Eigen::Triplet<double, Index>> entries;
+        for (Index i = 0; i < static_cast<Index>(flow.unknown.size()); ++i)
+            for (SparseMatrix::InnerIterator entry(whole, flow.unknown[i]); entry; ++entry)
+                entries.emplace_back(i, static_cast<Index>(entry.col()), entry.value());
+        SparseMatrix B(M.rows(), whole.cols());
+        B.setFromTriplets(entries.begin(), entries.end());
+        const Vector inverse = factor * flow.vorticity_star.inverse();
+        M += SparseMatrix(B * inverse.asDiagonal() * SparseMatrix(B.transpose()));
+        return M;
+    }
+
+    Flow solve(const Vector& f, const Vector& g) const {
+        if (saddle) {
+            const auto [x, c, report] = saddle->solve(f, g);
+            return {x, c};
+        }
+        const Vector none = Vector::Zero(g.size());
+        const Vector free = weights.cwiseProduct(f);
+        const Vector c = poisson->solve(divergence * free - g, none).values;
+        return {free - weights.cwiseProduct(divergence.transpose() * c), c};
+    }
+};
+
+FlowProjection::FlowProjection(std::shared_ptr<const FlowOperators> operators, double theta)
+    : operators_(std::move(operators)), theta_(theta) {
+    if (!(theta * operators_->options.viscosity >= 0))
+        throw InvalidInput(
+            fmt::format("a part of {} of a time step is given: expected 0 or more", theta));
+    solver_ = std::make_shared<Solver>(*operators_, theta);
+}
+
+FlowProjection::Flow FlowProjection::solve(const Vector& momentum) const {
+    const FlowOperators& flow = *operators_;
+    Vector right_side = momentum;
+    if (const double factor = theta_ * flow.options.viscosity; factor > 0)
+        right_side -= factor * flow.curl_of(flow.vorticity(flow.boundary_flux, 1));
+    return solve(right_side, flow.boundary_flux);
+}
+
+FlowProjection::Flow FlowProjection::solve_at_rest(const Vector& momentum) const {
+    if (theta_ != 0)
+        throw InvalidInput("a flow at rest is asked for of a projection with friction: take theta "
+                           "= 0");
+    return solve(momentum, Vector::Zero(momentum.size()));
+}
+
+FlowProjection::Flow FlowProjection::solve(const Vector& momentum, const Vector& boundary) const {
+    const FlowOperators& flow = *operators_;
+    const Vector f = flow.unknowns_of(momentum - flow.star * boundary);
+    const Vector g = -(Operator::derivative(flow.mesh.complex(), flow.n - 1) * boundary);
+    auto [x, c] = solver_->solve(f, g);
+    Vector flux = boundary;
+    flux(flow.unknown) = x;
+    return {std::move(flux), std::move(c)};
+}
+
+} // namespace polydec

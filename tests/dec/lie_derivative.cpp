@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/lie_derivative.h"
+
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "tests/dec/discretized.h"
+#include "tests/dec/products.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+constexpr double rounding = 1e-11;
+
+class LieDerivatives : public OverMeshes {
+protected:
+    static Points random_field(const Discretization& mesh, unsigned seed) {
+        const auto rows = mesh.points().rows(), columns = mesh.points().cols();
+        return random_vector(static_cast<Index>(rows * columns), seed).reshaped(rows, columns);
+    }
+};
+
+TEST_P(LieDerivatives, without_a_matrix_do_what_the_matrices_do) {
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        const Points field = random_field(mesh, 7), other = random_field(mesh, 8);
+        for (const auto sampling : {Sampling::centered, Sampling::upwind})
+            for (int k = 0; k <= mesh.dimension(); ++k) {
+                const LieDerivative along(mesh, k, sampling);
+                const Cochain a = random_form(mesh.complex(), Side::primal, k, 3);
+                const SparseMatrix L = lie_derivative(mesh, field, k, sampling);
+                EXPECT_LE(relative_difference(along(field, a).values, L * a.values), rounding) << k;
+                EXPECT_LE(
+                    relative_difference(along.interior_product(field, a).values,
+                                        interior_product(mesh, field, k, sampling) * a.values),
+                    rounding)
+                    << k;
+                // the field is that of the call, not of one before
+                if (largest(L) > 0 && mesh.complex().size(k) > 1) {
+                    EXPECT_GT(relative_difference(along(other, a).values, L * a.values), 1e-3) << k;
+                }
+            }
+    });
+}
+
+TEST_P(LieDerivatives, let_in_what_the_matrix_of_inflow_lets_in) {
+    for_merged_and_not(GetParam(), [](const Discretization& mesh) {
+        const Points field = random_field(mesh, 7);
+        for (int k = 0; k <= mesh.dimension(); ++k) {
+            const Cochain g = random_form(mesh.complex(), Side::primal, k, 3);
+            const LieDerivative along(mesh, k, Sampling::upwind);
+            EXPECT_LE(relative_difference(along.inflow(field, g).values,
+                                          inflow(mesh, field, k) * g.values),
+                      rounding)
+                << k;
+        }
+    });
+}
+
+POLYDEC_OVER_MESHES(LieDerivatives);
+
+TEST(LieDerivativesAfterFlips, do_what_the_matrices_do) {
+    DiscretizeOptions options;
+    options.delaunay = Delaunay::flips;
+    const auto mesh = discretize(perturbed(grid(5, 4), 0.08, 5), options);
+    const Points field = random_vector(static_cast<Index>(mesh.points().size()), 7)
+                             .reshaped(mesh.points().rows(), mesh.points().cols());
+    for (int k = 0; k <= 2; ++k) {
+        const Cochain a = random_form(mesh.complex(), Side::primal, k, 3);
+        const LieDerivative along(mesh, k, Sampling::upwind);
+        EXPECT_LE(relative_difference(along(field, a).values,
+                                      lie_derivative(mesh, field, k, Sampling::upwind) * a.values),
+                  rounding)
+            << k;
+    }
+}
+
+TEST(LieDerivativeErrors, name_the_kind_of_form_and_the_degree) {
+    const auto& mesh = discretized("grid4");
+    const Points field = Points::Ones(mesh.points().rows(), 2);
+    EXPECT_EQ(refusal([&] { LieDerivative(mesh, 3, Sampling::centered); }),
+              "a vector field is to act on 3-forms: expected a degree from 0 to 2");
+    const LieDerivative along(mesh, 1, Sampling::centered);
+    const auto form = random_form(mesh.complex(), Side::dual, 1, 1);
+    EXPECT_EQ(refusal([&] { along(field, form); }),
+              "a vector field is to act on a dual 1-form: this one acts on primal 1-forms");
+    const auto primal = random_form(mesh.complex(), Side::primal, 1, 1);
+    EXPECT_EQ(refusal([&] { along(Points::Ones(7, 2), primal); }),
+              "a vector field of 7 x 2 numbers is given: expected 25 x 2, a row for each point");
+}
+
+} // namespace
+} // namespace polydec::test
