@@ -33,7 +33,7 @@ struct StiffPart {
 /// y' = f(t, y) + g(t, y), of which one may be missing. What the functions throw passes through the
 /// integrator that calls them.
 struct InitialValueProblem {
-    Rate rate = {};                   ///< f, which is not stiff
+    Rate rate = {};                      ///< f, which is not stiff
     std::optional<StiffPart> stiff = {}; ///< g
 
     /// A march stops where this goes through 0.

@@ -61,9 +61,9 @@ void register_integrator(const std::string& name, IntegratorFactory factory);
 /// The same for a mesher.
 void register_mesher(const EngineInfo& info, Mesher mesher);
 
-/// Every engine that is known, the missing ones too; linear first, then eigensolvers, integrators and
-/// meshers, each kind ordered by name; of a module that cannot be loaded, how_to_get says why. Loads every
-/// module there is. An engine that runs a program is available if that is on PATH now.
+/// Every engine that is known, the missing ones too; linear first, then eigensolvers, integrators
+/// and meshers, each kind ordered by name; of a module that cannot be loaded, how_to_get says why.
+/// Loads every module there is. An engine that runs a program is available if that is on PATH now.
 std::vector<EngineInfo> engines();
 
 /// The same for one kind only; modules, which bring no meshers, are loaded for the other kinds.

@@ -33,8 +33,7 @@ ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& sta
                                int degree, const DiffusionOptions& options) {
     if (options.conditions)
         return conditioned_complex(complex, stars, side, degree, *options.conditions);
-    return {relative_complex(complex,
-                             essential_cells(complex, built_in_conditions(Side::primal))),
+    return {relative_complex(complex, essential_cells(complex, built_in_conditions(Side::primal))),
             stars};
 }
 
@@ -101,8 +100,8 @@ Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side
     if (stiffness.rows() != mass.size() || stiffness.cols() != mass.size())
         throw InvalidInput(fmt::format("a stiffness of {} x {} is given: expected {} x {}, as the "
                                        "star of {}-cells",
-                                       stiffness.rows(), stiffness.cols(), mass.size(),
-                                       mass.size(), mass.degree()));
+                                       stiffness.rows(), stiffness.cols(), mass.size(), mass.size(),
+                                       mass.degree()));
     check_positive_mass(mass, side, degree_);
     for (Index cell = 0; cell < mass.size(); ++cell)
         kept_.push_back(cell);
@@ -169,8 +168,7 @@ Vector Diffusion::primal_load(const Vector& boundary_values) const {
     if (k > 0) {
         const Vector flow = Operator::derivative(space_->whole, k - 1).transposed() *
                             Vector(space_->stars[k] * fixed);
-        const Vector below =
-            space_->kept.stars[k - 1].solve(Vector(kept.restrict(k - 1, flow)));
+        const Vector below = space_->kept.stars[k - 1].solve(Vector(kept.restrict(k - 1, flow)));
         load += mass_ * Vector(Operator::derivative(kept.complex, k - 1) * below);
     }
     return load;

@@ -21,8 +21,8 @@ struct DiffusionOptions {
 };
 
 /// The rate -nu Delta u of primal or dual forms of any degree under conditions on the boundary, and
-/// solutions of x + gamma nu Delta x = b, by which steps in time need not be as short as the mesh is
-/// fine. Where star_k or star_(k-1) is a matrix, each solves for the codifferential beside the
+/// solutions of x + gamma nu Delta x = b, by which steps in time need not be as short as the mesh
+/// is fine. Where star_k or star_(k-1) is a matrix, each solves for the codifferential beside the
 /// form: the inverse of star_(k-1) is dense, or its entries are of such different sizes that
 /// products with it lose the star's digits.
 ///

@@ -29,8 +29,8 @@ std::shared_ptr<Diffusion> stiff_part(const CellComplex& complex, const HodgeSta
 
 /// Sizes of cells, by which values are coefficients; where one is nothing, the mean.
 Vector sizes_of_cells(const CellVolumes& volumes, Side side, int degree) {
-    Vector sizes = side == Side::primal ? volumes.primal(degree)
-                                        : volumes.dual(volumes.dimension() - degree);
+    Vector sizes =
+        side == Side::primal ? volumes.primal(degree) : volumes.dual(volumes.dimension() - degree);
     sizes = sizes.cwiseAbs();
     const double mean = sizes.size() > 0 ? sizes.mean() : 0;
     const double least = 1e-3;
@@ -147,8 +147,7 @@ Vector Evolution::Equation::solve(const Vector& b) const {
     return result;
 }
 
-InitialValueProblem
-Evolution::Equation::problem(const std::shared_ptr<Equation>& self) const {
+InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>& self) const {
     InitialValueProblem result{.scale = scale};
     const bool is_stiff =
         std::any_of(parts.begin(), parts.end(), [](const Part& part) { return !!part.stiff; });

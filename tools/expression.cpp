@@ -112,7 +112,27 @@ Expression::Expression(const std::string& option, const std::string& text, const
 
 Expression::~Expression() = default;
 
+bool Expression::uses_label() const {
+    return state_->uses_label;
+}
+
+Vector Expression::operator()(const Points& sites, double label) const {
+    state_->label_value = label;
+    return values(sites, {});
+}
+
 Vector Expression::operator()(const Points& sites, const std::vector<Index>& labels) const {
+    const auto& [option, text, label, parser, position, used, label_value, uses_label] = *state_;
+    if (uses_label && labels.empty())
+        throw InvalidInput(
+            fmt::format("{}: '{}' uses `{}`, but the mesh has none: give a mesh with "
+                        "physical groups, or change the expression",
+                        option, printable(text), label));
+    return values(sites, labels);
+}
+
+/// With no labels the label keeps its value.
+Vector Expression::values(const Points& sites, const std::vector<Index>& labels) const {
     auto& [option, text, label, parser, position, used, label_value, uses_label] = *state_;
     const auto axes = static_cast<int>(sites.cols());
     if (axes == 0 && used > 0)
@@ -121,16 +141,11 @@ Vector Expression::operator()(const Points& sites, const std::vector<Index>& lab
         throw InvalidInput(fmt::format("{}: '{}' uses coordinate {}, but the mesh has {}: change "
                                        "the expression",
                                        option, printable(text), used, axes));
-    if (uses_label && labels.empty())
-        throw InvalidInput(
-            fmt::format("{}: '{}' uses `{}`, but the mesh has none: give a mesh with "
-                        "physical groups, or change the expression",
-                        option, printable(text), label));
     Vector values(sites.rows());
     for (Index i = 0; i < sites.rows(); ++i) {
         for (int c = 0; c < used; ++c)
             position[c] = sites(i, c);
-        if (uses_label)
+        if (uses_label && !labels.empty())
             label_value = labels[i];
         try {
             values[i] = parser.Eval();
@@ -173,6 +188,10 @@ Vector SiteValues::at(const Points& sites, const std::vector<Index>& labels) con
         return (*expression_)(sites, labels);
     check_count(sites.rows());
     return values_;
+}
+
+Vector SiteValues::at(const Points& sites, double label) const {
+    return expression_ ? (*expression_)(sites, label) : at(sites);
 }
 
 Vector SiteValues::at(const Points& sites, const std::vector<std::int64_t>& numbers,

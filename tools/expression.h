@@ -27,7 +27,14 @@ public:
     /// have, or a label that is not known.
     Vector operator()(const Points& sites, const std::vector<Index>& labels = {}) const;
 
+    /// The same with one value of the label for all sites, as a time.
+    Vector operator()(const Points& sites, double label) const;
+
+    bool uses_label() const;
+
 private:
+    Vector values(const Points& sites, const std::vector<Index>& labels) const;
+
     struct State;
     std::unique_ptr<State> state_;
 };
@@ -45,6 +52,10 @@ public:
 
     /// Throws InvalidInput for a file with another number of values, else like Expression.
     Vector at(const Points& sites, const std::vector<Index>& labels = {}) const;
+    Vector at(const Points& sites, double label) const;
+
+    /// Whether they are an expression that uses the label.
+    bool uses_label() const { return expression_ && expression_->uses_label(); }
 
     /// The same at some of `count` sites, of which these have the given numbers.
     Vector at(const Points& sites, const std::vector<std::int64_t>& numbers,

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -24,12 +25,12 @@ Index binomial(int of, int chosen) {
 
 /// Integrals over cells, or over their duals, in the units of the file.
 Vector integrals(const Discretization& mesh, Side side, int degree,
-                 const std::vector<SiteValues>& coefficients) {
+                 const std::vector<SiteValues>& coefficients, double time) {
     const auto form = [&](const Vector& point) {
         const Points site = mesh.unit() * point.transpose();
         Vector values(static_cast<Eigen::Index>(coefficients.size()));
         for (std::size_t i = 0; i < coefficients.size(); ++i)
-            values[static_cast<Eigen::Index>(i)] = coefficients[i].at(site)[0];
+            values[static_cast<Eigen::Index>(i)] = coefficients[i].at(site, time)[0];
         return values;
     };
     const Cochain found =
@@ -39,9 +40,9 @@ Vector integrals(const Discretization& mesh, Side side, int degree,
 
 } // namespace
 
-void add_form(CLI::App& command, const std::string& option, std::string& text,
-              const std::string& what) {
-    command
+CLI::Option* add_form(CLI::App& command, const std::string& option, std::string& text,
+                      const std::string& what) {
+    return command
         .add_option(option, text,
                     fmt::format("{}: an expression in x, y, z; of higher\n"
                                 "degree the coefficients at dx, dy, .. or at dx dy, dx dz, ..,\n"
@@ -50,7 +51,8 @@ void add_form(CLI::App& command, const std::string& option, std::string& text,
         ->required();
 }
 
-FormValues::FormValues(const std::string& option, const std::string& text) : option_(option) {
+FormValues::FormValues(const std::string& option, const std::string& text, const std::string& time)
+    : option_(option) {
     std::error_code error;
     if (std::filesystem::is_regular_file(text, error)) {
         coefficients_.emplace_back(option, text);
@@ -58,21 +60,13 @@ FormValues::FormValues(const std::string& option, const std::string& text) : opt
     }
     for (std::size_t begin = 0; begin <= text.size();) { // a last one may be empty, which is told
         const std::size_t end = std::min(text.find(';', begin), text.size());
-        coefficients_.emplace_back(option, text.substr(begin, end - begin));
+        coefficients_.emplace_back(option, text.substr(begin, end - begin), time);
         begin = end + 1;
     }
 }
 
-Cochain FormValues::on(const Discretization& mesh, Side side, int degree) const {
-    const int n = mesh.dimension();
+void FormValues::check_count(const Discretization& mesh, int degree) const {
     const int coordinates = static_cast<int>(mesh.points().cols());
-    if (degree < 0 || degree > n)
-        throw InvalidInput(
-            fmt::format("forms of degree {} are asked for: expected 0 to {}", degree, n));
-    if (coefficients_.front().file()) {
-        const int k = cell_degree(mesh.complex(), side, degree);
-        return {side, degree, coefficients_.front().at(Points(mesh.complex().size(k), 0))};
-    }
     const Index wanted = degree == 0 ? 1 : binomial(coordinates, degree);
     if (std::ssize(coefficients_) != wanted)
         throw InvalidInput(fmt::format("{} has {} coefficient{}: a {}-form in {} coordinates has "
@@ -80,10 +74,38 @@ Cochain FormValues::on(const Discretization& mesh, Side side, int degree) const 
                                        option_, coefficients_.size(),
                                        coefficients_.size() == 1 ? "" : "s", degree, coordinates,
                                        wanted));
+}
+
+Cochain FormValues::on(const Discretization& mesh, Side side, int degree, double time) const {
+    const int n = mesh.dimension();
+    if (degree < 0 || degree > n)
+        throw InvalidInput(
+            fmt::format("forms of degree {} are asked for: expected 0 to {}", degree, n));
+    if (coefficients_.front().file()) {
+        const int k = cell_degree(mesh.complex(), side, degree);
+        return {side, degree, coefficients_.front().at(Points(mesh.complex().size(k), 0))};
+    }
+    check_count(mesh, degree);
     if (degree > 0)
-        return {side, degree, integrals(mesh, side, degree, coefficients_)};
+        return {side, degree, integrals(mesh, side, degree, coefficients_, time)};
     const Points sites = side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
-    return {side, degree, coefficients_.front().at(mesh.unit() * sites)};
+    return {side, degree, coefficients_.front().at(mesh.unit() * sites, time)};
+}
+
+Vector FormValues::on_boundary(const Discretization& mesh, Side side, int degree,
+                               double time) const {
+    if (side == Side::primal)
+        return on(mesh, side, degree, time).values;
+    if (degree > 0)
+        throw InvalidInput(fmt::format("{} of a dual {}-form: expected a 0-form, or a primal one",
+                                       option_, degree));
+    check_count(mesh, degree);
+    return coefficients_.front().at(mesh.unit() * cell_centers(mesh, mesh.dimension() - 1), time);
+}
+
+bool FormValues::uses_time() const {
+    return std::any_of(coefficients_.begin(), coefficients_.end(),
+                       [](const SiteValues& each) { return each.uses_label(); });
 }
 
 Paths FormValues::inputs(const std::filesystem::path& mesh,

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/forms/cochain.h"
 #include "io/diagnosis_json.h"
+#include "solvers/evolution.h"
 #include "tools/commands.h"
 #include "tools/common.h"
 #include "tools/conditions.h"
@@ -30,8 +31,14 @@ struct HeatArguments {
     ConditionArguments conditions;
     Side side = Side::primal;
     int degree = 0;
-    std::string initial;
+    std::string initial, source, boundary;
     HeatOptions heat;
+    std::string integrator = "runge-kutta";
+    double tolerance = 0; ///< 0: none is asked for
+
+    bool needs_integrator() const {
+        return tolerance > 0 || !source.empty() || !boundary.empty() || integrator != "runge-kutta";
+    }
 };
 
 struct Cooled : Answer {
@@ -42,23 +49,18 @@ struct Cooled : Answer {
     std::string conditions;
     double min, max, norm; // the last one as a part of that at the beginning
     ChosenStars stars;
-
-    Cooled(const HeatArguments& arguments, const March& march, const Ran& how, std::string words,
-           double part, const ChosenStars& chosen)
-        : side(arguments.side),
-          degree(arguments.degree),
-          steps(march.steps),
-          ran(how),
-          conditions(std::move(words)),
-          min(march.state[0].minCoeff()),
-          max(march.state[0].maxCoeff()),
-          norm(part),
-          stars(chosen) {}
+    std::optional<IntegratorReport> integrated = {};
 
     void write(JsonWriter& json) const override {
         json.member("side", name(side));
         json.member("degree", degree);
         write_time(json, steps, ran);
+        if (integrated) {
+            json.member("integrator", integrated->engine);
+            json.member("integrator_steps", integrated->steps);
+            json.member("integrator_rejected", integrated->rejected);
+            json.member("integrator_last_step", integrated->last_step);
+        }
         json.member("min", min);
         json.member("max", max);
         json.member("relative_norm", norm);
@@ -68,6 +70,10 @@ struct Cooled : Answer {
 
     void write(Text& text) const override {
         text("heat equation for {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
+        if (integrated)
+            text("  divided by {} into {} steps, {} of them taken again, the last one of {:.6g}\n",
+                 integrated->engine, integrated->steps, integrated->rejected,
+                 integrated->last_step);
         text("  {}\n  {}\n", conditions, in_words(stars));
         text("  values from {:.10g} to {:.10g}; L2 norm {:.6g} of that at the beginning\n", min,
              max, norm);
@@ -78,50 +84,179 @@ double norm(const Discretization& mesh, const Cochain& form) {
     return std::sqrt(std::max(0.0, inner_product(mesh.complex(), mesh.stars(), form, form)));
 }
 
-void run_heat(HeatArguments arguments) {
+/// What heat is marched with: the mesh, and what was asked for on it.
+struct Heat {
+    const HeatArguments& arguments;
+    const Discretization& mesh;
+    Cochain start;
+    std::optional<BoundaryConditions> conditions;
+    std::optional<FormValues> source, boundary;
+
+    double time_unit() const { return mesh.unit() * mesh.unit(); }
+};
+
+/// Equal steps by the scheme that was asked for.
+void take_equal_steps(March& march, const Heat& heat) {
+    auto options = heat.arguments.heat;
+    options.time_step = march.steps.length / heat.time_unit();
+    const auto& start = heat.start;
+    const auto file = heat.arguments.mesh.mesh;
+    const auto solver = std::make_shared<HeatSolver>(computed_on(file, [&] {
+        const Progress progress;
+        progress("factorize");
+        return HeatSolver(heat.mesh, heat.conditions.value_or(built_in_conditions(start.side)),
+                          start.side, start.degree, options);
+    }));
+    march.step = [=, side = start.side, degree = start.degree](std::vector<Vector>& state) {
+        state[0] = computed_on(file, [&] {
+            return solver->step({side, degree, std::move(state[0])}).values;
+        });
+    };
+    march.shown = [side = start.side, degree = start.degree](const std::vector<Vector>& state) {
+        return std::vector{NamedForm("u", {side, degree, state[0]}, "the heat")};
+    };
+    march.problem.add(static_cast<std::uint64_t>(options.scheme));
+}
+
+/// A value at each time; the same one where an expression does not use the time.
+std::function<Vector(double)> in_time(const FormValues& values, std::function<Vector(double)> at) {
+    if (values.uses_time())
+        return at;
+    return [value = at(0)](double) { return value; };
+}
+
+std::shared_ptr<Evolution> evolution(const Heat& heat) {
+    const auto& [side, degree, values] = heat.start;
+    const Discretization& mesh = heat.mesh;
+    const double unit = heat.time_unit();
+    Unknown unknown{.start = heat.start, .diffusion = 1, .conditions = heat.conditions};
+    if (heat.boundary)
+        unknown.boundary_values = in_time(*heat.boundary, [&](double t) {
+            return heat.boundary->on_boundary(mesh, side, degree, unit * t);
+        });
+    Reaction reaction;
+    if (heat.source)
+        reaction = [rate = in_time(*heat.source, [&](double t) {
+                        return Vector(unit * heat.source->on(mesh, side, degree, unit * t).values);
+                    })](double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
+    const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;
+    const double largest = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
+    EvolutionOptions options{.integrator = heat.arguments.integrator,
+                             .linear_solver = heat.arguments.heat.linear_solver};
+    options.steps = {.relative_tolerance = tolerance,
+                     .absolute_tolerance = 1e-3 * tolerance * (largest > 0 ? largest : 1),
+                     .fixed_step = heat.arguments.time.time_step / unit};
+    return std::make_shared<Evolution>(mesh, std::vector{unknown}, reaction, options);
+}
+
+/// Steps from frame to frame, each of as many as the tolerance asks for. The state is that of the
+/// evolution, and the time behind it.
+std::shared_ptr<Evolution> integrate(March& march, const Heat& heat) {
+    const auto file = heat.arguments.mesh.mesh;
+    const auto run = computed_on(file, [&] { return evolution(heat); });
+    const auto state_now = [run] {
+        auto state = run->state();
+        state.push_back(Vector{{run->time()}});
+        return state;
+    };
+    march.state = state_now();
+    const double length = march.steps.length / heat.time_unit();
+    march.step = [=](std::vector<Vector>& state) {
+        computed_on(file, [&] {
+            const double now = state[2][0];
+            if (now != run->time())
+                run->resume(now, {state[0], state[1]});
+            run->march(length * (std::round(now / length) + 1));
+            state = state_now();
+            return 0;
+        });
+    };
+    march.shown = [run](const std::vector<Vector>&) {
+        return std::vector{NamedForm("u", run->form(0), "the heat")};
+    };
+    march.problem.add(heat.arguments.source).add(heat.arguments.boundary);
+    march.problem.add(heat.arguments.integrator).add(heat.arguments.tolerance);
+    march.problem.add(heat.arguments.time.time_step);
+    return run;
+}
+
+void check_boundary(const HeatArguments& arguments) {
+    if (!arguments.boundary.empty() && arguments.side == Side::primal &&
+        arguments.conditions.essential_where.empty())
+        throw InvalidInput("--boundary-values of primal forms are values at essential facets: say "
+                           "which by --essential-where");
+    if (!arguments.boundary.empty() && arguments.conditions.natural)
+        throw InvalidInput("--boundary-values are values at essential facets: --natural has none");
+}
+
+std::optional<FormValues> if_given(const std::string& option, const std::string& text) {
+    if (text.empty())
+        return std::nullopt;
+    return FormValues(option, text, "t");
+}
+
+void run_heat(const HeatArguments& arguments) {
     Log log;
     const FormValues initial("--initial", arguments.initial);
+    auto source = if_given("--source", arguments.source);
+    auto boundary = if_given("--boundary-values", arguments.boundary);
     const ConditionValues asked(arguments.conditions);
-    check_time(arguments.time, initial.inputs(arguments.mesh.mesh, {asked.file()}));
+    check_boundary(arguments);
+    auto inputs = initial.inputs(arguments.mesh.mesh, {asked.file()});
+    for (const auto* form : {&source, &boundary})
+        if (*form)
+            inputs = (*form)->inputs(arguments.mesh.mesh, {inputs.begin(), inputs.end()});
+    check_time(arguments.time, inputs);
     const Side side = arguments.side;
     const int degree = arguments.degree;
-    const TimeSteps steps = time_steps(arguments.time, arguments.time.until / 100);
+    auto time = arguments.time;
+    if (arguments.needs_integrator())
+        time.time_step = 0; // which is the integrator's
+    const TimeSteps steps = time_steps(time, time.until / (arguments.needs_integrator() ? 1 : 100));
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.time.out.empty())
         check_drawable(mesh);
-    const auto conditions = asked.on(mesh).value_or(built_in_conditions(side));
-    const Cochain start = initial.on(mesh, side, degree);
-    arguments.heat.time_step = steps.length / (mesh.unit() * mesh.unit());
+    const auto given = asked.on(mesh);
+    const auto conditions = given.value_or(built_in_conditions(side));
+    const Heat heat{
+        arguments,          mesh, initial.on(mesh, side, degree), given, std::move(source),
+        std::move(boundary)};
     log.timing.begin("solve");
-    const auto solver = computed_on(arguments.mesh.mesh, [&] {
-        const Progress progress;
-        progress("factorize");
-        return HeatSolver(mesh, conditions, side, degree, arguments.heat);
-    });
-    const std::string words = in_words(conditions, mesh.complex(), degree);
+    const std::string words =
+        in_words(conditions, mesh.complex(), degree, {.values = !arguments.boundary.empty()});
     PageText text;
     text.title = fmt::format("{}: heat", arguments.mesh.mesh.filename().string());
-    text.facts = {fmt::format("du/dt = -Delta u of a {} {}-form, u = {} at the time 0", name(side),
-                              degree, arguments.initial),
+    text.facts = {fmt::format("du/dt = -Delta u{} of a {} {}-form, u = {} at the time 0",
+                              heat.source ? " + " + arguments.source : "", name(side), degree,
+                              arguments.initial),
                   words, in_words(mesh.chosen_stars())};
-    March march{"heat", in_page(std::move(text), log), steps, {start.values}, {}, {}, {}};
-    march.step = [&](std::vector<Vector>& state) {
-        state[0] = computed_on(arguments.mesh.mesh, [&] {
-            return solver.step({side, degree, std::move(state[0])}).values;
-        });
-    };
-    march.shown = [&](const std::vector<Vector>& state) {
-        return std::vector{NamedForm("u", {side, degree, state[0]}, "the heat")};
-    };
-    march.problem.add(mesh).add(start.values).add(name(side)).add(words);
-    march.problem.add(static_cast<std::uint64_t>(arguments.heat.scheme));
+    March march{"heat", in_page(std::move(text), log), steps, {heat.start.values}, {}, {}, {}};
+    march.problem.add(mesh).add(heat.start.values).add(name(side)).add(words);
+    std::shared_ptr<Evolution> integrated;
+    if (arguments.needs_integrator())
+        integrated = integrate(march, heat);
+    else
+        take_equal_steps(march, heat);
     for (const auto condition : conditions.facets)
         march.problem.add(static_cast<std::uint64_t>(condition));
     const Ran ran = run(march, arguments.time, mesh);
-    const double before = norm(mesh, start);
-    const double after = norm(mesh, {side, degree, march.state[0]});
-    tell(Cooled(arguments, march, ran, words, before > 0 ? after / before : 0, mesh.chosen_stars()),
-         log, arguments.mesh.tell);
+    const Cochain end = integrated ? integrated->form(0) : Cochain{side, degree, march.state[0]};
+    const double before = norm(mesh, heat.start), after = norm(mesh, end);
+    Cooled answer{{},
+                  side,
+                  degree,
+                  steps,
+                  ran,
+                  words,
+                  end.values.minCoeff(),
+                  end.values.maxCoeff(),
+                  before > 0 ? after / before : 0,
+                  mesh.chosen_stars()};
+    if (integrated) {
+        answer.integrated = integrated->report();
+        answer.integrated->last_step *= heat.time_unit();
+    }
+    tell(answer, log, arguments.mesh.tell);
 }
 
 } // namespace
@@ -136,21 +271,40 @@ void add_heat(CLI::App& app) {
         ->capture_default_str();
     add_form(*command, "--initial", arguments->initial, "the form at time 0");
     add_time(*command, arguments->time, "a hundredth of the time");
+    add_form(*command, "--source", arguments->source,
+             "what is added to du/dt, at the time t as well")
+        ->required(false);
     command
-        ->add_option("--scheme", arguments->heat.scheme,
-                     "backward-euler, of first order, makes no new extremes;\n"
-                     "crank-nicolson is of second order")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, HeatScheme>{{"backward-euler", HeatScheme::backward_euler},
-                                              {"crank-nicolson", HeatScheme::crank_nicolson}},
-            CLI::ignore_underscore))
-        ->default_str("backward-euler");
+        ->add_option("--tolerance-in-time", arguments->tolerance,
+                     "take steps as long as this error of each, as a part of the values,\n"
+                     "allows (default with a source: 1e-5)")
+        ->check(CLI::PositiveNumber);
+    command
+        ->add_option("--integrator", arguments->integrator,
+                     "engine for a source or a tolerance; --time-step then gives fixed\n"
+                     "steps in place of those by the tolerance")
+        ->capture_default_str();
+    auto* scheme =
+        command
+            ->add_option("--scheme", arguments->heat.scheme,
+                         "backward-euler, of first order, makes no new extremes;\n"
+                         "crank-nicolson is of second order")
+            ->transform(CLI::CheckedTransformer(
+                std::map<std::string, HeatScheme>{{"backward-euler", HeatScheme::backward_euler},
+                                                  {"crank-nicolson", HeatScheme::crank_nicolson}},
+                CLI::ignore_underscore))
+            ->default_str("backward-euler");
+    for (const char* other : {"--source", "--tolerance-in-time", "--integrator"})
+        scheme->excludes(other);
     add_conditions(*command, arguments->conditions,
                    "no flow through the boundary (Neumann); of forms of degree\n"
                    "1 .. n-1 the normal part is 0 there",
                    "values 0 (Dirichlet) at boundary facets where this is not 0, of\n"
                    "forms of degree 1 .. n-1 the tangential part; no flow through\n"
                    "the others");
+    add_form(*command, "--boundary-values", arguments->boundary,
+             "the values at essential facets, at the time t as well\n(default: 0)")
+        ->required(false);
     command->add_option("--engine", arguments->heat.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer(
@@ -158,7 +312,9 @@ void add_heat(CLI::App& app) {
         "forms\nhave values 0 (Dirichlet).\n\nExamples:\n"
         "  polydec heat bunny.off --side primal --initial 'x>0' --until .01 -o heat.html\n"
         "  polydec heat room.msh --side dual --initial 1 --until 2 --frames 100 -o heat.pvd \\\n"
-        "      --checkpoint heat.checkpoint --resume");
+        "      --checkpoint heat.checkpoint --resume\n"
+        "  polydec heat room.msh --side primal --initial 0 --source 'exp(-9*(x^2+y^2))*sin(t)' \\\n"
+        "      --until 20 --tolerance-in-time 1e-4 -o heated.pvd");
     command->callback([arguments] { run_heat(*arguments); });
 }
 

@@ -7,8 +7,7 @@ const AdditiveTable& dormand_prince() {
     static const AdditiveTable table = [] {
         AdditiveTable t{.order = 5, .embedded_order = 4};
         t.times = Vector{{0, 1. / 5, 3. / 10, 4. / 5, 8. / 9, 1, 1}};
-        t.weights =
-            Vector{{35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84, 0}};
+        t.weights = Vector{{35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84, 0}};
         t.explicit_part = DenseMatrix::Zero(7, 7);
         auto& E = t.explicit_part;
         E.row(1).head(1) << 1. / 5;
@@ -17,8 +16,8 @@ const AdditiveTable& dormand_prince() {
         E.row(4).head(4) << 19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729;
         E.row(5).head(5) << 9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656;
         E.row(6) = t.weights.transpose();
-        const Vector embedded{{5179. / 57600, 0, 7571. / 16695, 393. / 640, -92097. / 339200,
-                               187. / 2100, 1. / 40}};
+        const Vector embedded{
+            {5179. / 57600, 0, 7571. / 16695, 393. / 640, -92097. / 339200, 187. / 2100, 1. / 40}};
         t.error_weights = t.weights - embedded;
         return t;
     }();
@@ -29,8 +28,8 @@ const AdditiveTable& kennedy_carpenter() {
     static const AdditiveTable table = [] {
         AdditiveTable t{.order = 4, .embedded_order = 3};
         t.times = Vector{{0, 1. / 2, 83. / 250, 31. / 50, 17. / 20, 1}};
-        t.weights = Vector{{82889. / 524892, 0, 15625. / 83664, 69875. / 102672, -2260. / 8211,
-                            1. / 4}};
+        t.weights =
+            Vector{{82889. / 524892, 0, 15625. / 83664, 69875. / 102672, -2260. / 8211, 1. / 4}};
         t.explicit_part = DenseMatrix::Zero(6, 6);
         auto& E = t.explicit_part;
         E.row(1).head(1) << 1. / 2;

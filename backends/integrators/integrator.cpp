@@ -36,16 +36,14 @@ Integrator::Integrator(const std::string& name, const IntegratorOptions& options
     check_option(name, "largest_step", options.largest_step, true);
     check_option(name, "fixed_step", options.fixed_step, true);
     if (options.most_steps < 1)
-        throw InvalidInput(fmt::format("{}: most_steps is {}: expected at least 1", name,
-                                       options.most_steps));
+        throw InvalidInput(
+            fmt::format("{}: most_steps is {}: expected at least 1", name, options.most_steps));
 }
 
-void Integrator::check(const InitialValueProblem& problem, double time,
-                       const Vector& state) const {
+void Integrator::check(const InitialValueProblem& problem, double time, const Vector& state) const {
     if (!problem.rate && !problem.stiff)
         throw InvalidInput(name() + ": the problem has no rate, neither a stiff one");
-    if (problem.stiff &&
-        !(problem.stiff->rate && problem.stiff->prepare && problem.stiff->solve))
+    if (problem.stiff && !(problem.stiff->rate && problem.stiff->prepare && problem.stiff->solve))
         throw InvalidInput(name() + ": the stiff part needs a rate, prepare and solve");
     if (!std::isfinite(time))
         throw InvalidInput(fmt::format("{}: the time at the beginning is {}", name(), time));
@@ -79,8 +77,8 @@ Arrival Integrator::advance(double time) {
     if (!has_begun_)
         throw InvalidInput(name() + ": cannot advance before it begins");
     if (!std::isfinite(time) || time < time_)
-        throw InvalidInput(fmt::format("{}: cannot advance from the time {} to {}", name(), time_,
-                                       time));
+        throw InvalidInput(
+            fmt::format("{}: cannot advance from the time {} to {}", name(), time_, time));
     if (state_.size() == 0)
         time_ = time;
     return time == time_ ? Arrival::at_time : march(time);

@@ -161,8 +161,7 @@ void RungeKutta::plan(double until) {
 
 RungeKutta::Trial RungeKutta::take(double step, double end) {
     const double gamma = is_stiff() ? step * table_->implicit_part(1, 1) : 0;
-    if (is_stiff() &&
-        (gamma != prepared_ || problem().stiff->linearity == Linearity::general)) {
+    if (is_stiff() && (gamma != prepared_ || problem().stiff->linearity == Linearity::general)) {
         prepare(time(), state(), gamma);
         prepared_ = gamma;
     }

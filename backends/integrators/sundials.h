@@ -89,7 +89,7 @@ private:
     double gamma_may_be_off_;
     double prepared_ = 0; ///< the gamma that can be solved with
     double prepared_time_ = 0;
-    std::string heard_;   ///< what the engine said last
+    std::string heard_; ///< what the engine said last
     std::exception_ptr thrown_;
 };
 
