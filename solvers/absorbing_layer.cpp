@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace polydec {
 
@@ -122,8 +123,14 @@ void check(const Discretization& mesh, const AbsorbingLayer& layer) {
     if (mesh.points().cols() == 0 || !mesh.passage().is_identity())
         throw InvalidInput("an absorbing layer needs the coordinates of the cells: expected a mesh "
                            "with points, without flips");
-    const double smallest =
-        (mesh.points().colwise().maxCoeff() - mesh.points().colwise().minCoeff()).minCoeff();
+    if (!layer.sides.empty())
+        check_as_many("pairs of sides", std::ssize(layer.sides), mesh.points().cols());
+    const Eigen::RowVectorXd extent =
+        mesh.points().colwise().maxCoeff() - mesh.points().colwise().minCoeff();
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int a = 0; a < extent.size(); ++a)
+        if (layer.sides.empty() || layer.sides[a][0] || layer.sides[a][1])
+            smallest = std::min(smallest, extent[a]);
     if (!(layer.width > 0 && layer.width < smallest))
         throw InvalidInput(fmt::format("an absorbing layer of the width {:.6g} is asked for: "
                                        "expected one above 0 and below {:.6g}, that of the mesh",
@@ -134,8 +141,6 @@ void check(const Discretization& mesh, const AbsorbingLayer& layer) {
                                        "asked for: expected one between 0 and 1, and one of at "
                                        "least 1",
                                        layer.reflection, layer.power));
-    if (!layer.sides.empty())
-        check_as_many("pairs of sides", std::ssize(layer.sides), mesh.points().cols());
 }
 
 } // namespace

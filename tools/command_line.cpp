@@ -62,6 +62,7 @@ std::unique_ptr<CLI::App> command_line() {
     add_hodge(*app);
     add_heat(*app);
     add_wave(*app);
+    add_maxwell(*app);
     add_distance(*app);
     add_generate(*app);
     add_reproduce(*app);

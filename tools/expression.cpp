@@ -160,6 +160,25 @@ Vector Expression::values(const Points& sites, const std::vector<Index>& labels)
     return values;
 }
 
+double Expression::of_label(double label) const {
+    if (state_->used > 0)
+        throw InvalidInput(fmt::format("{}: '{}' depends on the place: expected an expression in "
+                                       "{} alone",
+                                       state_->option, printable(state_->text), state_->label));
+    state_->label_value = label;
+    double value = 0;
+    try {
+        value = state_->parser.Eval();
+    } catch (const mu::Parser::exception_type& error) {
+        refuse(state_->option, state_->text, error.GetMsg());
+    }
+    if (!std::isfinite(value))
+        throw InvalidInput(fmt::format("{}: '{}' is {} at {} = {}: change the expression",
+                                       state_->option, printable(state_->text), value,
+                                       state_->label, label));
+    return value;
+}
+
 SiteValues::SiteValues(const std::string& option, const std::string& text,
                        const std::string& label) {
     std::error_code none;

@@ -31,6 +31,9 @@ public:
     Vector operator()(const Points& sites, double label) const;
 
     bool uses_label() const;
+    /// The value for a label alone, such as a time. Throws InvalidInput where there is none, and
+    /// for an expression that has coordinates in it.
+    double of_label(double label) const;
 
 private:
     Vector values(const Points& sites, const std::vector<Index>& labels) const;

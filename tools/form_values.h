@@ -14,7 +14,7 @@
 
 namespace polydec::tools {
 
-/// Adds an option that FormValues are made of, which is required; `what` says what form it is.
+/// Adds an option that FormValues are made of, a required one; `what` says what form it is.
 CLI::Option* add_form(CLI::App& command, const std::string& option, std::string& text,
                       const std::string& what);
 

@@ -8,6 +8,7 @@
 #include "tools/common.h"
 #include "tools/options.h"
 #include "tools/outputs.h"
+#include "tools/stop_signals.h"
 
 #include <fmt/format.h>
 
@@ -65,6 +66,41 @@ Fingerprint problem_of(const March& march, Index frames) {
     return result.add(march.steps.length).add(static_cast<std::uint64_t>(frames));
 }
 
+/// Keeps the states of a march: at frames, when the last one is long ago, and before the program
+/// ends by a signal.
+class Keeper {
+public:
+    Keeper(const std::filesystem::path& path, std::uint64_t problem)
+        : path_(path), problem_(problem) {
+        if (!path.empty())
+            signals_.emplace();
+    }
+
+    void operator()(const March& march, Index step, double time, bool at_frame) {
+        if (path_.empty())
+            return;
+        const auto now = Clock::now();
+        const bool ends = signals_->asked();
+        if (at_frame || ends || now - kept_ > longest) {
+            check_numbers(march.state, step);
+            write_checkpoint(path_,
+                             {problem_, static_cast<std::uint64_t>(step), time, march.state});
+            kept_ = now;
+        }
+        if (ends)
+            signals_->end();
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds longest{60};
+
+    std::filesystem::path path_;
+    std::uint64_t problem_;
+    std::optional<StopSignals> signals_;
+    Clock::time_point kept_ = Clock::now();
+};
+
 /// Takes the state of a checkpoint, if there is one to go on from; the step it was made after.
 Index resume(March& march, const TimeArguments& arguments, std::uint64_t problem) {
     if (!arguments.resume || !std::filesystem::exists(arguments.checkpoint))
@@ -94,7 +130,7 @@ void add_time(CLI::App& command, TimeArguments& arguments, const std::string& ow
                        "write a series to this .pvd file, with a folder beside it, or a\n"
                        ".html page that plays");
     auto* checkpoint = command.add_option("--checkpoint", arguments.checkpoint,
-                                          "keep the state in this .checkpoint file, at each frame");
+                                          "keep the state in this .checkpoint file: at each frame, every\nminute, and when Ctrl-C or SIGTERM ends the run");
     command
         .add_flag("--resume", arguments.resume,
                   "go on from the checkpoint, if it is there; all else must be as\nit was")
@@ -142,16 +178,16 @@ Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh
     if (!arguments.out.empty())
         series.emplace(arguments.out, mesh, march.text, times);
     Remaining remaining(march.what, first, steps);
+    Keeper keep(arguments.checkpoint, problem);
     for (Index step = first;; ++step) {
-        if (frame <= frames && step == step_of_frame(frame, frames, steps)) {
+        const bool at_frame = frame <= frames && step == step_of_frame(frame, frames, steps);
+        if (at_frame) {
             check_numbers(march.state, step);
             if (series)
                 series->add(time_after(step), march.shown(march.state));
-            if (!arguments.checkpoint.empty())
-                write_checkpoint(arguments.checkpoint, {problem, static_cast<std::uint64_t>(step),
-                                                        time_after(step), march.state});
             ++frame;
         }
+        keep(march, step, time_after(step), at_frame);
         if (step == steps)
             break;
         march.step(march.state);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/spectra/spectrum.h"
 
+#include "base/errors.h"
 #include "base/memory.h"
+#include "base/printable.h"
+#include "io/checkpoint.h"
 #include "io/pictures/draw_modes.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -13,6 +16,9 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -26,6 +32,51 @@ struct SpectrumArguments {
     ConditionArguments conditions;
     bool certify = true;
     PictureArguments picture;
+    std::filesystem::path checkpoint;
+    bool resume = false;
+};
+
+/// Vectors as they are found, in a file, and what it is of.
+class FoundModes {
+public:
+    FoundModes(const std::filesystem::path& path, const Discretization& mesh,
+               const BoundaryConditions& conditions, const SpectrumOptions& options)
+        : path_(path) {
+        polydec::Fingerprint problem;
+        problem.add("spectrum").add(mesh).add(name(options.side));
+        problem.add(static_cast<std::uint64_t>(options.degree));
+        problem.add(in_words(conditions, mesh.complex(), options.degree));
+        for (const auto condition : conditions.facets)
+            problem.add(static_cast<std::uint64_t>(condition));
+        problem_ = problem.value();
+    }
+
+    /// None if there is no file yet.
+    DenseMatrix read() const {
+        if (!std::filesystem::exists(path_))
+            return {};
+        const auto state = read_checkpoint(path_, problem_).state;
+        DenseMatrix result(state.empty() ? 0 : state.front().size(), std::ssize(state));
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            if (state[i].size() != result.rows())
+                throw InvalidInput(fmt::format("{} holds vectors of different sizes: begin anew",
+                                               printable(path_.string())),
+                                   {.path = path_});
+            result.col(static_cast<Index>(i)) = state[i];
+        }
+        return result;
+    }
+
+    void write(const DenseMatrix& vectors) const {
+        Checkpoint checkpoint{problem_, static_cast<std::uint64_t>(vectors.cols())};
+        for (Index i = 0; i < vectors.cols(); ++i)
+            checkpoint.state.emplace_back(vectors.col(i));
+        write_checkpoint(path_, checkpoint);
+    }
+
+private:
+    std::filesystem::path path_;
+    std::uint64_t problem_;
 };
 
 /// Negative duals make A indefinite; the negative eigenvalues they bring come first and mean
@@ -78,11 +129,21 @@ void run_spectrum(SpectrumArguments arguments) {
     const ConditionValues asked(arguments.conditions);
     const auto file = asked.file();
     check_picture(arguments.picture, arguments.mesh.mesh, file ? Paths{*file} : Paths{});
+    if (!arguments.checkpoint.empty())
+        check_output_file(arguments.checkpoint, {".checkpoint"}, mesh_files(arguments.mesh.mesh));
     const Discretization mesh = load(arguments.mesh, log);
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
     check_cost(mesh, arguments.spectrum);
     const auto boundary = asked.on(mesh).value_or(built_in_conditions(arguments.spectrum.side));
+    std::optional<Index> resumed;
+    if (!arguments.checkpoint.empty()) {
+        const FoundModes modes(arguments.checkpoint, mesh, boundary, arguments.spectrum);
+        if (arguments.resume)
+            arguments.spectrum.start = modes.read();
+        resumed = static_cast<Index>(arguments.spectrum.start.cols());
+        arguments.spectrum.found = [modes](const DenseMatrix& found) { modes.write(found); };
+    }
     log.timing.begin("solve");
     const auto since = std::chrono::steady_clock::now();
     auto result = computed_on(arguments.mesh.mesh, [&] {
@@ -98,8 +159,9 @@ void run_spectrum(SpectrumArguments arguments) {
         log.warn(*spurious);
     warn_of_rough_values(result, log);
     use_input_units(result, mesh.unit());
-    const Eigenvalues answer(result, in_words(boundary, mesh.complex(), result.degree),
-                             mesh.chosen_stars(), seconds.count());
+    Eigenvalues answer(result, in_words(boundary, mesh.complex(), result.degree),
+                       mesh.chosen_stars(), seconds.count());
+    answer.resumed = resumed;
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(arguments, mesh, answer, log);
@@ -126,6 +188,15 @@ void add_spectrum(CLI::App& app) {
                    "forms of degree 1 .. n-1 the tangential part; no flow through\n"
                    "the others");
     add_picture(*command, arguments->picture, "the modes");
+    auto* checkpoint =
+        command->add_option("--checkpoint", arguments->checkpoint,
+                            "keep the eigenvectors in this .checkpoint file as they are found,\n"
+                            "in parts");
+    command
+        ->add_flag("--resume", arguments->resume,
+                   "go on with those of the checkpoint, if it is there; the answer is\n"
+                   "proved anew. More may be asked for than before; all else must be\nas it was")
+        ->needs(checkpoint);
     command->add_flag("!--no-certificate", arguments->certify, "do without the proof");
     command->add_option("--engine", arguments->spectrum.linear_solver, "linear solver")
         ->capture_default_str();
@@ -137,7 +208,9 @@ void add_spectrum(CLI::App& app) {
         "--essential-where 1. The answer says which condition held.\n\nExamples:\n"
         "  polydec spectrum fandisk.off --side primal --degree 0 --count 20 -o modes.vtu\n"
         "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json\n"
-        "  polydec spectrum plate.msh --side dual --degree 0 --natural");
+        "  polydec spectrum plate.msh --side dual --degree 0 --natural\n"
+        "  polydec spectrum engine.msh --side primal --degree 0 --count 1000 \\\n"
+        "      --checkpoint engine.checkpoint --resume --json");
     command->callback([arguments] { run_spectrum(*arguments); });
 }
 

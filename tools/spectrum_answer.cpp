@@ -30,6 +30,8 @@ void Eigenvalues::write(JsonWriter& json) const {
     json.member("linear_solver", spectrum.linear_solver);
     json.member("eigen_solver", spectrum.eigen_solver);
     json.member("seconds", seconds);
+    if (resumed)
+        json.member("resumed_with", *resumed);
     json.member("conditions", conditions);
     write_stars(json, stars);
 }
@@ -44,6 +46,8 @@ void Eigenvalues::write(Text& text) const {
              spectrum.radii[i], spectrum.residuals[i]);
     text("\n{}\n", in_words(spectrum.certificate));
     text("{} with {}, {:.2f} s\n", spectrum.eigen_solver, spectrum.linear_solver, seconds);
+    if (resumed && *resumed > 0)
+        text("gone on with {} vectors of a checkpoint\n", *resumed);
 }
 
 void warn_of_rough_values(const Spectrum& spectrum, Log& log) {

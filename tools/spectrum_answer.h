@@ -5,6 +5,7 @@
 #include "solvers/spectra/spectrum.h"
 #include "tools/answer.h"
 
+#include <optional>
 #include <string>
 
 namespace polydec::tools {
@@ -15,6 +16,7 @@ struct Eigenvalues : Answer {
     std::string conditions; ///< on the boundary, in words
     ChosenStars stars;
     double seconds;
+    std::optional<Index> resumed = {}; ///< how many vectors it went on with, of a checkpoint
 
     Eigenvalues(const Spectrum& found, std::string words, const ChosenStars& chosen, double took)
         : spectrum(found), conditions(std::move(words)), stars(chosen), seconds(took) {}

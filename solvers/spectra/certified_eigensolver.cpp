@@ -52,6 +52,7 @@ struct CertifiedEigensolver::State {
           small(pencil.small()),
           pairs(size(), small) {
         choose_engine(1);
+        check_start();
     }
 
     Index size() const { return pencil.size(); }
@@ -69,6 +70,9 @@ struct CertifiedEigensolver::State {
     void choose_engine(Index count);
     double lowest_shift(Index wanted);
     void set_shift(double sigma, Definiteness definiteness);
+    void check_start() const;
+    void take_start();
+    Index part_of(Index asked) const;
     Index ask(Index count);
     bool improve(Index count);
     bool smooth();
@@ -133,6 +137,39 @@ void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiten
     smoothed = false;
 }
 
+void CertifiedEigensolver::State::check_start() const {
+    if (options.start.cols() > 0 && (options.start.rows() != size() || !options.start.allFinite()))
+        throw InvalidInput(fmt::format("vectors of {} numbers are to be started with: expected {} "
+                                       "finite ones each",
+                                       options.start.rows(), size()));
+}
+
+/// Keeps of the vectors given those whose radii prove that they are eigenvectors, each of another
+/// eigenvalue.
+void CertifiedEigensolver::State::take_start() {
+    DenseMatrix given = std::exchange(options.start, {});
+    if (given.cols() == 0 || given.cols() > size())
+        return;
+    tell("checking what was found before");
+    given.colwise().normalize();
+    if (!given.allFinite())
+        return;
+    constexpr double share = 1e-6;
+    pairs.take(given, pencil.enclose(given));
+    std::vector<Index> good;
+    for (Index i = 0; i < found(); ++i)
+        if (pairs.is_accurate(i, share) || pairs.is_fine(i))
+            good.push_back(i);
+    pairs.keep(good);
+}
+
+/// Where what is found is told of, no more are asked for at once than a part, so that little is
+/// lost between.
+Index CertifiedEigensolver::State::part_of(Index asked) const {
+    constexpr Index least = 32, parts = 16;
+    return options.found ? std::min(asked, std::max(least, (asked + found()) / parts)) : asked;
+}
+
 /// Asks for `count` eigenpairs above the shift and apart from those found; how many came.
 Index CertifiedEigensolver::State::ask(Index count) {
     tell("iterating");
@@ -167,6 +204,8 @@ Index CertifiedEigensolver::State::ask(Index count) {
     const DenseMatrix more = came.vectors.leftCols(good);
     pairs.take(more, pencil.enclose(more));
     smoothed = smoothed && good == 0;
+    if (options.found && good > 0)
+        options.found(pairs.vectors());
     return good;
 }
 
@@ -348,16 +387,19 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     Index wanted = least + std::max<Index>(3, least / 10);
     if (!s.factorized)
         s.set_shift(s.lowest_shift(wanted), Definiteness::positive);
+    s.take_start();
     s.in_vain = 0;
     for (int round = 0; round < patience && s.in_vain < most_in_vain; ++round) {
         if (s.found() < std::min(wanted, s.size())) {
-            const Index asked = std::min(wanted, s.size()) - s.found();
+            const Index asked = s.part_of(std::min(wanted, s.size()) - s.found());
             const Index came = s.ask(asked);
             s.in_vain = came == 0 ? s.in_vain + 1 : 0;
             if (came < asked && s.found() < count) {
                 s.move_shift(wanted);
                 continue;
             }
+            if (s.options.found && s.found() < std::min(wanted, s.size()) && came == asked)
+                continue; // with the next part
         }
         if (s.found() >= count && s.improve(count))
             continue;

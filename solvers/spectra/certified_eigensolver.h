@@ -26,6 +26,12 @@ struct EigensolverOptions {
     Definiteness definiteness = Definiteness::indefinite;
     Index zeros = 0; ///< hint: as many eigenvalues are known to be zero
     std::function<void(std::string_view)> progress = {}; ///< told what is being done, at each step
+    /// Told of the eigenvectors found so far, as columns in the solver's own scale, whenever there
+    /// are more; they are asked for in parts then.
+    std::function<void(const DenseMatrix&)> found = {};
+    /// Some that were told of before, of the same pencil. They are taken for what they prove to be
+    /// here, like all others: those that prove nothing are left out.
+    DenseMatrix start = {};
 };
 
 /// Proof that no eigenvalue is missing: by Sylvester's law of inertia `below_shift` eigenvalues lie
@@ -74,6 +80,7 @@ class CertifiedEigensolver {
 public:
     /// Throws InvalidInput for sizes that do not fit, a mass that is not positive, numbers that are
     /// not finite, and matrices that are not symmetric.
+    /// Throws also for vectors to start with of another size, or that are not finite.
     explicit CertifiedEigensolver(const Pencil& pencil, EigensolverOptions options = {});
     CertifiedEigensolver(const SparseMatrix& A, const Vector& M, EigensolverOptions options = {});
     CertifiedEigensolver(CertifiedEigensolver&&) noexcept;

@@ -47,7 +47,9 @@ Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                                  .domain_dimension = complex.dimension(),
                                  .definiteness = laplacian_definiteness(stars, k),
                                  .zeros = betti_numbers(complex)[k],
-                                 .progress = options.progress});
+                                 .progress = options.progress,
+                                 .found = options.found,
+                                 .start = options.start});
     auto pairs = solver.smallest(options.count);
     if (options.side == Side::dual && !is_dual_function)
         pairs.vectors = SparseMatrix(stars[k].matrix()) * pairs.vectors;

@@ -16,6 +16,11 @@ struct SpectrumOptions {
     std::string eigen_solver = "auto"; ///< or the name of an engine
     Certification certification = Certification::required;
     std::function<void(std::string_view)> progress = {}; ///< told what is being done, at each step
+    /// Told of the vectors found so far, in a scale of the solver's own, whenever there are more,
+    /// so that they can be kept (see Checkpoint); and those of an earlier run, to go on from. The
+    /// answer is proved anew, so that it is right whatever these are.
+    std::function<void(const DenseMatrix&)> found = {};
+    DenseMatrix start = {};
 };
 
 /// Smallest eigenpairs of a Laplace-de Rham operator.
@@ -47,7 +52,7 @@ struct Spectrum {
 /// their last digits.
 /// Throws InvalidInput if there is no such degree or count, or, naming the cells, if the star that
 /// is the mass of these forms is not positive or a star that must be inverted has a zero;
-/// SolverFailure if the eigenpairs cannot be had or proved.
+/// SolverFailure if the eigenpairs cannot be had or proved, InvalidInput for vectors to start with of another size.
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const SpectrumOptions& options = {});
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options = {});

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
+#include <vector>
 
 namespace polydec::test {
 namespace {
@@ -114,25 +114,52 @@ double order(const Sampled& sampled, const Manufactured& exact, Side side, doubl
     return std::log2(error(coarse, exact, side, speed) / error(fine, exact, side, speed));
 }
 
-const std::map<std::string, Sampled> planar = {
-    {"triangles", {[](int n) { return well_centered(n); }, 12}},
-    {"squares", {[](int n) { return grid(n, n); }, 8}},
-    {"hexagons", {[](int n) { return hexagons(n); }, 8}},
-};
-const std::map<std::string, Sampled> solid = {
-    {"cubes", {[](int n) { return kuhn(3, n); }, 4}},
-    {"octahedra", {[](int n) { return fcc(n); }, 3}},
-    {"tetrahedra", {[](int n) { return bcc(n); }, 4}},
+/// The least order of one form, near 2 unless told: the error is the difference from the integrals
+/// of the exact form, and for degrees 1 .. n-1 near a boundary where cells are cut irregularly the
+/// fluxes of circumcentric stars are of lower order.
+struct Expected {
+    Manufactured exact;
+    double primal = 1.9, dual = 1.9;
 };
 
-TEST(WaveOrders, print) {
-    for (const auto& [meshes, n] : {std::pair{&planar, 2}, {&solid, 3}})
-        for (const auto& [name, sampled] : *meshes)
-            for (const auto& exact : {clamped(n), free_membrane(n), electric(n), between_magnetic_walls(n)})
-                for (const Side side : {Side::primal, Side::dual}) {
-                    std::cout << name << " degree " << exact.degree << " cond " << int(exact.condition) << " side " << int(side) << " ";
-                    try { std::cout << order(sampled, exact, side) << std::endl; } catch (const std::exception& e) { std::cout << e.what() << std::endl; }
-                }
+void expect_orders(const Sampled& sampled, const std::vector<Expected>& all) {
+    for (const Expected& each : all) {
+        EXPECT_GT(order(sampled, each.exact, Side::primal), each.primal) << each.exact.degree;
+        EXPECT_GT(order(sampled, each.exact, Side::dual), each.dual) << each.exact.degree;
+    }
+}
+
+TEST(WaveOrders, are_2_on_squares_with_both_conditions_on_both_sides) {
+    const Sampled squares{[](int n) { return grid(n, n); }, 8};
+    expect_orders(squares,
+                  {{clamped(2)}, {free_membrane(2)}, {electric(2)}, {between_magnetic_walls(2)}});
+    EXPECT_LT(order(squares, clamped(2), Side::primal, 1.05), 0.5) << "with sources of another speed";
+}
+
+TEST(WaveOrders, are_2_on_hexagons) {
+    expect_orders({[](int n) { return hexagons(n); }, 8},
+                  {{clamped(2)}, {free_membrane(2)}, {electric(2)}, {between_magnetic_walls(2)}});
+}
+
+TEST(WaveOrders, are_2_on_triangles_and_lower_for_fluxes_at_their_boundary) {
+    expect_orders({[](int n) { return well_centered(n); }, 12},
+                  {{clamped(2), 1.9, 1.8},
+                   {free_membrane(2)},
+                   {electric(2), 1.9, 1.45},
+                   {between_magnetic_walls(2), 1.45, 1.45}});
+}
+
+TEST(WaveOrders, are_2_on_cubes_with_both_conditions_on_both_sides) {
+    expect_orders({[](int n) { return kuhn(3, n); }, 4},
+                  {{clamped(3)}, {free_membrane(3)}, {electric(3)}, {between_magnetic_walls(3)}});
+}
+
+TEST(WaveOrders, are_2_on_octahedra_and_tetrahedra) {
+    const Sampled octahedra{[](int n) { return fcc(n); }, 3};
+    expect_orders(octahedra, {{clamped(3)}, {free_membrane(3)}, {electric(3)}});
+    const Sampled tetrahedra{[](int n) { return bcc(n); }, 4};
+    expect_orders(tetrahedra, {{clamped(3)}, {free_membrane(3)}});
+    EXPECT_GT(order(tetrahedra, electric(3), Side::primal), 1.9);
 }
 
 } // namespace

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "tools/march_waves.h"
+
+#include "dec/conditioned_complex.h"
+#include "dec/forms/cochain.h"
+#include "io/diagnosis_json.h"
+#include "tools/picture.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace polydec::tools {
+
+namespace {
+
+constexpr double part_of_stable_step = 0.9;
+
+struct Swung : Answer {
+    std::string what;
+    Side side;
+    int degree;
+    TimeSteps steps = {};
+    Ran ran;
+    std::string conditions;
+    LayerKind layer = LayerKind::automatic; // none
+    double layer_width = 0;
+    double stable_step = 0; // in the units of the file
+    double min = 0, max = 0;
+    double energy = 0;          // at the end, in the units of the file
+    double relative_energy = 0; // as a part of that at the beginning
+    ChosenStars stars;
+
+    Swung(const WaveProblem& problem, const ChosenStars& chosen)
+        : what(problem.what),
+          side(problem.side),
+          degree(problem.degree),
+          layer_width(problem.options.layer.width),
+          stars(chosen) {}
+
+    void write(JsonWriter& json) const override {
+        json.member("side", name(side));
+        json.member("degree", degree);
+        write_time(json, steps, ran);
+        json.member("stable_step", stable_step);
+        json.member("min", min);
+        json.member("max", max);
+        json.member("energy", energy);
+        json.member("relative_energy", relative_energy);
+        if (layer_width > 0)
+            json.member("layer", name(layer));
+        json.member("conditions", conditions);
+        write_stars(json, stars);
+    }
+
+    void write(Text& text) const override {
+        text("waves of {} {}-forms, {}\n", name(side), degree, in_words(steps, ran));
+        text("  {}\n  {}\n", conditions, in_words(stars));
+        if (layer_width > 0)
+            text("  an absorbing layer of the width {:.6g}, {}\n", layer_width, name(layer));
+        text("  steps are stable below {:.6g}\n", stable_step);
+        text("  values from {:.10g} to {:.10g}; energy {:.10g}", min, max, energy);
+        if (relative_energy > 0)
+            text(", {:.12g} of that at the beginning", relative_energy);
+        text("\n");
+    }
+};
+
+/// What a march keeps: E, B, the memories of a layer, and the number of steps done.
+enum Kept : std::size_t { of_E, of_B, of_E_memory, of_B_memory, of_steps };
+
+/// E and B, which begins half a step before it, at rest; 0 where the conditions say so.
+std::vector<Vector> at_rest(const WaveProblem& problem, const Discretization& mesh, double step) {
+    const auto [side, degree] = std::pair{problem.side, problem.degree};
+    const auto space = conditioned_complex(mesh, side, degree, problem.conditions);
+    const int k = cell_degree(mesh.complex(), side, degree);
+    const Vector E = space.relative.extend(k, space.relative.restrict(k, problem.start));
+    return {E, step / 2 * d(mesh.complex(), {side, degree, E}).values, Vector(), Vector(),
+            Vector::Zero(1)};
+}
+
+void step(const Leapfrog& leapfrog, const WaveProblem& problem, double unit,
+          std::vector<Vector>& state) {
+    WaveSources sources;
+    double& done = state[of_steps][0];
+    if (problem.source.size() > 0) {
+        const double middle = unit * leapfrog.time_step() * (done + 0.5);
+        sources.E = unit * problem.pulse(middle) * problem.source;
+    }
+    WaveState wave{std::move(state[of_E]), std::move(state[of_B]), std::move(state[of_E_memory]),
+                   std::move(state[of_B_memory])};
+    leapfrog.step(wave, sources);
+    state[of_E] = std::move(wave.E);
+    state[of_B] = std::move(wave.B);
+    state[of_E_memory] = std::move(wave.E_memory);
+    state[of_B_memory] = std::move(wave.B_memory);
+    done += 1;
+}
+
+polydec::Fingerprint fingerprint(const WaveProblem& problem, const Discretization& mesh) {
+    polydec::Fingerprint result;
+    result.add(mesh).add(problem.start).add(problem.source).add(problem.pulse_text);
+    result.add(name(problem.side)).add(static_cast<std::uint64_t>(problem.degree));
+    result.add(in_words(problem.conditions, mesh.complex(), problem.degree));
+    for (const auto condition : problem.conditions.facets)
+        result.add(static_cast<std::uint64_t>(condition));
+    result.add(problem.options.loss).add(problem.options.layer.width);
+    return result.add(name(problem.options.layer.kind));
+}
+
+/// From units of the file to those of the mesh.
+LeapfrogOptions in_units_of(const Discretization& mesh, LeapfrogOptions options, double step) {
+    options.time_step = step;
+    options.loss *= mesh.unit();
+    options.layer.width /= mesh.unit();
+    return options;
+}
+
+} // namespace
+
+void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArguments& arguments,
+                 const TimeArguments& time, Log& log) {
+    const auto [side, degree] = std::pair{problem.side, problem.degree};
+    log.timing.begin("solve");
+    Swung answer(problem, mesh.chosen_stars());
+    answer.stable_step =
+        mesh.unit() * computed_on(arguments.mesh, [&] {
+            const Progress progress;
+            progress("find the stable step");
+            return stable_step(mesh, problem.conditions, side, degree);
+        });
+    answer.steps = time_steps(time, part_of_stable_step * answer.stable_step);
+    const double length = answer.steps.length / mesh.unit();
+    const Leapfrog leapfrog(mesh, problem.conditions, side, degree,
+                            in_units_of(mesh, problem.options, length));
+    answer.layer = leapfrog.layer();
+    answer.conditions = in_words(problem.conditions, mesh.complex(), degree);
+    PageText text;
+    text.title = problem.title;
+    text.facts = {problem.equation, answer.conditions, in_words(answer.stars)};
+    March march{problem.what, in_page(std::move(text), log), answer.steps, {}, {}, {}, {}};
+    march.state = at_rest(problem, mesh, length);
+    const double before = leapfrog.energy(march.state[of_E], march.state[of_B]);
+    march.step = [&](std::vector<Vector>& state) { step(leapfrog, problem, mesh.unit(), state); };
+    march.shown = [&](const std::vector<Vector>& state) {
+        return std::vector{
+            NamedForm(problem.form, {side, degree, state[of_E]}, problem.form_words)};
+    };
+    march.problem = fingerprint(problem, mesh);
+    answer.ran = run(march, time, mesh);
+    answer.min = march.state[of_E].minCoeff();
+    answer.max = march.state[of_E].maxCoeff();
+    const double after = leapfrog.energy(march.state[of_E], march.state[of_B]);
+    const int power = (side == Side::primal ? 1 : -1) *
+                      (mesh.dimension() - 2 * cell_degree(mesh.complex(), side, degree));
+    answer.energy = after * std::pow(mesh.unit(), power);
+    answer.relative_energy = before > 0 ? after / before : 0;
+    tell(answer, log, arguments.tell);
+}
+
+} // namespace polydec::tools

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/material_stars.h"
+#include "tools/commands.h"
+#include "tools/common.h"
+#include "tools/conditions.h"
+#include "tools/expression.h"
+#include "tools/form_values.h"
+#include "tools/march_waves.h"
+#include "tools/picture.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace polydec::tools {
+
+namespace {
+
+struct MaxwellArguments {
+    MeshArguments mesh;
+    TimeArguments time;
+    ConditionArguments conditions;
+    int degree = 1;
+    std::string initial, current, pulse = "1";
+    std::string permittivity, permeability, conductivity;
+    AbsorbingLayer layer;
+};
+
+/// What is given of a material, as expressions or files.
+struct Material {
+    std::optional<SiteValues> permittivity, permeability, conductivity;
+
+    explicit Material(const MaxwellArguments& arguments)
+        : permittivity(made("--permittivity", arguments.permittivity)),
+          permeability(made("--permeability", arguments.permeability)),
+          conductivity(made("--conductivity", arguments.conductivity)) {}
+
+    static std::optional<SiteValues> made(const std::string& option, const std::string& text) {
+        if (text.empty())
+            return std::nullopt;
+        return SiteValues(option, text, "group");
+    }
+
+    static std::optional<std::filesystem::path> file(const std::optional<SiteValues>& values) {
+        return values ? values->file() : std::nullopt;
+    }
+};
+
+/// A number for each n-cell, at its centroid.
+Vector at_cells(const Discretization& mesh, const SiteValues& values) {
+    return values.at(Points(mesh.unit() * cell_centroids(mesh, mesh.dimension())), mesh.tags());
+}
+
+/// The stars of the permittivity and of the permeability in place of those of empty space.
+Discretization filled(const Discretization& mesh, int degree, const Material& material) {
+    Discretization result = mesh;
+    const auto put = [&](const HodgeStars& stars) {
+        const ChosenStars& now = mesh.chosen_stars();
+        result = result.with_stars(ChosenStars(stars, now.kind, now.galerkin));
+    };
+    if (material.permittivity)
+        put(weighted_stars(result, degree, at_cells(mesh, *material.permittivity)));
+    if (material.permeability) {
+        const Vector mu = at_cells(mesh, *material.permeability);
+        check_cell_weights("permeability", mu, mesh.dimension());
+        put(weighted_stars(result, degree + 1, mu.cwiseInverse()));
+    }
+    return result;
+}
+
+/// Conductivity over permittivity.
+Vector loss(const Discretization& mesh, int degree, const Material& material) {
+    if (!material.conductivity)
+        return {};
+    Vector rates = cell_means(mesh, degree, at_cells(mesh, *material.conductivity));
+    if (material.permittivity)
+        rates = rates.cwiseQuotient(cell_means(mesh, degree, at_cells(mesh, *material.permittivity)));
+    return rates;
+}
+
+/// What a current adds to the rate of the field.
+Vector source(const Discretization& mesh, int degree, const Material& material, Vector current) {
+    if (material.permittivity)
+        current = current.cwiseQuotient(
+            cell_means(mesh, degree, at_cells(mesh, *material.permittivity)));
+    return -current;
+}
+
+WaveProblem described(const MaxwellArguments& arguments) {
+    WaveProblem problem{.what = "maxwell",
+                        .form = "E",
+                        .form_words = "the electric field",
+                        .degree = arguments.degree};
+    problem.title =
+        fmt::format("{}: Maxwell's equations", arguments.mesh.mesh.filename().string());
+    problem.equation = "dB/dt = -d E, dE/dt = (delta B - conductivity E - J) / permittivity";
+    if (!arguments.initial.empty())
+        problem.equation += fmt::format(", E = {} at the time 0", arguments.initial);
+    if (!arguments.current.empty())
+        problem.equation += fmt::format(", J = ({}) times {}", arguments.current, arguments.pulse);
+    problem.options.layer = arguments.layer;
+    return problem;
+}
+
+void run_maxwell(const MaxwellArguments& arguments) {
+    Log log;
+    const auto form = [](const std::string& option, const std::string& text) {
+        return text.empty() ? std::nullopt : std::optional<FormValues>(FormValues(option, text));
+    };
+    const auto initial = form("--initial", arguments.initial);
+    const auto current = form("--current", arguments.current);
+    if (!initial && !current)
+        throw CLI::ValidationError("--initial, --current", "one of them makes the field: give it");
+    const Expression pulse("--pulse", arguments.pulse, "t");
+    const Material material(arguments);
+    const ConditionValues asked(arguments.conditions);
+    const FormValues& first = initial ? *initial : *current;
+    auto inputs = first.inputs(
+        arguments.mesh.mesh,
+        {asked.file(), Material::file(material.permittivity), Material::file(material.permeability),
+         Material::file(material.conductivity)});
+    if (initial && current)
+        inputs = current->inputs(inputs.front(), {inputs.begin() + 1, inputs.end()});
+    check_time(arguments.time, inputs);
+
+    const Discretization empty = load(arguments.mesh, log);
+    if (!arguments.time.out.empty())
+        check_drawable(empty);
+    const int degree = arguments.degree;
+    WaveProblem problem = described(arguments);
+    problem.conditions =
+        asked.on(empty).value_or(BoundaryConditions{BoundaryCondition::essential});
+    problem.start = initial ? initial->on(empty, Side::primal, degree).values
+                            : Vector::Zero(empty.complex().size(degree));
+    if (current)
+        problem.source = source(empty, degree, material,
+                                current->on(empty, Side::primal, degree).values);
+    problem.pulse = [&](double t) { return pulse.of_label(t); };
+    problem.pulse_text = arguments.pulse;
+    problem.options.loss = loss(empty, degree, material);
+    march_waves(std::move(problem), filled(empty, degree, material), arguments.mesh,
+                arguments.time, log);
+}
+
+void add_materials(CLI::App& command, MaxwellArguments& arguments) {
+    const auto add = [&](const char* option, std::string& text, const char* what) {
+        command.add_option(option, text,
+                           fmt::format("{}: a number for each cell,\nan expression (also in "
+                                       "`group`, the cell's physical group) or file",
+                                       what));
+    };
+    add("--permittivity", arguments.permittivity, "of each cell, default 1");
+    add("--permeability", arguments.permeability, "of each cell, default 1");
+    add("--conductivity", arguments.conductivity, "of each cell, default 0");
+}
+
+} // namespace
+
+void add_maxwell(CLI::App& app) {
+    auto* command = app.add_subcommand(
+        "maxwell", "marches Maxwell's equations, with currents, materials and open boundaries");
+    const auto arguments = std::make_shared<MaxwellArguments>();
+    add_mesh_arguments(*command, arguments->mesh);
+    add_star(*command, arguments->mesh, StarKind::automatic);
+    command
+        ->add_option("--degree", arguments->degree,
+                     "of the electric field: 1 along edges; in the plane 0 for one that stands\n"
+                     "upright on it")
+        ->check(CLI::Range(0, 1))
+        ->capture_default_str();
+    add_form(*command, "--initial", arguments->initial, "the electric field at time 0")
+        ->required(false);
+    add_form(*command, "--current", arguments->current, "the density of a current")
+        ->required(false);
+    command
+        ->add_option("--pulse", arguments->pulse, "the current over time: an expression in t")
+        ->capture_default_str();
+    add_materials(*command, *arguments);
+    command
+        ->add_option("--absorb", arguments->layer.width,
+                     "waves die away in a layer of this width along the sides of the box\n"
+                     "around the mesh; ten cells throw back less than 1e-4")
+        ->check(CLI::PositiveNumber);
+    command
+        ->add_option("--layer", arguments->layer.kind,
+                     "stretched coordinates, for cells parallel to the axes, or conducting,\n"
+                     "for any cells and waves that come straight")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, LayerKind>{{"automatic", LayerKind::automatic},
+                                             {"stretched", LayerKind::stretched},
+                                             {"conducting", LayerKind::conducting}}))
+        ->default_str("automatic");
+    add_time(*command, arguments->time, "0.9 of what is stable");
+    add_conditions(*command, arguments->conditions,
+                   "magnetic walls, planes of symmetry: the tangential magnetic field\nis 0",
+                   "perfect conductors at boundary facets where this is not 0, magnetic\n"
+                   "walls elsewhere; 1 by itself");
+    command->footer(
+        "Light has the speed 1 where permittivity and permeability are 1. On merged cubes this is\n"
+        "Yee's scheme.\n\nExamples:\n"
+        "  polydec maxwell box.off --initial '0; 0; exp(-99*((x-.5)^2+(y-.5)^2+(z-.5)^2))' \\\n"
+        "      --until .4 -o pulse.html\n"
+        "  polydec maxwell plane.msh --degree 0 --current 'exp(-400*(x^2+y^2))' \\\n"
+        "      --pulse 'sin(40*t)' --permittivity 'group==2 ? 4 : 1' --absorb .2 --until 3 \\\n"
+        "      -o lens.pvd --checkpoint lens.checkpoint --resume");
+    command->callback([arguments] { run_maxwell(*arguments); });
+}
+
+} // namespace polydec::tools
