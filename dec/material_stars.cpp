@@ -108,8 +108,8 @@ Vector cell_means(const Discretization& mesh, int k, const Vector& weights) {
     // cells without dual: the mean of the n-cells they touch
     SparseMatrix where = parts;
     where.coeffs().setOnes();
-    const Vector plain = (where.transpose() * weights)
-                             .cwiseQuotient(where.transpose() * Vector::Ones(parts.rows()));
+    const Vector plain =
+        (where.transpose() * weights).cwiseQuotient(where.transpose() * Vector::Ones(parts.rows()));
     return (sums.array() > 0).select(means, plain);
 }
 
@@ -122,8 +122,8 @@ HodgeStars weighted_stars(const Discretization& mesh, int k, const Vector& weigh
     if (!stars[k].is_diagonal())
         return stars.with(k, material_star(mesh, k, weights));
     const CellVolumes& volumes = stars.volumes();
-    HodgeStars result(volumes.with_dual(
-        k, volumes.dual(k).cwiseProduct(cell_means(mesh, k, weights))));
+    HodgeStars result(
+        volumes.with_dual(k, volumes.dual(k).cwiseProduct(cell_means(mesh, k, weights))));
     for (int j = 0; j <= n; ++j)
         if (!stars[j].is_diagonal())
             result = result.with(j, stars[j].matrix());

@@ -23,16 +23,16 @@ SparseMatrix material_star(const Discretization& mesh, int k, const Vector& weig
 /// place (not flipped) and of known points.
 SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors);
 
-/// The mean of a weight around each k-cell, by the size of the parts of |s||*s| in the n-cells: what
-/// the diagonal star of a material is to that of none, one value for each k-cell. Weights are at
-/// least 0, such as conductivity over permittivity. Throws InvalidInput, naming the cell, for others
-/// and another number of them.
+/// The mean of a weight around each k-cell, by the size of the parts of |s||*s| in the n-cells:
+/// what the diagonal star of a material is to that of none, one value for each k-cell. Weights are
+/// at least 0, such as conductivity over permittivity. Throws InvalidInput, naming the cell, for
+/// others and another number of them.
 Vector cell_means(const Discretization& mesh, int k, const Vector& weights);
 
 /// The stars of a mesh with that of k-forms weighted by n-cell: times the means where it is
-/// diagonal, and is so then; else Galerkin's of the material. Of Maxwell's equations with E a primal
-/// 1-form that of degree 1 is weighted by the permittivity, that of degree 2 by the inverse of the
-/// permeability. Throws like material_star.
+/// diagonal, and is so then; else Galerkin's of the material. Of Maxwell's equations with E a
+/// primal 1-form that of degree 1 is weighted by the permittivity, that of degree 2 by the inverse
+/// of the permeability. Throws like material_star.
 HodgeStars weighted_stars(const Discretization& mesh, int k, const Vector& weights);
 
 /// Throws InvalidInput, naming the n-cell and what is given for it, such as "conductivity", unless

@@ -53,8 +53,7 @@ public:
                                       has(a, 1) ? place[a] - high_[a] + layer_.width : 0);
         if (!(depth > rounding * layer_.width))
             return 0;
-        const double most =
-            -(layer_.power + 1) * std::log(layer_.reflection) / (2 * layer_.width);
+        const double most = -(layer_.power + 1) * std::log(layer_.reflection) / (2 * layer_.width);
         return most * std::pow(depth / layer_.width, layer_.power);
     }
 
@@ -180,8 +179,7 @@ LayerParts layer_parts(const Discretization& mesh, const ConditionedComplex& spa
         Index bad_E = none, bad_B = none;
         LayerParts parts;
         parts.of_B = memory(d, B, E, b_degree, profile, time_step, bad_B);
-        parts.of_E =
-            memory(d.transpose(), E, B, e_degree, profile, time_step, bad_E);
+        parts.of_E = memory(d.transpose(), E, B, e_degree, profile, time_step, bad_E);
         if (bad_E == none && bad_B == none)
             return parts;
         const int degree = bad_B != none ? b_degree : e_degree;

@@ -58,7 +58,7 @@ private:
 /// decay in a conducting one.
 struct LayerParts {
     LayerKind kind = LayerKind::stretched;
-    LayerMemory of_E, of_B;  ///< what is added to the rates of E and of B
+    LayerMemory of_E, of_B; ///< what is added to the rates of E and of B
     Vector E_loss, B_loss;
 };
 

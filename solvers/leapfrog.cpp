@@ -146,8 +146,8 @@ Leapfrog::Leapfrog(const Discretization& mesh, const BoundaryConditions& conditi
     : Leapfrog(mesh.complex(), conditioned(mesh, conditions, side, degree), side, degree, options,
                &mesh) {}
 
-Leapfrog::Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Side side,
-                   int degree, const LeapfrogOptions& options, const Discretization* mesh)
+Leapfrog::Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Side side, int degree,
+                   const LeapfrogOptions& options, const Discretization* mesh)
     : time_step_(checked_step(space, side, degree, options.time_step)),
       d_(derivative(space, side, degree)),
       inverse_mass_(side == Side::primal
@@ -170,8 +170,7 @@ Leapfrog::Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Si
                           const char* what) {
         if (given.size() > 0)
             check_loss(what, given, field.whole);
-        field.loss =
-            sum(given.size() > 0 ? field.restricted(given, what) : Vector(), in_layer);
+        field.loss = sum(given.size() > 0 ? field.restricted(given, what) : Vector(), in_layer);
         const HodgeStar& star = space.stars[k];
         if (field.loss.size() == 0 || star.is_diagonal())
             return;

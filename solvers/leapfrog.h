@@ -29,8 +29,8 @@ struct WaveSources {
 
 /// All that is known of a wave at one time.
 struct WaveState {
-    Vector E; ///< at a time t
-    Vector B; ///< half a step before
+    Vector E;                            ///< at a time t
+    Vector B;                            ///< half a step before
     Vector E_memory = {}, B_memory = {}; ///< of an absorbing layer; none: nothing has come there
 };
 
@@ -46,10 +46,10 @@ class Leapfrog {
 public:
     /// On a complex as it is: relative to its boundary, primal E vanishes there (a perfect
     /// conductor, a clamped membrane), else nothing flows out.
-    /// Throws InvalidInput if there are no degrees j and j+1; if star_j is not positive or star_(j+1)
-    /// has a negative entry; of dual forms unless the stars of both are positive; for a time step
-    /// that is not positive and below stable_step; for losses that are negative or not as many as
-    /// values, and those of forms whose mass is the inverse of a matrix; for a layer.
+    /// Throws InvalidInput if there are no degrees j and j+1; if star_j is not positive or
+    /// star_(j+1) has a negative entry; of dual forms unless the stars of both are positive; for a
+    /// time step that is not positive and below stable_step; for losses that are negative or not as
+    /// many as values, and those of forms whose mass is the inverse of a matrix; for a layer.
     Leapfrog(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
              const LeapfrogOptions& options);
     Leapfrog(const CellComplex& complex, const HodgeStars& stars, int degree, double time_step)
@@ -71,7 +71,8 @@ public:
     void step(Vector& E, Vector& B) const;
 
     /// Half of <E, E> + <B, B'>, B' being the B after the next half of a step without sources and
-    /// losses: conserved to rounding by every such step. Positive for stable steps. Throws likewise.
+    /// losses: conserved to rounding by every such step. Positive for stable steps. Throws
+    /// likewise.
     double energy(const Vector& E, const Vector& B) const;
 
     double time_step() const { return time_step_; }

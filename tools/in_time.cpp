@@ -130,7 +130,8 @@ void add_time(CLI::App& command, TimeArguments& arguments, const std::string& ow
                        "write a series to this .pvd file, with a folder beside it, or a\n"
                        ".html page that plays");
     auto* checkpoint = command.add_option("--checkpoint", arguments.checkpoint,
-                                          "keep the state in this .checkpoint file: at each frame, every\nminute, and when Ctrl-C or SIGTERM ends the run");
+                                          "keep the state in this .checkpoint file: at each frame, "
+                                          "every\nminute, and when Ctrl-C or SIGTERM ends the run");
     command
         .add_flag("--resume", arguments.resume,
                   "go on from the checkpoint, if it is there; all else must be as\nit was")

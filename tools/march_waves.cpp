@@ -124,12 +124,11 @@ void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArgu
     const auto [side, degree] = std::pair{problem.side, problem.degree};
     log.timing.begin("solve");
     Swung answer(problem, mesh.chosen_stars());
-    answer.stable_step =
-        mesh.unit() * computed_on(arguments.mesh, [&] {
-            const Progress progress;
-            progress("find the stable step");
-            return stable_step(mesh, problem.conditions, side, degree);
-        });
+    answer.stable_step = mesh.unit() * computed_on(arguments.mesh, [&] {
+                             const Progress progress;
+                             progress("find the stable step");
+                             return stable_step(mesh, problem.conditions, side, degree);
+                         });
     answer.steps = time_steps(time, part_of_stable_step * answer.stable_step);
     const double length = answer.steps.length / mesh.unit();
     const Leapfrog leapfrog(mesh, problem.conditions, side, degree,

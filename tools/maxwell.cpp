@@ -78,15 +78,16 @@ Vector loss(const Discretization& mesh, int degree, const Material& material) {
         return {};
     Vector rates = cell_means(mesh, degree, at_cells(mesh, *material.conductivity));
     if (material.permittivity)
-        rates = rates.cwiseQuotient(cell_means(mesh, degree, at_cells(mesh, *material.permittivity)));
+        rates =
+            rates.cwiseQuotient(cell_means(mesh, degree, at_cells(mesh, *material.permittivity)));
     return rates;
 }
 
 /// What a current adds to the rate of the field.
 Vector source(const Discretization& mesh, int degree, const Material& material, Vector current) {
     if (material.permittivity)
-        current = current.cwiseQuotient(
-            cell_means(mesh, degree, at_cells(mesh, *material.permittivity)));
+        current =
+            current.cwiseQuotient(cell_means(mesh, degree, at_cells(mesh, *material.permittivity)));
     return -current;
 }
 
@@ -95,8 +96,7 @@ WaveProblem described(const MaxwellArguments& arguments) {
                         .form = "E",
                         .form_words = "the electric field",
                         .degree = arguments.degree};
-    problem.title =
-        fmt::format("{}: Maxwell's equations", arguments.mesh.mesh.filename().string());
+    problem.title = fmt::format("{}: Maxwell's equations", arguments.mesh.mesh.filename().string());
     problem.equation = "dB/dt = -d E, dE/dt = (delta B - conductivity E - J) / permittivity";
     if (!arguments.initial.empty())
         problem.equation += fmt::format(", E = {} at the time 0", arguments.initial);
@@ -119,10 +119,10 @@ void run_maxwell(const MaxwellArguments& arguments) {
     const Material material(arguments);
     const ConditionValues asked(arguments.conditions);
     const FormValues& first = initial ? *initial : *current;
-    auto inputs = first.inputs(
-        arguments.mesh.mesh,
-        {asked.file(), Material::file(material.permittivity), Material::file(material.permeability),
-         Material::file(material.conductivity)});
+    auto inputs =
+        first.inputs(arguments.mesh.mesh, {asked.file(), Material::file(material.permittivity),
+                                           Material::file(material.permeability),
+                                           Material::file(material.conductivity)});
     if (initial && current)
         inputs = current->inputs(inputs.front(), {inputs.begin() + 1, inputs.end()});
     check_time(arguments.time, inputs);
@@ -132,18 +132,17 @@ void run_maxwell(const MaxwellArguments& arguments) {
         check_drawable(empty);
     const int degree = arguments.degree;
     WaveProblem problem = described(arguments);
-    problem.conditions =
-        asked.on(empty).value_or(BoundaryConditions{BoundaryCondition::essential});
+    problem.conditions = asked.on(empty).value_or(BoundaryConditions{BoundaryCondition::essential});
     problem.start = initial ? initial->on(empty, Side::primal, degree).values
                             : Vector::Zero(empty.complex().size(degree));
     if (current)
-        problem.source = source(empty, degree, material,
-                                current->on(empty, Side::primal, degree).values);
+        problem.source =
+            source(empty, degree, material, current->on(empty, Side::primal, degree).values);
     problem.pulse = [&](double t) { return pulse.of_label(t); };
     problem.pulse_text = arguments.pulse;
     problem.options.loss = loss(empty, degree, material);
-    march_waves(std::move(problem), filled(empty, degree, material), arguments.mesh,
-                arguments.time, log);
+    march_waves(std::move(problem), filled(empty, degree, material), arguments.mesh, arguments.time,
+                log);
 }
 
 void add_materials(CLI::App& command, MaxwellArguments& arguments) {
@@ -176,8 +175,7 @@ void add_maxwell(CLI::App& app) {
         ->required(false);
     add_form(*command, "--current", arguments->current, "the density of a current")
         ->required(false);
-    command
-        ->add_option("--pulse", arguments->pulse, "the current over time: an expression in t")
+    command->add_option("--pulse", arguments->pulse, "the current over time: an expression in t")
         ->capture_default_str();
     add_materials(*command, *arguments);
     command

@@ -52,7 +52,8 @@ struct Spectrum {
 /// their last digits.
 /// Throws InvalidInput if there is no such degree or count, or, naming the cells, if the star that
 /// is the mass of these forms is not positive or a star that must be inverted has a zero;
-/// SolverFailure if the eigenpairs cannot be had or proved, InvalidInput for vectors to start with of another size.
+/// SolverFailure if the eigenpairs cannot be had or proved, InvalidInput for vectors to start with
+/// of another size.
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const SpectrumOptions& options = {});
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options = {});

@@ -132,9 +132,10 @@ TEST(ConductingLayers, are_worse_where_waves_come_aslant) {
     EXPECT_LT(both[1], 0.03);
 }
 
-/// What comes back of a plane pulse that runs along a box of cells which are no boxes, between walls
-/// along which nothing flows.
-double straight_reflection(const std::function<Mesh(int length)>& mesh, const AbsorbingLayer& layer) {
+/// What comes back of a plane pulse that runs along a box of cells which are no boxes, between
+/// walls along which nothing flows.
+double straight_reflection(const std::function<Mesh(int length)>& mesh,
+                           const AbsorbingLayer& layer) {
     constexpr double height = 24, until = 40;
     const auto low_values = [&](int length, bool with_layer) {
         const auto box = discretize(mesh(length));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/boundary_conditions.h"
 #include "dec/fields/de_rham.h"
+#include "dec/forms/boundary_conditions.h"
 #include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "solvers/leapfrog.h"
@@ -159,11 +159,10 @@ double imbalance(const Waves& waves, double believed) {
     const Vector B2 = state.B;
     const Vector mean = waves.kept(waves.e, E0 + E1) / 2;
     const Vector loss = waves.kept(waves.e, options.loss);
-    const double flow =
-        mean.dot(waves.mass(waves.e).cwiseProduct(waves.kept(waves.e, sources.E) -
-                                                  believed * loss.cwiseProduct(mean))) +
-        waves.kept(waves.b, B1).dot(
-            waves.mass(waves.b).cwiseProduct(waves.kept(waves.b, sources.B)));
+    const double flow = mean.dot(waves.mass(waves.e).cwiseProduct(
+                            waves.kept(waves.e, sources.E) - believed * loss.cwiseProduct(mean))) +
+                        waves.kept(waves.b, B1)
+                            .dot(waves.mass(waves.b).cwiseProduct(waves.kept(waves.b, sources.B)));
     const double change = energy(waves, E1, B1, B2) - energy(waves, E0, B0, B1);
     return std::abs(change - dt * flow) / (std::abs(dt * flow) + energy(waves, E0, B0, B0));
 }
@@ -229,11 +228,10 @@ TEST(Materials, weigh_diagonal_stars_by_the_parts_of_duals) {
             EXPECT_GE(means.minCoeff(), weights.minCoeff() - 1e-14);
             EXPECT_LE(means.maxCoeff(), weights.maxCoeff() + 1e-14);
             // the sums over all of |s||*s| count each n-cell binomial(n, k) times
-            const Vector products =
-                mesh.volumes().primal(k).cwiseProduct(mesh.volumes().dual(k));
+            const Vector products = mesh.volumes().primal(k).cwiseProduct(mesh.volumes().dual(k));
             const double all = weights.dot(mesh.volumes().primal(n));
-            EXPECT_NEAR(products.dot(means) / products.sum(),
-                        all / mesh.volumes().primal(n).sum(), 1e-12);
+            EXPECT_NEAR(products.dot(means) / products.sum(), all / mesh.volumes().primal(n).sum(),
+                        1e-12);
         }
     }
 }
@@ -274,9 +272,9 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
               "waves of 2-forms are asked for: in dimension 2 the degrees are 0 to 1");
     const auto triangles = discretize(well_centered(8));
     EXPECT_NE(refusal([&] {
-                  Leapfrog(triangles, conditions, Side::primal, 0,
-                           {.time_step = dt,
-                            .layer = {.width = 0.2, .kind = LayerKind::stretched}});
+                  Leapfrog(
+                      triangles, conditions, Side::primal, 0,
+                      {.time_step = dt, .layer = {.width = 0.2, .kind = LayerKind::stretched}});
               }).find("not parallel to the axes"),
               std::string::npos);
 }

@@ -88,8 +88,8 @@ double error(const Discretization& mesh, const Manufactured& exact, Side side, d
     double worst = 0;
     for (int i = 0; i < steps; ++i) {
         const double t = (i + 0.5) * dt;
-        const double rate =
-            (speed * exact.lambda / omega - omega) * std::sin(omega * t) + sigma * std::cos(omega * t);
+        const double rate = (speed * exact.lambda / omega - omega) * std::sin(omega * t) +
+                            sigma * std::cos(omega * t);
         leapfrog.step(state, {rate * E0});
         worst = std::max(worst, norm(state.E - std::cos(omega * (i + 1) * dt) * E0));
     }
@@ -133,7 +133,8 @@ TEST(WaveOrders, are_2_on_squares_with_both_conditions_on_both_sides) {
     const Sampled squares{[](int n) { return grid(n, n); }, 8};
     expect_orders(squares,
                   {{clamped(2)}, {free_membrane(2)}, {electric(2)}, {between_magnetic_walls(2)}});
-    EXPECT_LT(order(squares, clamped(2), Side::primal, 1.05), 0.5) << "with sources of another speed";
+    EXPECT_LT(order(squares, clamped(2), Side::primal, 1.05), 0.5)
+        << "with sources of another speed";
 }
 
 TEST(WaveOrders, are_2_on_hexagons) {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+//
+// Light in an open plane: the electric field stands upright on it, so it is a 0-form, and a pulse
+// runs away in all directions. Around the squares that are of interest lies a layer of ten others
+// in which coordinates are stretched into the complex plane: a perfectly matched layer, which
+// swallows what comes in. What still comes back is the difference from a plane so large that
+// nothing can. Then a current makes waves beside a rod of glass, in which light is half as fast.
+#include <cmath>
+#include <iostream>
+#include <polydec.h>
+
+namespace {
+
+constexpr double layer = 10, step = 0.6; // squares have the side 1, light the speed 1
+
+polydec::Discretization plane(int half) {
+    auto mesh = polydec::kuhn({2 * half, 2 * half}, {2.0 * half, 2.0 * half});
+    mesh.points.array() -= half;
+    return polydec::discretize(mesh);
+}
+
+polydec::Vector hill(const polydec::Discretization& mesh, double x, double width) {
+    const auto squares = (mesh.points().array().rowwise() - Eigen::Array2d(x, 0).transpose());
+    return (-squares.square().rowwise().sum() / (width * width)).exp();
+}
+
+/// The field over time in the middle, and at the end everywhere.
+std::vector<double> run(int half, const polydec::AbsorbingLayer& absorbing) {
+    const auto mesh = plane(half);
+    const polydec::Leapfrog light(mesh, {}, polydec::Side::primal, 0,
+                                  {.time_step = step, .layer = absorbing});
+    polydec::WaveState state{hill(mesh, 0, 3), polydec::Vector::Zero(mesh.complex().size(1))};
+    std::vector<double> seen;
+    for (double t = 0; t < 60; t += step) {
+        light.step(state);
+        for (polydec::Index v = 0; v < state.E.size(); ++v)
+            if (mesh.points().row(v).cwiseAbs().maxCoeff() < 20)
+                seen.push_back(state.E[v]);
+    }
+    return seen;
+}
+
+void rod() {
+    auto mesh = plane(40);
+    const polydec::Points centers = polydec::cell_centers(mesh, 2);
+    const polydec::Vector permittivity =
+        centers.rowwise().norm().unaryExpr([](double r) { return r < 12 ? 4.0 : 1.0; });
+    mesh = mesh.with_stars(polydec::weighted_stars(mesh, 0, permittivity));
+    const polydec::Leapfrog light(mesh, {}, polydec::Side::primal, 0,
+                                  {.time_step = step, .layer = {.width = layer}});
+    polydec::WaveState state{polydec::Vector::Zero(mesh.complex().size(0)),
+                             polydec::Vector::Zero(mesh.complex().size(1))};
+    const polydec::Vector antenna = hill(mesh, -20, 1.5);
+    polydec::Series film("absorbing_layer.html", mesh, "Light beside a rod of glass");
+    double most = 0;
+    for (int i = 0; i * step < 200; ++i) {
+        const double t = (i + 0.5) * step;
+        light.step(state, {std::sin(0.5 * t) * std::exp(-std::pow((t - 30) / 15, 2)) * antenna});
+        most = std::max(most, light.energy(state.E, state.B));
+        if (i % 8 == 0)
+            film.add(t, {{"E", {polydec::Side::primal, 0, state.E}, "the electric field"}});
+    }
+    std::cout << "with a glass rod " << 100 * (1 - light.energy(state.E, state.B) / most)
+              << " % of the energy has left\n";
+}
+
+} // namespace
+
+int main() {
+    const auto open = run(30, {.width = layer}), wide = run(64, {});
+    double difference = 0, largest = 0;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        difference = std::max(difference, std::abs(open[i] - wide[i]));
+        largest = std::max(largest, std::abs(wide[i]));
+    }
+    const double back = difference / largest;
+    std::cout << back
+              << " of the pulse comes back: " << (back < 1e-4 ? "less than 1e-4" : "too much")
+              << '\n';
+    rod();
+}

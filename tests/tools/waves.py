@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: MIT
+"""The subcommand maxwell, waves of dual forms, and runs and spectra that are stopped and gone on
+with."""
+import math
+import os
+import random
+import signal
+import subprocess
+import time
+
+import command
+from command import TestCase, golden
+
+KILLS = int(os.environ.get("POLYDEC_KILLS", "12"))
+
+PULSE = ("--degree", 0, "--initial", "exp(-200*((x-.5)^2+(y-.5)^2))")
+
+
+class Waves(TestCase):
+    def make(self, kind, *arguments):
+        path = self.path(f"{kind}.off")
+        self.succeed("generate", kind, *arguments, "-o", path)
+        return path
+
+    def run_until(self, line, seconds, which):
+        """Of a run that a signal may have ended after that time: its answer, or none."""
+        run = subprocess.Popen([command.COMMAND, *map(str, line)], cwd=self.folder,
+                               stdout=subprocess.PIPE)
+        try:
+            out, _ = run.communicate(timeout=seconds)
+        except subprocess.TimeoutExpired:
+            run.send_signal(which)
+            out, _ = run.communicate()
+        if run.returncode == 0:
+            return command.parse(out)
+        self.assertEqual(run.returncode, -which)
+        return None
+
+    def test_waves_of_both_sides_swing_back(self):
+        square = self.make("grid", "--nx", 32, "--ny", 32)
+        for more in (("--side", "dual"), ("--side", "primal", "--essential-where", 1)):
+            answer = self.ask("wave", square, "--initial", "sin(pi*x)*sin(pi*y)", "--until",
+                              math.sqrt(2) / 2, *more)
+            self.assertEqual(answer["side"], more[1])
+            self.assertAlmostEqual(answer["min"], -1, delta=0.01)
+            self.assertAlmostEqual(answer["relative_energy"], 1, delta=1e-11)
+        free = self.ask("wave", square, "--initial", "sin(pi*x)*sin(pi*y)", "--until",
+                        math.sqrt(2) / 2, "--side", "dual", "--natural")
+        self.assertGreater(abs(free["min"] + 1), 0.1)
+
+    def test_a_layer_swallows_what_a_wall_throws_back(self):
+        square = self.make("grid", "--nx", 40, "--ny", 40)
+        line = ("maxwell", square, *PULSE, "--until", 2)
+        kept = self.ask(*line)
+        self.assertAlmostEqual(kept["relative_energy"], 1, delta=1e-11)
+        self.assertNotIn("layer", kept)
+        layer = self.ask(*line, "--absorb", 0.25)
+        self.assertEqual(layer["layer"], "stretched")
+        self.assertLess(layer["relative_energy"], 1e-3)
+        conducting = self.ask(*line, "--absorb", 0.25, "--layer", "conducting")
+        self.assertEqual(conducting["layer"], "conducting")
+        self.assertLess(conducting["relative_energy"], 1e-2)
+        self.assertIn("expected one above 0 and below", self.fail_with(2, *line, "--absorb", 2))
+
+    def test_conductors_and_materials(self):
+        square = self.make("grid", "--nx", 16, "--ny", 16)
+        line = ("maxwell", square, *PULSE, "--until", 1)
+        empty = self.ask(*line)
+        lossy = self.ask(*line, "--conductivity", 3)
+        self.assertLess(lossy["relative_energy"], 0.2)
+        dense = self.ask(*line, "--permittivity", "4", "--permeability", "1")
+        self.assertAlmostEqual(dense["stable_step"], 2 * empty["stable_step"], delta=1e-6)
+        self.assertIn("expected a positive number",
+                      self.fail_with(2, *line, "--permittivity", "-1"))
+
+    def test_currents_drive_a_resonator(self):
+        # from nothing, J = -sin(pi x) sin(pi y) cos(w t) with w the frequency makes t sin(w t) / 2
+        square = self.make("grid", "--nx", 32, "--ny", 32)
+        frequency = math.sqrt(2) * math.pi
+        end = 4.5 * math.pi / frequency
+        line = ("maxwell", square, "--degree", 0, "--current", "-sin(pi*x)*sin(pi*y)", "--until",
+                end)
+        answer = self.ask(*line, "--pulse", f"cos({frequency!r}*t)")
+        self.assertAlmostEqual(answer["max"], end / 2, delta=0.02 * end)
+        other = self.ask(*line, "--pulse", f"cos({2 * frequency!r}*t)")
+        self.assertLess(other["max"], 0.2 * end)
+        self.assertIn("depends on the place", self.fail_with(2, *line, "--pulse", "x*t"))
+
+    def test_light_in_space(self):
+        box = self.path("box.mesh")
+        self.succeed("generate", "kuhn", "--cells", 6, "-o", box)
+        field = ("--initial", "0; 0; sin(pi*x)*sin(pi*y)")
+        answer = self.ask("maxwell", box, *field, "--until", math.sqrt(2) / 2)
+        edge = 1 / 6
+        self.assertAlmostEqual(answer["min"], -edge, delta=0.03 * edge)
+        self.assertIn("perfect conductor", self.succeed("maxwell", "--help"))
+        self.fail_with(1, "maxwell", box, "--until", 1)
+
+    def test_stopped_runs_go_on_to_the_same_bits(self):
+        square = self.make("grid", "--nx", 60, "--ny", 60)
+        chance = random.Random(2)
+        line = ("maxwell", square, *PULSE, "--current", "x", "--pulse", "sin(9*t)", "--absorb",
+                0.2, "--until", 40, "--frames", 4)
+        begin = time.monotonic()
+        whole = self.ask(*line, "-o", "whole.pvd")
+        took = time.monotonic() - begin
+        between = kills = 0
+        while kills < KILLS:
+            for left in ("part.pvd", "part.checkpoint"):
+                if os.path.exists(self.path(left)):
+                    os.remove(self.path(left))
+            answer = None
+            while answer is None:
+                answer = self.run_until(
+                    (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume",
+                     "--json"), chance.uniform(0.2, 0.9) * took,
+                    (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)[kills % 3])
+                kills += answer is None
+            between += 4 * answer["resumed_at"] % answer["steps"] != 0
+            answer["resumed_at"] = whole["resumed_at"]
+            self.assertEqual(answer, whole)
+            for i in range(5):
+                self.assertEqual(self.read(f"part/part_{i:04}.vtu"),
+                                 self.read(f"whole/whole_{i:04}.vtu"))
+        self.assertGreater(between, 0) # not only after frames
+
+    def test_spectra_go_on_with_what_was_found(self):
+        sphere = self.make("icosphere", "--frequency", 16)
+        line = ("spectrum", sphere, "--side", "primal", "--degree", 0, "--count", 150)
+        begin = time.monotonic()
+        whole = self.ask(*line)
+        took = time.monotonic() - begin
+        self.assertNotIn("resumed_with", whole)
+        part = (*line, "--checkpoint", "part.checkpoint", "--resume", "--json")
+        chance = random.Random(3)
+        kills = resumed = 0
+        while kills < KILLS:
+            if os.path.exists(self.path("part.checkpoint")):
+                os.remove(self.path("part.checkpoint"))
+            answer = None
+            while answer is None:
+                answer = self.run_until(part, chance.uniform(0.3, 1.5) * took,
+                                        signal.SIGKILL if kills % 2 else signal.SIGINT)
+                kills += answer is None
+            resumed = max(resumed, answer["resumed_with"])
+            self.assertTrue(answer["certificate"]["complete"])
+            for one, other, radius in zip(answer["eigenvalues"], whole["eigenvalues"],
+                                          map(sum, zip(answer["radii"], whole["radii"]))):
+                self.assertLessEqual(abs(one - other), radius)
+        self.assertGreater(resumed, 0)
+
+    def test_wrong_checkpoints_of_spectra_are_refused(self):
+        line = ("spectrum", golden("uv8.off"), "--side", "primal", "--count", 9)
+        kept = ("--checkpoint", "a.checkpoint", "--resume")
+        first = self.ask(*line, "--degree", 0, *kept)
+        self.assertEqual(first["resumed_with"], 0)
+        again = self.ask(*line[:-1], 12, "--degree", 0, *kept)
+        self.assertGreaterEqual(again["resumed_with"], 9)
+        self.assertTrue(again["certificate"]["complete"])
+        for wrong in ((*line, "--degree", 1), ("spectrum", golden("grid4.nsc"), *line[2:],
+                                               "--degree", 0)):
+            self.assertIn("belongs to another", self.fail_with(2, *wrong, *kept))
+        self.fail_with(1, *line, "--degree", 0, "--resume")
+        self.fail_with(2, *line, "--degree", 0, "--checkpoint", "a.txt")
+
+
+if __name__ == "__main__":
+    command.main()
