@@ -108,6 +108,7 @@
 #include "solvers/diffusion.h"
 #include "solvers/evolution.h"
 #include "solvers/flow/advection.h"
+#include "solvers/flow/flow_data.h"
 #include "solvers/flow/flow_projection.h"
 #include "solvers/flow/flow_solver.h"
 #include "solvers/flow/flux_transport.h"

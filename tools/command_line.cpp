@@ -63,6 +63,7 @@ std::unique_ptr<CLI::App> command_line() {
     add_heat(*app);
     add_wave(*app);
     add_maxwell(*app);
+    add_flow(*app);
     add_distance(*app);
     add_generate(*app);
     add_reproduce(*app);

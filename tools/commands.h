@@ -17,6 +17,7 @@ void add_hodge(CLI::App& app);
 void add_heat(CLI::App& app);
 void add_wave(CLI::App& app);
 void add_maxwell(CLI::App& app);
+void add_flow(CLI::App& app);
 void add_distance(CLI::App& app);
 void add_generate(CLI::App& app);
 void add_reproduce(CLI::App& app);

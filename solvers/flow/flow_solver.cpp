@@ -58,12 +58,13 @@ Vector FlowSolver::midpoint(const Vector& w) const {
     const Vector momentum = flow_.momentum(w);
     Vector middle = w;
     double change = 0;
-    for (int pass = 0; pass < steps_.most_passes; ++pass) {
+    for (int pass = 0; pass < steps_.most_passes && std::isfinite(change); ++pass) {
         const Vector next =
             implicit_.solve(momentum + steps_.time_step / 2 * flow_.inertia(middle)).flux;
-        change = std::sqrt(flow_.energy(next - middle) / flow_.energy(next));
+        const double size = flow_.energy(next);
+        change = size == 0 ? 0 : std::sqrt(flow_.energy(next - middle) / size);
         middle = next;
-        if (!(change > steps_.tolerance))
+        if (change <= steps_.tolerance)
             return 2 * middle - w;
     }
     throw SolverFailure(

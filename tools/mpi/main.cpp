@@ -15,8 +15,8 @@ using polydec::Ranks;
 
 /// Commands of polydec that are not there for several ranks are refused by name.
 void refuse_others(CLI::App& app) {
-    for (const char* name : {"view", "draw", "hodge", "heat", "wave", "distance", "generate",
-                             "reproduce", "backends"}) {
+    for (const char* name : {"view", "draw", "hodge", "heat", "wave", "flow", "distance",
+                             "generate", "reproduce", "backends"}) {
         auto* command = app.add_subcommand(name, "")->group("")->prefix_command();
         command->parse_complete_callback(
             [name] { throw polydec::tools::OneProcessOnly(name, name); });

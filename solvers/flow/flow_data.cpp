@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/flow/flow_data.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+#include "dec/fields/interior_product.h"
+#include "dec/forms/operator.h"
+#include "dec/metric/simplex_geometry.h"
+#include "solvers/poisson.h"
+
+#include <fmt/format.h>
+
+namespace polydec {
+
+Vector flow_of_vorticity(const Discretization& mesh, const Vector& vorticity) {
+    if (mesh.dimension() != 2)
+        throw InvalidInput(fmt::format("a flow in dimension {} is to be made of vorticities at "
+                                       "vertices: expected a surface; else give velocities",
+                                       mesh.dimension()));
+    const Vector none = Vector::Zero(mesh.complex().size(0));
+    const Vector psi = PoissonSolver(mesh).solve(vorticity, none).values;
+    return Operator::derivative(mesh.complex(), 0) * psi;
+}
+
+Vector flow_of_velocity(const Discretization& mesh, const Points& velocity) {
+    const int n = mesh.dimension();
+    return interior_product(mesh, velocity, n, Sampling::centered) * mesh.volumes().primal(n);
+}
+
+Vector flux_through_boundary(const Discretization& mesh, const Points& velocity) {
+    const int n = mesh.dimension();
+    const auto& K = mesh.pieces();
+    require_straight(K, mesh.points(), "a velocity at the boundary");
+    check_as_many("velocities at facets", velocity.rows(), mesh.complex().size(n - 1));
+    check_as_many("components of velocities", velocity.cols(), mesh.points().cols());
+    Vector flux = Vector::Zero(velocity.rows());
+    for (Index t = 0; t < K.size(n); ++t)
+        for (int i = 0; i <= n; ++i) {
+            const Index side = K.face(n, t, i);
+            if (K.coface_counts(n - 1)[side] != 1)
+                continue;
+            // the area of a facet, outwards, is the gradient of the opposite corner's coordinate
+            // against it, times n times the volume
+            const DenseMatrix gradients =
+                barycentric_gradients(mesh.points(), vertices(K.simplices(n), t));
+            const int outward = K.sign(n, t, i);
+            const Index facet = mesh.merging().carriers(n - 1)[side].cell;
+            const int piece = mesh.merging().diamond(n - 1).coeff(facet, side);
+            flux[facet] -= outward * piece * n * mesh.piece_volumes().primal(n)[t] *
+                           gradients.row(i).dot(velocity.row(facet));
+        }
+    return flux;
+}
+
+} // namespace polydec

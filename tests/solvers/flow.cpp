@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/forms/boundary_conditions.h"
+#include "solvers/hodge.h"
+#include "tests/solvers/flow_samples.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+Vector marched(const IncompressibleFlow& flow, Vector w, const FlowSteps& steps, int count) {
+    const FlowSolver solver(flow, steps);
+    for (int i = 0; i < count; ++i)
+        w = solver.step(w);
+    return w;
+}
+
+/// Any flow on a mesh.
+Vector some_flow(const IncompressibleFlow& flow, unsigned seed) {
+    const auto& mesh = flow.mesh();
+    return flow.project(random_vector(mesh.complex().size(mesh.dimension() - 1), seed)
+                            .cwiseProduct(mesh.volumes().primal(mesh.dimension() - 1)));
+}
+
+/// Surfaces and solids, closed and bounded, of quads, triangles, hexagons, cubes, octahedra.
+std::vector<std::pair<std::string, Mesh>> flow_meshes() {
+    return {{"quads", grid(6, 5)},           {"triangles", well_centered(4)},
+            {"hexagons", hexagons(5)},       {"ring", ring(16, 4)},
+            {"sphere", icosphere(4)},        {"goldberg", goldberg(3)},
+            {"uv sphere", uv_sphere(12, 8)}, {"torus", torus(16, 10)},
+            {"cubes", kuhn(3, 4)},           {"octahedra", bcc(2)}};
+}
+
+TEST(Flows, keep_their_energy_without_viscosity_on_any_cells) {
+    for (const auto& [name, mesh] : flow_meshes()) {
+        const IncompressibleFlow flow(discretize(mesh));
+        const Vector w = some_flow(flow, 1);
+        const double dt = 0.3 * flow.exchange_time(w), before = flow.energy(w);
+        const Vector after = marched(flow, w, {.time_step = dt}, 20);
+        EXPECT_NEAR(flow.energy(after) / before, 1, 1e-11) << name;
+        EXPECT_GT(flow_error(flow, after, w), 1e-3) << name << ": nothing moves";
+        EXPECT_LE(flow.divergence(after), 1e-12) << name;
+        // explicit steps do not keep it
+        const Vector euler = w + dt * flow.rate(w);
+        EXPECT_GT(std::abs(flow.energy(euler) / before - 1), 1e-6) << name;
+    }
+}
+
+TEST(Flows, lose_what_friction_takes) {
+    for (const auto& [name, mesh] : flow_meshes()) {
+        const IncompressibleFlow flow(discretize(mesh), {.viscosity = 0.01});
+        const Vector w = some_flow(flow, 1);
+        const double dt = 0.2 * flow.exchange_time(w);
+        const Vector next = marched(flow, w, {.time_step = dt}, 1);
+        const double lost = flow.energy(w) - flow.energy(next);
+        EXPECT_NEAR(lost / (dt * flow.dissipation((w + next) / 2)), 1, 1e-8) << name;
+    }
+}
+
+TEST(Flows, on_surfaces_have_circulations_that_add_to_0) {
+    for (const auto& [name, mesh] : flow_meshes()) {
+        if (mesh.simplices.cols() > 3)
+            continue;
+        const IncompressibleFlow flow(discretize(mesh));
+        const Vector w = some_flow(flow, 3);
+        const Vector around = flow.circulations(w);
+        EXPECT_LE(std::abs(flow.total_circulation(w)), 1e-12 * around.cwiseAbs().sum()) << name;
+    }
+}
+
+TEST(Flows, are_advanced_with_their_harmonic_part) {
+    for (const auto& [name, mesh] : {std::pair("torus", torus(16, 10)), {"ring", ring(16, 4)}}) {
+        const auto on = discretize(mesh);
+        const IncompressibleFlow flow(on);
+        // forms that vanish on the boundary: nothing goes through it
+        const auto inside = relative_to_boundary(on.complex());
+        const Vector harmonic = inside.extend(
+            1, Vector(harmonic_forms(inside.complex, relative_stars(inside, on.stars()),
+                                     Side::primal, 1)
+                          .rowwise()
+                          .sum()));
+        ASSERT_GT(flow.energy(harmonic), 1e-6) << name;
+        EXPECT_LE(flow.vorticity(harmonic).cwiseAbs().maxCoeff(), 1e-9) << name;
+        // without vorticity a flow is steady
+        EXPECT_LE(std::sqrt(flow.energy(flow.rate(harmonic))), 1e-9) << name;
+    }
+}
+
+TEST(Flows, on_a_turning_sphere_go_around_with_it) {
+    const auto sphere = discretize(icosphere(8));
+    const IncompressibleFlow flow(
+        sphere, {.rotation = at_vertices(sphere, [](const Vector& x) { return 2 * x[2]; })});
+    const Vector w = flow_of(sphere, [](const Vector& x) { return x[0]; });
+    // a Rossby wave of degree 1 moves by - 2 Omega m / (l (l + 1)), as fast as the frame turns
+    const int steps = 40;
+    const Vector after = marched(flow, w, {.time_step = pi / 2 / steps}, steps);
+    const Vector east = flow_of(sphere, [](const Vector& x) { return x[1]; });
+    EXPECT_LE(std::min(flow_error(flow, after, east), flow_error(flow, after, -east)), 0.02);
+}
+
+TEST(Flows, between_turning_cylinders_are_couettes) {
+    std::vector<double> errors;
+    for (const int n : {8, 16}) {
+        const auto mesh = discretize(ring(6 * n, n));
+        FlowOptions options{.viscosity = 1, .everywhere = FlowBoundary::no_slip};
+        options.wall_velocity = Points::Zero(mesh.complex().size(1), 2);
+        const Points facets = cell_centers(mesh, 1);
+        for (Index f = 0; f < facets.rows(); ++f)
+            if (facets.row(f).norm() > 1.5) // the outer one turns with speed 2
+                options.wall_velocity.row(f) << -facets(f, 1), facets(f, 0);
+        const IncompressibleFlow flow(mesh, options);
+        // a r + b / r: 0 at 1 and 2 at 2
+        const Vector exact = flow_of(mesh, [](const Vector& x) {
+            const double r = x.norm();
+            return 4. / 3 * (r * r / 2 - std::log(r));
+        });
+        const Vector start = flow.project(Vector::Zero(exact.size()));
+        const Vector found =
+            marched(flow, start, {.time_step = 0.1, .scheme = FlowScheme::imex}, 30);
+        errors.push_back(std::min(flow_error(flow, found, exact), flow_error(flow, -found, exact)));
+    }
+    EXPECT_LE(errors[1], 2e-3);
+    EXPECT_GT(std::log2(errors[0] / errors[1]), 1.7);
+}
+
+TEST(Flows, through_a_channel_are_poiseuilles) {
+    std::vector<double> errors;
+    for (const int n : {8, 16}) {
+        const auto mesh = discretize(grid(2 * n, n, 2, 1));
+        const auto stream = [](const Vector& x) { return x[1] * x[1] * (3 - 2 * x[1]); };
+        const Vector exact = flow_of(mesh, stream);
+        const IncompressibleFlow flow(
+            mesh, {.viscosity = 1, .everywhere = FlowBoundary::no_slip, .boundary_flux = exact});
+        const Vector found = marched(flow, flow.project(Vector::Zero(exact.size())),
+                                     {.time_step = 0.02, .scheme = FlowScheme::imex}, 30);
+        errors.push_back(flow_error(flow, found, exact));
+        // the pressure falls by 12 nu per length
+        const Points cells = cell_centers(mesh, 2);
+        const Vector p = flow.pressure(found).values;
+        Index left = 0, right = 0;
+        for (Index c = 0; c < cells.rows(); ++c) {
+            left = (cells.row(c) - Eigen::RowVector2d(0.5, 0.5)).norm() <
+                           (cells.row(left) - Eigen::RowVector2d(0.5, 0.5)).norm()
+                       ? c
+                       : left;
+            right = (cells.row(c) - Eigen::RowVector2d(1.5, 0.5)).norm() <
+                            (cells.row(right) - Eigen::RowVector2d(1.5, 0.5)).norm()
+                        ? c
+                        : right;
+        }
+        EXPECT_NEAR((p[left] - p[right]) / (cells(right, 0) - cells(left, 0)), 12, 1);
+    }
+    EXPECT_LE(errors[1], 5e-3);
+    EXPECT_GT(std::log2(errors[0] / errors[1]), 1.7);
+}
+
+TEST(Flows, leave_through_open_boundaries_what_comes_in) {
+    const auto mesh = discretize(grid(16, 8, 2, 1));
+    const Points facets = cell_centers(mesh, 1);
+    FlowOptions options{.viscosity = 0.1};
+    const Vector uniform = flow_of(mesh, [](const Vector& x) { return x[1]; });
+    options.boundary_flux = uniform;
+    options.facets.assign(static_cast<std::size_t>(facets.rows()), FlowBoundary::free_slip);
+    for (Index f = 0; f < facets.rows(); ++f)
+        if (facets(f, 0) > 2 - 1e-9)
+            options.facets[f] = FlowBoundary::open;
+    const IncompressibleFlow flow(mesh, options);
+    const Vector start = flow.project(Vector::Zero(uniform.size()));
+    EXPECT_LE(flow.divergence(start), 1e-12);
+    EXPECT_LE(flow_error(flow, start, uniform), 1e-10);
+    const Vector w = marched(flow, start, {.time_step = 0.05, .scheme = FlowScheme::imex}, 20);
+    EXPECT_LE(flow_error(flow, w, uniform), 1e-8);
+}
+
+TEST(FlowErrors, name_what_is_wrong) {
+    const auto mesh = discretize(grid(4, 4));
+    const auto refused = [&](const FlowOptions& options) {
+        return refusal([&] { IncompressibleFlow(mesh, options); });
+    };
+    EXPECT_EQ(refused({.viscosity = -1}),
+              "a viscosity of -1 is given: expected a finite one of 0 or more");
+    EXPECT_EQ(refused({.facets = {FlowBoundary::open}}),
+              "1 conditions of facets are given: expected 40");
+    Vector flux = Vector::Zero(40);
+    const Points facets = cell_centers(mesh, 1);
+    for (Index f = 0; f < 40; ++f)
+        if (facets(f, 0) == 0 && facets(f, 1) < 0.2)
+            flux[f] = 0.5;
+    EXPECT_EQ(refused({.boundary_flux = flux}).substr(0, 26), "through the boundary -0.5 ");
+    const IncompressibleFlow flow(mesh);
+    EXPECT_EQ(refusal([&] { FlowSolver(flow, {.time_step = 0}); }),
+              "a time step of 0 is given: expected a finite one above 0");
+    const Vector w = some_flow(flow, 1);
+    const FlowSolver rash(flow, {.time_step = 50 * flow.exchange_time(w)});
+    EXPECT_THROW(rash.step(w), SolverFailure);
+}
+
+} // namespace
+} // namespace polydec::test

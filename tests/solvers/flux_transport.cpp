@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/flow/flux_transport.h"
+
+#include "dec/fields/cell_centers.h"
+#include "solvers/darcy.h"
+#include "tests/solvers/flow_samples.h"
+#include "tests/support/matrices.h"
+#include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+class FluxTransports : public OverMeshes {};
+
+/// Any fluxes keep the mass but for what crosses the boundary, on any cells.
+TEST_P(FluxTransports, keep_the_mass_to_rounding) {
+    const auto mesh = discretize(mesh_named(GetParam()));
+    const int n = mesh.dimension();
+    bool two_sided = mesh.input().orientable();
+    for (Index f = 0; f < mesh.complex().size(n - 1); ++f)
+        two_sided = two_sided && mesh.complex().coface_counts(n - 1)[f] <= 2;
+    for (const auto sampling : {Sampling::centered, Sampling::upwind}) {
+        if (!two_sided) {
+            EXPECT_NE(refusal([&] { FluxTransport(mesh, sampling); }), "accepted");
+            continue;
+        }
+        const FluxTransport transport(mesh, sampling);
+        const Vector flux = random_vector(mesh.complex().size(n - 1), 1);
+        const Vector density = random_vector(mesh.complex().size(n), 2);
+        const Vector outside = random_vector(mesh.complex().size(n - 1), 3);
+        const Vector through = transport.mass_flux(flux, density, outside);
+        const double change = transport.mass(transport.rate(flux, density, outside));
+        EXPECT_LE(std::abs(change + transport.outflow(through)),
+                  1e-12 * (1 + through.cwiseAbs().sum()));
+        // upwind, what is not negative stays so
+        const Vector some = density.cwiseAbs();
+        const double step = transport.stable_step(flux);
+        if (sampling == Sampling::upwind && std::isfinite(step)) {
+            EXPECT_GE((some + step * transport.rate(flux, some)).minCoeff(), -1e-14);
+        }
+    }
+}
+
+POLYDEC_OVER_MESHES(FluxTransports);
+
+/// Extremes of a density that the flow of a porous medium carries through a square, 1 coming in
+/// below, for as long as half of the content takes; and what is lacking of the mass.
+struct Carried {
+    double least, most, lacking;
+};
+
+Carried carried_by_darcy(const Discretization& mesh, Sampling sampling) {
+    const DarcySolver darcy(mesh);
+    const Points& facets = darcy.facet_sites();
+    Vector pressures(facets.rows());
+    for (Index f = 0; f < facets.rows(); ++f)
+        pressures[f] = -facets(f, 1) + 0.3 * std::sin(3 * facets(f, 0));
+    const Vector none = Vector::Zero(darcy.sites().rows());
+    const Vector flux = darcy.solve(none, pressures, Vector::Zero(facets.rows())).flux.values;
+
+    const FluxTransport transport(mesh, sampling);
+    const Vector outside = Vector::Ones(flux.size());
+    const double step = 0.9 * transport.stable_step(flux);
+    Vector density = none;
+    double came = 0;
+    for (double time = 0; time < 0.5; time += step) {
+        came -= step * transport.outflow(transport.mass_flux(flux, density, outside));
+        density += step * transport.rate(flux, density, outside);
+    }
+    return {density.minCoeff(), density.maxCoeff(),
+            std::abs(came - transport.mass(density)) / transport.mass(density)};
+}
+
+TEST(FluxTransport, by_the_flow_of_a_porous_medium_keeps_mass_and_range) {
+    for (const char* shape : {"quads", "triangles", "hexagons"}) {
+        const auto mesh = discretize(square(shape, 16));
+        const auto upwind = carried_by_darcy(mesh, Sampling::upwind);
+        EXPECT_GE(upwind.least, -1e-12) << shape;
+        EXPECT_LE(upwind.most, 1 + 1e-12) << shape;
+        EXPECT_LE(upwind.lacking, 1e-13) << shape;
+        const auto centered = carried_by_darcy(mesh, Sampling::centered);
+        EXPECT_LE(centered.lacking, 1e-12) << shape;
+        EXPECT_GT(centered.most, 1.01) << shape;
+    }
+}
+
+/// Relative error of a bump that a vortex has carried forth and back again.
+double error_after_return(int cells, Sampling sampling) {
+    Mesh square = grid(cells, cells, 2, 2);
+    square.points.array() -= 1;
+    const auto mesh = discretize(square);
+    const Vector flux = flow_of(mesh, [](const Vector& x) {
+        return -std::pow(std::cos(pi * x[0] / 2) * std::cos(pi * x[1] / 2), 2);
+    });
+    const Points centers = cell_centers(mesh, 2);
+    Vector start(centers.rows());
+    for (Index c = 0; c < start.size(); ++c)
+        start[c] = std::exp(-5 * (centers.row(c) - Eigen::RowVector2d(0.3, 0)).squaredNorm());
+    const FluxTransport transport(mesh, sampling);
+    // by steps of second order
+    Vector density = start;
+    const int steps = 4 * cells;
+    for (const double sign : {1., -1.})
+        for (int i = 0; i < steps; ++i) {
+            const double dt = 0.25 / steps;
+            const Vector half = density + dt / 2 * transport.rate(sign * flux, density);
+            density += dt * transport.rate(sign * flux, half);
+        }
+    return (density - start).norm() / start.norm();
+}
+
+TEST(FluxTransport, is_of_first_order_upwind_and_of_second_centered) {
+    const auto order = [](Sampling sampling) {
+        return std::log2(error_after_return(48, sampling) / error_after_return(96, sampling));
+    };
+    EXPECT_NEAR(order(Sampling::upwind), 0.9, 0.2);
+    EXPECT_GT(order(Sampling::centered), 1.8);
+}
+
+TEST(FluxTransportErrors, name_the_numbers) {
+    const FluxTransport transport(discretize(grid(2, 2)));
+    EXPECT_EQ(refusal([&] { transport.rate(Vector::Ones(3), Vector::Ones(4)); }),
+              "3 fluxes are given: expected 12");
+    EXPECT_EQ(refusal([&] { transport.rate(Vector::Ones(12), Vector::Ones(3)); }),
+              "3 densities are given: expected 4");
+}
+
+} // namespace
+} // namespace polydec::test

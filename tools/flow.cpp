@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "dec/fields/cell_centers.h"
+#include "io/diagnosis_json.h"
+#include "solvers/flow/flow_data.h"
+#include "solvers/flow/flow_solver.h"
+#include "tools/commands.h"
+#include "tools/common.h"
+#include "tools/form_values.h"
+#include "tools/in_time.h"
+#include "tools/messages.h"
+#include "tools/outputs.h"
+#include "tools/picture.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+
+namespace polydec::tools {
+
+namespace {
+
+struct FlowArguments {
+    MeshArguments mesh;
+    TimeArguments time;
+    std::string vorticity, velocity, boundary_velocity, no_slip_where, open_where, rotation;
+    FlowOptions flow;
+    FlowScheme scheme = FlowScheme::implicit_midpoint;
+};
+
+/// Values of one or several expressions, or none.
+class Values {
+public:
+    Values(const std::string& option, const std::string& text) : option_(option) {
+        for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
+            const std::size_t end = std::min(text.find(';', begin), text.size());
+            components_.emplace_back(option, text.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    }
+
+    bool given() const { return !components_.empty(); }
+
+    /// A column each; as many as wanted. Throws InvalidInput for another number.
+    Points at(const Points& sites, Eigen::Index wanted) const {
+        if (std::ssize(components_) != wanted)
+            throw InvalidInput(fmt::format("{} has {} component{}: expected {}, with ; between "
+                                           "them",
+                                           option_, components_.size(),
+                                           components_.size() == 1 ? "" : "s", wanted));
+        Points result(sites.rows(), wanted);
+        for (Eigen::Index i = 0; i < wanted; ++i)
+            result.col(i) = components_[static_cast<std::size_t>(i)].at(sites);
+        return result;
+    }
+
+    Vector at(const Points& sites) const { return at(sites, 1).col(0); }
+
+private:
+    std::string option_;
+    std::vector<SiteValues> components_;
+};
+
+struct Given {
+    Values vorticity, velocity, boundary, no_slip, open, rotation;
+
+    explicit Given(const FlowArguments& arguments)
+        : vorticity("--vorticity", arguments.vorticity),
+          velocity("--velocity", arguments.velocity),
+          boundary("--boundary-velocity", arguments.boundary_velocity),
+          no_slip("--no-slip-where", arguments.no_slip_where),
+          open("--open-where", arguments.open_where),
+          rotation("--rotation", arguments.rotation) {}
+
+    /// Lengths are measured in the units of the mesh.
+    FlowOptions options(const Discretization& mesh, FlowOptions options) const {
+        const double unit = mesh.unit();
+        options.viscosity /= unit * unit;
+        const Points facets = unit * facet_sites(mesh);
+        options.facets.assign(static_cast<std::size_t>(facets.rows()), FlowBoundary::free_slip);
+        const auto mark = [&](const Values& where, FlowBoundary kind) {
+            if (!where.given())
+                return;
+            const Vector marks = where.at(facets);
+            for (Index f = 0; f < marks.size(); ++f)
+                if (marks[f] != 0)
+                    options.facets[f] = kind;
+        };
+        mark(no_slip, FlowBoundary::no_slip);
+        mark(open, FlowBoundary::open);
+        if (boundary.given()) {
+            options.wall_velocity = boundary.at(facets, facets.cols()) / unit;
+            options.boundary_flux = flux_through_boundary(mesh, options.wall_velocity);
+        }
+        if (rotation.given())
+            options.rotation = rotation.at(unit * mesh.points());
+        return options;
+    }
+
+    /// Fluxes that a flow begins with; to be projected.
+    Vector start(const Discretization& mesh) const {
+        const Points sites = mesh.unit() * mesh.points();
+        if (vorticity.given())
+            return flow_of_vorticity(mesh, vorticity.at(sites));
+        if (velocity.given())
+            return flow_of_velocity(mesh, velocity.at(sites, sites.cols()) / mesh.unit());
+        return Vector::Zero(mesh.complex().size(mesh.dimension() - 1));
+    }
+};
+
+std::string boundary_in_words(const std::vector<FlowBoundary>& facets, const CellComplex& complex) {
+    std::array<Index, 3> counts{};
+    const auto& cofaces = complex.coface_counts(complex.dimension() - 1);
+    for (Index f = 0; f < static_cast<Index>(facets.size()); ++f)
+        if (cofaces[f] == 1)
+            ++counts[static_cast<std::size_t>(facets[f])];
+    if (counts == std::array<Index, 3>{})
+        return "no boundary";
+    return fmt::format("boundary facets: {} with free slip, {} without slip, {} open", counts[0],
+                       counts[1], counts[2]);
+}
+
+struct Flowed : Answer {
+    TimeSteps steps;
+    Ran ran;
+    std::string conditions;
+    double viscosity, exchange_time, energy, relative_energy, circulation, divergence, enstrophy;
+    double most = 0, least = 0;
+    ChosenStars stars;
+
+    Flowed(const IncompressibleFlow& flow, const Vector& start, const Vector& w, double nu)
+        : viscosity(nu),
+          exchange_time(flow.exchange_time(w)),
+          relative_energy(flow.energy(start) > 0 ? flow.energy(w) / flow.energy(start) : 0),
+          circulation(flow.total_circulation(w)),
+          divergence(flow.divergence(w)),
+          stars(flow.mesh().chosen_stars()) {
+        const double unit = flow.mesh().unit();
+        const int n = flow.mesh().dimension();
+        energy = flow.energy(w) * std::pow(unit, n + 2);
+        const Vector z = flow.vorticity(w);
+        enstrophy = z.dot(flow.mesh().stars()[n - 2] * z) / 2 * std::pow(unit, n);
+        most = z.maxCoeff() * std::pow(unit, n - 2);
+        least = z.minCoeff() * std::pow(unit, n - 2);
+    }
+
+    void write(JsonWriter& json) const override {
+        write_time(json, steps, ran);
+        json.member("viscosity", viscosity);
+        if (std::isfinite(exchange_time))
+            json.member("exchange_time", exchange_time);
+        json.member("energy", energy);
+        json.member("relative_energy", relative_energy);
+        json.member("enstrophy", enstrophy);
+        json.member("circulation", circulation);
+        json.member("divergence", divergence);
+        json.member("min_vorticity", least);
+        json.member("max_vorticity", most);
+        json.member("conditions", conditions);
+        write_stars(json, stars);
+    }
+
+    void write(Text& text) const override {
+        text("incompressible flow of viscosity {:.6g}, {}\n", viscosity, in_words(steps, ran));
+        text("  {}\n  {}\n", conditions, in_words(stars));
+        text("  energy {:.10g}, {:.12g} of that at the beginning; enstrophy {:.10g}\n", energy,
+             relative_energy, enstrophy);
+        text("  circulation {:.3g} in all; divergence {:.2g}; vorticity from {:.6g} to {:.6g}\n",
+             circulation, divergence, least, most);
+    }
+};
+
+/// Steps are measured by how fast the content of cells is exchanged: by the flow, and by walls.
+double own_step(const IncompressibleFlow& flow, const Vector& w, const FlowArguments& arguments) {
+    const Points& walls = flow.options().wall_velocity;
+    const int n = flow.mesh().dimension();
+    double time = flow.exchange_time(w);
+    if (walls.size() > 0) {
+        const double size = std::pow(flow.mesh().volumes().primal(n).minCoeff(), 1.0 / n);
+        time = std::min(time, size / walls.rowwise().norm().maxCoeff());
+    }
+    const double part = arguments.scheme == FlowScheme::imex ? 0.8 : 0.4;
+    return std::min(part * time, arguments.time.until / 20);
+}
+
+std::vector<NamedForm> shown(const IncompressibleFlow& flow, const Vector& w) {
+    const int n = flow.mesh().dimension();
+    if (n == 2)
+        return {NamedForm("vorticity", {Side::primal, 0, flow.vorticity(w)}, "the vorticity")};
+    const double unit = flow.mesh().unit();
+    return {NamedForm("energy", {Side::dual, 0, unit * unit * flow.advection().kinetic_energy(w)},
+                      "half of the squared velocity")};
+}
+
+void run_flow(const FlowArguments& arguments) {
+    Log log;
+    const Given given(arguments);
+    check_time(arguments.time, {arguments.mesh.mesh});
+    const Discretization mesh = load(arguments.mesh, log);
+    if (!arguments.time.out.empty())
+        check_drawable(mesh);
+    const FlowOptions options = given.options(mesh, arguments.flow);
+    log.timing.begin("solve");
+    const auto flow = computed_on(arguments.mesh.mesh, [&] {
+        const Progress progress;
+        progress("factorize");
+        return IncompressibleFlow(mesh, options);
+    });
+    const Vector start = flow.project(given.start(mesh));
+    const TimeSteps steps = time_steps(arguments.time, own_step(flow, start, arguments));
+    const FlowSolver solver(flow, {.time_step = steps.length, .scheme = arguments.scheme});
+    const std::string words = boundary_in_words(options.facets, mesh.complex());
+    PageText text;
+    text.title = fmt::format("{}: flow", arguments.mesh.mesh.filename().string());
+    text.facts = {
+        fmt::format("an incompressible flow of viscosity {:.6g}", arguments.flow.viscosity), words,
+        in_words(mesh.chosen_stars())};
+    March march{"flow", in_page(std::move(text), log), steps, {start}, {}, {}, {}};
+    march.step = [&](std::vector<Vector>& state) {
+        state[0] = computed_on(arguments.mesh.mesh, [&] { return solver.step(state[0]); });
+    };
+    march.shown = [&](const std::vector<Vector>& state) { return shown(flow, state[0]); };
+    march.problem.add(mesh).add(start).add(words).add(options.viscosity);
+    march.problem.add(static_cast<std::uint64_t>(arguments.scheme));
+    for (const Vector* data : {&options.boundary_flux, &options.rotation})
+        march.problem.add(*data);
+    march.problem.add(Vector(options.wall_velocity.reshaped()));
+    for (const auto kind : options.facets)
+        march.problem.add(static_cast<std::uint64_t>(kind));
+    const Ran ran = run(march, arguments.time, mesh);
+    Flowed answer(flow, start, march.state[0], arguments.flow.viscosity);
+    answer.steps = steps;
+    answer.ran = ran;
+    answer.conditions = words;
+    tell(answer, log, arguments.mesh.tell);
+}
+
+} // namespace
+
+void add_flow(CLI::App& app) {
+    auto* command =
+        app.add_subcommand("flow", "marches incompressible flows (Navier, Stokes, Euler)");
+    const auto arguments = std::make_shared<FlowArguments>();
+    add_mesh_arguments(*command, arguments->mesh);
+    add_star(*command, arguments->mesh, StarKind::automatic);
+    command->add_option("--viscosity", arguments->flow.viscosity, "0 is Euler's equations")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    auto* vorticity = command->add_option(
+        "--vorticity", arguments->vorticity,
+        "of surfaces, at the time 0: an expression in x, y, z, or a file with\na number for each "
+        "vertex; the flow without harmonic part");
+    command
+        ->add_option("--velocity", arguments->velocity,
+                     "at the time 0, expressions with ; between them, like '-y; x; 0';\nits part "
+                     "without divergence is taken, of surfaces along them")
+        ->excludes(vorticity);
+    command->add_option("--boundary-velocity", arguments->boundary_velocity,
+                        "at the boundary: what flows in and out, and how walls without\nslip move");
+    command->add_option("--no-slip-where", arguments->no_slip_where,
+                        "walls without slip at boundary facets where this is not 0; all\nothers "
+                        "have free slip");
+    command->add_option("--open-where", arguments->open_where,
+                        "facets where the flow goes in and out as it likes, at the total\npressure "
+                        "0");
+    command->add_option("--rotation", arguments->rotation,
+                        "of surfaces, the vorticity of the frame, like '2*z' on a planet");
+    add_time(*command, arguments->time,
+             "0.4 of the time in which a cell's content is\nexchanged at first, of imex 0.8");
+    command
+        ->add_option("--scheme", arguments->scheme,
+                     "midpoint, of second order, keeps the energy without viscosity;\nimex, of "
+                     "third order, does not iterate")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, FlowScheme>{
+            {"midpoint", FlowScheme::implicit_midpoint}, {"imex", FlowScheme::imex}}))
+        ->default_str("midpoint");
+    command->add_option("--engine", arguments->flow.linear_solver, "linear solver")
+        ->capture_default_str();
+    command->footer(
+        "Walls have free slip unless told otherwise. The circulations around all vertices add to "
+        "0.\n\nExamples:\n"
+        "  polydec flow sphere.off --vorticity 'exp(-20*(x-1)^2-20*y^2)' --until 20 -o flow.html\n"
+        "  polydec flow square.off --viscosity .01 --no-slip-where 1 \\\n"
+        "      --boundary-velocity '(y>.999)*1; 0' --scheme imex --until 20 -o cavity.pvd \\\n"
+        "      --checkpoint cavity.checkpoint --resume");
+    command->callback([arguments] { run_flow(*arguments); });
+}
+
+} // namespace polydec::tools
