@@ -113,6 +113,7 @@
 #include "solvers/flow/flow_solver.h"
 #include "solvers/flow/flux_transport.h"
 #include "solvers/flow/incompressible_flow.h"
+#include "solvers/flow/shallow_water.h"
 #include "solvers/heat.h"
 #include "solvers/hodge.h"
 #include "solvers/leapfrog.h"

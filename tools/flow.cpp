@@ -283,7 +283,7 @@ void add_flow(CLI::App& app) {
         "0.\n\nExamples:\n"
         "  polydec flow sphere.off --vorticity 'exp(-20*(x-1)^2-20*y^2)' --until 20 -o flow.html\n"
         "  polydec flow square.off --viscosity .01 --no-slip-where 1 \\\n"
-        "      --boundary-velocity '(y>.999)*1; 0' --scheme imex --until 20 -o cavity.pvd \\\n"
+        "      --boundary-velocity '(y>.999)*1; 0; 0' --scheme imex --until 20 -o cavity.pvd \\\n"
         "      --checkpoint cavity.checkpoint --resume");
     command->callback([arguments] { run_flow(*arguments); });
 }

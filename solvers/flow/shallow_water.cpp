@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/flow/shallow_water.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+#include "complex/relative.h"
+#include "dec/forms/boundary_conditions.h"
+#include "dec/forms/derivative.h"
+#include "solvers/flow/advection.h"
+#include "solvers/spectra/positive_mass.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polydec {
+
+namespace {
+
+/// The mean of the values in cells around each vertex, each cell sharing its area among its
+/// corners.
+SparseMatrix means_at_vertices(const Discretization& mesh) {
+    const auto& complex = mesh.complex();
+    const SparseMatrix corners = derivative(complex, 1).cwiseAbs() * derivative(complex, 0).cwiseAbs();
+    std::vector<Eigen::Triplet<double, Index>> shares;
+    Vector sums = Vector::Zero(complex.size(0));
+    for (Index cell = 0; cell < complex.size(2); ++cell) {
+        double count = 0;
+        for (SparseMatrix::InnerIterator corner(corners, cell); corner; ++corner)
+            ++count;
+        for (SparseMatrix::InnerIterator corner(corners, cell); corner; ++corner) {
+            const double share = mesh.volumes().primal(2)[cell] / count;
+            shares.emplace_back(static_cast<Index>(corner.col()), cell, share);
+            sums[corner.col()] += share;
+        }
+    }
+    SparseMatrix result(complex.size(0), complex.size(2));
+    result.setFromTriplets(shares.begin(), shares.end());
+    return sums.cwiseInverse().asDiagonal() * result;
+}
+
+} // namespace
+
+struct ShallowWater::Parts {
+    ShallowWaterOptions options;
+    Advection advection;
+    Vector areas, star, vertex_areas;
+    std::vector<bool> wall; // edges on the boundary
+    SparseMatrix curl, divergence, sides, at_vertices;
+
+    Parts(const Discretization& mesh, const ShallowWaterOptions& how)
+        : options(how),
+          advection(mesh),
+          areas(mesh.volumes().primal(2)),
+          vertex_areas(mesh.stars()[0].diagonal()),
+          curl(derivative(mesh.complex(), 0).transpose()),
+          divergence(derivative(mesh.complex(), 1)),
+          sides(divergence.cwiseAbs().transpose()),
+          at_vertices(means_at_vertices(mesh)) {
+        const auto inside = relative_to_boundary(mesh.complex());
+        const HodgeStar inner = relative_stars(inside, mesh.stars())[1];
+        inner.require_diagonal();
+        check_positive_mass(inner, Side::primal, 1);
+        check_positive_mass(mesh.stars()[0], Side::primal, 0);
+        star = inside.extend(1, inner.diagonal());
+        for (Index e = 0; e < star.size(); ++e)
+            wall.push_back(mesh.complex().coface_counts(1)[e] == 1);
+        if (options.rotation.size() == 0)
+            options.rotation = Vector::Zero(vertex_areas.size());
+        if (options.bottom.size() == 0)
+            options.bottom = Vector::Zero(areas.size());
+        check_as_many("vorticities of the frame", options.rotation.size(), vertex_areas.size());
+        check_as_many("heights of the bottom", options.bottom.size(), areas.size());
+    }
+
+    void check(const State& state) const {
+        check_as_many("depths", state.depth.size(), areas.size());
+        check_as_many("fluxes", state.flux.size(), star.size());
+        for (Index cell = 0; cell < areas.size(); ++cell)
+            if (!(state.depth[cell] > 0))
+                throw InvalidInput(fmt::format("shallow water in cell {} is {} deep: expected a "
+                                               "depth above 0; take shorter steps, or more water",
+                                               cell, state.depth[cell]),
+                                   {.degree = 2, .cells = {cell}});
+    }
+
+    /// The mean depth at each edge: of the cells on both sides.
+    Vector depth_at_edges(const Vector& depth) const {
+        return sides * depth / 2;
+    }
+
+    Vector potential_vorticity(const State& state) const {
+        const Vector circulation = curl * star.cwiseProduct(state.flux);
+        return (options.rotation + circulation.cwiseQuotient(vertex_areas))
+            .cwiseQuotient(at_vertices * state.depth);
+    }
+};
+
+ShallowWater::ShallowWater(const Discretization& mesh, const ShallowWaterOptions& options) {
+    if (mesh.dimension() != 2)
+        throw InvalidInput(fmt::format("shallow water in dimension {} is asked for: expected a "
+                                       "surface",
+                                       mesh.dimension()));
+    parts_ = std::make_shared<Parts>(mesh, options);
+}
+
+ShallowWater::State ShallowWater::rate(const State& state) const {
+    const Parts& parts = *parts_;
+    parts.check(state);
+    const Vector carried = parts.depth_at_edges(state.depth).cwiseProduct(state.flux);
+    const Vector twice_energy = parts.star.cwiseProduct(state.flux).cwiseProduct(state.flux);
+    const Vector head = (parts.sides.transpose() * twice_energy).cwiseQuotient(parts.areas) / 4 +
+                        parts.options.gravity * (state.depth + parts.options.bottom);
+    const Vector along = parts.divergence.transpose() * head -
+                         parts.advection(parts.potential_vorticity(state), carried);
+    State result{-(parts.divergence * carried).cwiseQuotient(parts.areas), Vector(along.size())};
+    for (Index e = 0; e < along.size(); ++e)
+        result.flux[e] = parts.wall[e] ? 0 : along[e] / parts.star[e];
+    return result;
+}
+
+ShallowWater::State ShallowWater::step(const State& state, double time_step) const {
+    const auto moved = [&](const State& by, double part) {
+        return State{state.depth + part * time_step * by.depth,
+                     state.flux + part * time_step * by.flux};
+    };
+    const State a = rate(state), b = rate(moved(a, 0.5)), c = rate(moved(b, 0.5)),
+                d = rate(moved(c, 1));
+    return moved({(a.depth + 2 * b.depth + 2 * c.depth + d.depth) / 6,
+                  (a.flux + 2 * b.flux + 2 * c.flux + d.flux) / 6},
+                 1);
+}
+
+double ShallowWater::stable_step(const State& state) const {
+    const Parts& parts = *parts_;
+    parts.check(state);
+    // waves have squared frequencies up to the row sums of div g h star^-1 grad
+    const Vector depth = parts.depth_at_edges(state.depth);
+    Vector conductances = Vector::Zero(depth.size());
+    for (Index e = 0; e < depth.size(); ++e)
+        if (!parts.wall[e])
+            conductances[e] = parts.options.gravity * depth[e] / parts.star[e];
+    const Vector squares =
+        2 * (parts.sides.transpose() * conductances).cwiseQuotient(parts.areas);
+    return 1 / (std::sqrt(squares.maxCoeff()) / 2 + parts.advection.exchange_rate(state.flux));
+}
+
+double ShallowWater::mass(const State& state) const {
+    parts_->check(state);
+    return parts_->areas.dot(state.depth);
+}
+
+double ShallowWater::energy(const State& state) const {
+    const Parts& parts = *parts_;
+    parts.check(state);
+    const Vector kinetic = parts.star.cwiseProduct(state.flux).cwiseProduct(state.flux);
+    const Vector surface = state.depth + parts.options.bottom;
+    return (parts.depth_at_edges(state.depth).dot(kinetic) +
+            parts.options.gravity * parts.areas.dot(surface.cwiseProduct(surface))) /
+           2;
+}
+
+Vector ShallowWater::potential_vorticity(const State& state) const {
+    parts_->check(state);
+    return parts_->potential_vorticity(state);
+}
+
+double ShallowWater::potential_enstrophy(const State& state) const {
+    const Vector q = potential_vorticity(state);
+    const Vector depth = parts_->at_vertices * state.depth;
+    return parts_->vertex_areas.dot(depth.cwiseProduct(q).cwiseProduct(q)) / 2;
+}
+
+} // namespace polydec

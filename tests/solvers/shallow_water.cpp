@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/flow/shallow_water.h"
+
+#include "dec/fields/cell_centers.h"
+#include "solvers/flow/flow_data.h"
+#include "tests/solvers/flow_samples.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace polydec::test {
+namespace {
+
+using State = ShallowWater::State;
+
+/// Any state: depths around 2, walls not crossed.
+State some_state(const Discretization& mesh, unsigned seed) {
+    State state{random_vector(mesh.complex().size(2), seed) / 2,
+                0.2 * random_vector(mesh.complex().size(1), seed + 1)};
+    state.depth.array() += 2;
+    for (Index e = 0; e < state.flux.size(); ++e)
+        if (mesh.complex().coface_counts(1)[e] == 1)
+            state.flux[e] = 0;
+    return state;
+}
+
+TEST(ShallowWaters, keep_mass_and_energy_on_any_cells) {
+    for (const auto& [name, mesh] : {std::pair("quads", grid(5, 4)), {"hexagons", hexagons(5)},
+                                     {"triangles", well_centered(4)}, {"sphere", icosphere(4)},
+                                     {"goldberg", goldberg(3)}, {"torus", torus(16, 10)}}) {
+        const auto on = discretize(mesh);
+        ShallowWaterOptions options{.gravity = 3};
+        options.rotation = random_vector(on.complex().size(0), 5);
+        options.bottom = 0.2 * random_vector(on.complex().size(2), 6);
+        const ShallowWater water(on, options);
+        const State state = some_state(on, 1), rate = water.rate(state);
+        EXPECT_LE(std::abs(on.volumes().primal(2).dot(rate.depth)),
+                  1e-12 * rate.depth.cwiseAbs().sum())
+            << name;
+        // the derivative of the energy along the rate, by differences of third order
+        const auto energy = [&](double part) {
+            return water.energy({state.depth + part * rate.depth, state.flux + part * rate.flux});
+        };
+        const double part = 1e-2 / (rate.depth.norm() + rate.flux.norm());
+        const double slope = (8 * (energy(part) - energy(-part)) -
+                              (energy(2 * part) - energy(-2 * part))) /
+                             (12 * part);
+        const double scale = rate.flux.norm() + rate.depth.norm();
+        EXPECT_LE(std::abs(slope), 1e-9 * scale) << name;
+        // along half of it, it changes
+        const double broken =
+            water.energy({state.depth + part * rate.depth, state.flux}) - energy(0);
+        EXPECT_GT(std::abs(broken / part), 1e-4 * scale) << name;
+    }
+}
+
+TEST(ShallowWaters, at_rest_over_any_bottom_stay_at_rest) {
+    const auto mesh = discretize(goldberg(4));
+    ShallowWaterOptions options;
+    options.bottom = 0.3 * random_vector(mesh.complex().size(2), 3);
+    options.rotation = at_vertices(mesh, [](const Vector& x) { return x[2]; });
+    const ShallowWater water(mesh, options);
+    const State still{1 - options.bottom.array(), Vector::Zero(mesh.complex().size(1))};
+    const State rate = water.rate(still);
+    EXPECT_LE(rate.depth.norm() + rate.flux.norm(), 1e-12);
+}
+
+/// Williamson's second test: a steady wind around the axis, in balance with the rotation of the
+/// frame. Relative error of the depth after a quarter of a turn.
+double error_of_wind(const Mesh& sphere) {
+    const auto mesh = discretize(sphere);
+    constexpr double wind = 0.3, omega = 1, gravity = 1;
+    ShallowWaterOptions options{.gravity = gravity};
+    options.rotation = at_vertices(mesh, [](const Vector& x) { return 2 * omega * x[2]; });
+    const ShallowWater water(mesh, options);
+    const Points centers = cell_centers(mesh, 2);
+    Vector depth(centers.rows());
+    for (Index c = 0; c < depth.size(); ++c) {
+        const double z = centers(c, 2) / centers.row(c).norm();
+        depth[c] = 2 - (omega * wind + wind * wind / 2) * z * z / gravity;
+    }
+    Vector flux = flow_of(mesh, [](const Vector& x) { return wind * x[2]; });
+    if (water.potential_vorticity({depth, flux}).dot(options.rotation) <
+        water.potential_vorticity({depth, -flux}).dot(options.rotation))
+        flux = -flux; // eastwards
+    State state{depth, flux};
+    const double time = pi / 2;
+    const int steps = static_cast<int>(std::ceil(time / water.stable_step(state)));
+    const double mass = water.mass(state), energy = water.energy(state);
+    for (int i = 0; i < steps; ++i)
+        state = water.step(state, time / steps);
+    EXPECT_LE(std::abs(water.mass(state) / mass - 1), 1e-14);
+    EXPECT_LE(std::abs(water.energy(state) / energy - 1), 1e-6);
+    const Vector& areas = mesh.volumes().primal(2);
+    return std::sqrt(areas.dot((state.depth - depth).cwiseAbs2()) / areas.dot(depth.cwiseAbs2()));
+}
+
+TEST(ShallowWaters, keep_a_steady_wind_with_order_2_on_hexagons_and_quads) {
+    const double hexagons = error_of_wind(goldberg(8)), finer = error_of_wind(goldberg(16));
+    EXPECT_LE(finer, 2e-3);
+    EXPECT_GT(std::log2(hexagons / finer), 1.6);
+    const double quads = error_of_wind(uv_sphere(32, 16)), fine = error_of_wind(uv_sphere(64, 32));
+    EXPECT_LE(fine, 2e-3);
+    EXPECT_GT(std::log2(quads / fine), 1.6);
+}
+
+TEST(ShallowWaterErrors, name_the_cell_and_the_dimension) {
+    const auto mesh = discretize(grid(2, 2));
+    const ShallowWater water(mesh);
+    EXPECT_EQ(refusal([&] { water.rate({Vector{{1, 1, 0, 1}}, Vector::Zero(12)}); }),
+              "shallow water in cell 2 is 0 deep: expected a depth above 0; take shorter steps, or "
+              "more water");
+    EXPECT_EQ(refusal([] { ShallowWater{discretize(kuhn(3, 1))}; }),
+              "shallow water in dimension 3 is asked for: expected a surface");
+}
+
+} // namespace
+} // namespace polydec::test

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""The subcommand flow: what it keeps, conditions, series, and runs that are killed and gone on with."""
+import math
+import os
+import random
+import signal
+import subprocess
+import time
+
+import command
+from command import TestCase, golden
+
+KILLS = int(os.environ.get("POLYDEC_KILLS", "10"))
+
+
+class Flow(TestCase):
+    def make(self, kind, *arguments):
+        path = self.path(f"{kind}.off")
+        self.succeed("generate", kind, *arguments, "-o", path)
+        return path
+
+    def test_vortices_without_viscosity_keep_their_energy(self):
+        for kind, arguments in (("icosphere", ("--frequency", 8)),
+                                ("torus", ("--major", 24, "--minor", 12))):
+            mesh = self.make(kind, *arguments)
+            answer = self.ask("flow", mesh, "--vorticity", "exp(-9*((x-1)^2+y^2))", "--until", 2)
+            self.assertAlmostEqual(answer["relative_energy"], 1, delta=1e-11)
+            self.assertLess(abs(answer["circulation"]), 1e-12)
+            self.assertLess(answer["divergence"], 1e-13)
+            other = self.ask("flow", mesh, "--vorticity", "exp(-9*((x-1)^2+y^2))", "--until", 2,
+                             "--viscosity", 0.01)
+            self.assertLess(other["relative_energy"], 0.99)
+
+    def test_a_vortex_between_walls_decays_as_it_should(self):
+        square = self.make("grid", "--nx", 24, "--ny", 24)
+        for scheme in ("midpoint", "imex"):
+            answer = self.ask("flow", square, "--vorticity", "sin(pi*x)*sin(pi*y)", "--viscosity",
+                              0.01, "--until", 2, "--scheme", scheme)
+            exact = math.exp(-2 * 2 * math.pi ** 2 * 0.01 * 2)
+            self.assertAlmostEqual(answer["relative_energy"] / exact, 1, delta=0.01)
+            self.assertIn("96 with free slip", answer["conditions"])
+        stuck = self.ask("flow", square, "--vorticity", "sin(pi*x)*sin(pi*y)", "--viscosity", 0.01,
+                         "--until", 2, "--no-slip-where", "1")
+        self.assertLess(stuck["relative_energy"], 0.9 * exact)
+
+    def test_a_lid_drives_a_cavity_and_a_fan_a_channel(self):
+        square = self.make("grid", "--nx", 12, "--ny", 12)
+        cavity = self.ask("flow", square, "--viscosity", 0.01, "--no-slip-where", "1",
+                          "--boundary-velocity", "(y>.999)*1; 0; 0", "--until", 4, "--scheme", "imex")
+        self.assertGreater(cavity["energy"], 0.01)
+        channel = self.ask("flow", square, "--boundary-velocity", "1; 0; 0", "--open-where", "x>.999",
+                           "--until", 1, "--scheme", "imex")
+        self.assertAlmostEqual(channel["energy"], 0.5, delta=1e-9)
+        self.assertIn("12 open", channel["conditions"])
+        self.assertIn("more flows out than in", self.fail_with(
+            2, "flow", square, "--boundary-velocity", "x; 0; 0", "--until", 1))
+
+    def test_velocities_make_flows_in_solids_and_with_harmonic_parts(self):
+        cube = golden("kuhn3.nsc")
+        answer = self.ask("flow", cube, "--velocity", "y-.5; .5-x; 0", "--until", 0.5)
+        self.assertAlmostEqual(answer["relative_energy"], 1, delta=1e-11)
+        self.assertGreater(answer["energy"], 0)
+        torus = self.make("torus", "--major", 48, "--minor", 24)
+        around = self.ask("flow", torus, "--velocity", "-y/(x^2+y^2); x/(x^2+y^2); 0", "--until", 1)
+        self.assertLess(around["max_vorticity"], 0.05)
+        self.assertGreater(around["energy"], 1)
+        self.assertIn("expected 3", self.fail_with(2, "flow", torus, "--velocity", "1; 0",
+                                                   "--until", 1))
+        self.assertIn("expected a surface", self.fail_with(2, "flow", cube, "--vorticity", "x",
+                                                           "--until", 1))
+
+    def test_units_of_length_change_no_number_but_lengths(self):
+        with open(golden("grid4.nsc"), encoding="ascii") as file:
+            lines = file.read().splitlines()
+        points = int(lines[0].split()[2])
+        one = self.ask("flow", golden("grid4.nsc"), "--velocity", "y; x*x", "--viscosity", 0.01,
+                       "--until", 0.5)
+        for scale in (1e-30, 1e20):
+            moved = [" ".join(repr(float(x) * scale) for x in line.split())
+                     for line in lines[1:1 + points]]
+            self.write("scaled.nsc", "\n".join(lines[:1] + moved + lines[1 + points:]) + "\n")
+            other = self.ask("flow", "scaled.nsc", "--velocity", f"y; x*x/{scale!r}",
+                             "--viscosity", 0.01 * scale ** 2, "--until", 0.5)
+            self.assertEqual(one["steps"], other["steps"])
+            self.assertAlmostEqual(one["relative_energy"], other["relative_energy"], delta=1e-9)
+            self.assertAlmostEqual(one["energy"] / (other["energy"] / scale ** 4), 1, delta=1e-9)
+            self.assertAlmostEqual(one["max_vorticity"], other["max_vorticity"], delta=1e-9)
+
+    def steps_of(self, name):
+        lines = [line.split('"') for line in self.read(name).splitlines() if "timestep" in line]
+        return [line[5] for line in lines]
+
+    def test_series_and_pages_are_written(self):
+        sphere = golden("uv8.off")
+        answer = self.ask("flow", sphere, "--vorticity", "z", "--until", 1, "--frames", 5, "-o",
+                          "s.pvd")
+        self.assertEqual(len(self.steps_of("s.pvd")), answer["frames"])
+        self.succeed("flow", sphere, "--vorticity", "z", "--until", 1, "-o", "s.html")
+
+    def test_killed_runs_go_on_to_the_same_bits(self):
+        sphere = self.make("icosphere", "--frequency", 20)
+        chance = random.Random(1)
+        line = ("flow", sphere, "--vorticity", "exp(-9*((x-1)^2+y^2))", "--until", 4, "--frames",
+                20)
+        begin = time.monotonic()
+        whole = self.ask(*line, "-o", "whole.pvd")
+        took = time.monotonic() - begin
+        wanted = [self.read(file) for file in self.steps_of("whole.pvd")]
+        part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume", "--json")
+        kills = 0
+        while kills < KILLS:
+            for left in ("part.pvd", "part.checkpoint"):
+                if os.path.exists(self.path(left)):
+                    os.remove(self.path(left))
+            while True:
+                run = subprocess.Popen([command.COMMAND, *map(str, part)], cwd=self.folder,
+                                       stdout=subprocess.PIPE)
+                try:
+                    out, _ = run.communicate(timeout=chance.uniform(0.2, 0.9) * took)
+                    break
+                except subprocess.TimeoutExpired:
+                    run.send_signal(signal.SIGKILL if kills % 3 else signal.SIGINT)
+                    run.communicate()
+                    kills += 1
+            self.assertEqual(run.returncode, 0)
+            answer = command.parse(out)
+            answer["resumed_at"] = whole["resumed_at"]
+            self.assertEqual(answer, whole)
+            self.assertEqual([self.read(file) for file in self.steps_of("part.pvd")], wanted)
+
+    def test_another_flow_is_not_gone_on_with(self):
+        line = ("flow", golden("uv8.off"), "--vorticity", "z", "--until", 1, "--checkpoint",
+                "a.checkpoint")
+        self.succeed(*line)
+        for more in (("--viscosity", 0.1), ("--scheme", "imex"), ("--rotation", "z")):
+            self.assertIn("belongs to another", self.fail_with(2, *line, *more, "--resume"))
+
+
+if __name__ == "__main__":
+    command.main()
