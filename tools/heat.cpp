@@ -41,6 +41,26 @@ struct HeatArguments {
     }
 };
 
+double norm(const Discretization& mesh, const Cochain& form) {
+    return std::sqrt(std::max(0.0, inner_product(mesh.complex(), mesh.stars(), form, form)));
+}
+
+/// What heat is marched with: the mesh, and what was asked for on it.
+struct Heat {
+    const HeatArguments& arguments;
+    const Discretization& mesh;
+    Cochain start;
+    std::optional<BoundaryConditions> conditions;
+    std::optional<FormValues> source, boundary;
+
+    double time_unit() const { return mesh.unit() * mesh.unit(); }
+};
+
+double relative_norm(const Heat& heat, const Cochain& end) {
+    const double before = norm(heat.mesh, heat.start);
+    return before > 0 ? norm(heat.mesh, end) / before : 0;
+}
+
 struct Cooled : Answer {
     Side side;
     int degree;
@@ -49,7 +69,24 @@ struct Cooled : Answer {
     std::string conditions;
     double min, max, norm; // the last one as a part of that at the beginning
     ChosenStars stars;
-    std::optional<IntegratorReport> integrated = {};
+    std::optional<IntegratorReport> integrated;
+
+    Cooled(const Heat& heat, const TimeSteps& equal, const Ran& how, std::string words,
+           const Cochain& end, const Evolution* run)
+        : side(end.side),
+          degree(end.degree),
+          steps(equal),
+          ran(how),
+          conditions(std::move(words)),
+          min(end.values.minCoeff()),
+          max(end.values.maxCoeff()),
+          norm(relative_norm(heat, end)),
+          stars(heat.mesh.chosen_stars()) {
+        if (!run)
+            return;
+        integrated = run->report();
+        integrated->last_step *= heat.time_unit();
+    }
 
     void write(JsonWriter& json) const override {
         json.member("side", name(side));
@@ -78,21 +115,6 @@ struct Cooled : Answer {
         text("  values from {:.10g} to {:.10g}; L2 norm {:.6g} of that at the beginning\n", min,
              max, norm);
     }
-};
-
-double norm(const Discretization& mesh, const Cochain& form) {
-    return std::sqrt(std::max(0.0, inner_product(mesh.complex(), mesh.stars(), form, form)));
-}
-
-/// What heat is marched with: the mesh, and what was asked for on it.
-struct Heat {
-    const HeatArguments& arguments;
-    const Discretization& mesh;
-    Cochain start;
-    std::optional<BoundaryConditions> conditions;
-    std::optional<FormValues> source, boundary;
-
-    double time_unit() const { return mesh.unit() * mesh.unit(); }
 };
 
 /// Equal steps by the scheme that was asked for.
@@ -241,22 +263,7 @@ void run_heat(const HeatArguments& arguments) {
         march.problem.add(static_cast<std::uint64_t>(condition));
     const Ran ran = run(march, arguments.time, mesh);
     const Cochain end = integrated ? integrated->form(0) : Cochain{side, degree, march.state[0]};
-    const double before = norm(mesh, heat.start), after = norm(mesh, end);
-    Cooled answer{{},
-                  side,
-                  degree,
-                  steps,
-                  ran,
-                  words,
-                  end.values.minCoeff(),
-                  end.values.maxCoeff(),
-                  before > 0 ? after / before : 0,
-                  mesh.chosen_stars()};
-    if (integrated) {
-        answer.integrated = integrated->report();
-        answer.integrated->last_step *= heat.time_unit();
-    }
-    tell(answer, log, arguments.mesh.tell);
+    tell(Cooled(heat, steps, ran, words, end, integrated.get()), log, arguments.mesh.tell);
 }
 
 } // namespace

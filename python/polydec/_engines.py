@@ -16,7 +16,7 @@ from ._arrays import Floats, floats, matrix_parts
 
 @dataclass(frozen=True)
 class Backend:
-    """An engine that is known: `kind` is "linear", "eigen" or "mesher".
+    """An engine that is known: `kind` is "linear", "eigen", "integrator" or "mesher".
 
     `how_to_get` names package and option of one that is not `available`.
     """
