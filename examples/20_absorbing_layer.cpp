@@ -20,8 +20,10 @@ polydec::Discretization plane(int half) {
 }
 
 polydec::Vector hill(const polydec::Discretization& mesh, double x, double width) {
-    const auto squares = (mesh.points().array().rowwise() - Eigen::Array2d(x, 0).transpose());
-    return (-squares.square().rowwise().sum() / (width * width)).exp();
+    const Eigen::RowVector2d top(x, 0);
+    return (-(mesh.points().rowwise() - top).rowwise().squaredNorm() / (width * width))
+        .array()
+        .exp();
 }
 
 /// The field over time in the middle, and at the end everywhere.

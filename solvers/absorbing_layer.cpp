@@ -68,7 +68,10 @@ public:
 private:
     static constexpr double rounding = 1e-9;
 
-    bool has(int a, int end) const { return layer_.sides.empty() || layer_.sides[a][end]; }
+    /// A plane in space has no sides above and below it.
+    bool has(int a, int end) const {
+        return layer_.sides.empty() ? high_[a] > low_[a] : layer_.sides[a][end];
+    }
 
     const AbsorbingLayer& layer_;
     Eigen::RowVectorXd low_, high_;
@@ -128,7 +131,7 @@ void check(const Discretization& mesh, const AbsorbingLayer& layer) {
         mesh.points().colwise().maxCoeff() - mesh.points().colwise().minCoeff();
     double smallest = std::numeric_limits<double>::infinity();
     for (int a = 0; a < extent.size(); ++a)
-        if (layer.sides.empty() || layer.sides[a][0] || layer.sides[a][1])
+        if (layer.sides.empty() ? extent[a] > 0 : layer.sides[a][0] || layer.sides[a][1])
             smallest = std::min(smallest, extent[a]);
     if (!(layer.width > 0 && layer.width < smallest))
         throw InvalidInput(fmt::format("an absorbing layer of the width {:.6g} is asked for: "

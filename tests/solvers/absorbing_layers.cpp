@@ -136,7 +136,7 @@ TEST(ConductingLayers, are_worse_where_waves_come_aslant) {
 /// walls along which nothing flows.
 double straight_reflection(const std::function<Mesh(int length)>& mesh,
                            const AbsorbingLayer& layer) {
-    constexpr double height = 24, until = 40;
+    constexpr double height = 24, until = 70;
     const auto low_values = [&](int length, bool with_layer) {
         const auto box = discretize(mesh(length));
         const BoundaryConditions free{BoundaryCondition::natural};
