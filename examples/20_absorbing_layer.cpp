@@ -6,6 +6,7 @@
 // swallows what comes in. What still comes back is the difference from a plane so large that
 // nothing can. Then a current makes waves beside a rod of glass, in which light is half as fast.
 #include <cmath>
+#include <fstream>
 #include <iostream>
 #include <polydec.h>
 
@@ -42,17 +43,37 @@ std::vector<double> run(int half, const polydec::AbsorbingLayer& absorbing) {
     return seen;
 }
 
+/// Every second square, at the height of the field.
+void draw(const polydec::Discretization& mesh, const polydec::Vector& E) {
+    const int side = static_cast<int>(std::lround(std::sqrt(E.size())));
+    polydec::SolidFaces faces;
+    faces.polygons.points.resize(E.size(), 3);
+    faces.polygons.points << mesh.points(), 8 * E;
+    std::vector<double> heights;
+    for (int i = 0; i + 2 < side; i += 2)
+        for (int j = 0; j + 2 < side; j += 2) {
+            const int corner = i * side + j;
+            for (const int next : {0, 2 * side, 2 * side + 2, 2})
+                faces.polygons.corners.push_back(corner + next);
+            faces.polygons.offsets.push_back(std::ssize(faces.polygons.corners));
+            heights.push_back(E[corner + side + 1]);
+        }
+    faces.values = Eigen::Map<polydec::Vector>(heights.data(), std::ssize(heights));
+    std::ofstream("absorbing_layer.svg") << polydec::to_svg(polydec::draw_solid(
+        faces, {.line_width = 0.3, .title = "Light beside a rod of glass in an open plane"}));
+}
+
 void rod() {
-    auto mesh = plane(40);
+    auto mesh = plane(30);
     const polydec::Points centers = polydec::cell_centers(mesh, 2);
     const polydec::Vector permittivity =
-        centers.rowwise().norm().unaryExpr([](double r) { return r < 12 ? 4.0 : 1.0; });
+        centers.rowwise().norm().unaryExpr([](double r) { return r < 8 ? 4.0 : 1.0; });
     mesh = mesh.with_stars(polydec::weighted_stars(mesh, 0, permittivity));
     const polydec::Leapfrog light(mesh, {}, polydec::Side::primal, 0,
                                   {.time_step = step, .layer = {.width = layer}});
     polydec::WaveState state{polydec::Vector::Zero(mesh.complex().size(0)),
                              polydec::Vector::Zero(mesh.complex().size(1))};
-    const polydec::Vector antenna = hill(mesh, -20, 1.5);
+    const polydec::Vector antenna = hill(mesh, -14, 1.5);
     polydec::Series film("absorbing_layer.html", mesh, "Light beside a rod of glass");
     double most = 0;
     for (int i = 0; i * step < 200; ++i) {
@@ -61,6 +82,8 @@ void rod() {
         most = std::max(most, light.energy(state.E, state.B));
         if (i % 8 == 0)
             film.add(t, {{"E", {polydec::Side::primal, 0, state.E}, "the electric field"}});
+        if (i == 75)
+            draw(mesh, state.E);
     }
     std::cout << "with a glass rod " << 100 * (1 - light.energy(state.E, state.B) / most)
               << " % of the energy has left\n";

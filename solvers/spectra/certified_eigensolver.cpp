@@ -31,6 +31,10 @@ constexpr int most_in_vain = 3;
 /// From so many on blocks pay: their steps cost less, and Spectra's orthogonalization outgrows all.
 constexpr Index many = 20;
 
+/// Where what is found is kept, pairs are asked for in as many parts at most, of at least this
+/// size.
+constexpr Index most_parts = 16, least_part = 32;
+
 /// More eigenvalues than asked for that are looked at in search of a gap.
 constexpr Index largest_cluster = 5000;
 
@@ -52,7 +56,6 @@ struct CertifiedEigensolver::State {
           small(pencil.small()),
           pairs(size(), small) {
         choose_engine(1);
-        check_start();
     }
 
     Index size() const { return pencil.size(); }
@@ -70,9 +73,6 @@ struct CertifiedEigensolver::State {
     void choose_engine(Index count);
     double lowest_shift(Index wanted);
     void set_shift(double sigma, Definiteness definiteness);
-    void check_start() const;
-    void take_start();
-    Index part_of(Index asked) const;
     Index ask(Index count);
     bool improve(Index count);
     bool smooth();
@@ -135,39 +135,6 @@ void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiten
     shift = sigma;
     factorized = true;
     smoothed = false;
-}
-
-void CertifiedEigensolver::State::check_start() const {
-    if (options.start.cols() > 0 && (options.start.rows() != size() || !options.start.allFinite()))
-        throw InvalidInput(fmt::format("vectors of {} numbers are to be started with: expected {} "
-                                       "finite ones each",
-                                       options.start.rows(), size()));
-}
-
-/// Keeps of the vectors given those whose radii prove that they are eigenvectors, each of another
-/// eigenvalue.
-void CertifiedEigensolver::State::take_start() {
-    DenseMatrix given = std::exchange(options.start, {});
-    if (given.cols() == 0 || given.cols() > size())
-        return;
-    tell("checking what was found before");
-    given.colwise().normalize();
-    if (!given.allFinite())
-        return;
-    constexpr double share = 1e-6;
-    pairs.take(given, pencil.enclose(given));
-    std::vector<Index> good;
-    for (Index i = 0; i < found(); ++i)
-        if (pairs.is_accurate(i, share) || pairs.is_fine(i))
-            good.push_back(i);
-    pairs.keep(good);
-}
-
-/// Where what is found is told of, no more are asked for at once than a part, so that little is
-/// lost between.
-Index CertifiedEigensolver::State::part_of(Index asked) const {
-    constexpr Index least = 32, parts = 16;
-    return options.found ? std::min(asked, std::max(least, (asked + found()) / parts)) : asked;
 }
 
 /// Asks for `count` eigenpairs above the shift and apart from those found; how many came.
@@ -387,11 +354,13 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
     Index wanted = least + std::max<Index>(3, least / 10);
     if (!s.factorized)
         s.set_shift(s.lowest_shift(wanted), Definiteness::positive);
-    s.take_start();
+    take_proved(s.pairs, s.pencil, std::exchange(s.options.start, {}));
     s.in_vain = 0;
     for (int round = 0; round < patience && s.in_vain < most_in_vain; ++round) {
         if (s.found() < std::min(wanted, s.size())) {
-            const Index asked = s.part_of(std::min(wanted, s.size()) - s.found());
+            Index asked = std::min(wanted, s.size()) - s.found();
+            if (s.options.found) // little is lost between then
+                asked = std::min(asked, std::max(least_part, wanted / most_parts));
             const Index came = s.ask(asked);
             s.in_vain = came == 0 ? s.in_vain + 1 : 0;
             if (came < asked && s.found() < count) {

@@ -80,14 +80,14 @@ class CertifiedEigensolver {
 public:
     /// Throws InvalidInput for sizes that do not fit, a mass that is not positive, numbers that are
     /// not finite, and matrices that are not symmetric.
-    /// Throws also for vectors to start with of another size, or that are not finite.
     explicit CertifiedEigensolver(const Pencil& pencil, EigensolverOptions options = {});
     CertifiedEigensolver(const SparseMatrix& A, const Vector& M, EigensolverOptions options = {});
     CertifiedEigensolver(CertifiedEigensolver&&) noexcept;
     ~CertifiedEigensolver();
 
     /// The `count` (algebraically) smallest eigenpairs, 1 <= count <= size.
-    /// Throws InvalidInput for an impossible count, SolverFailure if they cannot be had or proved,
+    /// Throws InvalidInput for an impossible count, and for vectors to start with of another size
+    /// or that are not finite; SolverFailure if they cannot be had or proved,
     /// or a radius does not tell one of them from the next ones.
     CertifiedEigenpairs smallest(Index count);
 

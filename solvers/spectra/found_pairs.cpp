@@ -171,6 +171,26 @@ Index FoundPairs::gap_behind(Index count) const {
     return -1;
 }
 
+void take_proved(FoundPairs& pairs, const ScaledPencil& pencil, DenseMatrix vectors) {
+    if (vectors.cols() == 0)
+        return;
+    if (vectors.rows() != pencil.size() || vectors.cols() > pencil.size() || !vectors.allFinite())
+        throw InvalidInput(fmt::format("{} vectors of {} numbers are to be started with: expected "
+                                       "at most {} of as many finite ones",
+                                       vectors.cols(), vectors.rows(), pencil.size()));
+    std::vector<Index> lengthy;
+    for (Index i = 0; i < vectors.cols(); ++i)
+        if (vectors.col(i).norm() > 0)
+            lengthy.push_back(i);
+    vectors = DenseMatrix(vectors(Eigen::all, lengthy)).colwise().normalized();
+    pairs.take(vectors, pencil.enclose(vectors));
+    std::vector<Index> good;
+    for (Index i = 0; i < pairs.count(); ++i)
+        if (pairs.is_accurate(i, largest_radius_share) || pairs.is_fine(i))
+            good.push_back(i);
+    pairs.keep(good);
+}
+
 std::vector<Index> rough_values(const FoundPairs& pairs, double norm, double unit, Index count) {
     std::vector<Index> rough;
     for (Index i = 0; i < count; ++i) {

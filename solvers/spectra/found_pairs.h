@@ -77,6 +77,11 @@ private:
     Products products_;
 };
 
+/// Puts to those found the vectors, a column each, whose radii prove that they are eigenvectors,
+/// each of another pair; the others are left out. Throws InvalidInput for vectors of another size,
+/// or that are not finite.
+void take_proved(FoundPairs& pairs, const ScaledPencil& pencil, DenseMatrix vectors);
+
 /// Those of the first `count` values that are not known to 1e-6 of them or of their distance to the
 /// next ones. Throws SolverFailure, naming it, for one that its radius does not tell from those. No
 /// eigenvalue is larger than `norm`; `unit` is what messages multiply values by.

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/generate.h"
+#include "solvers/spectra/spectrum.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+namespace polydec::test {
+namespace {
+
+/// What a run tells of on its way.
+std::vector<DenseMatrix> told_of(const Discretization& mesh, SpectrumOptions options) {
+    std::vector<DenseMatrix> all;
+    options.found = [&](const DenseMatrix& vectors) { all.push_back(vectors); };
+    spectrum(mesh, options);
+    return all;
+}
+
+void expect_same(const Spectrum& one, const Spectrum& other) {
+    EXPECT_TRUE(one.certificate.complete);
+    for (Index i = 0; i < other.eigenvalues.size(); ++i)
+        EXPECT_LE(std::abs(one.eigenvalues[i] - other.eigenvalues[i]),
+                  one.radii[i] + other.radii[i])
+            << i;
+}
+
+TEST(KeptSpectra, go_on_to_the_same_eigenvalues_on_both_sides_in_every_degree) {
+    for (const Mesh& input : {icosphere(6), torus(12, 8), kuhn(3, 3)}) {
+        const auto mesh = discretize(input);
+        for (int degree = 0; degree <= mesh.dimension(); ++degree)
+            for (const Side side : {Side::primal, Side::dual}) {
+                SpectrumOptions options{.side = side, .degree = degree, .count = 12};
+                if (side == Side::dual && mesh.dimension() == 3 && degree > 0)
+                    continue; // facets on the boundary have no duals
+                const auto whole = spectrum(mesh, options);
+                for (const DenseMatrix& vectors : told_of(mesh, options)) {
+                    options.start = vectors;
+                    expect_same(spectrum(mesh, options), whole);
+                }
+            }
+    }
+}
+
+TEST(KeptSpectra, grow_in_parts_that_are_not_looked_for_again) {
+    const auto mesh = discretize(icosphere(10));
+    SpectrumOptions options{.count = 100};
+    const auto whole = spectrum(mesh, options);
+    const auto parts = told_of(mesh, options);
+    ASSERT_GE(parts.size(), 3u);
+    EXPECT_LT(parts.front().cols(), 60);
+    options.start = parts[parts.size() / 2];
+    int steps = 0, anew = 0;
+    options.progress = [&](std::string_view) { ++steps; };
+    expect_same(spectrum(mesh, options), whole);
+    options.start = {};
+    options.found = [](const DenseMatrix&) {};
+    options.progress = [&](std::string_view) { ++anew; };
+    spectrum(mesh, options);
+    EXPECT_LT(steps, anew);
+}
+
+TEST(KeptSpectra, are_right_whatever_they_are_begun_with) {
+    const auto mesh = discretize(icosphere(6));
+    SpectrumOptions options{.count = 9};
+    const auto whole = spectrum(mesh, options);
+    const DenseMatrix found = told_of(mesh, options).back();
+    const Index size = mesh.complex().size(0);
+
+    DenseMatrix twice(size, 8); // copies, noise, and what is far up
+    twice << found.leftCols(2), found.leftCols(2), DenseMatrix::Random(size, 3), Vector::Zero(size);
+    DenseMatrix without = found; // the first one is missing
+    without.col(0) = found.col(1);
+    DenseMatrix spoiled = found;
+    spoiled.col(3) += 1e-4 * Vector::Unit(size, 0);
+    for (const DenseMatrix& start : {twice, without, spoiled}) {
+        options.start = start;
+        expect_same(spectrum(mesh, options), whole);
+    }
+    options.start = DenseMatrix::Zero(3, 2);
+    EXPECT_EQ(refusal([&] { spectrum(mesh, options); }),
+              "2 vectors of 3 numbers are to be started with: expected at most 362 of as many "
+              "finite ones");
+}
+
+} // namespace
+} // namespace polydec::test
