@@ -74,14 +74,11 @@ void rod() {
     polydec::WaveState state{polydec::Vector::Zero(mesh.complex().size(0)),
                              polydec::Vector::Zero(mesh.complex().size(1))};
     const polydec::Vector antenna = hill(mesh, -14, 1.5);
-    polydec::Series film("absorbing_layer.html", mesh, "Light beside a rod of glass");
     double most = 0;
     for (int i = 0; i * step < 200; ++i) {
         const double t = (i + 0.5) * step;
         light.step(state, {std::sin(0.5 * t) * std::exp(-std::pow((t - 30) / 15, 2)) * antenna});
         most = std::max(most, light.energy(state.E, state.B));
-        if (i % 8 == 0)
-            film.add(t, {{"E", {polydec::Side::primal, 0, state.E}, "the electric field"}});
         if (i == 75)
             draw(mesh, state.E);
     }
