@@ -9,12 +9,16 @@
 namespace polydec {
 
 std::string listed(const std::vector<Index>& items, const std::function<std::string(Index)>& name) {
-    constexpr std::size_t most = 5;
+    return listed(items, items.size(), name);
+}
+
+std::string listed(const std::vector<Index>& items, std::size_t count,
+                   const std::function<std::string(Index)>& name) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min(items.size(), most); ++i)
+    for (std::size_t i = 0; i < std::min(items.size(), most_listed); ++i)
         names.push_back(name(items[i]));
-    if (items.size() > most)
-        names.push_back(fmt::format("and {} more", items.size() - most));
+    if (count > most_listed)
+        names.push_back(fmt::format("and {} more", count - most_listed));
     return fmt::format("{}", fmt::join(names, ", "));
 }
 

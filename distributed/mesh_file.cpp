@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "base/regular_file.h"
+#include "distributed/read_parts.h"
 #include "distributed/shared_folder.h"
 #include "io/meshes/pdm.h"
 #include "io/meshes/read_mesh.h"
@@ -25,27 +26,34 @@ struct Bytes {
     std::string text;
 };
 
-PdmReader open_pdm(const std::filesystem::path& path) {
+/// Collective: opens a file on every rank, and makes sure that all see the same.
+PartialFile open_on_all(const Ranks& ranks, const std::filesystem::path& path) {
     const auto name = printable(path.string());
-    const auto file = [&] {
+    const auto opened = ranks.together("read", [&] {
         try {
-            auto opened = std::make_shared<RegularFile>(path);
-            if (opened->is_regular())
-                return opened;
+            auto file = std::make_shared<RegularFile>(path);
+            if (file->is_regular())
+                return file;
         } catch (const IoError& error) {
             throw IoError(fmt::format("cannot read {}: {}", name, error.what()), {.path = path});
         }
         throw IoError(fmt::format("cannot read {}: it is no regular file", name), {.path = path});
-    }();
-    return {path.string(), static_cast<std::int64_t>(file->size()),
-            [file](std::int64_t begin, std::int64_t end) {
-                return file->read(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+    });
+    const auto size = static_cast<std::int64_t>(opened->size());
+    const GlobalIndex longest = ranks.largest(size), shortest = -ranks.largest(-size);
+    if (shortest < longest)
+        throw IoError(fmt::format("cannot read {}: it has {} bytes on one rank and {} on another; "
+                                  "all of them need the same file",
+                                  name, shortest, longest),
+                      {.path = path});
+    return {path.string(), size, [opened](std::int64_t begin, std::int64_t end) {
+                return opened->read(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
             }};
 }
 
-MeshSlice read_pdm_slice(const Ranks& ranks, const std::filesystem::path& path) {
+MeshSlice read_pdm_slice(const Ranks& ranks, const PartialFile& file) {
     return ranks.together("read", [&] {
-        const PdmReader reader = open_pdm(path);
+        const PdmReader reader(file);
         const PdmLayout& layout = reader.layout();
         const EqualStretches vertices(layout.vertices, ranks.size()),
             cells(layout.cells, ranks.size());
@@ -108,12 +116,20 @@ Bytes own_blocks(const Ranks& ranks, const PdmLayout& layout, const std::vector<
 } // namespace
 
 MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path) {
-    if (lower_extension(path) == ".pdm")
-        return read_pdm_slice(ranks, path);
+    const std::string format = lower_extension(path);
+    if (format == ".pdm")
+        return read_pdm_slice(ranks, open_on_all(ranks, path));
+    std::string why;
+    if (format == ".ply" || format == ".msh" || format == ".vtu")
+        if (auto slice = read_parts(ranks, open_on_all(ranks, path), why))
+            return *std::move(slice);
     const auto mesh = ranks.together("read", [&] {
         return ranks.rank() == 0 ? std::optional(tidy(read_mesh(path))) : std::nullopt;
     });
-    return scatter(ranks, mesh);
+    MeshSlice slice = scatter(ranks, mesh);
+    if (ranks.rank() == 0 && ranks.size() > 1 && !why.empty())
+        slice.warnings.push_back(fmt::format("one rank has read the whole file: {}", why));
+    return slice;
 }
 
 void write_slice(const Ranks& ranks, const std::filesystem::path& path, const MeshSlice& slice) {

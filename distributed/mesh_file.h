@@ -7,9 +7,12 @@
 
 namespace polydec {
 
-/// Collective: the slices of a mesh in a file. Of a .pdm file each rank reads its own bytes, so
-/// that none needs the memory for all; every other format is read, and tidied as discretize does,
-/// by rank 0 and scattered from there. Throws as read_mesh does, on all ranks.
+/// Collective: the slices of a mesh in a file, which is the same for all ranks. Of .pdm, and of
+/// files with a MeshLayout (binary .ply, .msh and .vtu of simplices), each rank reads its own
+/// bytes, so that none needs the memory for all; every other file is read by rank 0 and scattered
+/// from there, and so is one of which cells are to be left out. All but .pdm is tidied as
+/// discretize does. Throws as read_mesh does, on all ranks; IoError if they see files of different
+/// length.
 MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path);
 
 /// Collective: writes a mesh as .pdm, each rank its part of the bytes; the file, which all ranks

@@ -125,6 +125,26 @@ MeshSlice scatter(const Ranks& ranks, const std::optional<Mesh>& mesh) {
     return slice;
 }
 
+Points points_of(const Ranks& ranks, const MeshSlice& slice,
+                 const std::vector<GlobalIndex>& vertices) {
+    const EqualStretches stretches(slice.vertices, ranks.size());
+    auto wanted = ranks.empty_parcels<GlobalIndex>();
+    for (const GlobalIndex v : vertices)
+        wanted[stretches.rank_of(v)].push_back(v);
+    const auto asked = ranks.deliver(std::move(wanted));
+    const GlobalIndex first = stretches.begin(ranks.rank());
+    auto rows = ranks.empty_parcels<double>();
+    for (std::size_t r = 0; r < asked.size(); ++r)
+        for (const GlobalIndex v : asked[r])
+            for (const double x : slice.points.row(v - first))
+                rows[r].push_back(x);
+    Points points(static_cast<Eigen::Index>(vertices.size()), slice.points.cols());
+    double* entry = points.data();
+    for (const auto& parcel : ranks.deliver(std::move(rows)))
+        entry = std::copy(parcel.begin(), parcel.end(), entry);
+    return points;
+}
+
 std::vector<int> vertex_owners(const Ranks& ranks, const MeshSlice& slice, Ownership by) {
     std::vector<int> owners(static_cast<std::size_t>(slice.points.rows()), ranks.rank());
     if (by == Ownership::graph)

@@ -30,6 +30,11 @@ MeshSlice slice_of(const Ranks& ranks, const Mesh& mesh);
 /// InvalidInput if rank 0 has none.
 MeshSlice scatter(const Ranks& ranks, const std::optional<Mesh>& mesh);
 
+/// Collective: the points of vertices, in ascending order of their numbers, from the slices that
+/// have them.
+Points points_of(const Ranks& ranks, const MeshSlice& slice,
+                 const std::vector<GlobalIndex>& vertices);
+
 /// By what vertices are given to ranks, and with them the cells around them. What is computed does
 /// not depend on it, but the time does, and how much is held twice.
 enum class Ownership {

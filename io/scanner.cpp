@@ -145,10 +145,11 @@ Index Scanner::as_count(std::int64_t value, std::string_view plural,
     }
 
     // The last record needs no separator behind it, hence the one byte more.
-    if (least_bytes > 0 && static_cast<std::uint64_t>(value) > (remaining() + 1) / least_bytes) {
+    if (least_bytes > 0 &&
+        static_cast<std::uint64_t>(value) > (bytes_to_come() + 1) / least_bytes) {
         fail(fmt::format("{} {} are promised, but {} bytes follow; expected at least {} bytes for "
                          "each; correct the number, or export again if the file was cut off",
-                         value, plural, remaining(), least_bytes));
+                         value, plural, bytes_to_come(), least_bytes));
     }
     if (value > std::numeric_limits<Index>::max())
         fail(fmt::format("more than 2^31 - 1 {}; expected fewer; divide the mesh", plural));

@@ -76,8 +76,13 @@ public:
 
     /// For a text that is the later part of a file.
     void set_line(std::size_t line) { line_ = line; }
+
+    /// For a text that is the first part of a file: so many bytes stand behind it, which may hold
+    /// records too.
+    void set_bytes_behind(std::size_t bytes) { behind_ = bytes; }
     std::size_t line() const { return line_; }
     std::size_t remaining() const { return static_cast<std::size_t>(end_ - position_); }
+    std::size_t bytes_to_come() const { return remaining() + behind_; } ///< of the file
     std::string_view name() const { return name_; }
     std::string_view rest() const { return {position_, remaining()}; }
 
@@ -96,6 +101,7 @@ private:
     const char* position_;
     const char* end_;
     std::size_t line_ = 1;
+    std::size_t behind_ = 0;
     Syntax syntax_;
 };
 

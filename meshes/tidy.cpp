@@ -222,6 +222,13 @@ FlatCellsKept sift(Sieve& sieve) {
 
 } // namespace
 
+std::string isolated_vertices(const std::vector<Index>& first, std::size_t count) {
+    return fmt::format("{} belong{} to no cell, left out of all counts: {}",
+                       count == 1 ? "1 vertex" : fmt::format("{} vertices", count),
+                       count == 1 ? "s" : "",
+                       listed(first, count, [](Index v) { return fmt::format("{}", v); }));
+}
+
 void warn_of_isolated_vertices(Mesh& mesh) {
     std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
     for (const Index vertex : mesh.simplices.reshaped())
@@ -232,11 +239,7 @@ void warn_of_isolated_vertices(Mesh& mesh) {
             isolated.push_back(v);
     if (isolated.empty())
         return;
-    auto warning =
-        fmt::format("{} belong{} to no cell, left out of all counts: {}",
-                    isolated.size() == 1 ? "1 vertex" : fmt::format("{} vertices", isolated.size()),
-                    isolated.size() == 1 ? "s" : "",
-                    listed(isolated, [](Index v) { return fmt::format("{}", v); }));
+    auto warning = isolated_vertices(isolated, isolated.size());
     auto& warnings = mesh.warnings; // which tell so already if the mesh was tidied before
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
         warnings.push_back(std::move(warning));

@@ -3,6 +3,7 @@
 
 #include "meshes/mesh.h"
 
+#include <string>
 #include <vector>
 
 namespace polydec {
@@ -42,5 +43,8 @@ Mesh tidy(Mesh mesh, FlatCellsKept& kept);
 /// Names in the mesh's warnings the vertices that belong to no cell. Of the points only their
 /// number matters.
 void warn_of_isolated_vertices(Mesh& mesh);
+
+/// What that says of so many vertices, of which these are the first, most_listed if there are.
+std::string isolated_vertices(const std::vector<Index>& first, std::size_t count);
 
 } // namespace polydec

@@ -51,6 +51,12 @@ Index GmshGroups::tag_of(std::size_t dimension, std::int64_t entity) const {
     return tags_[dimension].find(entity).value_or(0);
 }
 
+std::string gmsh_ambiguity(const GmshGroups& groups) {
+    return fmt::format("entities of the model in more than one physical group, of which the first "
+                       "is the tag: {}",
+                       groups.ambiguous());
+}
+
 Index group_tag(std::int64_t number, const GmshSource& source) {
     constexpr std::int64_t most = std::numeric_limits<Index>::max();
     if (number > most || number < -most) {

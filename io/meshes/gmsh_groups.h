@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace polydec {
 
@@ -29,6 +30,9 @@ private:
     std::array<NumberTable, CellLists::most_dimensions> tags_; ///< by dimension
     std::size_t ambiguous_ = 0;
 };
+
+/// The warning about those.
+std::string gmsh_ambiguity(const GmshGroups& groups);
 
 /// The number of a physical group as a tag. A sign says that the group turns its cells around, not
 /// that it is another group. Throws InvalidInput for one that is too large.

@@ -80,6 +80,12 @@ Index GmshSource::count(std::string_view plural, const Record& record) {
     return check(size(fmt::format("the number of {}", plural)), plural, record);
 }
 
+Index GmshSource::count_on_line(std::string_view plural, const Record& record) {
+    const Index count = check(scanner_.count(plural, 0), plural, record);
+    scanner_.end_line("the line of their number");
+    return count;
+}
+
 Index GmshSource::check(std::int64_t number, std::string_view plural, const Record& record) const {
     const auto words = record.integers + record.sizes + record.reals;
     const auto bytes = sizeof(std::int32_t) * record.integers + format_.size_bytes * record.sizes +

@@ -46,6 +46,9 @@ public:
     };
     Index count(std::string_view plural, const Record& record);
 
+    /// The same on a line of text, which it is in version 2 even where records are bytes.
+    Index count_on_line(std::string_view plural, const Record& record);
+
     /// The same check for a number that was read already.
     Index check(std::int64_t number, std::string_view plural, const Record& record) const;
 

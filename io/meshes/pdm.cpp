@@ -83,9 +83,8 @@ std::string pdm_bytes(const std::vector<std::int64_t>& vertices, std::int64_t by
     return little_endian(narrow.data(), narrow.size());
 }
 
-PdmReader::PdmReader(std::string name, std::int64_t file_bytes, Bytes bytes)
-    : name_(std::move(name)), bytes_(std::move(bytes)) {
-    const std::string header = bytes_(0, std::min(file_bytes, PdmLayout::header_bytes));
+PdmReader::PdmReader(PartialFile file) : file_(std::move(file)) {
+    const std::string header = file_.read(0, std::min(file_.size, PdmLayout::header_bytes));
     if (!header.starts_with(magic))
         fail("this is no .pdm file of version 1; write the mesh as one");
     if (std::ssize(header) < PdmLayout::header_bytes)
@@ -106,14 +105,14 @@ PdmReader::PdmReader(std::string name, std::int64_t file_bytes, Bytes bytes)
                          cells));
     if (words[4] != layout_.number_bytes() || words[6] != PdmLayout::block_bytes)
         fail("the widths of its numbers are none of this version");
-    if (file_bytes != layout_.file_bytes())
+    if (file_.size != layout_.file_bytes())
         fail(fmt::format("the file has {} bytes, and {} vertices and {} cells take {}: it was cut "
                          "off, or written on; write it again",
-                         file_bytes, vertices, cells, layout_.file_bytes()));
+                         file_.size, vertices, cells, layout_.file_bytes()));
 }
 
 void PdmReader::fail(const std::string& text) const {
-    throw InvalidInput(fmt::format("{}: {}", name_, text), {.path = name_});
+    throw InvalidInput(fmt::format("{}: {}", file_.name, text), {.path = file_.name});
 }
 
 /// Blocks are read as a whole, because sums are of these.
@@ -124,9 +123,9 @@ std::string PdmReader::checked(std::int64_t begin, std::int64_t end) const {
         return (place - PdmLayout::header_bytes) / PdmLayout::block_bytes;
     };
     const std::int64_t first = block_of(begin), last = block_of(end - 1) + 1;
-    std::string bytes = bytes_(layout_.block_begin(first), layout_.block_begin(last));
-    const std::string sums = bytes_(layout_.sums_begin() + first * PdmLayout::sum_bytes,
-                                    layout_.sums_begin() + last * PdmLayout::sum_bytes);
+    std::string bytes = file_.read(layout_.block_begin(first), layout_.block_begin(last));
+    const std::string sums = file_.read(layout_.sums_begin() + first * PdmLayout::sum_bytes,
+                                        layout_.sums_begin() + last * PdmLayout::sum_bytes);
     for (std::int64_t block = first; block < last; ++block) {
         const std::string_view one = std::string_view(bytes).substr(
             static_cast<std::size_t>((block - first) * PdmLayout::block_bytes),
@@ -184,11 +183,11 @@ std::vector<Index> PdmReader::tags(std::int64_t begin, std::int64_t end) const {
 }
 
 Mesh read_pdm(const SourceFile& file) {
-    const PdmReader reader(file.name, std::ssize(file.text),
-                           [&](std::int64_t begin, std::int64_t end) {
-                               return file.text.substr(static_cast<std::size_t>(begin),
-                                                       static_cast<std::size_t>(end - begin));
-                           });
+    const PdmReader reader(
+        {file.name, std::ssize(file.text), [&](std::int64_t begin, std::int64_t end) {
+             return file.text.substr(static_cast<std::size_t>(begin),
+                                     static_cast<std::size_t>(end - begin));
+         }});
     const PdmLayout& layout = reader.layout();
     checked_count(static_cast<std::size_t>(std::max(layout.vertices, layout.cells)),
                   "vertices or cells", file);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/types.h"
+#include "io/partial_file.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,11 +53,8 @@ std::string pdm_bytes(const std::vector<std::int64_t>& vertices, std::int64_t by
 /// Reads any part of a .pdm file, and checks what it reads.
 class PdmReader {
 public:
-    /// The bytes from one place of the file to another.
-    using Bytes = std::function<std::string(std::int64_t begin, std::int64_t end)>;
-
     /// Throws InvalidInput, naming the file, if it is none or has another length than it tells.
-    PdmReader(std::string name, std::int64_t file_bytes, Bytes bytes);
+    explicit PdmReader(PartialFile file);
 
     const PdmLayout& layout() const { return layout_; }
 
@@ -72,8 +69,7 @@ private:
     [[noreturn]] void fail(const std::string& text) const;
     std::string checked(std::int64_t begin, std::int64_t end) const;
 
-    std::string name_;
-    Bytes bytes_;
+    PartialFile file_;
     PdmLayout layout_;
 };
 

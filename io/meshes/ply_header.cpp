@@ -88,18 +88,21 @@ void check_count(const Scanner& scanner, const PlyElement& element, PlyEncoding 
         bytes += encoding == PlyEncoding::ascii ? 2 : size_of(type);
     }
     const auto count = static_cast<std::size_t>(element.count);
-    if (bytes > 0 && count > (scanner.remaining() + 1) / bytes) {
+    if (bytes > 0 && count > (scanner.bytes_to_come() + 1) / bytes) {
         scanner.fail(fmt::format("{} elements {} are promised in line {}, but {} bytes follow; "
                                  "expected at least {} bytes for each; correct the number, or "
                                  "export again if the file was cut off",
-                                 count, quote_word(element.name), line, scanner.remaining(),
+                                 count, quote_word(element.name), line, scanner.bytes_to_come(),
                                  bytes));
     }
 }
 
 class HeaderReader {
 public:
-    explicit HeaderReader(const SourceFile& file) : file_(file), scanner_(file.name, file.text) {}
+    HeaderReader(const SourceFile& file, std::size_t bytes_behind)
+        : file_(file), scanner_(file.name, file.text) {
+        scanner_.set_bytes_behind(bytes_behind);
+    }
 
     PlyHeader read() {
         begin();
@@ -202,8 +205,13 @@ std::size_t PlyElement::find(const std::string& property) const {
     return static_cast<std::size_t>(found - properties.begin());
 }
 
-PlyHeader read_ply_header(const SourceFile& file) {
-    return HeaderReader(file).read();
+std::size_t PlyElement::corners() const {
+    const auto list = find("vertex_indices");
+    return list < properties.size() ? list : find("vertex_index");
+}
+
+PlyHeader read_ply_header(const SourceFile& file, std::size_t bytes_behind) {
+    return HeaderReader(file, bytes_behind).read();
 }
 
 } // namespace polydec

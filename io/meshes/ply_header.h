@@ -28,6 +28,9 @@ struct PlyElement {
 
     /// The place of the property in the list, or the number of properties.
     std::size_t find(const std::string& property) const;
+
+    /// That of the corners of faces, by either of its names.
+    std::size_t corners() const;
 };
 
 struct PlyHeader {
@@ -37,8 +40,8 @@ struct PlyHeader {
     std::size_t body_line = 1;  ///< its line
 };
 
-/// Reads the header. Element counts are refused where the rest of the file cannot hold them.
-/// Throws InvalidInput, naming the line.
-PlyHeader read_ply_header(const SourceFile& file);
+/// Reads the header. Element counts are refused where the rest of the file, of which so many bytes
+/// stand behind this text, cannot hold them. Throws InvalidInput, naming the line.
+PlyHeader read_ply_header(const SourceFile& file, std::size_t bytes_behind = 0);
 
 } // namespace polydec

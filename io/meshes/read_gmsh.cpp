@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/cell_lists.h"
+#include "io/meshes/gmsh_blocks.h"
 #include "io/meshes/gmsh_groups.h"
 #include "io/meshes/gmsh_source.h"
 #include "io/meshes/readers.h"
@@ -16,43 +17,6 @@ namespace polydec {
 
 namespace {
 
-/// The cells that are read, by Gmsh's number of their type.
-struct Kind {
-    int type;
-    int dimension;
-    int corners;
-};
-
-constexpr std::array kinds{Kind{15, 0, 1}, Kind{1, 1, 2}, Kind{2, 2, 3}, Kind{3, 2, 4},
-                           Kind{4, 3, 4}};
-
-/// Leaving other cells out would silently make a hole in the mesh.
-const Kind& kind_of(std::int64_t type, const GmshSource& source) {
-    for (const auto& kind : kinds)
-        if (kind.type == type)
-            return kind;
-    constexpr std::array solids{"hexahedra", "prisms", "pyramids"};
-    if (type >= 5 && type <= 7) {
-        source.fail(fmt::format("the mesh has {}; expected tetrahedra, triangles, quadrangles or "
-                                "lines; split them before",
-                                solids[static_cast<std::size_t>(type - 5)]));
-    }
-    source.fail(fmt::format("the mesh has cells of Gmsh's type {}, which are curved or of second "
-                            "or higher order; expected lines, triangles, quadrangles or "
-                            "tetrahedra of first order; set Mesh.ElementOrder = 1 and mesh again",
-                            type));
-}
-
-/// A section begins with a dollar sign and a name.
-bool is_keyword(std::string_view word) {
-    constexpr std::size_t longest = 60;
-    const auto is_letter = [](char c) {
-        return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    };
-    return word.size() > 1 && word.size() < longest && word[0] == '$' &&
-           std::all_of(word.begin() + 1, word.end(), is_letter);
-}
-
 class GmshReader {
 public:
     explicit GmshReader(const SourceFile& file) : file_(file), scanner_(file.name, file.text) {}
@@ -65,11 +29,8 @@ public:
                           "$Nodes and $Elements; export it again as MSH 2.2 or 4.1");
         }
         Mesh mesh = std::move(cells_).mesh(std::move(points_));
-        if (groups_.ambiguous() > 0) {
-            mesh.warnings.push_back(fmt::format("entities of the model in more than one "
-                                                "physical group, of which the first is the tag: {}",
-                                                groups_.ambiguous()));
-        }
+        if (groups_.ambiguous() > 0)
+            mesh.warnings.push_back(gmsh_ambiguity(groups_));
         return mesh;
     }
 
@@ -77,7 +38,7 @@ private:
     void read_section() {
         const Scanner place = scanner_;
         const auto keyword = scanner_.word("a section");
-        if (!is_keyword(keyword)) {
+        if (!is_gmsh_keyword(keyword)) {
             place.fail(fmt::format("{} stands outside of the sections; expected a keyword such as "
                                    "$Nodes; check the format",
                                    quote_word(keyword)));
@@ -165,17 +126,9 @@ private:
         return {scanner_, format_};
     }
 
-    /// In version 2, the number of records is text even where these are bytes.
-    Index old_count(const char* plural, const GmshSource::Record& record) {
-        const Index count = scanner_.count(plural, 0);
-        GmshSource(scanner_, format_).check(count, plural, record);
-        scanner_.end_line("the line of their number");
-        return count;
-    }
-
     void read_old_nodes() {
         GmshSource source(scanner_, format_);
-        points_.resize(old_count("nodes", {.integers = 1, .reals = 3}), 3);
+        points_.resize(read_old_gmsh_node_count(source), 3);
         for (Index vertex = 0; vertex < points_.rows(); ++vertex) {
             nodes_.add(source.integer("the number of a node"), vertex);
             read_point(source, vertex);
@@ -185,42 +138,28 @@ private:
 
     void read_nodes() {
         auto source = open_section();
-        const auto blocks = source.size("the number of blocks");
-        points_.resize(source.count("nodes", {.sizes = 1, .reals = 3}), 3);
-        source.size("the least number of a node");
-        source.size("the largest number of a node");
+        const auto section = read_gmsh_nodes(source);
+        points_.resize(section.records, 3);
         Index begin = 0;
-        for (std::int64_t block = 0; block < blocks; ++block)
+        for (std::int64_t block = 0; block < section.blocks; ++block)
             begin += read_node_block(source, begin);
-        if (begin < points_.rows()) {
-            source.fail(fmt::format("{} nodes are promised, but the blocks have {}; expected as "
-                                    "many; export it again",
-                                    points_.rows(), begin));
-        }
+        check_all_there(source, section, begin, "nodes");
         close_nodes(source);
     }
 
     /// Numbers first, then places, each maybe with its parameters on the curve or surface.
     Index read_node_block(GmshSource& source, Index begin) {
-        const auto dimension = source.dimension();
-        source.integer("the number of an entity");
-        const bool has_parameters = source.integer("0, or 1 with parameters") != 0;
-        const Index count = source.count("nodes of a block", {.sizes = 1, .reals = 3});
-        if (count > points_.rows() - begin) {
-            source.fail(fmt::format("a block of {} nodes, but only {} of {} are left; expected the "
-                                    "sum that was promised; export it again",
-                                    count, points_.rows() - begin, points_.rows()));
-        }
-        for (Index vertex = begin; vertex < begin + count; ++vertex)
+        const auto block = read_gmsh_node_block(source, begin, static_cast<Index>(points_.rows()));
+        for (Index vertex = begin; vertex < begin + block.count; ++vertex)
             nodes_.add(source.size("the number of a node"), vertex);
-        for (Index vertex = begin; vertex < begin + count; ++vertex) {
+        for (Index vertex = begin; vertex < begin + block.count; ++vertex) {
             read_point(source, vertex);
-            source.skip_reals(has_parameters ? static_cast<int>(dimension) : 0);
+            source.skip_reals(block.parameters);
         }
-        return count;
+        return block.count;
     }
 
-    void read_cell(GmshSource& source, const Kind& kind, Index tag) {
+    void read_cell(GmshSource& source, const GmshKind& kind, Index tag) {
         std::array<Index, 4> corners{};
         for (int i = 0; i < kind.corners; ++i) {
             const auto number = source.size("a node of an element");
@@ -238,37 +177,21 @@ private:
 
     void read_elements() {
         auto source = open_section();
-        const auto blocks = source.size("the number of blocks");
-        const Index promised = source.count("elements", {.sizes = 2});
-        source.size("the least number of an element");
-        source.size("the largest number of an element");
+        const auto section = read_gmsh_elements(source);
         Index count = 0;
-        for (std::int64_t block = 0; block < blocks; ++block)
-            count += read_element_block(source, promised - count);
-        if (count < promised) {
-            source.fail(fmt::format("{} elements are promised, but the blocks have {}; expected "
-                                    "as many; export it again",
-                                    promised, count));
-        }
+        for (std::int64_t block = 0; block < section.blocks; ++block)
+            count += read_element_block(source, section.records - count);
+        check_all_there(source, section, count, "elements");
     }
 
-    Index read_element_block(GmshSource& source, Index most) {
-        const auto dimension = source.dimension();
-        const auto entity = source.integer("the number of an entity");
-        const auto& kind = kind_of(source.integer("the type of elements"), source);
-        const auto corners = static_cast<std::size_t>(kind.corners);
-        const Index count = source.count("elements of a block", {.sizes = 1 + corners});
-        if (count > most) {
-            source.fail(fmt::format("a block of {} elements, but only {} are left; expected the "
-                                    "sum that was promised; export it again",
-                                    count, most));
-        }
-        const Index tag = groups_.tag_of(dimension, entity);
-        for (Index element = 0; element < count; ++element) {
+    Index read_element_block(GmshSource& source, Index left) {
+        const auto block = read_gmsh_element_block(source, left);
+        const Index tag = groups_.tag_of(block.entity_dimension, block.entity);
+        for (Index element = 0; element < block.count; ++element) {
             source.size("the number of an element");
-            read_cell(source, kind, tag);
+            read_cell(source, block.kind, tag);
         }
-        return count;
+        return block.count;
     }
 
     /// In version 2 each element has tags of its own, the physical group first. A binary file puts
@@ -276,24 +199,17 @@ private:
     void read_old_elements() {
         GmshSource source(scanner_, format_);
         const bool is_binary = format_.order.has_value();
-        const Index elements = old_count("elements", {.integers = 2});
+        const Index elements = read_old_gmsh_element_count(source);
         for (Index element = 0; element < elements;) {
             if (!is_binary)
                 source.integer("the number of an element");
-            const auto& kind = kind_of(source.integer("the type of an element"), source);
-            const auto block = is_binary ? source.integer("the number of elements") : 1;
-            const auto tags = source.integer("the number of tags");
-            if (block < 1 || block > elements - element || tags < 0) {
-                source.fail(fmt::format("a block of {} elements with {} tags, where {} elements "
-                                        "are left; expected numbers that fit; export it again",
-                                        block, tags, elements - element));
-            }
-            for (std::int64_t i = 0; i < block; ++i) {
+            const auto block = read_old_gmsh_element_block(source, elements - element);
+            for (Index i = 0; i < block.count; ++i) {
                 if (is_binary)
                     source.integer("the number of an element");
-                read_cell(source, kind, read_tags(source, tags));
+                read_cell(source, block.kind, read_tags(source, block.tags));
             }
-            element += static_cast<Index>(block);
+            element += block.count;
         }
     }
 

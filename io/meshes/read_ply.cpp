@@ -128,9 +128,7 @@ private:
     }
 
     void read_faces(const PlyElement& element) {
-        auto list = element.find("vertex_indices");
-        if (list == element.properties.size())
-            list = element.find("vertex_index");
+        const auto list = element.corners();
         if (list == element.properties.size() || !element.properties[list].is_list) {
             source_.fail("the element face has no list vertex_indices; expected property list "
                          "uchar int vertex_indices; correct the header");

@@ -9,17 +9,17 @@ namespace polydec {
 Mesh read_vtu(const SourceFile& file) {
     const VtuFile vtu(file);
     VtkArrays arrays;
-    arrays.points = vtu.points();
-    const VtuText* corners = vtu.find("Cells", "connectivity");
-    arrays.corners = vtu.values(corners, "connectivity");
-    arrays.ends = vtu.values(vtu.find("Cells", "offsets"), "offsets");
-    arrays.types = vtu.values(vtu.find("Cells", "types"), "types");
+    arrays.points = vtu.values(vtu.points());
+    const VtuText& corners = vtu.cells("connectivity");
+    arrays.corners = vtu.values(corners);
+    arrays.ends = vtu.values(vtu.cells("offsets"));
+    arrays.types = vtu.values(vtu.cells("types"));
     for (const auto& [section, array] : vtu.arrays())
         if (section == "CellData" && is_tag_name(array.name()) && arrays.tags.empty())
-            arrays.tags = vtu.values(&array, "of tags");
+            arrays.tags = vtu.values(array);
 
-    Scanner place(file.name, corners->text);
-    place.set_line(corners->tag.line);
+    Scanner place(file.name, corners.text);
+    place.set_line(corners.tag.line);
     return vtk_mesh(arrays, place, file);
 }
 

@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "io/base64.h"
 #include "io/inflate.h"
-#include "io/number_type.h"
 #include "io/scanner.h"
 
 #include <fmt/format.h>
@@ -128,18 +127,23 @@ std::vector<double> values_from_text(Scanner scanner) {
     return values;
 }
 
-std::string_view appended_text(const VtuText& array, const VtuEncoding& encoding,
-                               const Scanner& place) {
+std::size_t offset_of(const VtuText& array, std::size_t appended_bytes, const Scanner& place) {
     const auto offset = array.tag.attribute("offset", "x");
     std::size_t begin = 0;
     const auto result = std::from_chars(offset.data(), offset.data() + offset.size(), begin);
     if (result.ec != std::errc{} || result.ptr != offset.data() + offset.size() ||
-        begin >= encoding.appended.size()) {
+        begin >= appended_bytes) {
         place.fail(fmt::format("the offset {} of an array in AppendedData; expected a number below "
                                "{}; export it again, it seems cut off",
-                               quote_word(offset), encoding.appended.size()));
+                               quote_word(offset), appended_bytes));
     }
-    return encoding.appended.substr(begin);
+    return begin;
+}
+
+Scanner place_of(const VtuText& array, const SourceFile& file) {
+    Scanner place(file.name, array.text);
+    place.set_line(array.text_line);
+    return place;
 }
 
 } // namespace
@@ -169,10 +173,18 @@ VtuEncoding vtu_encoding(const XmlTag& tag, const XmlReader& reader) {
     return encoding;
 }
 
+std::optional<VtuPlace> vtu_place(const VtuText& array, std::size_t appended_bytes,
+                                  const SourceFile& file) {
+    if (array.tag.attribute("format", "ascii") != "appended")
+        return std::nullopt;
+    const Scanner place = place_of(array, file);
+    return VtuPlace{type_of(array.tag.attribute("type"), place),
+                    offset_of(array, appended_bytes, place)};
+}
+
 std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding,
                                const SourceFile& file) {
-    Scanner place(file.name, array.text);
-    place.set_line(array.text_line);
+    const Scanner place = place_of(array, file);
     const auto format = array.tag.attribute("format", "ascii");
     const auto type = type_of(array.tag.attribute("type"), place);
     if (format == "ascii")
@@ -183,8 +195,10 @@ std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding
                                "export it again",
                                quote_word(format)));
     }
-    const ByteSource source(is_appended ? appended_text(array, encoding, place) : array.text,
-                            is_appended && encoding.appended_is_raw, place);
+    const ByteSource source(
+        is_appended ? encoding.appended.substr(offset_of(array, encoding.appended.size(), place))
+                    : array.text,
+        is_appended && encoding.appended_is_raw, place);
     const auto bytes = ArrayDecoder(source, encoding, place).bytes();
     const auto each = size_of(type);
     if (bytes.size() % each != 0) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/number_type.h"
 #include "io/source_file.h"
 #include "io/xml_reader.h"
 
 #include <bit>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,17 @@ struct VtuText {
 
 /// Reads the encoding of the tag VTKFile. Throws InvalidInput if it cannot be read.
 VtuEncoding vtu_encoding(const XmlTag& tag, const XmlReader& reader);
+
+/// Where an array stands in AppendedData, by the bytes behind its mark.
+struct VtuPlace {
+    NumberType type = NumberType::float64;
+    std::size_t offset = 0;
+};
+
+/// Nothing if it stands in its own tag. Throws InvalidInput, naming the line, for a type that there
+/// is not and an offset beyond the data.
+std::optional<VtuPlace> vtu_place(const VtuText& array, std::size_t appended_bytes,
+                                  const SourceFile& file);
 
 /// The numbers of the array: from text, or from base64 or raw bytes, here or in AppendedData.
 /// Throws InvalidInput, naming the line of the array, if they are damaged.

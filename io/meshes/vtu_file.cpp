@@ -111,22 +111,26 @@ const VtuText* VtuFile::find(std::string_view section, std::string_view name) co
     return nullptr;
 }
 
-std::vector<double> VtuFile::values(const VtuText* array, const char* name) const {
+const VtuText& VtuFile::needed(const VtuText* array, const char* name) const {
     if (array == nullptr) {
         reader_.fail(fmt::format("the grid has no array {}; expected Points and Cells with "
                                  "connectivity, offsets and types; export it again",
                                  name));
     }
-    return vtu_values(*array, encoding_, file_);
+    return *array;
 }
 
-std::vector<double> VtuFile::points() const {
+const VtuText& VtuFile::cells(const char* name) const {
+    return needed(find("Cells", name), name);
+}
+
+const VtuText& VtuFile::points() const {
     const auto* array = find("Points");
     if (array != nullptr && array->tag.attribute("NumberOfComponents", "3") != "3") {
         reader_.fail("the points have not three components; expected three, the last may be "
                      "0; export it again");
     }
-    return values(array, "of points");
+    return needed(array, "of points");
 }
 
 } // namespace polydec

@@ -27,13 +27,20 @@ public:
     /// The first array of a section with this name, or any name; null if there is none.
     const VtuText* find(std::string_view section, std::string_view name = "") const;
 
-    /// Its numbers; refused by this name if it is null. And the coordinates, three a point.
-    std::vector<double> values(const VtuText* array, const char* name) const;
-    std::vector<double> points() const;
+    /// The array of this name in the section Cells, or that of points, three coordinates each.
+    const VtuText& cells(const char* name) const;
+    const VtuText& points() const;
+
+    std::vector<double> values(const VtuText& array) const {
+        return vtu_values(array, encoding_, file_);
+    }
+
+    const VtuEncoding& encoding() const { return encoding_; }
 
     [[noreturn]] void fail(const std::string& text) const { reader_.fail(text); }
 
 private:
+    const VtuText& needed(const VtuText* array, const char* name) const;
     void read_tag(XmlTag tag);
     /// The element around the one that this tag opened, and may have closed.
     std::string_view outer_element(const XmlTag& tag) const;

@@ -27,16 +27,16 @@ const FaceList pyramid_faces{{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 
 class GridReader {
 public:
     explicit GridReader(const SourceFile& source) : vtu_(source) {
-        grid_.points = points_from(vtu_.points());
-        corners_ = whole(vtu_.values(vtu_.find("Cells", "connectivity"), "connectivity"));
-        ends_ = whole(vtu_.values(vtu_.find("Cells", "offsets"), "offsets"));
-        types_ = whole(vtu_.values(vtu_.find("Cells", "types"), "types"));
+        grid_.points = points_from(vtu_.values(vtu_.points()));
+        corners_ = whole(vtu_.values(vtu_.cells("connectivity")));
+        ends_ = whole(vtu_.values(vtu_.cells("offsets")));
+        types_ = whole(vtu_.values(vtu_.cells("types")));
         if (ends_.size() != types_.size())
             vtu_.fail("there are not as many offsets as types; export it again");
         if (const auto* faces = vtu_.find("Cells", "faces"))
-            faces_ = whole(vtu_.values(faces, "faces"));
+            faces_ = whole(vtu_.values(*faces));
         if (const auto* ends = vtu_.find("Cells", "faceoffsets"))
-            face_ends_ = whole(vtu_.values(ends, "faceoffsets"));
+            face_ends_ = whole(vtu_.values(*ends));
     }
 
     VtuGrid read() {
@@ -140,7 +140,7 @@ private:
     void add_array(std::vector<VtuArray>& list, const VtuText& array) const {
         const std::string name = array.name();
         const std::string count = array.tag.attribute("NumberOfComponents", "1");
-        const std::vector<double> values = vtu_.values(&array, "of values");
+        const std::vector<double> values = vtu_.values(array);
         Eigen::Index width = 0;
         std::from_chars(count.data(), count.data() + count.size(), width);
         const auto size = static_cast<Eigen::Index>(values.size());

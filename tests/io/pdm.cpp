@@ -63,9 +63,10 @@ TEST(Pdm, AnyPartIsThatOfTheWhole) {
     const Mesh mesh = large_mesh();
     write_mesh(folder.path("a.pdm"), mesh);
     const std::string text = text_of(folder.path("a.pdm"));
-    const PdmReader reader("a.pdm", std::ssize(text), [&](std::int64_t begin, std::int64_t end) {
-        return text.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
-    });
+    const PdmReader reader({"a.pdm", std::ssize(text), [&](std::int64_t begin, std::int64_t end) {
+                                return text.substr(static_cast<std::size_t>(begin),
+                                                   static_cast<std::size_t>(end - begin));
+                            }});
     EXPECT_GT(reader.layout().blocks(), 2);
     for (const auto& [begin, end] : {std::pair{0, 1}, {43680, 43700}, {49999, 50000}, {7, 7}})
         EXPECT_EQ(reader.points(begin, end), mesh.points.middleRows(begin, end - begin));

@@ -92,9 +92,11 @@ void refuse_option(CLI::App& command, const std::string& option) {
 }
 
 void add_shared_arguments(CLI::App& command, SharedArguments& arguments) {
-    add_merge_arguments(command, arguments.mesh,
-                        "mesh file: .pdm, of which each rank reads its part, or another format of\n"
-                        "polydec, which rank 0 reads as a whole");
+    add_merge_arguments(
+        command, arguments.mesh,
+        "mesh file: .pdm or another binary one of simplices (.ply, .msh, .vtu), of\n"
+        "which each rank reads its part, or any that polydec reads, which rank 0\n"
+        "reads as a whole");
     std::vector<std::string> names;
     for (const auto& [name, by] : ownerships)
         names.push_back(name);

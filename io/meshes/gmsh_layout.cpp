@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+#include "base/errors.h"
+#include "io/meshes/gmsh_blocks.h"
+#include "io/meshes/gmsh_groups.h"
+#include "io/meshes/mesh_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace polydec {
+
+namespace {
+
+using Run = RecordTable::Run;
+
+constexpr std::int64_t integer_bytes = 4, real_bytes = 8;
+
+/// Hops from section to section and from block to block, and reads what stands in front of each.
+class GmshHopper {
+public:
+    explicit GmshHopper(const PartialFile& file) : file_(file) {}
+
+    std::optional<MeshLayout> layout() {
+        while (place_ < file_.size && read_section())
+            if (format_ && !format_->order)
+                return std::nullopt;
+        if (!has_elements_)
+            refuse_layout(file_, "there is no section $Elements");
+        take_cells();
+        if (groups_.ambiguous() > 0)
+            layout_.warnings.push_back(gmsh_ambiguity(groups_));
+        layout_.order = *format_->order;
+        return std::move(layout_);
+    }
+
+private:
+    /// Reads of a window that begins at this place, and goes behind what was read.
+    template <class Work>
+    auto read(std::int64_t bytes, Work work) {
+        const std::string text = file_.read(place_, std::min(file_.size, place_ + bytes));
+        Scanner scanner(file_.name, text);
+        scanner.set_bytes_behind(static_cast<std::size_t>(file_.size - place_) - text.size());
+        auto result = work(scanner);
+        place_ += std::ssize(text) - static_cast<std::int64_t>(scanner.remaining());
+        return result;
+    }
+
+    template <class Work>
+    auto read_numbers(Work work) {
+        constexpr std::int64_t front_of_block = 256;
+        return read(front_of_block, [&](Scanner& scanner) {
+            GmshSource source(scanner, *format_);
+            return work(source);
+        });
+    }
+
+    std::string read_word(std::string_view expected) {
+        constexpr std::int64_t longest_word = 256;
+        return read(longest_word, [&](Scanner& scanner) {
+            return scanner.at_end() ? std::string() : std::string(scanner.word(expected));
+        });
+    }
+
+    /// False behind the last one.
+    bool read_section() {
+        const std::string keyword = read_word("a section");
+        if (keyword.empty())
+            return false;
+        if (!is_gmsh_keyword(keyword))
+            refuse_layout(file_, "a word stands outside of the sections");
+        const std::string name = keyword.substr(1);
+        if (name == "MeshFormat" && !format_)
+            format_ =
+                read(longest_header, [](Scanner& scanner) { return read_gmsh_format(scanner); });
+        else if (!format_)
+            refuse_layout(file_, "$MeshFormat is not the first section");
+        else if (!format_->order)
+            return true;
+        else if (name == "Entities" || name == "PartitionedEntities")
+            read_entities(name);
+        else if (name == "Nodes" && layout_.points.count() == 0)
+            format_->major_version == 4 ? read_nodes() : read_old_nodes();
+        else if (name == "Elements" && layout_.points.count() > 0 && !has_elements_)
+            read_elements();
+        else
+            skip_section(name);
+        if (read_word("the end of a section") != "$End" + name)
+            refuse_layout(file_, "a section has another length than promised");
+        return true;
+    }
+
+    void open_section() {
+        read(integer_bytes, [](Scanner& scanner) {
+            scanner.end_line("the keyword of a section");
+            return 0;
+        });
+    }
+
+    /// How long they are shows when they are read.
+    void read_entities(const std::string& name) {
+        if (format_->major_version != 4)
+            refuse_layout(file_, "a section of another version");
+        open_section();
+        constexpr std::int64_t most = std::int64_t{1} << 28;
+        for (std::int64_t bytes = longest_header;; bytes *= 4)
+            try {
+                GmshGroups groups;
+                read(bytes, [&](Scanner& scanner) {
+                    GmshSource source(scanner, *format_);
+                    groups.read(source, name == "PartitionedEntities");
+                    return 0;
+                });
+                groups_ = std::move(groups);
+                return;
+            } catch (const InvalidInput&) {
+                if (bytes >= most || place_ + bytes >= file_.size)
+                    throw;
+            }
+    }
+
+    /// What a skipped section holds may be bytes; its end is looked for at the beginning of a line.
+    void skip_section(const std::string& name) {
+        if (name == "NOD" || name == "ParametricNodes" || name == "MeshFormat" || name == "Nodes" ||
+            name == "Elements")
+            refuse_layout(file_, "a section at the wrong place");
+        const std::string mark = "$End" + name;
+        constexpr std::int64_t bytes = 4 << 20;
+        while (true) {
+            const std::string text = file_.read(place_, std::min(file_.size, place_ + bytes));
+            std::size_t found = text.find(mark);
+            while (found != std::string::npos &&
+                   (found == 0 || (text[found - 1] != '\n' && text[found - 1] != '\r')))
+                found = text.find(mark, found + 1);
+            if (found != std::string::npos) {
+                place_ += static_cast<std::int64_t>(found);
+                return;
+            }
+            if (place_ + std::ssize(text) >= file_.size)
+                refuse_layout(file_, "a section has no end");
+            place_ += std::ssize(text) - std::ssize(mark) - 1; // it may stand across two windows
+        }
+    }
+
+    void hop(std::int64_t bytes) {
+        place_ += bytes;
+        if (place_ > file_.size)
+            refuse_layout(file_, "the file ends within a block");
+    }
+
+    void add_nodes(const Run& numbers, const Run& points) {
+        layout_.nodes->runs.push_back(numbers);
+        layout_.points.runs.push_back(points);
+    }
+
+    void read_old_nodes() {
+        layout_.points = table_of(NumberType::float64, 3);
+        layout_.nodes = table_of(NumberType::int32, 1);
+        const Index count = read_numbers(read_old_gmsh_node_count);
+        constexpr std::int64_t stride = integer_bytes + 3 * real_bytes;
+        add_nodes({count, place_, stride}, {count, place_ + integer_bytes, stride});
+        hop(count * stride);
+    }
+
+    NumberType size_type() const {
+        return format_->size_bytes == sizeof(std::int64_t) ? NumberType::int64 : NumberType::int32;
+    }
+
+    void read_nodes() {
+        open_section();
+        layout_.points = table_of(NumberType::float64, 3);
+        layout_.nodes = table_of(size_type(), 1);
+        const auto section = read_numbers(read_gmsh_nodes);
+        const auto width = static_cast<std::int64_t>(format_->size_bytes);
+        Index before = 0;
+        for (std::int64_t b = 0; b < section.blocks; ++b) {
+            const auto block = read_numbers([&](GmshSource& source) {
+                return read_gmsh_node_block(source, before, section.records);
+            });
+            const Run numbers{block.count, place_, width};
+            hop(block.count * width);
+            const Run points{block.count, place_, (3 + block.parameters) * real_bytes};
+            hop(block.count * points.stride);
+            add_nodes(numbers, points);
+            before += block.count;
+        }
+        if (before < section.records)
+            refuse_layout(file_, "there are fewer nodes than promised");
+    }
+
+    void read_elements() {
+        has_elements_ = true;
+        format_->major_version == 4 ? read_new_elements() : read_old_elements();
+    }
+
+    void add_cells(const GmshKind& kind, NumberType type, const Run& run) {
+        auto& table = cells_[static_cast<std::size_t>(kind.dimension)][kind.corners == 4 ? 1 : 0];
+        if (table.fields.empty())
+            table = table_of(type, kind.corners);
+        table.runs.push_back(run);
+    }
+
+    void read_new_elements() {
+        open_section();
+        const auto section = read_numbers(read_gmsh_elements);
+        const auto width = static_cast<std::int64_t>(format_->size_bytes);
+        Index before = 0;
+        for (std::int64_t b = 0; b < section.blocks; ++b) {
+            const auto block = read_numbers([&](GmshSource& source) {
+                return read_gmsh_element_block(source, section.records - before);
+            });
+            const std::int64_t stride = width * (1 + block.kind.corners);
+            add_cells(block.kind, size_type(), {block.count, place_ + width, stride});
+            hop(block.count * stride);
+            before += block.count;
+        }
+        if (before < section.records)
+            refuse_layout(file_, "there are fewer elements than promised");
+    }
+
+    void read_old_elements() {
+        const Index elements = read_numbers(read_old_gmsh_element_count);
+        for (Index before = 0; before < elements;) {
+            const std::int64_t front = place_;
+            const auto block = read_numbers([&](GmshSource& source) {
+                return read_old_gmsh_element_block(source, elements - before);
+            });
+            before += block.count == 1 ? add_single_cells(block, front, elements - before)
+                                       : add_block(block);
+        }
+    }
+
+    static std::int64_t stride_of(const OldGmshElementBlock& block) {
+        return integer_bytes * (1 + block.tags + block.kind.corners);
+    }
+
+    Index add_block(const OldGmshElementBlock& block) {
+        const std::int64_t stride = stride_of(block);
+        add_cells(block.kind, NumberType::int32,
+                  {block.count, place_ + (1 + block.tags) * integer_bytes, stride});
+        hop(block.count * stride);
+        return block.count;
+    }
+
+    /// Gmsh writes blocks of one element. How many of one kind follow each other is found by
+    /// halving, with the first numbers of a few; that all others are like these is expected.
+    Index add_single_cells(const OldGmshElementBlock& block, std::int64_t front, Index left) {
+        constexpr std::int64_t front_bytes = 3 * integer_bytes;
+        const std::int64_t stride = front_bytes + stride_of(block);
+        const std::string pattern = file_.read(front, front + front_bytes);
+        const auto is_like = [&](std::int64_t i) {
+            const std::int64_t place = front + i * stride;
+            return i < left && place + stride <= file_.size &&
+                   file_.read(place, place + front_bytes) == pattern;
+        };
+        std::int64_t like = 0, unlike = 1;
+        while (is_like(unlike)) {
+            like = unlike;
+            unlike *= 2;
+        }
+        while (unlike - like > 1) {
+            const std::int64_t middle = like + (unlike - like) / 2;
+            (is_like(middle) ? like : unlike) = middle;
+        }
+        const std::int64_t count = like + 1;
+        add_cells(block.kind, NumberType::int32,
+                  {count, front + front_bytes + (1 + block.tags) * integer_bytes, stride});
+        constexpr double one = 1;
+        const std::array numbers{static_cast<double>(block.kind.type), one,
+                                 static_cast<double>(block.tags)};
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            layout_.expected.push_back(
+                {{{{static_cast<std::int64_t>(i) * integer_bytes, NumberType::int32}},
+                  {{count, front, stride}}},
+                 numbers[i],
+                 0});
+        place_ = front;
+        hop(count * stride);
+        return static_cast<Index>(count);
+    }
+
+    /// Those of the largest dimension make the mesh.
+    void take_cells() {
+        for (int n = CellLists::most_dimensions - 1; n >= 0; --n)
+            for (RecordTable& table : cells_[static_cast<std::size_t>(n)]) {
+                if (table.runs.empty() || table.count() == 0)
+                    continue;
+                const bool are_simplices = std::ssize(table.fields) == n + 1;
+                if (layout_.cells.fields.empty() && n > 0 && are_simplices)
+                    layout_.cells = std::move(table);
+                else
+                    layout_.others.push_back(std::move(table));
+                if (layout_.cells.fields.empty() ||
+                    (n == layout_.dimension() && layout_.others.size() > 0))
+                    refuse_layout(file_, "there are other cells than simplices");
+            }
+    }
+
+    const PartialFile& file_;
+    std::int64_t place_ = 0;
+    std::optional<GmshFormat> format_;
+    GmshGroups groups_;
+    bool has_elements_ = false;
+    MeshLayout layout_;
+
+    /// By dimension; four corners apart from fewer.
+    std::array<std::array<RecordTable, 2>, CellLists::most_dimensions> cells_;
+};
+
+} // namespace
+
+std::optional<MeshLayout> gmsh_layout(const PartialFile& file) {
+    return GmshHopper(file).layout();
+}
+
+} // namespace polydec
