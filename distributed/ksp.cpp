@@ -57,7 +57,7 @@ bool is_direct(const std::string& engine) {
 
 constexpr double first_room = 50; // percent of memory above MUMPS' estimate
 constexpr double most_room = 1000;
-constexpr int mumps_lacks_room = -9;
+constexpr int mumps_lacks_room = -9, mumps_lacks_memory = -13, mumps_may_not_have_more = -19;
 constexpr PetscInt most_iterations = 1000;
 constexpr double ksp_tolerance = 1e-12;
 
@@ -119,7 +119,8 @@ void Ksp::set_up(const std::string& own_options, double room) {
             return set_up(own_options, 2 * room);
         if (info < 0)
             fail(fmt::format("MUMPS could not factorize the matrix: its error {}{}", info,
-                             info == mumps_lacks_room || info == -13
+                             info == mumps_lacks_room || info == mumps_lacks_memory ||
+                                     info == mumps_may_not_have_more
                                  ? ", memory does not suffice: take more ranks"
                                  : ""));
     }

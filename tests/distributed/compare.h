@@ -2,7 +2,7 @@
 #pragma once
 
 #include "distributed/discretize.h"
-#include "tests/support/families.h"
+#include "tests/distributed/swept.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -18,7 +18,7 @@ GlobalIndex owned(const Ranks& ranks, const LocalComplex& local, int k) {
 
 TEST(LocalComplexes, are_restrictions_of_the_whole) {
     const auto ranks = Ranks::all();
-    for (const auto& [name, mesh] : meshes()) {
+    for (const auto& [name, mesh] : swept(ranks)) {
         const SimplicialComplex whole(mesh.simplices);
         for (const Ownership by : some_ownerships(ranks, name)) {
             const LocalComplex local = distributed(ranks, mesh, by);
@@ -31,7 +31,7 @@ TEST(LocalComplexes, are_restrictions_of_the_whole) {
 
 TEST(LocalComplexes, are_oriented_like_the_whole_however_cells_are_given) {
     const auto ranks = Ranks::all();
-    for (const auto& [name, mesh] : meshes())
+    for (const auto& [name, mesh] : swept(ranks))
         for (unsigned seed = 1; seed <= (ranks.size() > 4 ? 1 : 3); ++seed) {
             Mesh turned = mesh;
             for (Eigen::Index t = 0; t < turned.simplices.rows(); ++t)
@@ -46,7 +46,7 @@ TEST(LocalComplexes, are_oriented_like_the_whole_however_cells_are_given) {
 
 TEST(LocalVolumes, are_those_of_the_whole_bit_by_bit) {
     const auto ranks = Ranks::all();
-    for (const auto& [name, mesh] : meshes()) {
+    for (const auto& [name, mesh] : swept(ranks)) {
         const SimplicialComplex whole(mesh.simplices);
         const Points points = vertex_points(whole, mesh.points);
         const CellVolumes volumes = circumcentric_volumes(whole, points);

@@ -94,7 +94,7 @@ void expect_same(const Ranks& ranks, const std::string& name, const Mesh& mesh,
 
 TEST(MergedCells, are_those_of_one_process) {
     const auto ranks = Ranks::all();
-    for (const auto& [name, mesh] : meshes())
+    for (const auto& [name, mesh] : swept(ranks))
         for (const Ownership by : some_ownerships(ranks, name))
             expect_same(ranks, name, mesh, {MergeCriterion::dual_length, tolerance}, by);
 }
@@ -144,6 +144,23 @@ TEST(MergedCells, of_small_random_meshes_are_those_of_one_process) {
     }
 }
 
+TEST(MergedCells, are_those_of_one_process_where_one_rank_has_everything) {
+    const auto ranks = Ranks::all();
+    const MergeOptions options{MergeCriterion::dual_length, tolerance};
+    for (const char* name : {"kuhn3", "uv8", "grid4"}) {
+        const Mesh& mesh = mesh_named(name);
+        const MeshSlice slice = slice_of(ranks, mesh);
+        const std::vector<int> last(static_cast<std::size_t>(slice.points.rows()),
+                                    ranks.size() - 1);
+        const LocalComplex local = local_complex(ranks, slice, last);
+        EXPECT_EQ(local.complex.size(0) > 0, ranks.rank() == ranks.size() - 1);
+        const MergedCells cells = merged_on(ranks, local, options);
+        const Merged whole = make_merged(mesh, options);
+        EXPECT_EQ(difference(local, cells, whole.result), "") << name;
+        EXPECT_EQ(difference(distributed_cells(ranks, local, cells), whole), "") << name;
+    }
+}
+
 TEST(BrokenTwin, a_sign_or_a_first_piece_that_is_another_is_seen) {
     const auto ranks = Ranks::all();
     const MergeOptions options{MergeCriterion::dual_length, tolerance};
@@ -151,7 +168,15 @@ TEST(BrokenTwin, a_sign_or_a_first_piece_that_is_another_is_seen) {
     const Merged whole = make_merged(mesh, options);
     const LocalComplex local = distributed(ranks, mesh, Ownership::morton);
     const MergedCells cells = merged_on(ranks, local, options);
-    MergedCells turned = cells, renamed = cells;
+    MergedCells turned = cells, renamed = cells, unsigned_labels = cells;
+    bool has_minus = false;
+    for (auto& carriers : unsigned_labels.carriers)
+        for (auto& carrier : carriers) {
+            has_minus = has_minus || carrier.sign < 0;
+            carrier.sign = std::abs(carrier.sign);
+        }
+    EXPECT_TRUE(ranks.any(has_minus));
+    EXPECT_EQ(difference(local, unsigned_labels, whole.result) != "", has_minus);
     if (local.degree(3).size() > 0) {
         turned.carriers[3][0].sign *= -1;
         renamed.carriers[3][0].first += 1;

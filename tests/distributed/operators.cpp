@@ -57,10 +57,12 @@ void expect_equal(const Ranks& ranks, const DistributedCells& cells, int k, cons
     EXPECT_LE(difference(ranks, cells, k, matrix().get(), *expected), rounding) << what;
 }
 
+constexpr Index most_cells = 4000; // each row is looked at with all its zeros
+
 TEST(DistributedOperators, are_those_of_one_process_in_every_degree_on_both_sides) {
     const auto ranks = Ranks::all();
     const MergeOptions options{MergeCriterion::dual_length, tolerance};
-    for (const auto& [name, mesh] : meshes()) {
+    for (const auto& [name, mesh] : swept(ranks, most_cells)) {
         const Merged whole = make_merged(mesh, options);
         const LocalComplex local = distributed(ranks, mesh, some_ownerships(ranks, name).back());
         const auto volumes = circumcentric_volumes(local.complex, local.points);
