@@ -54,6 +54,19 @@ public:
         return true;
     }
 
+    /// The least member of the set of each element.
+    std::vector<Index> firsts() {
+        std::vector<Index> of_root(parent_.size(), -1), result;
+        result.reserve(parent_.size());
+        for (std::size_t a = 0; a < parent_.size(); ++a) {
+            const auto element = static_cast<Index>(a);
+            Index& first = of_root[find(element).element];
+            first = first < 0 ? element : first;
+            result.push_back(first);
+        }
+        return result;
+    }
+
 private:
     std::vector<Index> parent_; // of a root: minus the number of its elements
     std::vector<std::int8_t> sign_;

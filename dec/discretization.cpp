@@ -110,10 +110,9 @@ IntrinsicDelaunay flipped(const SimplicialComplex& complex, Vector lengths,
                               {.boundary = boundary, .tolerance = options.tolerance});
 }
 
-/// Flat cells that have stayed alone mean that corners are off their sphere by about the tolerance.
-void warn_of_jitter(const CosphericalMerging& merged, const SimplexMetric& metric,
-                    const CellVolumes& volumes, const MergeOptions& options,
-                    std::vector<std::string>& warnings) {
+void look_at_flat_cells(const CosphericalMerging& merged, const SimplexMetric& metric,
+                        const CellVolumes& volumes, const MergeOptions& options,
+                        std::vector<std::string>& warnings) {
     const Pieces& pieces = merged.merging.pieces();
     auto alone = flat_simplices(pieces, metric, volumes);
     for (std::size_t t = 0; t < merged.flat.size(); ++t)
@@ -125,12 +124,7 @@ void warn_of_jitter(const CosphericalMerging& merged, const SimplexMetric& metri
     const auto at = facet_defects(pieces, metric, volumes, options).degenerate;
     const auto nearly =
         facet_defects(pieces, metric, volumes, {options.criterion, wider}).degenerate;
-    if (nearly.interior > at.interior)
-        warnings.push_back(fmt::format(
-            "{} flat cell{} on no neighbor's sphere within the tolerance, and the duals of {} "
-            "facets are within a factor 10 of it: if corners are meant to be cospherical, try "
-            "the tolerance {:.0e}",
-            flat, flat == 1 ? " lies" : "s lie", nearly.interior - at.interior, wider));
+    warn_of_jitter(flat, nearly.interior - at.interior, wider, warnings);
 }
 
 using Progress = std::function<void(std::string_view)>;
@@ -233,7 +227,7 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     const bool flips = !passage.is_identity();
     auto merged = merge_cospherical(passage.pieces(), metric, of_pieces, options, stays);
     refuse_flat_cells(given, merged.merging);
-    warn_of_jitter(merged, metric, of_pieces, options, mesh.warnings);
+    look_at_flat_cells(merged, metric, of_pieces, options, mesh.warnings);
     const auto volumes = merged_volumes(merged.merging, merged.volumes);
     if (!merged.flat.empty())
         of_input = merged.volumes; // alone, flat simplices have no duals

@@ -24,6 +24,16 @@ void warn_of_branching(std::int64_t facets, std::vector<std::string>& warnings) 
                                        facets, facets == 1 ? "" : "s"));
 }
 
+void warn_of_jitter(std::int64_t flat, std::int64_t nearly, double wider,
+                    std::vector<std::string>& warnings) {
+    if (flat > 0 && nearly > 0)
+        warnings.push_back(fmt::format(
+            "{} flat cell{} on no neighbor's sphere within the tolerance, and the duals of {} "
+            "facets are within a factor 10 of it: if corners are meant to be cospherical, try "
+            "the tolerance {:.0e}",
+            flat, flat == 1 ? " lies" : "s lie", nearly, wider));
+}
+
 void warn_of_unit(double unit, std::vector<std::string>& warnings) {
     if (unit != 1)
         warnings.push_back(fmt::format("the lengths of the mesh are far from 1: it is measured in "

@@ -16,6 +16,11 @@ void warn_of_orientation(std::int64_t turned, std::int64_t cells, bool orientabl
 /// facets: those with three or more cells.
 void warn_of_branching(std::int64_t facets, std::vector<std::string>& warnings);
 
+/// flat: cells that have stayed alone; nearly: facets that would be degenerate at the wider
+/// tolerance and are not at that of the merge. Corners may be off their sphere by about as much.
+void warn_of_jitter(std::int64_t flat, std::int64_t nearly, double wider,
+                    std::vector<std::string>& warnings);
+
 void warn_of_unit(double unit, std::vector<std::string>& warnings);
 
 } // namespace polydec

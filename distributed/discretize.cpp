@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/discretize.h"
 
+#include "base/errors.h"
+#include "dec/merging/flat_simplices.h"
 #include "dec/mesh_warnings.h"
 #include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/circumsphere.h"
+#include "distributed/facet_classes.h"
 #include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace polydec {
 
@@ -27,6 +32,56 @@ GlobalIndex branching_facets(const Ranks& ranks, const LocalComplex& local) {
         if (local.owns(ranks, facets, f) && local.complex.coface_counts(facets)[f] > 2)
             ++count;
     return ranks.sum(count);
+}
+
+/// The own n-simplices among those marked that are cells by themselves.
+std::vector<Index> alone(const Ranks& ranks, const LocalComplex& local, const MergedCells& merged,
+                         const std::vector<bool>& marks) {
+    const int n = local.dimension();
+    std::vector<Index> found;
+    for (Index t = 0; t < std::ssize(marks); ++t) {
+        bool is_alone = marks[t] && local.owns(ranks, n, t);
+        for (int i = 0; i <= n && is_alone; ++i)
+            is_alone = merged.carriers[n - 1][local.complex.face(n, t, i)].dimension < n;
+        if (is_alone)
+            found.push_back(t);
+    }
+    return found;
+}
+
+/// Throws for cells without volume that are no pieces of others.
+void refuse_flat_cells(const LocalComplex& local, const std::vector<Index>& flat) {
+    const int n = local.dimension();
+    Circumsphere sphere;
+    SimplexLayout layout(local.complex, local.points);
+    for (const Index t : flat)
+        if (!sphere.look_at(layout.at(n, t)))
+            throw InvalidInput(fmt::format(
+                "the cell with vertices {} has no volume, and lies on no neighbor's sphere: move "
+                "one of its vertices, or exchange it and its neighbors for others",
+                fmt::join(local.complex.vertex_numbers(n, t), " ")));
+}
+
+/// Collective: what becomes of flat cells that have stayed alone.
+void look_at_flat_cells(const Ranks& ranks, const CellVolumes& volumes, DistributedMesh& mesh) {
+    const LocalComplex& local = mesh.local;
+    if (!can_take_flat_simplices(local.dimension(), static_cast<Index>(local.points.cols())))
+        return;
+    const Vector shortest = shortest_edges(ranks, local, volumes);
+    const auto flat = ranks.together("flat cells", [&] {
+        const auto own = alone(ranks, local, mesh.merged,
+                               flat_simplices(local.complex, local.points, volumes, shortest));
+        refuse_flat_cells(local, own);
+        return std::ssize(own);
+    });
+    const GlobalIndex count = ranks.sum(GlobalIndex{flat});
+    if (count == 0 || mesh.options.criterion != MergeCriterion::dual_length)
+        return;
+    const double wider = 10 * mesh.options.tolerance;
+    const auto nearly =
+        measure_facets(ranks, local, volumes, {mesh.options.criterion, wider}).degenerate;
+    warn_of_jitter(count, ranks.sum(nearly.interior) - mesh.merged.degenerate_interior, wider,
+                   mesh.warnings);
 }
 
 std::vector<std::string> warnings_of(const Ranks& ranks, const MeshSlice& slice,
@@ -61,10 +116,16 @@ DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vecto
     mesh.warnings = warnings_of(ranks, slice, local, mesh.unit);
     slice = {};
     begin("volumes");
-    const CellVolumes volumes = ranks.together(
-        "volumes", [&] { return circumcentric_volumes(local.complex, local.points); });
+    const auto ambient = static_cast<Index>(local.points.cols());
+    const CellVolumes volumes = ranks.together("volumes", [&] {
+        return dual_volumes(local.complex, local.points, {},
+                            can_take_flat_simplices(local.dimension(), ambient)
+                                ? FlatSimplices::passed_over
+                                : FlatSimplices::refused);
+    });
     begin("merge");
     mesh.merged = merge_cospherical(ranks, local, volumes, options);
+    look_at_flat_cells(ranks, volumes, mesh);
     begin("cells");
     mesh.cells = distributed_cells(ranks, local, mesh.merged);
     return mesh;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/facet_classes.h"
 
-#include "base/errors.h"
 #include "dec/merging/facet_links.h"
 #include "dec/merging/flat_simplices.h"
 #include "distributed/labels.h"
 #include "distributed/number_places.h"
+#include "distributed/shared_flat.h"
 
 #include <algorithm>
 
@@ -20,17 +20,14 @@ struct SentLink {
     double defect, scale;
 };
 
-/// The class of an n-simplex.
-struct SentClass {
-    GlobalIndex simplex, first;
-};
-
 class FacetJoining {
 public:
-    FacetJoining(const Ranks& ranks, const LocalComplex& local, const FacetDefects& defects,
-                 double tolerance, const std::vector<std::uint8_t>& kept)
+    FacetJoining(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
+                 const FacetDefects& defects, double tolerance,
+                 const std::vector<std::uint8_t>& kept)
         : ranks_(ranks),
           local_(local),
+          volumes_(volumes),
           defects_(defects),
           tolerance_(tolerance),
           kept_(kept),
@@ -42,11 +39,10 @@ public:
         const auto found =
             ranks_.deliver(ranks_.together("classes", [&] { return classes_of(arrived); }));
         FacetClasses result{local_.degree(n_).number, {}};
-        const NumberPlaces here(local_.degree(n_).number);
-        for (const auto& parcel : found)
-            for (const auto& [simplex, first] : parcel)
-                result.first[here(simplex)] = first;
-        refresh(ranks_, local_.degree(n_).copies, result.first);
+        take_classes(ranks_, local_, found, result.first);
+        if (ranks_.any(!defects_.flat.empty()))
+            absorb_flat(ranks_, local_, volumes_, defects_, free_facets(), tolerance_,
+                        result.first);
         read_off(result);
         return result;
     }
@@ -65,21 +61,25 @@ private:
         return has_two_sides(f) && defects_.degenerate[f] && kept_[f] == 0;
     }
 
+    /// 1 for those between two n-simplices that may vanish, known for every facet here.
+    std::vector<std::uint8_t> free_facets() const {
+        std::vector<std::uint8_t> free;
+        free.reserve(kept_.size());
+        for (Index f = 0; f < local_.degree(n_ - 1).size(); ++f)
+            free.push_back(has_two_sides(f) && kept_[f] == 0 ? 1 : 0);
+        refresh(ranks_, local_.degree(n_ - 1).copies, free);
+        return free;
+    }
+
     LocalClasses parts_of() const {
         const Index size = local_.degree(n_).size();
         DisjointSets sets(size);
         for (Index f = 0; f < local_.degree(n_ - 1).size(); ++f)
             if (is_link(f))
                 sets.join(cofaces_.of(f)[0].cell, cofaces_.of(f)[1].cell);
-        LocalClasses parts{{},
+        LocalClasses parts{sets.firsts(),
                            std::vector<std::int8_t>(static_cast<std::size_t>(size), 1),
                            std::vector<bool>(static_cast<std::size_t>(size), true)};
-        std::vector<Index> firsts(static_cast<std::size_t>(size), -1);
-        for (Index t = 0; t < size; ++t) {
-            Index& first = firsts[sets.find(t).element];
-            first = first < 0 ? t : first;
-            parts.first.push_back(first);
-        }
         return parts;
     }
 
@@ -96,11 +96,12 @@ private:
         return parcels;
     }
 
-    Parcels<SentClass> classes_of(const Parcels<SentLink>& arrived) const;
+    Parcels<SimplexClass> classes_of(const Parcels<SentLink>& arrived) const;
     void read_off(FacetClasses& classes) const;
 
     const Ranks& ranks_;
     const LocalComplex& local_;
+    const CellVolumes& volumes_;
     const FacetDefects& defects_;
     double tolerance_;
     const std::vector<std::uint8_t>& kept_;
@@ -110,7 +111,7 @@ private:
 };
 
 /// Links in the order of facets, as one process has them.
-Parcels<SentClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived) const {
+Parcels<SimplexClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived) const {
     std::vector<SentLink> links;
     for (const auto& parcel : arrived)
         links.insert(links.end(), parcel.begin(), parcel.end());
@@ -133,7 +134,7 @@ Parcels<SentClass> FacetJoining::classes_of(const Parcels<SentLink>& arrived) co
     for (const SentLink& link : links)
         by_place.push_back({place(link.a), place(link.b), link.defect, link.scale});
     DisjointSets classes = join_links(static_cast<Index>(simplices.size()), by_place, tolerance_);
-    auto parcels = ranks_.empty_parcels<SentClass>();
+    auto parcels = ranks_.empty_parcels<SimplexClass>();
     std::vector<GlobalIndex> first(simplices.size(), -1);
     for (std::size_t i = 0; i < simplices.size(); ++i) {
         GlobalIndex& of_class = first[classes.find(static_cast<Index>(i)).element];
@@ -157,7 +158,9 @@ void FacetJoining::read_off(FacetClasses& classes) const {
             continue;
         classes.removed[f] = 1;
         any = true;
-        exact = exact && defects_.defect[f] == 0;
+        const auto& flat = defects_.flat;
+        exact = exact && defects_.defect[f] == 0 &&
+                (flat.empty() || (!flat[sides[0].cell] && !flat[sides[1].cell]));
     }
     refresh(ranks_, local_.degree(n_ - 1).copies, classes.removed);
     classes.any = ranks_.any(any);
@@ -166,24 +169,34 @@ void FacetJoining::read_off(FacetClasses& classes) const {
 
 } // namespace
 
-FacetDefects measure_facets(const Ranks& ranks, const LocalComplex& local,
-                            const CellVolumes& volumes, const MergeOptions& options) {
-    const int n = local.dimension();
+void take_classes(const Ranks& ranks, const LocalComplex& local, const Parcels<SimplexClass>& found,
+                  std::vector<GlobalIndex>& first) {
+    const auto& tops = local.degrees.back();
+    const NumberPlaces here(tops.number);
+    for (const auto& parcel : found)
+        for (const auto& [simplex, of_class] : parcel)
+            first[here(simplex)] = of_class;
+    refresh(ranks, tops.copies, first);
+}
+
+Vector shortest_edges(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes) {
     std::vector<double> shortest = ranks.together("edges", [&] {
         const Vector edges = shortest_edges(local.complex, volumes);
         return std::vector<double>(edges.begin(), edges.end());
     });
     refresh(ranks, local.degree(0).copies, shortest);
+    return Eigen::Map<const Vector>(shortest.data(), std::ssize(shortest));
+}
+
+FacetDefects measure_facets(const Ranks& ranks, const LocalComplex& local,
+                            const CellVolumes& volumes, const MergeOptions& options) {
+    const int n = local.dimension();
+    const Vector shortest = shortest_edges(ranks, local, volumes);
     FacetDefects defects = ranks.together("defects", [&] {
-        const Vector edges = Eigen::Map<const Vector>(shortest.data(), std::ssize(shortest));
-        if (options.criterion == MergeCriterion::dual_length) {
-            const auto flat = flat_simplices(local.complex, local.points, volumes, edges);
-            if (const auto found = std::find(flat.begin(), flat.end(), true); found != flat.end())
-                throw InvalidInput(
-                    "the mesh has flat cells, which one process alone can give to their neighbors: "
-                    "merge it in one process, or leave them out");
-        }
-        return facet_defects(local.complex, local.points, volumes, options, {});
+        auto flat = options.criterion == MergeCriterion::angle
+                        ? std::vector<bool>()
+                        : flat_simplices(local.complex, local.points, volumes, shortest);
+        return facet_defects(local.complex, local.points, volumes, options, std::move(flat));
     });
     struct Measure {
         double defect, scale;
@@ -206,9 +219,10 @@ FacetDefects measure_facets(const Ranks& ranks, const LocalComplex& local,
     return defects;
 }
 
-FacetClasses join_facets(const Ranks& ranks, const LocalComplex& local, const FacetDefects& defects,
-                         double tolerance, const std::vector<std::uint8_t>& kept) {
-    FacetJoining joining(ranks, local, defects, tolerance, kept);
+FacetClasses join_facets(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
+                         const FacetDefects& defects, double tolerance,
+                         const std::vector<std::uint8_t>& kept) {
+    FacetJoining joining(ranks, local, volumes, defects, tolerance, kept);
     joining.label();
     return joining.run();
 }

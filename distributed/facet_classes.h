@@ -17,18 +17,32 @@ struct FacetClasses {
     bool any = false, exact = true;    ///< on all ranks: facets are removed; all without defect
 };
 
-/// Collective: measures the facets like the whole, right for every facet here. Throws InvalidInput
-/// if n-simplices are flat where that matters.
+/// The class of an n-simplex, by the numbers of simplices.
+struct SimplexClass {
+    GlobalIndex simplex, first;
+};
+
+/// Collective: takes over what was found elsewhere of own n-simplices, and tells their copies;
+/// first has the class of each.
+void take_classes(const Ranks& ranks, const LocalComplex& local, const Parcels<SimplexClass>& found,
+                  std::vector<GlobalIndex>& first);
+
+/// Collective: the shortest edge at each vertex, of the whole.
+Vector shortest_edges(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes);
+
+/// Collective: measures the facets like the whole, right for every facet here.
 FacetDefects measure_facets(const Ranks& ranks, const LocalComplex& local,
                             const CellVolumes& volumes, const MergeOptions& options);
 
-/// Collective: joins n-simplices across degenerate facets. Links that hang together are joined on
-/// one rank.
-FacetClasses join_facets(const Ranks& ranks, const LocalComplex& local, const FacetDefects& defects,
-                         double tolerance, const std::vector<std::uint8_t>& kept);
+/// Collective: joins n-simplices across degenerate facets, and gives flat ones to their neighbors.
+/// Links that hang together are joined on one rank.
+FacetClasses join_facets(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
+                         const FacetDefects& defects, double tolerance,
+                         const std::vector<std::uint8_t>& kept);
 
-/// Collective: where the cells of a complex in space have their centers.
+/// Collective: where the cells of a complex in space have their centers. `flat` is empty or marks
+/// flat n-simplices.
 Centers shared_centers(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
-                       const FacetClasses& classes);
+                       const FacetClasses& classes, const std::vector<bool>& flat);
 
 } // namespace polydec

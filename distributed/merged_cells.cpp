@@ -46,17 +46,6 @@ std::vector<Flaw> summed(std::vector<Flaw> flaws) {
     return sums;
 }
 
-Carriers identity(const LocalComplex& local) {
-    Carriers carriers;
-    for (int k = 0; k <= local.dimension(); ++k) {
-        auto& own = carriers.emplace_back();
-        own.reserve(local.degree(k).number.size());
-        for (const GlobalIndex number : local.degree(k).number)
-            own.push_back({k, 1, number});
-    }
-    return carriers;
-}
-
 class Rounds {
 public:
     Rounds(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
@@ -75,10 +64,12 @@ public:
 
 private:
     Blocks join(const FacetClasses& classes, const CellVolumes& of_pieces) const;
+    std::vector<Carrier> pieces_of(const Blocks& blocks, int k);
     Carriers carriers_of(const Blocks& blocks);
     std::vector<Flaw> local_flaws(const Blocks& blocks, const Carriers& carriers) const;
     std::vector<CellName> bad_cells(const std::vector<Flaw>& flaws) const;
     void keep_worst(const std::vector<CellName>& bad, const Carriers& carriers);
+    MergedCells unmerged(MergedCells result) const;
 
     const Ranks& ranks_;
     const LocalComplex& local_;
@@ -101,35 +92,41 @@ Blocks Rounds::join(const FacetClasses& classes, const CellVolumes& of_pieces) c
     });
 }
 
+/// What is known of k-simplices that are pieces, by the ranks together.
+std::vector<Carrier> Rounds::pieces_of(const Blocks& blocks, int k) {
+    const auto& own = blocks.carriers[k];
+    LocalClasses classes{{}, blocks.signs[k], {}};
+    classes.first.reserve(own.size());
+    classes.takes_part.reserve(own.size());
+    for (std::size_t s = 0; s < own.size(); ++s) {
+        const bool is_piece = own[s].dimension == k;
+        classes.first.push_back(is_piece ? own[s].piece : static_cast<Index>(s));
+        classes.takes_part.push_back(is_piece);
+    }
+    const Labels labels = spread_labels(ranks_, local_, k, classes);
+    std::vector<Carrier> carriers;
+    carriers.reserve(own.size());
+    for (std::size_t s = 0; s < own.size(); ++s) {
+        carriers.push_back({k, labels.of[s].sign, labels.of[s].number});
+        if (labels.clashes[s])
+            clashing_.push_back({k, labels.of[s].number});
+    }
+    for (const Index piece : blocks.twisted[k])
+        clashing_.push_back({k, labels.of[piece].number});
+    return carriers;
+}
+
+/// Downwards, since what is no piece itself lies in a cell of higher degree, of which a piece has
+/// all corners of it, and so is complete where it is.
 Carriers Rounds::carriers_of(const Blocks& blocks) {
     Carriers carriers(static_cast<std::size_t>(n_) + 1);
-    std::vector<Labels> labels;
     clashing_.clear();
-    for (int k = 0; k <= n_; ++k) {
+    for (int k = n_; k >= 0; --k) {
         const auto& own = blocks.carriers[k];
-        LocalClasses classes{{}, blocks.signs[k], {}};
-        classes.first.reserve(own.size());
-        classes.takes_part.reserve(own.size());
-        for (std::size_t s = 0; s < own.size(); ++s) {
-            const bool is_piece = own[s].dimension == k;
-            classes.first.push_back(is_piece ? own[s].piece : static_cast<Index>(s));
-            classes.takes_part.push_back(is_piece);
-        }
-        labels.push_back(spread_labels(ranks_, local_, k, classes));
+        carriers[k] = pieces_of(blocks, k);
         for (std::size_t s = 0; s < own.size(); ++s)
-            if (labels[k].clashes[s])
-                clashing_.push_back({k, labels[k].of[s].number});
-        for (const Index piece : blocks.twisted[k])
-            clashing_.push_back({k, labels[k].of[piece].number});
-    }
-    for (int k = 0; k <= n_; ++k) {
-        const auto& own = blocks.carriers[k];
-        carriers[k].reserve(own.size());
-        for (std::size_t s = 0; s < own.size(); ++s) {
-            const auto& [dimension, piece] = own[s];
-            const Label& label = dimension == k ? labels[k].of[s] : labels[dimension].of[piece];
-            carriers[k].push_back({dimension, dimension == k ? label.sign : 0, label.number});
-        }
+            if (const auto& [dimension, piece] = own[s]; dimension != k)
+                carriers[k][s] = {dimension, 0, carriers[dimension][piece].first};
         refresh(ranks_, local_.degree(k).copies, carriers[k]);
     }
     return carriers;
@@ -204,9 +201,20 @@ void Rounds::keep_worst(const std::vector<CellName>& bad, const Carriers& carrie
         refresh(ranks_, local_.degree(k).copies, kept_[k]);
 }
 
+/// Every simplex its own cell.
+MergedCells Rounds::unmerged(MergedCells result) const {
+    for (int k = 0; k <= n_; ++k) {
+        auto& own = result.carriers.emplace_back();
+        own.reserve(local_.degree(k).number.size());
+        for (const GlobalIndex number : local_.degree(k).number)
+            own.push_back({k, 1, number});
+    }
+    return result;
+}
+
 MergedCells Rounds::run() {
     const auto& degenerate = defects_.degenerate;
-    MergedCells result{identity(local_),
+    MergedCells result{{},
                        volumes_,
                        {},
                        0,
@@ -214,18 +222,20 @@ MergedCells Rounds::run() {
                        ranks_.sum(degenerate.interior),
                        ranks_.sum(degenerate.boundary),
                        ranks_.sum(degenerate.branching)};
-    if (options_.criterion == MergeCriterion::none || result.degenerate_interior == 0)
-        return result;
+    const bool any_flat = ranks_.any(!defects_.flat.empty());
+    if (options_.criterion == MergeCriterion::none ||
+        (result.degenerate_interior == 0 && !any_flat))
+        return unmerged(std::move(result));
     const bool is_in_space = local_.points.cols() == n_;
     for (;; ++result.rounds) {
         const auto classes =
-            join_facets(ranks_, local_, defects_, options_.tolerance, kept_[n_ - 1]);
+            join_facets(ranks_, local_, volumes_, defects_, options_.tolerance, kept_[n_ - 1]);
         if (!classes.any)
-            return result;
+            return unmerged(std::move(result));
         CellVolumes of_pieces = volumes_;
         Centers centers;
         if (is_in_space && !classes.exact) {
-            centers = shared_centers(ranks_, local_, volumes_, classes);
+            centers = shared_centers(ranks_, local_, volumes_, classes, defects_.flat);
             of_pieces = ranks_.together(
                 "volumes", [&] { return dual_volumes(local_.complex, local_.points, centers); });
         }

@@ -35,8 +35,7 @@ struct MergedCells {
 };
 
 /// Collective: merges as merge_cospherical does. volumes are those of the local simplices. Throws
-/// InvalidInput for a tolerance that is negative or not finite, and where solids in space have flat
-/// cells, which one process alone can hand over to their neighbors.
+/// InvalidInput for a tolerance that is negative or not finite.
 MergedCells merge_cospherical(const Ranks& ranks, const LocalComplex& local,
                               const CellVolumes& volumes, const MergeOptions& options = {});
 

@@ -12,15 +12,21 @@ namespace {
 
 constexpr Eigen::Index term_count = 4;
 
+/// A mean as it is sent: origin, center, terms, side and count.
+Eigen::Index width_of_mean(int n) {
+    return 2 * n + term_count + 2;
+}
+
 /// Members of classes, as they are sent: their numbers, and volume, first corner, circumcenter from
-/// there and terms of each.
+/// there, terms and side of each; no volume where they are flat.
 struct Members {
     Parcels<std::array<GlobalIndex, 2>> numbers; // class, simplex
     Parcels<double> values;
 };
 
 Members members_of(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
-                   const FacetClasses& classes, const MeanSpheres& spheres) {
+                   const FacetClasses& classes, const std::vector<bool>& flat,
+                   const MeanSpheres& spheres) {
     const int n = local.dimension();
     const auto& tops = local.degree(n);
     const EqualStretches stretches(tops.count, ranks.size());
@@ -32,20 +38,21 @@ Members members_of(const Ranks& ranks, const LocalComplex& local, const CellVolu
         const int r = stretches.rank_of(classes.first[t]);
         members.numbers[r].push_back({classes.first[t], tops.number[t]});
         auto& values = members.values[r];
-        values.push_back(volumes.primal(n)[t]);
+        values.push_back(flat.empty() || !flat[t] ? volumes.primal(n)[t] : 0);
         for (const double x : local.points.row(local.complex.simplices(n)(t, 0)))
             values.push_back(x);
         for (const double x : spheres.own_center(t))
             values.push_back(x);
         for (const double x : spheres.own_terms(t))
             values.push_back(x);
+        values.push_back(spheres.own_side(t));
     }
     return members;
 }
 
-/// The means of classes, added in the order of simplices: origin, center, terms, and the count.
+/// The means of classes, added in the order of simplices.
 std::map<GlobalIndex, Vector> means_of(const Members& arrived, int n) {
-    const Eigen::Index width = 1 + 2 * n + term_count;
+    const Eigen::Index width = 1 + 2 * n + term_count + 1;
     struct Member {
         std::array<GlobalIndex, 2> numbers;
         const double* values;
@@ -60,19 +67,24 @@ std::map<GlobalIndex, Vector> means_of(const Members& arrived, int n) {
     std::map<GlobalIndex, Vector> means;
     for (std::size_t begin = 0, end = 0; begin < members.size(); begin = end) {
         const GlobalIndex of = members[begin].numbers[0];
-        Vector mean = Vector::Zero(2 * n + term_count + 1);
+        Vector mean = Vector::Zero(width_of_mean(n));
         const Eigen::Map<const Vector> origin(members[begin].values + 1, n);
-        double weight = 0;
+        double weight = 0, side = 0;
         for (; end < members.size() && members[end].numbers[0] == of; ++end) {
             const Eigen::Map<const Vector> values(members[end].values, width);
             const double volume = values[0];
+            if (volume == 0)
+                continue;
             weight += volume;
             mean.segment(n, n) +=
                 volume * (values.segment(1, n) - origin + values.segment(1 + n, n));
-            mean.segment(2 * n, term_count) += volume * values.tail(term_count);
+            mean.segment(2 * n, term_count) += volume * values.segment(1 + 2 * n, term_count);
+            side += values[width - 1];
         }
-        mean /= weight;
+        if (weight > 0)
+            mean /= weight;
         mean.head(n) = origin;
+        mean[mean.size() - 2] = side;
         mean[mean.size() - 1] = static_cast<double>(end - begin);
         means.emplace(of, std::move(mean));
     }
@@ -105,16 +117,16 @@ MeanSpheres::Means fetch_means(const Ranks& ranks, const LocalComplex& local,
     });
     const Index size = tops.size();
     MeanSpheres::Means result{Points(size, n), Points(size, n), Points(size, term_count),
-                              std::vector<Index>(static_cast<std::size_t>(size))};
+                              std::vector<Index>(static_cast<std::size_t>(size)), Vector(size)};
     const auto found = ranks.deliver(std::move(answers));
     auto next = order.begin();
     for (const auto& parcel : found)
-        for (auto mean = parcel.begin(); mean != parcel.end();
-             mean += 2 * n + term_count + 1, ++next) {
+        for (auto mean = parcel.begin(); mean != parcel.end(); mean += width_of_mean(n), ++next) {
             std::copy_n(mean, n, result.origins.row(*next).begin());
             std::copy_n(mean + n, n, result.centers.row(*next).begin());
             std::copy_n(mean + 2 * n, term_count, result.terms.row(*next).begin());
-            result.counts[*next] = static_cast<Index>(mean[2 * n + term_count]);
+            result.sides[*next] = mean[2 * n + term_count];
+            result.counts[*next] = static_cast<Index>(mean[2 * n + term_count + 1]);
         }
     return result;
 }
@@ -122,12 +134,11 @@ MeanSpheres::Means fetch_means(const Ranks& ranks, const LocalComplex& local,
 } // namespace
 
 Centers shared_centers(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
-                       const FacetClasses& classes) {
-    const std::vector<bool> none_is_flat;
+                       const FacetClasses& classes, const std::vector<bool>& flat) {
     MeanSpheres spheres = ranks.together(
-        "centers", [&] { return MeanSpheres(local.complex, local.points, volumes, none_is_flat); });
+        "centers", [&] { return MeanSpheres(local.complex, local.points, volumes, flat); });
     const Members members = ranks.together(
-        "centers", [&] { return members_of(ranks, local, volumes, classes, spheres); });
+        "centers", [&] { return members_of(ranks, local, volumes, classes, flat, spheres); });
     const Members arrived{ranks.deliver(std::move(members.numbers)),
                           ranks.deliver(std::move(members.values))};
     auto means = fetch_means(ranks, local, classes, arrived);

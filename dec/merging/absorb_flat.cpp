@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/absorb_flat.h"
 
-#include "dec/merging/flat_simplices.h"
 #include "dec/merging/mean_spheres.h"
 
 #include <algorithm>
@@ -17,18 +16,16 @@ namespace {
 class Absorption {
 public:
     Absorption(const Pieces& complex, const Points& points, const CellVolumes& volumes,
-               const std::vector<bool>& flat, const Sides& sides, const Vector& sizes,
-               double tolerance, DisjointSets& classes)
+               const std::vector<bool>& flat, const AroundFlat& around, double tolerance,
+               DisjointSets& classes)
         : complex_(complex),
           points_(points),
           volumes_(volumes),
           flat_(flat),
-          sides_(sides),
-          sizes_(sizes),
+          around_(around),
           tolerance_(tolerance),
           classes_(classes),
           taken_(flat.size(), false),
-          shortest_(shortest_edges(complex, volumes)),
           spheres_(complex, points, volumes, flat) {
         for (Index t = 0; t < complex.size(complex.dimension()); ++t)
             if (flat[t])
@@ -47,7 +44,7 @@ private:
 
     /// The n-simplex behind facet i of t; -1 if there is none, or the facet has to stay.
     Index behind(Index t, int i) const {
-        const auto& [a, b] = sides_[complex_.face(n(), t, i)];
+        const auto& [a, b] = around_.sides[complex_.face(n(), t, i)];
         return b < 0 ? -1 : a == t ? b : a;
     }
 
@@ -55,7 +52,7 @@ private:
         constexpr double rounding = 1e3 * std::numeric_limits<double>::epsilon();
         double edge = std::numeric_limits<double>::infinity(), distance = 0;
         for (const Index v : complex_.simplices(n()).row(t)) {
-            edge = std::min(edge, shortest_[v]);
+            edge = std::min(edge, around_.shortest[v]);
             distance = std::max(distance, spheres_.distance(root, v));
         }
         return distance <= tolerance_ * edge + rounding * spheres_.radius(root);
@@ -72,23 +69,19 @@ private:
     const Points& points_;
     const CellVolumes& volumes_;
     const std::vector<bool>& flat_;
-    const Sides& sides_;
-    const Vector& sizes_;
+    const AroundFlat& around_;
     double tolerance_;
     DisjointSets& classes_;
     std::vector<bool> taken_;
-    Vector shortest_;
     MeanSpheres spheres_;
     std::vector<Index> simplices_;                   // the flat ones
-    std::vector<Index> roots_;                       // of all
+    std::vector<Index> roots_;                       // of all: the first of its class
     std::map<Index, std::vector<Index>> candidates_; // roots, by flat simplex
 };
 
 /// The classes beside a flat simplex that it lies on, and those of flat neighbors.
 void Absorption::find_candidates() {
-    roots_.resize(flat_.size());
-    for (std::size_t t = 0; t < roots_.size(); ++t)
-        roots_[t] = classes_.find(static_cast<Index>(t)).element;
+    roots_ = classes_.firsts();
     spheres_.gather(roots_);
     candidates_.clear();
     std::vector<std::pair<Index, Index>> found;
@@ -119,7 +112,7 @@ bool Absorption::are_near(Index t, Index root, Index other) const {
     bool has_neighbor = false;
     for (int i = 0; i <= n(); ++i) {
         const Index f = complex_.face(n(), t, i);
-        reach = std::min(reach, tolerance_ * sizes_[f]);
+        reach = std::min(reach, tolerance_ * around_.sizes[f]);
         if (const Index s = behind(t, i); s >= 0 && !flat_[s]) {
             has_neighbor = true;
             reach =
@@ -209,9 +202,9 @@ void Absorption::hand_over_to(Index root, const std::vector<Index>& simplices) {
 } // namespace
 
 void absorb_flat(const Pieces& complex, const Points& points, const CellVolumes& volumes,
-                 const std::vector<bool>& flat, const Sides& sides, const Vector& sizes,
-                 double tolerance, DisjointSets& classes) {
-    Absorption(complex, points, volumes, flat, sides, sizes, tolerance, classes).run();
+                 const std::vector<bool>& flat, const AroundFlat& around, double tolerance,
+                 DisjointSets& classes) {
+    Absorption(complex, points, volumes, flat, around, tolerance, classes).run();
 }
 
 } // namespace polydec

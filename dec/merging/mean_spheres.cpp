@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/mean_spheres.h"
 
-#include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <cmath>
@@ -11,7 +10,11 @@ namespace polydec {
 
 MeanSpheres::MeanSpheres(const Pieces& complex, const Points& points, const CellVolumes& volumes,
                          const std::vector<bool>& flat)
-    : complex_(complex), points_(points), volumes_(volumes), flat_(flat) {
+    : complex_(complex),
+      points_(points),
+      volumes_(volumes),
+      flat_(flat),
+      normal_(complex.dimension(), complex.dimension() - 1) {
     const int n = complex.dimension();
     const Index size = complex.size(n);
     own_ = Points::Zero(size, n);
@@ -42,11 +45,12 @@ void MeanSpheres::gather(const std::vector<Index>& roots) {
     const Index size = complex_.size(n);
     const auto& simplices = complex_.simplices(n);
     const Vector& volumes = volumes_.primal(n);
-    auto& [origins, centers, terms, counts] = means_;
+    auto& [origins, centers, terms, counts, sides] = means_;
     origins.resize(size, n);
     centers = Points::Zero(size, n);
     terms = Points::Zero(size, terms_.cols());
     counts.assign(static_cast<std::size_t>(size), 0);
+    sides = Vector::Zero(size);
     Vector weights = Vector::Zero(size);
     for (Index t = 0; t < size; ++t) {
         const Index root = roots[t];
@@ -58,6 +62,8 @@ void MeanSpheres::gather(const std::vector<Index>& roots) {
         centers.row(root) +=
             volumes[t] * (origins.row(t) - points_.row(simplices(root, 0)) + own_.row(t));
         terms.row(root) += volumes[t] * terms_.row(t);
+        if (!flat_.empty())
+            sides[root] += own_side(t);
     }
     for (Index t = 0; t < size; ++t)
         if (weights[t] > 0) {
@@ -79,6 +85,19 @@ void MeanSpheres::gather(const std::vector<Index>& roots, Means means) {
     means_ = std::move(means);
 }
 
+Vector MeanSpheres::normal(Index t, int i) const {
+    return area_vector(normal_, points_, complex_, complex_.face(complex_.dimension(), t, i));
+}
+
+double MeanSpheres::own_side(Index t) const {
+    if (is_flat(t))
+        return 0;
+    const int n = complex_.dimension();
+    const auto& simplices = complex_.simplices(n);
+    const Eigen::RowVectorXd inwards = points_.row(simplices(t, 0)) - points_.row(simplices(t, 1));
+    return std::copysign(volumes_.primal(n)[t], complex_.sign(n, t, 0) * normal(t, 0).dot(inwards));
+}
+
 double MeanSpheres::distance(Index root, Index v) const {
     const double r = radii_[root];
     return std::abs(away(root, v).norm() - r) * (away(root, v).norm() + r) / (2 * r);
@@ -93,30 +112,13 @@ double MeanSpheres::between(Index root, Index other) const {
 Centers MeanSpheres::shared_centers() const {
     const int n = complex_.dimension();
     const Index size = complex_.size(n);
-    const Vector& volumes = volumes_.primal(n);
     const auto& simplices = complex_.simplices(n);
-    const ExteriorProduct product(n, n - 1);
-    const auto normal = [&](Index t, int i) {
-        return area_vector(product, points_, complex_, complex_.face(n, t, i));
-    };
-
-    // on which side of their facets simplices lie, against their orientation: as most of a class
-    std::vector<double> sides(static_cast<std::size_t>(size), 0), of_class = sides;
-    for (Index t = 0; t < size; ++t) {
-        const Index root = roots_[t];
-        if (means_.counts[root] == 1 || is_flat(t))
-            continue;
-        const Eigen::RowVectorXd inwards =
-            points_.row(simplices(t, 0)) - points_.row(simplices(t, 1));
-        sides[t] = std::copysign(1, complex_.sign(n, t, 0) * normal(t, 0).dot(inwards));
-        of_class[root] += sides[t] * volumes[t];
-    }
     Points moments = moments_;
     for (Index t = 0; t < size; ++t) {
         const Index root = roots_[t];
         if (means_.counts[root] == 1)
             continue;
-        const double side = is_flat(t) ? std::copysign(1, of_class[root]) : sides[t];
+        const double side = std::copysign(1, is_flat(t) ? means_.sides[root] : own_side(t));
         for (int i = 0; i <= n; ++i)
             moments(t, i) = -side * complex_.sign(n, t, i) *
                             normal(t, i).dot(away(root, simplices(t, i == 0 ? 1 : 0)));

@@ -3,6 +3,7 @@
 
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/centers.h"
+#include "dec/metric/exterior_product.h"
 
 #include <vector>
 
@@ -25,6 +26,7 @@ public:
         Points centers;            ///< from there
         Points terms;              ///< see Centers::of_cells
         std::vector<Index> counts; ///< of simplices
+        Vector sides;              ///< sum of own_side, where simplices are flat
     };
 
     /// The same with means that were taken elsewhere, of classes that have members elsewhere.
@@ -34,6 +36,10 @@ public:
     /// and its terms.
     auto own_center(Index t) const { return own_.row(t); }
     auto own_terms(Index t) const { return terms_.row(t); }
+
+    /// Volume of simplex t, negative if it lies outside of its facets as its orientation goes; 0 if
+    /// it is flat.
+    double own_side(Index t) const;
 
     /// How far vertex v is from the sphere of a class: | |v - c|^2 - r^2 | / 2r; length.
     double distance(Index root, Index v) const;
@@ -51,12 +57,14 @@ public:
 
 private:
     bool is_flat(Index t) const { return !flat_.empty() && flat_[t]; }
+    Vector normal(Index t, int i) const; // of the facet that lacks corner i
     Eigen::RowVectorXd away(Index root, Index v) const;
 
     const Pieces& complex_;
     const Points& points_;
     const CellVolumes& volumes_;
     const std::vector<bool>& flat_;
+    ExteriorProduct normal_;
     Points own_;     // circumcenter of each simplex, from its first corner
     Points moments_; // of its own circumcenter, see Centers
     Points terms_;

@@ -7,6 +7,7 @@
 #include "dec/merging/absorb_flat.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/facet_links.h"
+#include "dec/merging/flat_simplices.h"
 #include "dec/merging/mean_spheres.h"
 #include "dec/merging/straightness.h"
 #include "dec/metric/cell_volumes.h"
@@ -65,8 +66,9 @@ public:
                 links.push_back({a, b, defects_.defect[f], defects_.scale[f]});
         auto classes = join_links(complex_.size(complex_.dimension()), links, tolerance_);
         if (!defects_.flat.empty())
-            absorb_flat(complex_, *metric_.points(), volumes_, defects_.flat, free_sides(kept),
-                        defects_.scale, tolerance_, classes);
+            absorb_flat(complex_, *metric_.points(), volumes_, defects_.flat,
+                        {free_sides(kept), defects_.scale, shortest_edges(complex_, volumes_)},
+                        tolerance_, classes);
         return read_off(classes, kept);
     }
 
@@ -103,14 +105,7 @@ Sides FacetChoice::free_sides(const std::vector<bool>& kept) const {
 
 /// In space all goes that lies between two pieces of a class.
 TopCells FacetChoice::read_off(DisjointSets& classes, const std::vector<bool>& kept) const {
-    TopCells cells{std::vector<bool>(sides_.size(), false), {}, true};
-    std::vector<Index> firsts(complex_.size(complex_.dimension()), -1);
-    cells.roots.reserve(firsts.size());
-    for (Index t = 0; t < std::ssize(firsts); ++t) {
-        Index& first = firsts[classes.find(t).element];
-        first = first < 0 ? t : first;
-        cells.roots.push_back(first);
-    }
+    TopCells cells{std::vector<bool>(sides_.size(), false), classes.firsts(), true};
     for (std::size_t f = 0; f < sides_.size(); ++f) {
         const auto& [a, b] = sides_[f];
         if (b < 0 || kept[f] || cells.roots[a] != cells.roots[b] ||

@@ -3,8 +3,8 @@
 // Laplacians of every degree on cubes that slivers are pieces of: those of a grid whose eigenvalues
 // are known.
 #include "dec/discretization.h"
-#include "tests/dec/delaunay_grid.h"
 #include "tests/support/dense_laplacian.h"
+#include "tests/support/slivers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "tests/support/slivers.h"
+
 #include "base/random.h"
 #include "dec/choose_stars.h"
 #include "dec/fields/sharp.h"
@@ -12,7 +14,6 @@
 #include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "tests/dec/delaunay_grid.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/refusal.h"
 
@@ -40,55 +41,6 @@ Sizes sizes(const CellComplex& complex) {
 Sizes cubes(Index m) {
     const Index p = m + 1;
     return {p * p * p, 3 * m * p * p, 3 * m * m * p, m * m * m};
-}
-
-/// m^3 cubes of edge 1, each cut into five tetrahedra in one of the two ways: at random, with flat
-/// ones on the squares that are cut differently on both sides, or so that they fit.
-Mesh five_to_a_cube(int m, bool fitting = false) {
-    const int p = m + 1;
-    const auto number = [p](int i, int j, int k) { return Index((i * p + j) * p + k); };
-    Points points(p * p * p, 3);
-    for (int i = 0; i < p; ++i)
-        for (int j = 0; j < p; ++j)
-            for (int k = 0; k < p; ++k)
-                points.row(number(i, j, k)) << i, j, k;
-    Vector noise(m * m * m);
-    Noise(5).fill(noise);
-    const auto way = [&](int i, int j, int k) {
-        return fitting ? (i + j + k) % 2 : int(noise[(i * m + j) * m + k] > 0);
-    };
-    const auto is_odd = [](int a) { return ((a ^ a >> 1 ^ a >> 2) & 1) != 0; };
-    std::vector<std::array<Index, 4>> cells;
-    for (int i = 0; i < m; ++i)
-        for (int j = 0; j < m; ++j)
-            for (int k = 0; k < m; ++k) {
-                const auto corner = [&](int a) {
-                    return number(i + (a & 1), j + (a >> 1 & 1), k + (a >> 2 & 1));
-                };
-                std::vector<Index> inner;
-                for (int a = 0; a < 8; ++a)
-                    if (is_odd(a) == (way(i, j, k) == 1))
-                        inner.push_back(corner(a));
-                    else
-                        cells.push_back({corner(a), corner(a ^ 1), corner(a ^ 2), corner(a ^ 4)});
-                cells.push_back({inner[0], inner[1], inner[2], inner[3]});
-                const std::array<int, 3> place{i, j, k};
-                for (int axis = 0; axis < 3; ++axis) {
-                    std::array<int, 3> next = place;
-                    if (++next[axis] == m || way(i, j, k) != way(next[0], next[1], next[2]))
-                        continue; // nothing behind, or the same diagonal
-                    std::vector<Index> square;
-                    for (int a = 0; a < 8; ++a)
-                        if ((a >> axis & 1) == 1)
-                            square.push_back(corner(a));
-                    cells.push_back({square[0], square[1], square[2], square[3]});
-                }
-            }
-    Simplices simplices(cells.size(), 4);
-    for (Index t = 0; t < simplices.rows(); ++t)
-        for (int i = 0; i < 4; ++i)
-            simplices(t, i) = cells[t][i];
-    return {points, simplices, {}};
 }
 
 Index count_flat(const Discretization& mesh) {
@@ -165,32 +117,9 @@ TEST(Slivers, without_any_volume_become_pieces_of_cubes) {
     }
 }
 
-/// Two prisms over hexagons, one on the other, cut from opposite corners: their common hexagon is a
-/// fan around its corner 0 from above, around its corner 1 from below, with flat cells upon each
-/// other between.
-Mesh prisms() {
-    std::vector<std::vector<double>> points;
-    for (int level = 0; level < 3; ++level)
-        for (int i = 0; i < 6; ++i)
-            points.push_back({std::cos(i * M_PI / 3), std::sin(i * M_PI / 3), double(level)});
-    std::vector<std::vector<Index>> cells{{6, 7, 8, 9}, {6, 7, 9, 10}, {6, 7, 10, 11}};
-    const auto cut = [&](Index middle, Index far, Index fan) { // from corner 0 of the far hexagon
-        for (Index i = 1; i < 5; ++i)
-            cells.push_back(
-                {far, middle + fan, middle + (fan + i) % 6, middle + (fan + i + 1) % 6});
-        for (Index i = 1; i < 5; ++i) { // the sides away from it
-            cells.push_back({far, middle + i, middle + i + 1, far + i});
-            cells.push_back({far, middle + i + 1, far + i, far + i + 1});
-        }
-    };
-    cut(6, 12, 0);
-    cut(6, 0, 1);
-    return made_of(points, cells);
-}
-
 TEST(Slivers, upon_each_other_become_pieces_of_prisms) {
     for (const double jitter : {0.0, 1e-12, 1e-8, 1e-5}) {
-        const auto mesh = discretize(perturbed(prisms(), jitter, 1));
+        const auto mesh = discretize(perturbed(hexagonal_prisms(), jitter, 1));
         EXPECT_EQ(sizes(mesh.complex()), (Sizes{18, 30, 15, 2})) << jitter;
         EXPECT_EQ(count_flat(mesh), 3);
         EXPECT_LE(off_constants(mesh, mesh.lift()), 20 * jitter + 1e-12) << jitter;

@@ -2,13 +2,18 @@
 #include "distributed/merged_cells.h"
 
 #include "base/errors.h"
+#include "dec/discretization.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "distributed/cell_numbers.h"
+#include "distributed/facet_classes.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/distributed/compare.h"
+#include "tests/support/hand_made.h"
 #include "tests/support/merged.h"
+#include "tests/support/refusal.h"
+#include "tests/support/slivers.h"
 
 #include <cstdlib>
 #include <random>
@@ -18,7 +23,7 @@ namespace polydec::test {
 namespace {
 
 MergedCells merged_on(const Ranks& ranks, const LocalComplex& local, const MergeOptions& options) {
-    const auto volumes = circumcentric_volumes(local.complex, local.points);
+    const auto volumes = dual_volumes(local.complex, local.points, {}, FlatSimplices::passed_over);
     return merge_cospherical(ranks, local, volumes, options);
 }
 
@@ -112,6 +117,88 @@ TEST(MergedCells, are_those_of_one_process_where_defects_are_gathered_and_cells_
             expect_same(ranks, fmt::format("{} at {}", name, wide), mesh,
                         {MergeCriterion::dual_length, wide},
                         wide > 0.1 ? Ownership::random : Ownership::morton);
+}
+
+/// Solids with flat cells that become pieces of their neighbors, and some that do not.
+std::vector<NamedMesh> with_flat_cells() {
+    std::vector<NamedMesh> list;
+    for (const double jitter : {1e-12, 1e-6, 3e-5, 1e-3})
+        list.push_back({fmt::format("delaunay {}", jitter), delaunay_grid(3, jitter)});
+    for (const double jitter : {0.0, 1e-12, 1e-5}) {
+        list.push_back({fmt::format("five {}", jitter), perturbed(five_to_a_cube(2), jitter, 1)});
+        list.push_back(
+            {fmt::format("prisms {}", jitter), perturbed(hexagonal_prisms(), jitter, 1)});
+    }
+    list.push_back({"two", united(delaunay_grid(2, 1e-6), five_to_a_cube(2))});
+    return list;
+}
+
+TEST(MergedCells, are_those_of_one_process_where_flat_cells_go_to_their_neighbors) {
+    const auto ranks = Ranks::all();
+    for (const auto& [name, mesh] : with_flat_cells())
+        for (const Ownership by :
+             {Ownership::file, Ownership::morton, Ownership::graph, Ownership::random})
+            expect_same(ranks, name, mesh, {}, by);
+}
+
+TEST(MergedCells, of_cells_without_volume_are_those_of_one_process) {
+    const auto ranks = Ranks::all();
+    const Mesh given = five_to_a_cube(3);
+    const Discretization whole = discretize(given);
+    const DistributedMesh mesh = discretized(ranks, given, Ownership::morton);
+    for (int k = 0; k <= 3; ++k) {
+        const auto& cells = mesh.cells.degree(k);
+        EXPECT_EQ(cells.count, whole.complex().size(k));
+        for (std::size_t i = 0; i < cells.number.size(); ++i)
+            EXPECT_EQ(mesh.cells.volumes.dual(k)[static_cast<Index>(i)],
+                      whole.volumes().dual(k)[static_cast<Index>(cells.number[i])]);
+    }
+}
+
+TEST(MergedCells, without_volume_are_refused_where_they_lie_on_no_sphere) {
+    const auto ranks = Ranks::all();
+    // four points of a plane on no circle, between two pairs of tetrahedra
+    const Mesh mesh =
+        made_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 2, 0}, {0.4, 0.4, 1}, {0.4, 0.4, -1}},
+                {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 1, 3, 5}, {1, 2, 3, 5}, {0, 1, 2, 3}});
+    EXPECT_EQ(
+        refusal([&] { discretized(ranks, mesh, Ownership::random); }),
+        "the cell with vertices 0 1 2 3 has no volume, and lies on no neighbor's sphere: move "
+        "one of its vertices, or exchange it and its neighbors for others");
+}
+
+TEST(MergedCells, warn_of_flat_cells_near_the_tolerance_like_one_process) {
+    const auto ranks = Ranks::all();
+    const Mesh mesh = delaunay_grid(4, 3e-4);
+    const auto told = discretized(ranks, mesh, Ownership::morton).warnings;
+    const auto expected = discretize(mesh).warnings();
+    ASSERT_EQ(expected.size(), 1);
+    EXPECT_EQ(told, expected);
+}
+
+TEST(BrokenTwin, flat_cells_that_stay_alone_are_seen) {
+    const auto ranks = Ranks::all();
+    const MergeOptions options = {};
+    const Mesh mesh = delaunay_grid(3, 1e-6);
+    const Merged whole = make_merged(mesh, options);
+    const LocalComplex local = distributed(ranks, mesh, Ownership::morton);
+    const auto volumes = circumcentric_volumes(local.complex, local.points);
+    auto defects = measure_facets(ranks, local, volumes, options);
+    const std::vector<std::uint8_t> none_is_kept(defects.defect.size(), 0);
+    const auto differ = [&] {
+        const auto classes =
+            join_facets(ranks, local, volumes, defects, options.tolerance, none_is_kept);
+        Index count = 0;
+        for (Index f = 0; f < local.degree(2).size(); ++f) {
+            const auto number = static_cast<Index>(local.degree(2).number[f]);
+            const bool is_removed = whole.merging().carriers(2)[number].dimension == 3;
+            count += (classes.removed[f] != 0) != is_removed ? 1 : 0;
+        }
+        return ranks.sum(count);
+    };
+    EXPECT_EQ(differ(), 0);
+    defects.flat.clear();
+    EXPECT_GT(differ(), 0);
 }
 
 /// How many random meshes are looked at: POLYDEC_TEST_SEEDS, or a few.
