@@ -55,34 +55,38 @@ PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
                         const DistributedCells::Degree& cells, int k, const Points& of_simplices) {
     struct Piece {
         GlobalIndex row, number;
-        Index place; // among those that came
+        auto operator<=>(const Piece&) const = default;
     };
     const RowOwners owner(ranks, cells);
     const auto& degree = local.degree(k);
     auto keys = ranks.empty_parcels<Piece>();
     auto numbers = ranks.empty_parcels<double>();
+    const auto at_most = static_cast<std::size_t>(degree.size()); // nearly all stay here
+    keys[static_cast<std::size_t>(ranks.rank())].reserve(at_most);
+    numbers[static_cast<std::size_t>(ranks.rank())].reserve(
+        at_most * static_cast<std::size_t>(of_simplices.cols()));
     for (Index s = 0; s < degree.size(); ++s)
         if (const GlobalIndex row = cells.of_simplex[s].row; row >= 0 && local.owns(ranks, k, s)) {
-            keys[owner(row)].push_back({row, degree.number[s], 0});
+            keys[owner(row)].push_back({row, degree.number[s]});
             append_row(numbers[owner(row)], of_simplices, s);
         }
-    const Points came = as_rows(ranks.deliver(std::move(numbers)), of_simplices.cols());
+    Points came = as_rows(ranks.deliver(std::move(numbers)), of_simplices.cols());
     std::vector<Piece> pieces;
     for (const auto& parcel : ranks.deliver(std::move(keys)))
-        for (const Piece& piece : parcel)
-            pieces.push_back({piece.row, piece.number, static_cast<Index>(pieces.size())});
-    const auto is_before = [](const Piece& a, const Piece& b) {
-        return std::pair(a.row, a.number) < std::pair(b.row, b.number);
-    };
-    if (!std::is_sorted(pieces.begin(), pieces.end(), is_before))
-        std::sort(pieces.begin(), pieces.end(), is_before);
+        pieces.insert(pieces.end(), parcel.begin(), parcel.end());
 
-    PieceRows result{std::vector<Index>(cells.first.size() + 1, 0), Points(came)};
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        ++result.begins[static_cast<std::size_t>(pieces[i].row - cells.first_row) + 1];
-        result.rows.row(static_cast<Eigen::Index>(i)) = came.row(pieces[i].place);
-    }
+    PieceRows result{std::vector<Index>(cells.first.size() + 1, 0), {}};
+    for (const Piece& piece : pieces)
+        ++result.begins[static_cast<std::size_t>(piece.row - cells.first_row) + 1];
     std::partial_sum(result.begins.begin(), result.begins.end(), result.begins.begin());
+    if (std::is_sorted(pieces.begin(), pieces.end())) {
+        result.rows = std::move(came);
+        return result;
+    }
+    std::vector<Index> order(pieces.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](Index i, Index j) { return pieces[i] < pieces[j]; });
+    result.rows = came(order, Eigen::all);
     return result;
 }
 

@@ -114,14 +114,20 @@ StarNumbers star_numbers(const Ranks& ranks, const DistributedMesh& mesh, int k)
     return numbers;
 }
 
+/// Of the n-simplices here: numbers of the file, far below 2^53.
+Points corners_of(const LocalComplex& local) {
+    const Simplices& tops = local.complex.simplices(local.dimension());
+    Points corners(tops.rows(), tops.cols());
+    for (Eigen::Index i = 0; i < tops.size(); ++i)
+        corners.data()[i] = static_cast<double>(local.vertices[tops.data()[i]]);
+    return corners;
+}
+
 /// How many cells have so many vertices, and how many simplices are not alone in theirs.
 void count_vertices(const Ranks& ranks, const DistributedMesh& mesh, SharedInfo& info) {
     const int n = mesh.dimension();
-    const Simplices& tops = mesh.local.complex.simplices(n);
-    Points corners(tops.rows(), tops.cols()); // numbers of the file, far below 2^53
-    for (Eigen::Index i = 0; i < tops.size(); ++i)
-        corners.data()[i] = static_cast<double>(mesh.local.vertices[tops.data()[i]]);
-    const PieceRows pieces = gather_pieces(ranks, mesh.local, mesh.cells.degree(n), n, corners);
+    const PieceRows pieces =
+        gather_pieces(ranks, mesh.local, mesh.cells.degree(n), n, corners_of(mesh.local));
     std::map<GlobalIndex, GlobalIndex> own;
     GlobalIndex merged = 0;
     for (std::size_t cell = 0; cell + 1 < pieces.begins.size(); ++cell) {
@@ -154,9 +160,9 @@ GlobalIndex components_of(const Ranks& ranks, const DistributedMesh& mesh) {
 }
 
 void run_info(const Ranks& ranks, const SharedArguments& arguments) {
-    Log log;
+    SharedLog log(ranks);
     const DistributedMesh mesh = load(ranks, arguments, log);
-    log.timing.begin("diagnose");
+    log.begin("diagnose");
     const int n = mesh.dimension();
     SharedInfo info;
     info.mesh = arguments.mesh.mesh.string();

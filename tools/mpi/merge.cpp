@@ -43,10 +43,10 @@ private:
 };
 
 void run_merge(const Ranks& ranks, const SharedMergeArguments& arguments) {
-    Log log;
+    SharedLog log(ranks);
     check_picture(ranks, arguments.out, arguments.mesh);
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
-    log.timing.begin("write");
+    log.begin("write");
     write_pvtu(ranks, arguments.out, mesh, {});
     tell(ranks, mesh, SharedMerged(arguments.out.string(), mesh), log, arguments.mesh.mesh.tell);
 }

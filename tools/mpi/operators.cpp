@@ -34,13 +34,13 @@ private:
 };
 
 void run_operators(const Ranks& ranks, const SharedOperatorsArguments& arguments) {
-    Log log;
+    SharedLog log(ranks);
     ranks.together("output", [&] {
         if (ranks.rank() == 0)
             check_replaced_folder(arguments.out);
     });
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
-    log.timing.begin("write");
+    log.begin("write");
     for (const auto& why : write_operators(ranks, mesh, arguments.out))
         log.warn(why);
     tell(ranks, mesh, SharedOperators(arguments.out.string(), mesh.dimension()), log,

@@ -108,14 +108,14 @@ void warn_of_negative(const Ranks& ranks, const DistributedMesh& mesh, Side side
 }
 
 void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
-    Log log;
+    SharedLog log(ranks);
     const SharedData data(arguments);
     check_picture(ranks, arguments.out, arguments.mesh);
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const auto& file = arguments.mesh.mesh.mesh;
     const Side side = arguments.poisson.side;
     const int n = mesh.dimension(), k = side == Side::primal ? 0 : n;
-    log.timing.begin("solve");
+    log.begin("solve");
     arguments.poisson.boundary = conditions_on(ranks, mesh, arguments, data);
     const auto solver = computed_on(file, [&] {
         const SharedProgress progress(ranks);
@@ -151,7 +151,7 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
         answer.errors = errors_of(ranks, mesh, side,
                                   u - values_at(ranks, mesh, *data.exact, k, solver.sites()));
     if (!arguments.out.empty()) {
-        log.timing.begin("write");
+        log.begin("write");
         write_pvtu(ranks, arguments.out, mesh, {{"u", k, u}});
     }
     tell(ranks, mesh, answer, log, arguments.mesh.mesh.tell);

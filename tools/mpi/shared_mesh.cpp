@@ -11,7 +11,6 @@
 
 #include <ctime>
 #include <map>
-#include <sys/resource.h>
 
 namespace polydec::tools {
 
@@ -27,14 +26,8 @@ struct Effort {
     double most_cpu, mean_cpu; ///< seconds
     GlobalIndex most_sent;     ///< bytes
     GlobalIndex most_memory;   ///< bytes of a rank, at its peak
+    std::vector<StageEffort> stages = {};
 };
-
-GlobalIndex peak_memory() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    constexpr GlobalIndex kilo = 1024;
-    return kilo * usage.ru_maxrss;
-}
 
 Effort effort(const Ranks& ranks, const DistributedMesh& mesh) {
     const auto& tops = mesh.local.degrees.back();
@@ -51,7 +44,7 @@ Effort effort(const Ranks& ranks, const DistributedMesh& mesh) {
 /// An answer with what it took.
 class WithEffort : public Answer {
 public:
-    WithEffort(const Answer& answer, const Effort& effort) : answer_(answer), effort_(effort) {}
+    WithEffort(const Answer& answer, Effort effort) : answer_(answer), effort_(std::move(effort)) {}
 
     void write(JsonWriter& json) const override {
         answer_.write(json);
@@ -63,6 +56,8 @@ public:
             json.member("mean_cpu_seconds", effort_.mean_cpu);
             json.member("bytes_sent", effort_.most_sent);
             json.member("peak_memory", effort_.most_memory);
+            if (!effort_.stages.empty())
+                json.object("stages", [&] { write_stages(json); });
         });
     }
 
@@ -75,9 +70,23 @@ public:
                  static_cast<double>(effort_.cells),
              effort_.most_cpu, 1e-6 * static_cast<double>(effort_.most_sent),
              1e-6 * static_cast<double>(effort_.most_memory));
+        if (!effort_.stages.empty())
+            text("\nbusiest rank   CPU, s  sent, MB  memory so far, MB\n");
+        for (const auto& [stage, cpu, sent, memory] : effort_.stages)
+            text("  {:<12} {:8.3f} {:9.1f} {:18.0f}\n", stage, cpu,
+                 1e-6 * static_cast<double>(sent), 1e-6 * static_cast<double>(memory));
     }
 
 private:
+    void write_stages(JsonWriter& json) const {
+        for (const StageEffort& effort : effort_.stages)
+            json.object(effort.stage, [&] {
+                json.member("cpu_seconds", effort.cpu);
+                json.member("bytes_sent", effort.sent);
+                json.member("peak_memory", effort.peak_memory);
+            });
+    }
+
     const Answer& answer_;
     Effort effort_;
 };
@@ -121,29 +130,34 @@ SharedProgress::~SharedProgress() {
         ranks_.listen({});
 }
 
-DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Log& log) {
+DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, SharedLog& log) {
     const SharedProgress progress(ranks);
     const auto& file = arguments.mesh.mesh;
-    log.timing.begin("read");
+    log.begin("read");
     DistributedMesh mesh = computed_on(file, [&] {
         MeshSlice slice = read_slice(ranks, file);
         if (arguments.mesh.angle_tolerance && slice.dimension() != 2)
             throw InvalidInput(fmt::format("--angle-tolerance is for surfaces, but the cells have "
                                            "dimension {}: use --tolerance",
                                            slice.dimension()));
+        log.begin("owners");
         const auto owners = vertex_owners(ranks, slice, arguments.owners);
         return discretize(ranks, std::move(slice), owners, merge_options(arguments.mesh),
-                          [&](std::string_view stage) { log.timing.begin(stage); });
+                          [&](std::string_view stage) { log.begin(stage); });
     });
-    log.timing.end();
+    log.end();
     for (const auto& warning : mesh.warnings)
         log.warn(warning);
     return mesh;
 }
 
-void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, Log& log,
+void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, SharedLog& log,
           const TellOptions& options) {
-    tell(WithEffort(answer, effort(ranks, mesh)), log, options);
+    log.end();
+    Effort took = effort(ranks, mesh);
+    if (options.timing)
+        took.stages = log.busiest();
+    tell(WithEffort(answer, std::move(took)), log, options);
 }
 
 void check_output_file(const Ranks& ranks, const std::filesystem::path& out,

@@ -3,6 +3,7 @@
 
 #include "distributed/discretize.h"
 #include "tools/common.h"
+#include "tools/mpi/shared_log.h"
 
 #include <CLI/CLI.hpp>
 
@@ -37,10 +38,11 @@ private:
 };
 
 /// Collective: reads, merges and measures the mesh; tells its warnings.
-DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Log& log);
+DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, SharedLog& log);
 
-/// Collective: tells the answer, which all ranks have, with what it took them.
-void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, Log& log,
+/// Collective: tells the answer, which all ranks have, with what it took them, and if the timing is
+/// asked for what each stage took the busiest rank.
+void tell(const Ranks& ranks, const DistributedMesh& mesh, const Answer& answer, SharedLog& log,
           const TellOptions& options);
 
 /// Collective: check_output_file, on rank 0.

@@ -32,7 +32,7 @@ std::vector<SharedValues> modes_to_show(const Spectrum& spectrum, int k) {
 }
 
 void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
-    Log log;
+    SharedLog log(ranks);
     check_picture(ranks, arguments.out, arguments.mesh);
     const DistributedMesh mesh = load(ranks, arguments.mesh, log);
     const int n = mesh.dimension();
@@ -42,7 +42,7 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
         throw InvalidInput(fmt::format("cannot write {}: several ranks draw functions on vertices "
                                        "and cells alone; leave out the file",
                                        arguments.out.string()));
-    log.timing.begin("solve");
+    log.begin("solve");
     if (!arguments.certify)
         arguments.spectrum.certification = Certification::waived;
     const auto since = std::chrono::steady_clock::now();
@@ -52,7 +52,7 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
     });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
     if (!arguments.out.empty()) {
-        log.timing.begin("write");
+        log.begin("write");
         write_pvtu(ranks, arguments.out, mesh, modes_to_show(result, k));
     }
     warn_of_rough_values(result, log);
