@@ -3,7 +3,8 @@
 #   PETSC_DIR and PETSC_ARCH, as variables or in the environment: where a PETSc built by hand lies
 #   PETSc_FOUND, PETSc_VERSION
 #   PETSc::PETSc   imported target, with the MPI that it was built with
-# Only real numbers in double precision with 32-bit indices will do, as Debian's petsc-dev has them.
+# Only real numbers in double precision will do. Integers may have 32 bits, as in Debian's petsc-dev,
+# or 64, as in its petsc64-dev, which PETSC_DIR selects.
 include(FindPackageHandleStandardArgs)
 
 find_package(PkgConfig QUIET)
@@ -23,7 +24,8 @@ list(APPEND places ${PC_PETSC_PREFIX})
 
 find_path(PETSC_INCLUDE_DIR petscksp.h HINTS ${places} PATH_SUFFIXES include)
 find_path(PETSC_CONFIG_INCLUDE_DIR petscconf.h HINTS ${places} PATH_SUFFIXES include)
-find_library(PETSC_LIBRARY NAMES petsc petsc_real HINTS ${places} PATH_SUFFIXES lib)
+find_library(PETSC_LIBRARY NAMES petsc petsc_real petsc64_real NAMES_PER_DIR
+    HINTS ${places} PATH_SUFFIXES lib)
 
 if(EXISTS "${PETSC_INCLUDE_DIR}/petscversion.h")
     set(numbers)
@@ -45,10 +47,10 @@ if(EXISTS "${PETSC_CONFIG_INCLUDE_DIR}/petscconf.h")
     file(READ "${PETSC_CONFIG_INCLUDE_DIR}/petscconf.h" configuration)
     set(PETSC_HAS_FITTING_NUMBERS TRUE)
     if(NOT configuration MATCHES "#define PETSC_USE_REAL_DOUBLE 1"
-       OR configuration MATCHES "#define PETSC_USE_(COMPLEX|64BIT_INDICES) 1")
+       OR configuration MATCHES "#define PETSC_USE_COMPLEX 1")
         set(PETSC_HAS_FITTING_NUMBERS FALSE)
-        set(reason "The PETSc in ${PETSC_CONFIG_INCLUDE_DIR} is not one of real double numbers \
-with 32-bit indices. Set PETSC_DIR and PETSC_ARCH to one that is.")
+        set(reason "The PETSc in ${PETSC_CONFIG_INCLUDE_DIR} is not one of real double \
+numbers. Set PETSC_DIR and PETSC_ARCH to one that is.")
     endif()
     if(configuration MATCHES "#define PETSC_HAVE_MPIUNI 1")
         set(needs_mpi FALSE)

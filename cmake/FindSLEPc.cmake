@@ -23,7 +23,8 @@ list(APPEND places ${PC_SLEPC_PREFIX})
 
 find_path(SLEPC_INCLUDE_DIR slepceps.h HINTS ${places} PATH_SUFFIXES include)
 find_path(SLEPC_CONFIG_INCLUDE_DIR slepcconf.h HINTS ${places} PATH_SUFFIXES include)
-find_library(SLEPC_LIBRARY NAMES slepc slepc_real HINTS ${places} PATH_SUFFIXES lib)
+find_library(SLEPC_LIBRARY NAMES slepc slepc_real slepc64_real NAMES_PER_DIR
+    HINTS ${places} PATH_SUFFIXES lib)
 
 if(EXISTS "${SLEPC_INCLUDE_DIR}/slepcversion.h")
     set(numbers)

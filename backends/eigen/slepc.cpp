@@ -62,8 +62,8 @@ PetscErrorCode apply(Mat matrix, Vec x, Vec y) {
     return VecRestoreArrayRead(x, &from);
 }
 
-PetscErrorCode stop(EPS solver, Index restarts, Index most_restarts, Index converged, Index wanted,
-                    EPSConvergedReason* reason, void* shell) {
+PetscErrorCode stop(EPS solver, PetscInt restarts, PetscInt most_restarts, PetscInt converged,
+                    PetscInt wanted, EPSConvergedReason* reason, void* shell) {
     const auto error =
         EPSStoppingBasic(solver, restarts, most_restarts, converged, wanted, reason, nullptr);
     if (static_cast<Shell*>(shell)->thrown)
@@ -156,9 +156,9 @@ void Run::solve() {
 }
 
 EigenPairs Run::pairs(Index count) const {
-    Index converged = 0;
-    session_.require(EPSGetConverged(solver_.get(), &converged), "reading the eigenpairs");
-    converged = std::min(converged, count);
+    PetscInt found = 0;
+    session_.require(EPSGetConverged(solver_.get(), &found), "reading the eigenpairs");
+    const auto converged = static_cast<Index>(std::min<PetscInt>(found, count));
 
     EigenPairs result{Vector(converged), DenseMatrix(size_, converged), converged,
                       shell_.operations};

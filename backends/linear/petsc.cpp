@@ -26,15 +26,33 @@ using PetscVector = Owned<Vec, VecDestroy>;
 // Multigrid that takes more steps than this is the wrong one for the matrix.
 constexpr Index most_iterations = 1000;
 
+// Indices as PETSc counts: as they are, or, where its integers are of another width, copied.
+[[maybe_unused]] PetscInt* as_petsc_counts(const PetscInt* indices, Eigen::Index,
+                                           std::vector<PetscInt>&) {
+    return const_cast<PetscInt*>(indices);
+}
+template <class Other>
+PetscInt* as_petsc_counts(const Other* indices, Eigen::Index size, std::vector<PetscInt>& copy) {
+    copy.assign(indices, indices + size);
+    return copy.data();
+}
+
+struct MatrixView {
+    std::vector<PetscInt> begins = {}, columns = {}; // of the matrix, if they had to be copied
+    PetscMatrix matrix = {};
+};
+
 // A view of A: PETSc never writes to what it is given here, though its types do not say so.
 void view(const Session& session, const SparseMatrix& A, Definiteness definiteness,
-          PetscMatrix& result) {
-    session.require(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, static_cast<Index>(A.rows()),
-                                              static_cast<Index>(A.cols()),
-                                              const_cast<Index*>(A.outerIndexPtr()),
-                                              const_cast<Index*>(A.innerIndexPtr()),
-                                              const_cast<double*>(A.valuePtr()), result.put()),
-                    "taking over the matrix");
+          MatrixView& of) {
+    PetscMatrix& result = of.matrix;
+    session.require(
+        MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, static_cast<PetscInt>(A.rows()),
+                                  static_cast<PetscInt>(A.cols()),
+                                  as_petsc_counts(A.outerIndexPtr(), A.rows() + 1, of.begins),
+                                  as_petsc_counts(A.innerIndexPtr(), A.nonZeros(), of.columns),
+                                  const_cast<double*>(A.valuePtr()), result.put()),
+        "taking over the matrix");
     MatSetOption(result.get(), MAT_SYMMETRIC, PETSC_TRUE);
     if (definiteness == Definiteness::positive)
         MatSetOption(result.get(), MAT_SPD, PETSC_TRUE);
@@ -53,7 +71,7 @@ void set_kernel(const Session& session, Mat matrix, const DenseMatrix& kernel) {
     for (Eigen::Index j = 0; j < basis.cols(); ++j) {
         auto& column = columns[static_cast<std::size_t>(j)];
         session.require(
-            VecCreateSeq(PETSC_COMM_SELF, static_cast<Index>(basis.rows()), column.put()),
+            VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(basis.rows()), column.put()),
             "taking over the kernel");
         double* entries = nullptr;
         session.require(VecGetArray(column.get(), &entries), "taking over the kernel");
@@ -63,7 +81,7 @@ void set_kernel(const Session& session, Mat matrix, const DenseMatrix& kernel) {
     }
     Owned<MatNullSpace, MatNullSpaceDestroy> space;
     session.require(MatNullSpaceCreate(PETSC_COMM_SELF, PETSC_FALSE,
-                                       static_cast<Index>(handles.size()), handles.data(),
+                                       static_cast<PetscInt>(handles.size()), handles.data(),
                                        space.put()),
                     "taking over the kernel");
     session.require(MatSetNullSpace(matrix, space.get()), "taking over the kernel");
@@ -94,7 +112,7 @@ private:
     std::string for_singular_;
     DenseMatrix kernel_;
     SparseMatrix changed_;
-    PetscMatrix matrix_;
+    MatrixView view_;
     Owned<KSP, KSPDestroy> solver_;
 };
 
@@ -115,7 +133,7 @@ void CgMultigrid::forget() {
         return;
     const Session session(name());
     solver_.reset();
-    matrix_.reset();
+    view_.matrix.reset();
 }
 
 // Smoothers divide by the diagonal. A row of a semidefinite matrix whose diagonal is zero is all
@@ -153,9 +171,9 @@ void CgMultigrid::compute(const SparseMatrix& A, const MatrixFacts& facts, Patte
                                              (is_singular ? for_singular_ : "") +
                                              options().engine_options);
     try {
-        view(session, regular, facts.definiteness, matrix_);
+        view(session, regular, facts.definiteness, view_);
         if (kernel_.cols() > 0)
-            set_kernel(session, matrix_.get(), kernel_);
+            set_kernel(session, view_.matrix.get(), kernel_);
         set_up(session);
     } catch (...) {
         forget();
@@ -169,7 +187,8 @@ void CgMultigrid::set_up(const Session& session) {
     session.require(KSPCreate(PETSC_COMM_SELF, solver_.put()), "making a solver");
     KSP solver = solver_.get();
     session.require(KSPSetOptionsPrefix(solver, petsc::prefix), "making a solver");
-    session.require(KSPSetOperators(solver, matrix_.get(), matrix_.get()), "making a solver");
+    session.require(KSPSetOperators(solver, view_.matrix.get(), view_.matrix.get()),
+                    "making a solver");
     session.require(
         KSPSetTolerances(solver, std::min(options().tolerance, 0.5), 0.0, PETSC_MAX_REAL, limit),
         "making a solver");
@@ -201,7 +220,7 @@ Index CgMultigrid::iterate(const Vector& b, Eigen::Ref<Vector> x) {
     const Session session(name());
     PetscVector right_hand_side;
     PetscVector solution;
-    const auto size = static_cast<Index>(b.size());
+    const auto size = static_cast<PetscInt>(b.size());
     session.require(
         VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, b.data(), right_hand_side.put()),
         "taking over a right-hand side");
@@ -209,13 +228,13 @@ Index CgMultigrid::iterate(const Vector& b, Eigen::Ref<Vector> x) {
                     "taking over a solution");
     session.require(KSPSolve(solver_.get(), right_hand_side.get(), solution.get()), "the solution");
 
-    Index iterations = 0;
+    PetscInt iterations = 0;
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     KSPGetIterationNumber(solver_.get(), &iterations);
     KSPGetConvergedReason(solver_.get(), &reason);
     if (reason <= 0 || !x.allFinite())
-        fail_because(reason, iterations);
-    return iterations;
+        fail_because(reason, static_cast<Index>(iterations));
+    return static_cast<Index>(iterations);
 }
 
 // Hands the kernel on to where PETSc can be told of it; all else is the engine's.
