@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Makes the tables of docs/many_machines.md, "What it costs": what each stage of polydec-mpi info
+takes the busiest rank.
+
+    scripts/ranks_table.py BIN                   print the tables
+    scripts/ranks_table.py BIN --docs            and put them into the page
+    scripts/ranks_table.py BIN --ranks 1 2       other numbers of ranks
+
+BIN holds polydec and polydec-mpi. A mesh of Kuhn's tetrahedra or of triangles, in a temporary
+folder, takes some 40 MB; each run takes seconds, and as many cores as ranks if there are so many.
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "many_machines.md"
+MPIRUN = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
+BEGIN, END = "<!-- ranks_table.py: tables -->", "<!-- ranks_table.py: end -->"
+STAGES = ["read", "owners", "complex", "volumes", "merge", "cells"]
+MEGA = 1e-6
+
+
+def measure(binaries, mesh, ranks, runs):
+    """What polydec-mpi info tells of its ranks in the run that took least."""
+    words = MPIRUN + ["-n", str(ranks), str(binaries / "polydec-mpi"), "info", str(mesh), "--json",
+                      "--timing"]
+    told = [json.loads(subprocess.run(words, check=True, capture_output=True, text=True,
+                                      stdin=subprocess.DEVNULL).stdout)["ranks"]
+            for _ in range(runs)]
+    return min(told, key=lambda run: sum(run["stages"][stage]["cpu_seconds"] for stage in STAGES))
+
+
+def rows(columns, baseline):
+    """Of the table: a name, and what of each column."""
+    yield "held twice", [f"{100 * (run['cells_held'] / run['cells'] - 1):.1f} %" for run in columns]
+    for stage in STAGES:
+        yield f"{stage}: CPU, s; sent, MB", [
+            f"{of['cpu_seconds']:.2f}; {MEGA * of['bytes_sent']:.0f}"
+            for of in (run["stages"][stage] for run in columns)]
+    yield "together", [
+        "{:.2f}; {:.0f}".format(sum(run["stages"][stage]["cpu_seconds"] for stage in STAGES),
+                                sum(MEGA * run["stages"][stage]["bytes_sent"] for stage in STAGES))
+        for run in columns]
+    yield "memory, MB a rank", [f"{MEGA * run['peak_memory']:,.0f}" for run in columns]
+    yield "bytes a cell held", [
+        f"{(run['peak_memory'] - baseline) / (run['cells_held'] / run['count']):.0f}"
+        for run in columns]
+
+
+def table(head, columns, baseline):
+    lines = [[head] + [f"{run['count']} rank{'s' if run['count'] > 1 else ''}" for run in columns],
+             ["---"] * (len(columns) + 1)]
+    lines += [[name] + cells for name, cells in rows(columns, baseline)]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def put(page, text):
+    if BEGIN not in page or END not in page:
+        sys.exit(f"{PAGE} has no place for the tables: `{BEGIN}` and `{END}`, a line each")
+    return f"{page.split(BEGIN)[0]}{BEGIN}\n\n{text}\n\n{END}{page.split(END)[1]}"
+
+
+def maker(binaries, folder):
+    """A function of what to generate that gives the file, made where it is missing."""
+    def made(kind, *options):
+        out = folder / ("-".join((kind,) + options).replace("--", "") + ".pdm")
+        if not out.exists():
+            subprocess.run([str(binaries / "polydec"), "generate", kind, *options, "-o", str(out)],
+                           check=True, capture_output=True)
+        return out
+    return made
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("binaries", type=pathlib.Path)
+    parser.add_argument("--docs", action="store_true")
+    parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2, 4, 8])
+    parser.add_argument("--runs", type=int, default=3, help="of each, the best of which counts")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        runs = options.runs
+        made = maker(options.binaries, pathlib.Path(folder))
+        baseline = measure(options.binaries, made("kuhn", "--cells", "2"), 1, 1)["peak_memory"]
+        solid, sides = made("kuhn", "--cells", "55"), {1: 35, 2: 44, 4: 56, 8: 70}
+        plane = made("grid", "--nx", "707", "--ny", "707")
+        tables = [
+            table("998,250 tetrahedra", [measure(options.binaries, solid, r, runs)
+                                         for r in options.ranks], baseline),
+            table("some 257,000 tetrahedra a rank",
+                  [measure(options.binaries, made("kuhn", "--cells", str(sides[r])), r, runs)
+                   for r in options.ranks if r in sides], baseline),
+            table("999,698 triangles", [measure(options.binaries, plane, r, runs)
+                                        for r in options.ranks], baseline)]
+    text = "\n\n".join(tables)
+    print(text)
+    if options.docs:
+        PAGE.write_text(put(PAGE.read_text(encoding="utf-8"), text), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
