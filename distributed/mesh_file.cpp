@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "base/regular_file.h"
+#include "dec/merging/flat_simplices.h"
 #include "distributed/read_parts.h"
 #include "distributed/shared_folder.h"
 #include "io/meshes/pdm.h"
@@ -115,6 +116,19 @@ Bytes own_blocks(const Ranks& ranks, const PdmLayout& layout, const std::vector<
 
 } // namespace
 
+namespace {
+
+/// With cells without volume where these may become pieces of their neighbors.
+Mesh tidied(const std::filesystem::path& path) {
+    Mesh mesh = read_mesh(path);
+    const bool may_be_flat = can_take_flat_simplices(static_cast<int>(mesh.simplices.cols()) - 1,
+                                                     static_cast<Index>(mesh.points.cols()));
+    return tidy(std::move(mesh),
+                may_be_flat ? CellsWithoutVolume::keep : CellsWithoutVolume::leave_out);
+}
+
+} // namespace
+
 MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path) {
     const std::string format = lower_extension(path);
     if (format == ".pdm")
@@ -123,9 +137,8 @@ MeshSlice read_slice(const Ranks& ranks, const std::filesystem::path& path) {
     if (format == ".ply" || format == ".msh" || format == ".vtu")
         if (auto slice = read_parts(ranks, open_on_all(ranks, path), why))
             return *std::move(slice);
-    const auto mesh = ranks.together("read", [&] {
-        return ranks.rank() == 0 ? std::optional(tidy(read_mesh(path))) : std::nullopt;
-    });
+    const auto mesh = ranks.together(
+        "read", [&] { return ranks.rank() == 0 ? std::optional(tidied(path)) : std::nullopt; });
     MeshSlice slice = scatter(ranks, mesh);
     if (ranks.rank() == 0 && ranks.size() > 1 && !why.empty())
         slice.warnings.push_back(fmt::format("one rank has read the whole file: {}", why));
