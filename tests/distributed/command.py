@@ -7,6 +7,7 @@ line; exit code: 0 none, 1 some.
 
 import json
 import os
+import random
 import re
 import signal
 import subprocess
@@ -177,7 +178,9 @@ def hold_deaths(commands, folder):
     """Whenever a rank dies, all end, and what is written is whole or not there."""
     mesh, out = folder / "large.pdm", folder / "dead.pdm"
     commands.alone("generate", "kuhn", "--cells", "24", "24", "24", "-o", str(mesh))
-    for delay in [0.1, 0.3, 0.5]:
+    times = random.Random(1)
+    deaths = int(os.environ.get("POLYDEC_TEST_SEEDS", "3"))
+    for delay in [times.uniform(0.05, 1) for _ in range(deaths)]:
         for ending in [signal.SIGKILL, signal.SIGINT]:
             run = subprocess.Popen(commands.line(3, "convert", mesh, "-o", out),
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -198,6 +201,43 @@ def hold_deaths(commands, folder):
                 out.unlink()
 
 
+def with_little_memory(commands, kilobytes, words, timeout):
+    """Three ranks, of which the last may not have more memory."""
+    poor = ["sh", "-c", f'ulimit -v {kilobytes}; exec "$0" "$@"', commands.mpi, *words]
+    line = [*commands.mpiexec, "-n", "2", commands.mpi, *words, ":", "-n", "1", *poor]
+    return subprocess.run(line, capture_output=True, text=True, timeout=timeout,
+                          stdin=subprocess.DEVNULL)
+
+
+def least_memory(commands):
+    """Kilobytes with which MPI starts; with less it waits in vain, before polydec has a say."""
+    for kilobytes in range(230000, 2000000, 30000):
+        try:
+            if with_little_memory(commands, kilobytes, ["--help"], 5).returncode == 0:
+                return kilobytes
+        except subprocess.TimeoutExpired:
+            continue
+    return 2000000
+
+
+def hold_memory(commands, folder):
+    """Where one rank may not have more memory, all end, with an error or the right answer."""
+    mesh, out = folder / "large.pdm", folder / "poor.pdm"
+    least = least_memory(commands)
+    for kilobytes in range(least, least + 40000, 10000):
+        try:
+            done = with_little_memory(commands, kilobytes, ["convert", str(mesh), "-o", str(out)],
+                                      WATCHDOG)
+        except subprocess.TimeoutExpired:
+            expect(False, f"ranks hang with {kilobytes} kB on one of them")
+            continue
+        expect(done.returncode == 0 or done.stderr != "", f"no error with {kilobytes} kB")
+        expect(out.exists() == (done.returncode == 0), f"a file after an error: {done.stderr}")
+        if out.exists():
+            expect(out.read_bytes() == mesh.read_bytes(), f"half a file with {kilobytes} kB")
+            out.unlink()
+
+
 def main():
     commands = Commands(sys.argv[1:])
     with tempfile.TemporaryDirectory() as name:
@@ -214,6 +254,7 @@ def main():
         hold_files(commands, folder, folder / "cubes.nsc")
         hold_errors(commands, folder, str(folder / "grid.nsc"))
         hold_deaths(commands, folder)
+        hold_memory(commands, folder)
     print(f"{len(complaints)} complaint(s)")
     return 1 if complaints else 0
 
