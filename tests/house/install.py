@@ -50,7 +50,8 @@ def configure(options, consumer, prefix, binary, components, expect_success=True
                cwd=prefix.parent, expect_success=expect_success)
 
 
-ENGINES = {"cholmod": "cholmod", "mumps": "mumps", "petsc": "petsc.cg-gamg", "slepc": "slepc"}
+ENGINES = {"cholmod": "cholmod", "mumps": "mumps", "petsc": "petsc.cg-gamg", "slepc": "slepc",
+           "arkode": "arkode", "cvode": "cvode"}
 LINKED = {"": [], "cholmod": ["cholmod"], "petsc": ["petsc"], "slepc": ["slepc", "petsc"]}
 
 
