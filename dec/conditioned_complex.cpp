@@ -44,6 +44,14 @@ CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_
     return marks;
 }
 
+/// The facets without dual at which values are given.
+std::vector<bool> but_for_robin(std::vector<bool> facets, const BoundaryConditions& conditions) {
+    for (std::size_t f = 0; f < facets.size(); ++f)
+        if (conditions.at(static_cast<Index>(f)) == BoundaryCondition::robin)
+            facets[f] = false;
+    return facets;
+}
+
 /// without_dual() marks the boundary facets without dual.
 template <class Marks>
 ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Side side,
@@ -55,27 +63,42 @@ ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& sta
     const bool leaves_duals_out = side == Side::dual || densities;
     const auto left_out =
         essential_cells(complex, side == Side::dual ? exchanged(conditions) : conditions);
-    auto relative = leaves_duals_out
-                        ? relative_complex(complex, left_out,
-                                           on_the_boundary(complex, without_dual(), left_out))
-                        : relative_complex(complex, left_out);
+    auto relative =
+        leaves_duals_out
+            ? relative_complex(
+                  complex, left_out,
+                  on_the_boundary(complex, but_for_robin(without_dual(), conditions), left_out))
+            : relative_complex(complex, left_out);
     auto restricted = relative_stars(relative, stars);
     return {std::move(relative), std::move(restricted)};
 }
 
 } // namespace
 
-ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
-                                       Side side, int degree,
-                                       const BoundaryConditions& conditions) {
+ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const HodgeStars& stars,
+                                             Side side, int degree,
+                                             const BoundaryConditions& conditions) {
     return conditioned(complex, stars, side, degree, conditions,
                        [&] { return boundary_facets_without_dual(complex, stars); });
 }
 
-ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,
-                                       const BoundaryConditions& conditions) {
+ConditionedComplex conditioned_but_for_robin(const Discretization& mesh, Side side, int degree,
+                                             const BoundaryConditions& conditions) {
     return conditioned(mesh.complex(), mesh.stars(), side, degree, conditions,
                        [&] { return boundary_facets_without_dual(mesh); });
+}
+
+ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
+                                       Side side, int degree,
+                                       const BoundaryConditions& conditions) {
+    refuse_robin(complex, conditions, "this problem");
+    return conditioned_but_for_robin(complex, stars, side, degree, conditions);
+}
+
+ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,
+                                       const BoundaryConditions& conditions) {
+    refuse_robin(mesh.complex(), conditions, "this problem");
+    return conditioned_but_for_robin(mesh, side, degree, conditions);
 }
 
 } // namespace polydec

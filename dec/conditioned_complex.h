@@ -21,11 +21,19 @@ struct ConditionedComplex {
 /// cofaces: the duals of these cells lie on the boundary, where dual forms are 0.
 /// Primal n-forms are the stars of dual 0-forms, which do without the duals of boundary facets. Of
 /// any cells, boundary facets are without dual where their star is zero.
-/// Linear time. Throws InvalidInput if there are no forms of that degree, and if there are
-/// conditions but not one for each facet.
+/// Linear time. Throws InvalidInput if there are no forms of that degree, if there are conditions
+/// but not one for each facet, and for Robin's condition, of which stars know nothing.
 ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
                                        Side side, int degree, const BoundaryConditions& conditions);
 ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,
                                        const BoundaryConditions& conditions);
+
+/// The same without what Robin's condition adds to stars and operators: on its facets nothing is
+/// left out.
+ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const HodgeStars& stars,
+                                             Side side, int degree,
+                                             const BoundaryConditions& conditions);
+ConditionedComplex conditioned_but_for_robin(const Discretization& mesh, Side side, int degree,
+                                             const BoundaryConditions& conditions);
 
 } // namespace polydec

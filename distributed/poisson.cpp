@@ -36,7 +36,10 @@ struct OwnFacets {
         for (const Index piece : cells.first)
             coface_counts.push_back(counts[piece]);
         for (Index f = 0; f < essential.size(); ++f)
-            if (coface_counts[f] == 1)
+            if (coface_counts[f] == 1 && conditions.at(f) == BoundaryCondition::robin)
+                throw InvalidInput("a facet has Robin's condition, which the Poisson problem on "
+                                   "several machines cannot have: PoissonSolver can");
+            else if (coface_counts[f] == 1)
                 (conditions.at(f) == BoundaryCondition::essential ? essential : natural)[f] = 1;
     }
 

@@ -31,7 +31,9 @@ DarcySolver::DarcySolver(const CellComplex& complex, const CellVolumes& volumes,
     : poisson_(std::move(poisson)),
       complex_(complex),
       volumes_(volumes),
-      essential_(essential_cells(complex, conditions)[complex.dimension() - 1]) {}
+      essential_(essential_cells(complex, conditions)[complex.dimension() - 1]) {
+    refuse_robin(complex, conditions, "Darcy's problem");
+}
 
 DarcyFlow DarcySolver::solve(const Vector& source, const Vector& pressures,
                              const Vector& outflow) const {

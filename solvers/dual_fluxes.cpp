@@ -126,8 +126,21 @@ FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
     return duals;
 }
 
+namespace {
+
+void check_resistance(double resistance, const FacetDuals& duals, Index f) {
+    if (!(resistance > 0))
+        throw InvalidInput(fmt::format("the dual of {}, of length {}, and 1 over the coefficient "
+                                       "of Robin's condition there add up to {}: expected a "
+                                       "positive sum; take a smaller coefficient or primal forms",
+                                       duals.named(f), duals.resistances[f], resistance),
+                           duals.place(f));
+}
+
+} // namespace
+
 DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, const FacetDuals& duals,
-                       const CellMarks& essential) {
+                       const CellMarks& essential, const Vector& robin) {
     check_two_sided(complex, duals);
     check_fluxes_are_defined(complex, stars, duals);
     const int n = complex.dimension();
@@ -135,17 +148,28 @@ DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, cons
     const IncidenceMatrix cofaces = complex.boundary(n);
     const Vector& areas = stars.volumes().primal(n - 1);
 
-    DualFluxes result{Vector::Zero(facets), std::vector<bool>(cells, false),
-                      std::vector<bool>(cells, false), SparseMatrix(cells, facets),
+    DualFluxes result{Vector::Zero(facets),
+                      std::vector<bool>(cells, false),
+                      std::vector<bool>(cells, false),
+                      SparseMatrix(cells, facets),
+                      SparseMatrix(cells, facets),
                       SparseMatrix(cells, facets)};
-    std::vector<Eigen::Triplet<double, Index>> load, fix;
+    std::vector<Eigen::Triplet<double, Index>> load, fix, robin_load;
     for (Index f = 0; f < facets; ++f) {
         const bool interior = complex.coface_counts(n - 1)[f] == 2;
         const Row coface(cofaces, f);
         // what flows through the natural boundary is given; nothing flows from a cell to itself
-        if (!coface || (!interior && !essential[n - 1][f]))
+        if (!coface || (!interior && !essential[n - 1][f] && robin[f] == 0))
             continue;
         const auto cell = static_cast<Index>(coface.col());
+        if (robin[f] > 0) {
+            const double resistance = duals.resistances[f] + 1 / robin[f];
+            check_resistance(resistance, duals, f);
+            result.weights[f] = areas[f] / resistance;
+            robin_load.emplace_back(cell, f, result.weights[f] / robin[f]);
+            result.tied[cell] = true;
+            continue;
+        }
         if (duals.missing[f]) {
             fix.emplace_back(cell, f, 1.0);
             result.fixed[cell] = true;
@@ -159,6 +183,7 @@ DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, cons
     }
     result.load.setFromTriplets(load.begin(), load.end());
     result.fix.setFromTriplets(fix.begin(), fix.end());
+    result.robin_load.setFromTriplets(robin_load.begin(), robin_load.end());
     average_rows(result.fix);
     return result;
 }

@@ -31,6 +31,7 @@ struct DualFluxes {
     std::vector<bool> tied;  ///< cells beside a boundary facet through which something flows
     SparseMatrix load;       ///< boundary values to right-hand side, cells x facets
     SparseMatrix fix;        ///< boundary values to the values of fixed cells, cells x facets
+    SparseMatrix robin_load; ///< data of Robin's condition to right-hand side, cells x facets
 };
 
 /// Throws InvalidInput, naming a facet, if the cells are not coherently oriented or branch: dual
@@ -39,9 +40,10 @@ struct DualFluxes {
 void check_two_sided(const CellComplex& complex, const FacetDuals& duals);
 
 /// The fluxes of a dual 0-form: |f| over the resistance of f. Facets of the natural boundary
-/// conduct nothing. Throws InvalidInput like check_two_sided, and, naming a facet, if an interior
-/// resistance is zero.
+/// conduct nothing; those of Robin's have its coefficient, else 0, and conduct as their half duals
+/// in series with 1 over it, to the datum over it. Throws InvalidInput like check_two_sided, and,
+/// naming a facet, if an interior resistance is zero.
 DualFluxes dual_fluxes(const CellComplex& complex, const HodgeStars& stars, const FacetDuals& duals,
-                       const CellMarks& essential);
+                       const CellMarks& essential, const Vector& robin);
 
 } // namespace polydec

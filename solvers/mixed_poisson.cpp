@@ -49,6 +49,16 @@ SaddleSolver saddle_solver(const SparseMatrix& M, const SparseMatrix& divergence
     return {SparseMatrix(SparseMatrix(P.transpose()) * M * P), divergence * P, engine, n};
 }
 
+/// The star of fluxes with what resists them on facets of Robin's condition.
+SparseMatrix with_layers(const HodgeStars& stars, const Vector& robin) {
+    const int facets = stars.dimension() - 1;
+    SparseMatrix M = stars[facets].matrix();
+    for (Index f = 0; f < robin.size(); ++f)
+        if (robin[f] > 0)
+            M.coeffRef(f, f) += 1 / (robin[f] * stars.volumes().primal(facets)[f]);
+    return M;
+}
+
 /// Cells are connected through facets of unknown flux, and tied by those of known values.
 FreeComponents components(const CellComplex& complex, const HodgeStars& stars,
                           const std::vector<bool>& essential, const SparseMatrix& divergence,
@@ -80,9 +90,10 @@ void check_loads(const char* what, const DenseMatrix& loads, int degree) {
 }
 
 MixedPoisson::MixedPoisson(const CellComplex& complex, const HodgeStars& stars,
-                           const std::vector<bool>& essential, const std::string& engine)
+                           const std::vector<bool>& essential, const Vector& robin,
+                           const std::string& engine)
     : divergence_(derivative(complex, complex.dimension() - 1)),
-      M_(stars[complex.dimension() - 1].matrix()),
+      M_(with_layers(stars, robin)),
       outward_(outward_signs(complex)),
       essential_(essential),
       unknown_(facets_of_unknown_flux(complex, essential)),

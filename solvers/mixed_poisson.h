@@ -16,10 +16,13 @@ namespace polydec {
 /// 1977.
 class MixedPoisson {
 public:
-    /// On a complex of two sides. Essential facets are those of the boundary where p is given.
+    /// On a complex of two sides. Essential facets are those of the boundary where p is given, or
+    /// where robin, 0 elsewhere, is positive: there p and its derivative r - robin p are unknown,
+    /// and r / robin stands for p.
     /// Throws like SaddleSolver.
     MixedPoisson(const CellComplex& complex, const HodgeStars& stars,
-                 const std::vector<bool>& essential, const std::string& engine);
+                 const std::vector<bool>& essential, const Vector& robin,
+                 const std::string& engine);
 
     struct Flow {
         Vector values;

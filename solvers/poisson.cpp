@@ -182,6 +182,7 @@ struct PoissonSolver::Problem {
     Points sites = {}, flux_sites = {};
     std::string engine = {};
     std::unique_ptr<MixedPoisson> mixed = nullptr; // in place of the system and of loads
+    Vector robin = {};
 
     /// shares() are what vertices have of facets.
     template <class Shares>
@@ -195,12 +196,19 @@ struct PoissonSolver::Problem {
         SparseMatrix flux_load(size, natural.size());
         if (!natural.isZero(0))
             flux_load = shares() * natural.asDiagonal();
+        const Vector robin = robin_coefficients(complex, options.boundary);
+        const Vector of_vertices = flux_load * robin;
+        std::vector<bool> tied(size, false);
+        for (Index v = 0; v < size; ++v)
+            if (of_vertices[v] > 0) {
+                stiffness.matrix.coeffRef(v, v) += of_vertices[v];
+                tied[v] = true;
+            }
         SparseMatrix fix(size, size);
         fix.setIdentity();
         return {Side::primal,
-                ConstrainedSystem{std::move(stiffness.matrix), essential[0],
-                                  std::vector<bool>(size, false), shares_of_domain.cwiseAbs(),
-                                  stiffness.definiteness, n},
+                ConstrainedSystem{std::move(stiffness.matrix), essential[0], std::move(tied),
+                                  shares_of_domain.cwiseAbs(), stiffness.definiteness, n},
                 stars[0].matrix(),
                 {},
                 SparseMatrix(size, size),
@@ -218,8 +226,11 @@ struct PoissonSolver::Problem {
         const CellVolumes& volumes = stars.volumes();
         if (!stars[n - 1].is_diagonal())
             return mixed_dual(complex, stars, options, duals, essential[n - 1]);
-        auto fluxes = dual_fluxes(complex, stars, duals, essential);
-        const Vector areas = natural_facets(complex, essential).cwiseProduct(volumes.primal(n - 1));
+        const Vector robin = robin_coefficients(complex, options.boundary);
+        auto fluxes = dual_fluxes(complex, stars, duals, essential, robin);
+        const Vector areas =
+            (robin.array() > 0)
+                .select(0, natural_facets(complex, essential).cwiseProduct(volumes.primal(n - 1)));
         return {
             Side::dual,
             ConstrainedSystem{connections(gram_of_rows(complex.incidences(n - 1), fluxes.weights)),
@@ -229,7 +240,9 @@ struct PoissonSolver::Problem {
             fluxes.weights,
             std::move(fluxes.load),
             std::move(fluxes.fix),
-            complex.boundary(n).transpose().cast<double>().cwiseAbs() * areas.asDiagonal(),
+            SparseMatrix(complex.boundary(n).transpose().cast<double>().cwiseAbs() *
+                         areas.asDiagonal()) +
+                fluxes.robin_load,
             {},
             {},
             options.linear_solver};
@@ -243,13 +256,18 @@ struct PoissonSolver::Problem {
         check_two_sided(complex, duals);
         stars[n].require_diagonal();
         const CellVolumes& volumes = stars.volumes();
+        const Vector robin = robin_coefficients(complex, options.boundary);
+        std::vector<bool> open = essential;
+        for (Index f = 0; f < robin.size(); ++f)
+            open[f] = open[f] || robin[f] > 0;
         auto mixed =
-            std::make_unique<MixedPoisson>(complex, stars, essential, options.linear_solver);
+            std::make_unique<MixedPoisson>(complex, stars, open, robin, options.linear_solver);
         return {.side = Side::dual,
                 .system = ConstrainedSystem{.domain_dimension = n},
                 .mass = SparseMatrix(volumes.primal(n).asDiagonal()),
                 .flux_load = SparseMatrix(volumes.primal(n - 1).asDiagonal()),
-                .mixed = std::move(mixed)};
+                .mixed = std::move(mixed),
+                .robin = robin};
     }
 
     static Problem of(const Discretization& mesh, const PoissonOptions& options) {
@@ -305,6 +323,7 @@ PoissonSolver::PoissonSolver(Problem problem)
       boundary_fix_(std::move(problem.boundary_fix)),
       fixed_load_(load_of_fixed(problem.system)),
       flux_load_(std::move(problem.flux_load)),
+      robin_(std::move(problem.robin)),
       mixed_(std::move(problem.mixed)) {
     if (!mixed_)
         solver_ = std::make_unique<ConstrainedSolver>(std::move(problem.system), problem.engine);
@@ -347,8 +366,12 @@ Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
     check(f, boundary_values, normal_derivatives);
     if (mixed_) {
         const DenseMatrix sources = mass_ * f, outflow = -(flux_load_ * normal_derivatives);
+        DenseMatrix values = boundary_values;     // which data of Robin's condition over its
+        for (Index i = 0; i < robin_.size(); ++i) // coefficient stand for
+            if (robin_[i] > 0)
+                values.row(i) = normal_derivatives.row(i) / robin_[i];
         return by_columns(f, [&](Index j) {
-            auto flow = mixed_->solve(sources.col(j), boundary_values.col(j), outflow.col(j));
+            auto flow = mixed_->solve(sources.col(j), values.col(j), outflow.col(j));
             return Solution<Vector>{std::move(flow.values), std::move(flow.report),
                                     flow.compatibility};
         });

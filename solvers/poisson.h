@@ -10,8 +10,9 @@ namespace polydec {
 
 struct PoissonOptions {
     Side side = Side::primal;
-    /// Essential: u is given (Dirichlet); natural: its normal derivative is (Neumann). The same on
-    /// both sides; without more, u is given everywhere.
+    /// Essential: u is given (Dirichlet); natural: kappa du/dnu is (Neumann); Robin: kappa du/dnu
+    /// plus the coefficient times u is. The same on both sides; without more, u is given
+    /// everywhere.
     BoundaryConditions boundary = {};
     std::string linear_solver = "auto";
     Vector conductivity = {}; ///< kappa > 0 of each merged n-cell; empty: 1 everywhere
@@ -25,7 +26,9 @@ class MixedPoisson;
 /// Primal, essential: values at the vertices of these facets are fixed. Dual, essential: a boundary
 /// facet's dual reaches from the cell's circumcenter to the facet's, where the boundary value is;
 /// where it has no length the cell's value is the boundary value. Natural: what flows through the
-/// facet enters the right-hand side. Components without an essential facet have the solution of
+/// facet enters the right-hand side. Robin: what flows through is the datum less the coefficient
+/// times u; of dual forms the half dual and 1 over the coefficient resist in series. Components
+/// without an essential facet have the solution of
 /// mean 0, and the mean of the data is removed there. No star is inverted that need not be.
 ///
 /// Primal, an edge connects its ends by the parts of its dual in the n-simplices around it, each
@@ -68,7 +71,8 @@ public:
     Points flux_sites() && { return std::move(flux_sites_); }
 
     /// f at sites(), u on the essential part of the boundary at boundary_sites(), its derivative
-    /// along the outward normal, times kappa, on the natural part at flux_sites(), by default 0;
+    /// along the outward normal, times kappa, on the natural part at flux_sites(), by default 0, on
+    /// Robin's part with the coefficient times u added to it;
     /// all finite. u at sites(). Throws InvalidInput, naming the cell, where the right-hand side of
     /// the system that these make is no number.
     Solution<Vector> solve(const Vector& f, const Vector& boundary_values) const;
@@ -100,6 +104,7 @@ private:
     SparseMatrix boundary_fix_;  // boundary values to fixed unknowns
     SparseMatrix fixed_load_;    // fixed unknowns to right-hand side, for those that are not
     SparseMatrix flux_load_;     // normal derivatives to right-hand side
+    Vector robin_;               // coefficients at facets, 0 where there is none
     std::unique_ptr<ConstrainedSolver> solver_; // or,
     std::unique_ptr<MixedPoisson> mixed_;       // where fluxes are unknowns too
 };

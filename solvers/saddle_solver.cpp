@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace polydec {
 
@@ -36,15 +37,45 @@ Vector scales_of(const SparseMatrix& M, const SparseMatrix& D) {
     return result;
 }
 
-/// M above, D below, D^T beside, scaled; `diagonal` below M.
-SparseMatrix saddle(const SparseMatrix& M, const SparseMatrix& D, const Vector& scales,
-                    double diagonal) {
-    SparseMatrix lower(D.rows(), D.rows());
-    if (diagonal != 0) {
-        lower.setIdentity();
-        lower.coeffs() = diagonal / scales.tail(D.rows()).array().square();
-    }
-    SparseMatrix result = block_matrix(M, D, lower);
+/// The same of semidefinite M and C: what both equations make of a single x, and of a single c.
+/// Rows of nothing have the scale 1.
+Vector scales_of(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C) {
+    check_as_many("columns of constraints", D.cols(), M.rows());
+    check_as_many("rows of constraints", D.rows(), C.rows());
+    Vector x = M.diagonal(), c = C.diagonal();
+    const auto entries = [&](auto add) {
+        for (Index row = 0; row < D.rows(); ++row)
+            for (SparseMatrix::InnerIterator entry(D, row); entry; ++entry)
+                add(row, entry.col(), std::pow(entry.value(), 2));
+    };
+    const Vector of_C = c;
+    entries([&](Index row, Eigen::Index column, double square) {
+        if (of_C[row] > 0)
+            x[column] += square / of_C[row];
+    });
+    entries([&](Index row, Eigen::Index column, double square) {
+        if (!(of_C[row] > 0) && x[column] > 0)
+            c[row] += square / x[column];
+    });
+    Vector result(x.size() + c.size());
+    result << x, c;
+    return result.unaryExpr([](double sum) { return sum == 0 ? 1 : 1 / std::sqrt(sum); });
+}
+
+/// M above, D beside and below, -C; scaled, with these diagonals of M and below it.
+SparseMatrix saddle(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
+                    const Vector& scales, double of_M, double of_C) {
+    const auto with_diagonal = [](const SparseMatrix& A, double factor, double number,
+                                  const auto& part) -> SparseMatrix {
+        if (number == 0)
+            return factor * A;
+        SparseMatrix diagonal(A.rows(), A.rows());
+        diagonal.setIdentity();
+        diagonal.coeffs() = number / part.array().square();
+        return factor * A + diagonal;
+    };
+    SparseMatrix result = block_matrix(with_diagonal(M, 1, of_M, scales.head(M.rows())), D,
+                                       with_diagonal(C, -1, of_C, scales.tail(D.rows())));
     for (Index i = 0; i < result.rows(); ++i)
         for (SparseMatrix::InnerIterator entry(result, i); entry; ++entry)
             entry.valueRef() *= scales[i] * scales[entry.col()];
@@ -55,17 +86,28 @@ SparseMatrix saddle(const SparseMatrix& M, const SparseMatrix& D, const Vector& 
 
 SaddleSolver::SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const std::string& engine,
                            int domain_dimension)
-    : scales_(scales_of(M, D)),
-      A_(saddle(M, D, scales_, 0)),
+    : SaddleSolver(scales_of(M, D), M, D, SparseMatrix(D.rows(), D.rows()), 0, engine,
+                   domain_dimension) {}
+
+SaddleSolver::SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
+                           const std::string& engine, int domain_dimension)
+    : SaddleSolver(scales_of(M, D, C), M, D, C, below, engine, domain_dimension) {}
+
+SaddleSolver::SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMatrix& D,
+                           const SparseMatrix& C, double above, const std::string& engine,
+                           int domain_dimension)
+    : scales_(std::move(scales)),
+      A_(saddle(M, D, C, scales_, 0, 0)),
       size_(static_cast<Index>(M.rows())),
       domain_dimension_(domain_dimension),
       solver_(make_linear_solver(engine)) {
     if (!scales_.allFinite())
         throw InvalidInput("a matrix is given as inner products whose diagonal is not positive: "
                            "expected a positive definite one");
-    solver_->factorize(saddle(M, D, scales_, -below), {.symmetry = Symmetry::symmetric,
-                                                       .domain_dimension = domain_dimension,
-                                                       .many_solves = true});
+    solver_->factorize(saddle(M, D, C, scales_, above, -below),
+                       {.symmetry = Symmetry::symmetric,
+                        .domain_dimension = domain_dimension,
+                        .many_solves = true});
     // on what D takes to 0, M decides on the signs
     if (const auto negative = solver_->negative_pivots(); negative && *negative != D.rows())
         throw InvalidInput(fmt::format("a matrix is given as inner products that has {} negative "

@@ -17,14 +17,20 @@ namespace polydec {
 /// in it. With a small negative diagonal below M it meets none in any order (it is quasi-definite),
 /// and a few steps of refinement, the method of multipliers, lead back to the equations as they
 /// are.
-/// Source: Vanderbei 1995 (quasi-definite); Friedlander, Orban 2012 (refinement).
-/// An object is used by one thread at a time.
+///
+/// With a C, symmetric and semidefinite, the second equation is D x - C c = g, and M need be no
+/// more than semidefinite: then it gets a small diagonal as well. Parts of x and c that all three
+/// take to 0 are whatever rounding makes of them, and data must not have them. Source: Vanderbei
+/// 1995 (quasi-definite); Friedlander, Orban 2012 (refinement). An object is used by one thread at
+/// a time.
 class SaddleSolver {
 public:
     /// Throws InvalidInput if M is seen to have negative eigenvalues; what the engine throws where
     /// it fails.
     SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const std::string& engine,
                  int domain_dimension);
+    SaddleSolver(const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
+                 const std::string& engine, int domain_dimension);
 
     struct Values {
         Vector x, c;
@@ -37,8 +43,11 @@ public:
     int domain_dimension() const { return domain_dimension_; }
 
 private:
+    SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& C,
+                 double above, const std::string& engine, int domain_dimension);
+
     Vector scales_;  // by which rows and columns are multiplied, so that diagonals are 1
-    SparseMatrix A_; // so scaled, without the diagonal below M
+    SparseMatrix A_; // so scaled, without the small diagonals
     Index size_;     // of x
     int domain_dimension_;
     std::unique_ptr<LinearSolver> solver_;

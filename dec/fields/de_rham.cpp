@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/de_rham.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/flat_pieces.h"
@@ -64,19 +65,26 @@ private:
     double factorial_;
 };
 
-/// Integrals over the duals of the k-simplices, gathered going down from each n-simplex.
+/// Integrals over the duals of the k-simplices, gathered going down from each n-simplex, or over
+/// their part within the boundary from each facet of it.
 class DualIntegrals {
 public:
     /// centers_of(i) are the centers of the i-simplices in space.
     template <class CentersOf>
     DualIntegrals(const Pieces& complex, Eigen::Index N, int k, const Integral& integral,
                   CentersOf centers_of)
+        : DualIntegrals(complex, N, k, integral, centers_of, complex.dimension()) {}
+
+    /// Of duals that end at cells of dimension `top`.
+    template <class CentersOf>
+    DualIntegrals(const Pieces& complex, Eigen::Index N, int k, const Integral& integral,
+                  CentersOf centers_of, int top)
         : complex_(complex),
           integral_(integral),
           k_(k),
-          corners_(complex.dimension() - k + 1, N),
+          corners_(top - k + 1, N),
           result_(Vector::Zero(complex.size(k))) {
-        for (int i = 0; i <= complex.dimension(); ++i)
+        for (int i = 0; i <= top; ++i)
             centers_.push_back(i < k ? Points() : centers_of(i));
     }
 
@@ -84,6 +92,18 @@ public:
         const int n = complex_.dimension();
         for (Index t = 0; t < complex_.size(n); ++t)
             descend(n, t, 1);
+        return std::move(result_);
+    }
+
+    /// Facets have the orientation of the boundary.
+    Vector on_the_boundary(const CofaceCounts& cofaces) {
+        const int n = complex_.dimension();
+        for (Index t = 0; t < complex_.size(n); ++t)
+            for (int omitted = 0; omitted <= n; ++omitted) {
+                const Index f = complex_.face(n, t, omitted);
+                if (cofaces[f] == 1)
+                    descend(n - 1, f, complex_.sign(n, t, omitted));
+            }
         return std::move(result_);
     }
 
@@ -186,6 +206,31 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
     };
     return on_cells(
         mesh, {Side::dual, j, DualIntegrals(mesh.pieces(), N, k, integral, centers_of).all()});
+}
+
+Vector boundary_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
+                        int quadrature_degree) {
+    const auto N = mesh.points().cols();
+    const int n = mesh.dimension();
+    require_points(N, "the de Rham map");
+    check_number("boundary data of dual forms of degree", j, 0, n - 1);
+    const Integral integral(form, static_cast<Index>(N), j, quadrature_degree);
+    const Places places(mesh.passage(), mesh.points());
+    const Centers of_facets =
+        j == 0 && !mesh.stars()[n - 1].is_diagonal() ? Centers::centroids() : mesh.centers();
+    const auto centers_of = [&](int i) {
+        return places.at(i, center_coordinates(mesh.pieces(), mesh.metric(), of_facets, i),
+                         mesh.points());
+    };
+    DualIntegrals duals(mesh.pieces(), N, n - 1 - j, integral, centers_of, n - 1);
+    const Vector of_pieces = duals.on_the_boundary(mesh.pieces().coface_counts(n - 1));
+    const Vector result = on_cells(mesh, {Side::dual, j + 1, of_pieces}).values;
+    if (j > 0)
+        return result;
+    // the dual of a facet within the boundary is a point, which has no orientation
+    const Vector outward =
+        mesh.complex().boundary(n).cast<double>() * Vector::Ones(mesh.complex().size(n));
+    return result.cwiseProduct(outward);
 }
 
 } // namespace polydec

@@ -53,4 +53,13 @@ Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const Sm
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree = 5);
 
+/// Integrals of a smooth j-form over the duals within the boundary of the cells on it, of degree
+/// n-j-1: what boundary data of dual forms are made of (see dual_boundary_derivative, also for
+/// their orientation). One value for each (n-j-1)-cell, 0 off the boundary; for j = 0 the values at
+/// facet_sites, where they are on bent cells the mean over pieces. With the dual_derivative of a
+/// smooth form it is exact: Stokes' theorem holds to the accuracy of the quadrature.
+/// Throws like de_rham, and for another degree than 0..n-1.
+Vector boundary_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
+                        int quadrature_degree = 5);
+
 } // namespace polydec

@@ -5,8 +5,10 @@
 #include "base/errors.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace polydec {
 
@@ -24,6 +26,11 @@ void check_number(const CellComplex& complex, const BoundaryConditions& conditio
 /// Of a form of this degree; where is "the boundary" or how many of its facets.
 std::string in_words(BoundaryCondition condition, int degree, int n, const BoundaryData& data,
                      const std::string& where) {
+    if (condition == BoundaryCondition::robin)
+        return fmt::format("{} times a coefficient plus flow {} on {} ({})",
+                           degree > 0 && degree < n ? "tangential part" : "values",
+                           data.flow ? "given" : "0", where,
+                           degree > 0 && degree < n ? "impedance" : "Robin");
     const bool essential = condition == BoundaryCondition::essential;
     if (degree > 0 && degree < n)
         return fmt::format("{} part {} on {}", essential ? "tangential" : "normal",
@@ -43,7 +50,8 @@ BoundaryConditions built_in_conditions(Side side) {
 BoundaryConditions exchanged(BoundaryConditions conditions) {
     const auto other = [](BoundaryCondition condition) {
         return condition == BoundaryCondition::essential ? BoundaryCondition::natural
-                                                         : BoundaryCondition::essential;
+               : condition == BoundaryCondition::natural ? BoundaryCondition::essential
+                                                         : condition;
     };
     conditions.everywhere = other(conditions.everywhere);
     std::transform(conditions.facets.begin(), conditions.facets.end(), conditions.facets.begin(),
@@ -51,21 +59,58 @@ BoundaryConditions exchanged(BoundaryConditions conditions) {
     return conditions;
 }
 
+Vector robin_coefficients(const CellComplex& complex, const BoundaryConditions& conditions) {
+    check_number(complex, conditions);
+    const int n = complex.dimension();
+    const Vector& given = conditions.coefficients;
+    Vector result = Vector::Zero(complex.size(n - 1));
+    for (Index f = 0; f < result.size(); ++f) {
+        if (complex.coface_counts(n - 1)[f] != 1 || conditions.at(f) != BoundaryCondition::robin)
+            continue;
+        if (given.size() != 1 && given.size() != result.size())
+            throw InvalidInput(fmt::format("{} coefficients of Robin's condition are given: "
+                                           "expected one for all facets, or one for each of the "
+                                           "{} {}-cells",
+                                           given.size(), result.size(), n - 1));
+        result[f] = given.size() == 1 ? given[0] : given[f];
+        if (!(result[f] > 0) || !std::isfinite(result[f]))
+            throw InvalidInput(fmt::format("the coefficient of Robin's condition at {}-cell {} is "
+                                           "{}: expected a positive number; 0 is the natural "
+                                           "condition",
+                                           n - 1, f, result[f]),
+                               {.degree = n - 1, .cells = {f}});
+    }
+    return result;
+}
+
+void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditions,
+                  const char* what) {
+    check_number(complex, conditions);
+    const int n = complex.dimension();
+    for (Index f = 0; f < complex.size(n - 1); ++f)
+        if (complex.coface_counts(n - 1)[f] == 1 && conditions.at(f) == BoundaryCondition::robin)
+            throw InvalidInput(fmt::format("facet {} has Robin's condition, which {} cannot have: "
+                                           "PoissonSolver and HodgeLaplaceSolver can",
+                                           f, what),
+                               {.degree = n - 1, .cells = {f}});
+}
+
 std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
                      const BoundaryData& data) {
     check_number(complex, conditions);
     const int n = complex.dimension();
-    std::int64_t facets = 0, essential = 0;
+    std::int64_t facets = 0, essential = 0, robin = 0;
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (complex.coface_counts(n - 1)[f] == 1) {
             ++facets;
             essential += conditions.at(f) == BoundaryCondition::essential ? 1 : 0;
+            robin += conditions.at(f) == BoundaryCondition::robin ? 1 : 0;
         }
-    return in_words(facets, essential, degree, n, data);
+    return in_words(facets, essential, degree, n, data, robin);
 }
 
 std::string in_words(std::int64_t facets, std::int64_t essential, int degree, int n,
-                     const BoundaryData& data) {
+                     const BoundaryData& data, std::int64_t robin) {
     if (facets == 0)
         return "no boundary";
     const auto words = [&](BoundaryCondition condition, std::int64_t count) {
@@ -73,12 +118,15 @@ std::string in_words(std::int64_t facets, std::int64_t essential, int degree, in
                         count == facets ? "the boundary"
                                         : fmt::format("{} of {} boundary facets", count, facets));
     };
-    if (essential == facets)
-        return words(BoundaryCondition::essential, facets);
-    if (essential == 0)
-        return words(BoundaryCondition::natural, facets);
-    return words(BoundaryCondition::essential, essential) + ", " +
-           words(BoundaryCondition::natural, facets - essential);
+    std::string result;
+    const auto add = [&](BoundaryCondition condition, std::int64_t count) {
+        if (count > 0)
+            result += (result.empty() ? "" : ", ") + words(condition, count);
+    };
+    add(BoundaryCondition::essential, essential);
+    add(BoundaryCondition::natural, facets - essential - robin);
+    add(BoundaryCondition::robin, robin);
+    return result;
 }
 
 BoundaryConditions essential_where(const Points& sites,
@@ -88,6 +136,37 @@ BoundaryConditions essential_where(const Points& sites,
         conditions.facets.push_back(predicate(sites.row(f).transpose())
                                         ? BoundaryCondition::essential
                                         : BoundaryCondition::natural);
+    return conditions;
+}
+
+BoundaryConditions essential_on(const std::vector<Index>& facet_tags,
+                                const std::vector<Index>& tags) {
+    BoundaryConditions conditions{BoundaryCondition::natural};
+    for (const Index tag : tags)
+        if (std::find(facet_tags.begin(), facet_tags.end(), tag) == facet_tags.end()) {
+            std::vector<Index> all = facet_tags;
+            std::sort(all.begin(), all.end());
+            all.erase(std::unique(all.begin(), all.end()), all.end());
+            throw InvalidInput(
+                fmt::format("no facet has the tag {}: {}", tag,
+                            all.empty() ? "the mesh has no facets with tags"
+                                        : fmt::format("the tags are {}", fmt::join(all, ", "))));
+        }
+    for (const Index tag : facet_tags)
+        conditions.facets.push_back(std::find(tags.begin(), tags.end(), tag) != tags.end()
+                                        ? BoundaryCondition::essential
+                                        : BoundaryCondition::natural);
+    return conditions;
+}
+
+BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient) {
+    const auto replace = [](BoundaryCondition& condition) {
+        if (condition == BoundaryCondition::natural)
+            condition = BoundaryCondition::robin;
+    };
+    replace(conditions.everywhere);
+    std::for_each(conditions.facets.begin(), conditions.facets.end(), replace);
+    conditions.coefficients = Vector::Constant(1, coefficient);
     return conditions;
 }
 

@@ -15,6 +15,7 @@ namespace polydec {
 enum class BoundaryCondition {
     essential, ///< the values of the form (its trace) are given: Dirichlet for 0-forms
     natural,   ///< what flows through is given, by default nothing: Neumann for 0-forms
+    robin,     ///< the trace times a coefficient and what flows through together: impedance
 };
 
 /// The conditions on the boundary: one everywhere, or one for each facet.
@@ -22,6 +23,8 @@ struct BoundaryConditions {
     BoundaryCondition everywhere = BoundaryCondition::essential;
     /// Empty, or one for each (n-1)-cell; those with other than one coface do not matter.
     std::vector<BoundaryCondition> facets = {};
+    /// Of Robin's condition: one for all facets, or one for each; positive, units 1 / length.
+    Vector coefficients = {};
 
     BoundaryCondition at(Index facet) const { return facets.empty() ? everywhere : facets[facet]; }
 };
@@ -31,8 +34,18 @@ struct BoundaryConditions {
 /// boundary. So primal 0-forms have Neumann's condition by themselves, dual ones Dirichlet's.
 BoundaryConditions built_in_conditions(Side side);
 
-/// The conditions with essential and natural exchanged: those of the star of a form, which takes
-/// values at the boundary to what flows through it.
+/// The coefficients of Robin's condition on the facets of the boundary that have it, 0 elsewhere:
+/// size(n-1). Throws InvalidInput, naming the facet, where none is given or one that is not
+/// positive and finite, and if there are conditions but not one for each facet.
+Vector robin_coefficients(const CellComplex& complex, const BoundaryConditions& conditions);
+
+/// Throws InvalidInput, naming what cannot have it, if a facet of the boundary has Robin's
+/// condition.
+void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditions,
+                  const char* what);
+
+/// The conditions with essential and natural exchanged, and others as they are: those of the star
+/// of a form, which takes values at the boundary to what flows through it.
 BoundaryConditions exchanged(BoundaryConditions conditions);
 
 /// Whether what is known on the boundary can be other than 0.
@@ -44,20 +57,29 @@ struct BoundaryData {
 /// What conditions mean for forms of this degree, in words: for 0-forms "values 0 on the boundary
 /// (Dirichlet)" or "no flow through the boundary (Neumann)", for n-forms the same of their density,
 /// in between "tangential part 0 on the boundary" or "normal part 0 on the boundary"; of mixed ones
-/// both with the numbers of facets; "no boundary" where there is none.
-/// Throws InvalidInput if there are conditions but not one for each facet.
+/// all with the numbers of facets; Robin's with "flow given" or "0"; "no boundary" where there is
+/// none. Throws InvalidInput if there are conditions but not one for each facet.
 std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
                      const BoundaryData& data = {});
 
-/// The same of so many facets of a boundary, of which so many are essential, of forms on cells of
-/// dimension n.
+/// The same of so many facets of a boundary, of which so many are essential and so many Robin's, of
+/// forms on cells of dimension n.
 std::string in_words(std::int64_t facets, std::int64_t essential, int degree, int n,
-                     const BoundaryData& data = {});
+                     const BoundaryData& data = {}, std::int64_t robin = 0);
 
 /// Mixed conditions: essential where the predicate holds of a facet's site, natural elsewhere.
 /// sites has a row of coordinates for each (n-1)-cell, e.g. their circumcenters (cell_centers).
 BoundaryConditions essential_where(const Points& sites,
                                    const std::function<bool(const Vector& site)>& predicate);
+
+/// Mixed conditions by the tags of facets (physical groups of the file): essential where a facet of
+/// the boundary has one of these, natural elsewhere. facet_tags are those of a Discretization.
+/// Throws InvalidInput, naming the tag, for one that no facet has.
+BoundaryConditions essential_on(const std::vector<Index>& facet_tags,
+                                const std::vector<Index>& tags);
+
+/// Conditions with Robin's in place of the natural one.
+BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient);
 
 /// The cells on which an essential condition fixes primal forms: essential boundary facets and all
 /// their faces, in every degree. Relative to these cells a complex carries the forms that vanish

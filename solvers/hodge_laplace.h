@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/conditioned_complex.h"
+#include "dec/forms/cochain.h"
+#include "solvers/constrained_system.h"
+
+#include <memory>
+#include <string>
+
+namespace polydec {
+
+class SaddleSolver;
+
+struct HodgeLaplaceOptions {
+    Side side = Side::primal;
+    int degree = 0;
+    BoundaryConditions boundary = {};
+    std::string linear_solver = "auto";
+};
+
+/// What is known of a form u of one degree on the boundary, integrated over the cells there; what
+/// is empty is 0. On essential facets the traces (tangential parts) of u and of its codifferential
+/// are given, on natural ones those of star u and of star du (the normal parts of u and du). Of
+/// 0-forms these are u and the normal derivative, of n-forms the density and its derivative. On
+/// Robin's facets star du plus the coefficient times the star, within the boundary, of the trace of
+/// u is given as derivative_flow, the impedance condition, for primal forms star u as well; values
+/// of dual forms are then over the duals within essential facets alone.
+///
+/// With k the degree of the cells that carry the forms (k, or n-k of dual ones) there is a value
+/// for every k-cell or for every (k-1)-cell; those at other cells do not matter. They are integrals
+/// over these cells, of which de_rham makes values, or over the duals within the boundary of these
+/// cells, which are as dual_boundary_derivative has them and as boundary_de_rham makes them.
+struct BoundaryForms {
+    Vector values = {};          ///< u: over k-cells; of dual forms over duals of (k-1)-cells
+    Vector codifferential = {};  ///< delta u: over (k-1)-cells; of dual forms over duals of k-cells
+    Vector flow = {};            ///< star u: over duals of (k-1)-cells; of dual forms over k-cells
+    Vector derivative_flow = {}; ///< star du: over duals of k-cells; of dual forms over (k-1)-cells
+};
+
+/// A solution and what is found beside it.
+struct FormSolution {
+    Cochain form;
+    Cochain beside;  ///< delta u of a primal form, du of a dual one, boundary data included
+    Cochain removed; ///< harmonic: the part of the data that no u can give, a form like f
+    SolveReport report;
+};
+
+/// Solves Delta u = (d delta + delta d) u = f for primal or dual forms of any degree, under
+/// essential, natural and Robin's conditions with data, with one factorization.
+///
+/// Harmonic forms obey Delta u = 0 and the conditions with data 0 (on a torus, say, two 1-forms).
+/// The harmonic part of f and of what the data add to it is removed and reported; u has the
+/// harmonic part asked for, by default none: it is orthogonal to the harmonic forms.
+///
+/// The form and its codifferential (of dual forms: its derivative) are found together, the mixed
+/// method, so no star is inverted: stars may be matrices, and then it is that of Whitney forms
+/// (finite element exterior calculus). For k = 0 there is nothing beside the form.
+/// Source: Arnold, Falk, Winther 2006, sec. 7 and 8.
+/// An object is used by one thread at a time.
+class HodgeLaplaceSolver {
+public:
+    /// Throws InvalidInput if there is no such degree; naming the cells, if the star of the forms
+    /// or of those beside them is not positive; if conditions do not fit the facets; like
+    /// boundary_star where there are Robin's; what the engine throws where it fails.
+    HodgeLaplaceSolver(const Discretization& mesh, const HodgeLaplaceOptions& options);
+    HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
+                       const HodgeLaplaceOptions& options);
+
+    HodgeLaplaceSolver(HodgeLaplaceSolver&&) noexcept;
+    ~HodgeLaplaceSolver();
+
+    /// f is a form of the same side and degree, by its integrals over cells as every form. harmonic
+    /// has a coefficient for each of harmonic_forms(), or none. Throws InvalidInput for forms of
+    /// another kind, for another number of values, and for what is not finite.
+    FormSolution solve(const Cochain& f, const BoundaryForms& data = {},
+                       const Vector& harmonic = {}) const;
+
+    /// Columns, orthonormal in the inner product of the side; 0 where conditions fix values.
+    DenseMatrix harmonic_forms() const;
+
+private:
+    struct System;
+    template <class BoundaryStar>
+    HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
+                       const ConditionedComplex& space, const HodgeLaplaceOptions& options,
+                       BoundaryStar boundary_star);
+
+    CellComplex complex_;
+    Side side_;
+    int degree_, k_;
+    std::unique_ptr<const System> system_;
+};
+
+/// The source j of d^T star du = star j under Coulomb's gauge, delta u = 0, by any solver of
+/// Delta u = j: what of j is no curl (exact) is removed, and so is what is harmonic. With
+/// star_(k+1) of a material (1 over the permeability, see material_star) this is magnetostatics, of
+/// the vector potential u and a current j: primal 1-forms in space, primal 1-forms or dual 0-forms
+/// in the plane.
+struct CurlCurlSolution {
+    Cochain potential;
+    Cochain removed; ///< from j: its exact and its harmonic part, 0 for a current without sources
+    SolveReport report;
+};
+
+/// Of primal forms, d delta of which is the exact part of j. Data are those of the conditions with
+/// delta u = 0. Throws like HodgeLaplaceSolver::solve, and InvalidInput for dual forms.
+CurlCurlSolution solve_curl_curl(const HodgeLaplaceSolver& solver, const CellComplex& complex,
+                                 const Cochain& j, const BoundaryForms& data = {});
+
+} // namespace polydec
