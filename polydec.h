@@ -124,6 +124,7 @@
 #include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/positive_mass.h"
 #include "solvers/spectra/spectrum.h"
+#include "solvers/stokes.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "solvers/surfaces/parallel_transport.h"
 #include "solvers/surfaces/tangent_frames.h"
