@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "meshes/length_mesh.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// A mesh of a box (or of any cell that tiles space) glued to itself along translations: a torus
+/// that no R^n holds, known by the lengths of its edges, which go straight across the seams. It is
+/// discretized like any other mesh (discretize(periodic.quotient)), and merges across the seams.
+struct PeriodicMesh {
+    Mesh box;                    ///< as it was given: where each cell of the quotient is once
+    LengthMesh quotient;         ///< the rows of its simplices are those of the box
+    std::vector<Index> vertices; ///< of each vertex of the box its number in the quotient
+    Points points;               ///< of each vertex of the quotient its first place in the box
+};
+
+/// Glues vertices that differ by a translation, such as {1, 0} and {0, 1} for the unit square.
+/// Throws InvalidInput, naming the translation or the cell, if a translation has another number of
+/// coordinates or takes no vertex to one, or if the quotient is not a simplicial complex: along
+/// every translation three cells are needed.
+PeriodicMesh periodic(Mesh box, const std::vector<Vector>& translations);
+
+} // namespace polydec

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/periodic.h"
+
+#include "complex/homology.h"
+#include "dec/fields/periodic_fields.h"
+#include "dec/operators.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "solvers/hodge_laplace.h"
+#include "solvers/poisson.h"
+#include "solvers/spectra/spectrum.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace polydec::test {
+namespace {
+
+using std::numbers::pi;
+
+std::vector<Vector> unit_translations(int n) {
+    std::vector<Vector> result;
+    for (int axis = 0; axis < n; ++axis)
+        result.push_back(Vector::Unit(n, axis));
+    return result;
+}
+
+PeriodicMesh periodic_box(int n, int cells) {
+    return periodic(kuhn(n, cells), unit_translations(n));
+}
+
+Index binomial(int n, int k) {
+    return k == 0 ? 1 : binomial(n, k - 1) * (n - k + 1) / k;
+}
+
+TEST(PeriodicBox, is_a_torus_of_equal_cells) {
+    for (int n = 1; n <= 3; ++n) {
+        const int cells = 4;
+        const auto mesh = discretize(periodic_box(n, cells).quotient);
+        const auto betti = betti_numbers(mesh.complex());
+        const auto boxes = static_cast<Index>(std::pow(cells, n));
+        for (int k = 0; k <= n; ++k) {
+            // merged cells are the boxes' faces, also those across the seams
+            EXPECT_EQ(mesh.complex().size(k), boxes * binomial(n, k));
+            EXPECT_EQ(betti[k], binomial(n, k));
+            const Vector star = mesh.stars()[k].diagonal();
+            EXPECT_NEAR(star.minCoeff(), std::pow(cells, 2 * k - n), 1e-12);
+            EXPECT_NEAR(star.maxCoeff(), std::pow(cells, 2 * k - n), 1e-12);
+        }
+        EXPECT_TRUE(mesh.warnings().empty());
+        const auto open = discretize(kuhn(n, cells));
+        EXPECT_GT(open.stars()[0].diagonal().maxCoeff(),
+                  open.stars()[0].diagonal().minCoeff() * 1.5);
+    }
+}
+
+/// Of boxes, k-forms have the eigenvalues of the lattice, C(n,k) times each: 4 sin^2 / h^2.
+TEST(PeriodicBox, has_the_eigenvalues_of_plane_waves) {
+    for (int n = 1; n <= 3; ++n) {
+        const int cells = n == 3 ? 6 : 12;
+        const auto mesh = discretize(periodic_box(n, cells).quotient);
+        const double first = 4 * std::pow(cells * std::sin(pi / cells), 2);
+        EXPECT_NEAR(first, 4 * pi * pi, 0.1 * 4 * pi * pi);
+        for (const Side side : {Side::primal, Side::dual})
+            for (int k = 0; k <= n; ++k) {
+                const Index zeros = binomial(n, k);
+                const auto found =
+                    spectrum(mesh, {.side = side, .degree = k, .count = zeros + 2 * n * zeros});
+                for (Index i = 0; i < found.eigenvalues.size(); ++i)
+                    EXPECT_NEAR(found.eigenvalues[i], i < zeros ? 0 : first, 1e-8 * first);
+            }
+    }
+}
+
+/// A k-form of plane waves, Delta u = 4 pi^2 |m|^2 u; `turn` breaks its periods.
+SmoothForm waves(int n, int k, double turn = 0) {
+    return [=](const Vector& x) {
+        Vector result(binomial(n, k));
+        for (Index i = 0; i < result.size(); ++i)
+            result[i] = std::sin(2 * pi * x.sum() + 0.4 * i + turn * x[0]);
+        return result;
+    };
+}
+
+double wave_error(const Mesh& box, int k, Side side, double turn = 0) {
+    const int n = box.dimension();
+    const auto glued = periodic(box, unit_translations(n));
+    const auto mesh = discretize(glued.quotient);
+    const HodgeLaplaceSolver solver(mesh, {.side = side, .degree = k});
+    Cochain u = de_rham(glued, mesh, side == Side::primal ? k : n - k,
+                        waves(n, side == Side::primal ? k : n - k, turn));
+    if (side == Side::dual)
+        u = star(mesh, u);
+    const auto solution = solver.solve(4 * pi * pi * n * u);
+    return norm(mesh, solution.form - u) / norm(mesh, u);
+}
+
+TEST(PeriodicBox, has_solutions_of_every_degree_with_order_2) {
+    for (int n = 1; n <= 3; ++n)
+        for (int k = 0; k <= n; ++k)
+            for (const Side side : {Side::primal, Side::dual}) {
+                const int m = n == 3 ? 3 : 8;
+                EXPECT_GE(std::log2(wave_error(kuhn(n, m), k, side) /
+                                    wave_error(kuhn(n, 2 * m), k, side)),
+                          1.7)
+                    << n << k << name(side);
+                EXPECT_GT(wave_error(kuhn(n, 2 * m), k, side, 1), 0.1);
+            }
+}
+
+TEST(PeriodicDeRham, commutes_with_d_across_the_seams) {
+    for (const Mesh& box : {kuhn(2, 3), bcc(3), kuhn(1, 5)}) {
+        const int n = box.dimension();
+        const auto glued = periodic(box, unit_translations(n));
+        const auto mesh = discretize(glued.quotient);
+        const auto f = function_form([](const Vector& x) { return std::sin(2 * pi * x.sum()); });
+        const auto df = circulation_form([](const Vector& x) -> Vector {
+            return Vector::Constant(x.size(), 2 * pi * std::cos(2 * pi * x.sum()));
+        });
+        const Vector exact = de_rham(glued, mesh, 1, df, 15).values;
+        EXPECT_LE(relative_difference(d(mesh, de_rham(glued, mesh, 0, f)).values, exact), 1e-6);
+        EXPECT_GT(
+            relative_difference(d(mesh, de_rham(glued, mesh, 0, function_form([](const Vector& x) {
+                                                    return std::sin(6 * x.sum());
+                                                })))
+                                    .values,
+                                exact),
+            1e-2);
+        // the volume is that of the box
+        const auto ones = function_form([](const Vector&) { return 1.0; });
+        EXPECT_NEAR(de_rham(glued, mesh, n, ones).values.cwiseAbs().sum(), 1, 1e-12);
+    }
+}
+
+TEST(PeriodicErrors, name_the_cell_or_the_translation) {
+    EXPECT_EQ(refusal([] { periodic(grid(2, 2), unit_translations(2)); }),
+              "cell 4 has the corners of another once the box is glued: expected a simplicial "
+              "complex; take three cells or more along every translation");
+    EXPECT_EQ(refusal([] {
+                  periodic(grid(1, 3), {Vector{{1, 0}}});
+              }),
+              "cell 0 has a vertex twice once the box is glued: expected a simplicial complex; "
+              "take three cells or more along every translation");
+    EXPECT_EQ(refusal([] {
+                  periodic(grid(3, 3), {Vector{{2, 0}}});
+              }),
+              "the translation (2, 0) takes no vertex to another: expected one of 2 coordinates "
+              "along which both ends of the box have the same vertices");
+}
+
+} // namespace
+} // namespace polydec::test
