@@ -13,15 +13,43 @@ CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
     return natural;
 }
 
+void add_essential_on(CLI::App& command, ConditionArguments& arguments) {
+    command
+        .add_option("--essential-on", arguments.essential_on,
+                    "the same at boundary facets with one of these tags (physical\n"
+                    "groups of the file); with --keep-groups merging joins none of them")
+        ->excludes("--natural")
+        ->excludes("--essential-where");
+}
+
+void add_robin(CLI::App& command, ConditionArguments& arguments) {
+    command
+        .add_option("--robin", arguments.robin,
+                    "ALPHA > 0: where no values are given, --flux is the outward derivative\n"
+                    "plus ALPHA u (Robin); nowhere are they without --essential-where or -on")
+        ->check(CLI::PositiveNumber);
+}
+
 ConditionValues::ConditionValues(const ConditionArguments& arguments)
-    : natural_(arguments.natural) {
+    : natural_(arguments.natural), essential_on_(arguments.essential_on), robin_(arguments.robin) {
     if (!arguments.essential_where.empty())
         essential_where_.emplace("--essential-where", arguments.essential_where);
 }
 
 std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh) const {
+    const auto conditions = without_robin(mesh);
+    if (robin_ == 0)
+        return conditions;
+    // coefficients are 1 over lengths of the file
+    return robin_elsewhere(conditions.value_or(BoundaryConditions{BoundaryCondition::natural}),
+                           robin_ * mesh.unit());
+}
+
+std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretization& mesh) const {
     if (natural_)
         return BoundaryConditions{BoundaryCondition::natural};
+    if (!essential_on_.empty())
+        return essential_on(mesh.facet_tags(), essential_on_);
     if (!essential_where_)
         return std::nullopt;
     const Points sites = mesh.unit() * facet_sites(mesh);

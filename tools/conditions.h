@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace polydec::tools {
 
@@ -16,11 +17,20 @@ namespace polydec::tools {
 struct ConditionArguments {
     bool natural = false;
     std::string essential_where;
+    std::vector<Index> essential_on;
+    double robin = 0; ///< coefficient of Robin's condition in place of the natural one; 0: none
 };
 
 /// The options --natural and --essential-where, which exclude each other. Returns --natural.
 CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
                             const std::string& natural_help, const std::string& essential_help);
+
+/// The option --essential-on, which excludes both of these: physical groups or other tags of the
+/// file.
+void add_essential_on(CLI::App& command, ConditionArguments& arguments);
+
+/// The option --robin.
+void add_robin(CLI::App& command, ConditionArguments& arguments);
 
 /// The conditions asked for, on any mesh. Made before any work, like SiteValues.
 class ConditionValues {
@@ -28,14 +38,19 @@ public:
     /// Throws like SiteValues.
     explicit ConditionValues(const ConditionArguments& arguments);
 
-    /// On the facets of this mesh; none if none were asked for. Throws like SiteValues::at.
+    /// On the facets of this mesh; none if none were asked for. Throws like SiteValues::at and
+    /// polydec::essential_on.
     std::optional<BoundaryConditions> on(const Discretization& mesh) const;
 
     /// The file that says where, if one does.
     std::optional<std::filesystem::path> file() const;
 
 private:
+    std::optional<BoundaryConditions> without_robin(const Discretization& mesh) const;
+
     bool natural_;
+    std::vector<Index> essential_on_;
+    double robin_;
     std::optional<SiteValues> essential_where_;
 };
 

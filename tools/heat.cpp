@@ -204,7 +204,7 @@ std::shared_ptr<Evolution> integrate(March& march, const Heat& heat) {
 
 void check_boundary(const HeatArguments& arguments) {
     if (!arguments.boundary.empty() && arguments.side == Side::primal &&
-        arguments.conditions.essential_where.empty())
+        arguments.conditions.essential_where.empty() && arguments.conditions.essential_on.empty())
         throw InvalidInput("--boundary-values of primal forms are values at essential facets: say "
                            "which by --essential-where");
     if (!arguments.boundary.empty() && arguments.conditions.natural)
@@ -312,6 +312,7 @@ void add_heat(CLI::App& app) {
     add_form(*command, "--boundary-values", arguments->boundary,
              "the values at essential facets, at the time t as well\n(default: 0)")
         ->required(false);
+    add_essential_on(*command, arguments->conditions);
     command->add_option("--engine", arguments->heat.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer(

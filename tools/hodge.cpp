@@ -151,6 +151,7 @@ void add_hodge(CLI::App& app) {
                    "the boundary",
                    "the tangential part of all of them is 0 at boundary facets where this\n"
                    "is not 0");
+    add_essential_on(*command, arguments->conditions);
     add_picture(*command, arguments->picture, "the form and its parts");
     command->add_option("--engine", arguments->engine, "linear solver")->capture_default_str();
     command->footer(

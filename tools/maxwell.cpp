@@ -197,6 +197,7 @@ void add_maxwell(CLI::App& app) {
                    "magnetic walls, planes of symmetry: the tangential magnetic field\nis 0",
                    "perfect conductors at boundary facets where this is not 0, magnetic\n"
                    "walls elsewhere; 1 by itself");
+    add_essential_on(*command, arguments->conditions);
     command->footer(
         "Light has the speed 1 where permittivity and permeability are 1. On merged cubes this is\n"
         "Yee's scheme.\n\nExamples:\n"

@@ -36,9 +36,12 @@ Solved describe(const Discretization& mesh, const PoissonArguments& arguments,
     const auto& [u, report, compatibility] = solution;
     Solved answer(mesh.chosen_stars());
     answer.side = arguments.poisson.side;
-    answer.boundary = arguments.conditions.natural                   ? "natural"
-                      : arguments.conditions.essential_where.empty() ? "dirichlet"
-                                                                     : "mixed";
+    const auto& [natural, essential_where, essential_on, robin] = arguments.conditions;
+    const bool everywhere = essential_where.empty() && essential_on.empty();
+    answer.boundary = !everywhere  ? "mixed"
+                      : robin != 0 ? "robin"
+                      : natural    ? "natural"
+                                   : "dirichlet";
     answer.unknowns = u.size();
     answer.min = u.minCoeff();
     answer.max = u.maxCoeff();
@@ -180,6 +183,8 @@ void add_poisson(CLI::App& app) {
                    "values given (Dirichlet) only at boundary facets where this is not 0,\n"
                    "--flux (Neumann) at the others")
         ->excludes(boundary);
+    add_essential_on(*command, arguments->conditions);
+    add_robin(*command, arguments->conditions);
     command->add_option("--flux", arguments->flux,
                         "outward derivative of u on the rest of the boundary (default 0:\n"
                         "no flow through it), times the conductivity where one is given");
@@ -203,6 +208,7 @@ void add_poisson(CLI::App& app) {
         "  polydec poisson grid.nsc --side primal --rhs 1 --essential-where 'x<.01' --flux=-y\n"
         "  polydec poisson plate.msh --side primal --rhs 1 --keep-groups "
         "--conductivity 'group==2 ? 10 : 1'\n"
+        "  polydec poisson plate.msh --side dual --rhs 1 --essential-on 3 --robin 2.5\n"
         "  polydec poisson sphere.off --side primal --rhs=-z --natural --json");
     command->callback([arguments] { run_poisson(*arguments); });
 }

@@ -187,6 +187,7 @@ void add_spectrum(CLI::App& app) {
                    "values 0 (Dirichlet) at boundary facets where this is not 0, of\n"
                    "forms of degree 1 .. n-1 the tangential part; no flow through\n"
                    "the others");
+    add_essential_on(*command, arguments->conditions);
     add_picture(*command, arguments->picture, "the modes");
     auto* checkpoint =
         command->add_option("--checkpoint", arguments->checkpoint,

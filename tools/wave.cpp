@@ -63,6 +63,7 @@ void add_wave(CLI::App& app) {
                    "back. What holds by itself for primal forms",
                    "values 0 (a clamped membrane; of 1-forms a perfect conductor) at\n"
                    "boundary facets where this is not 0; for dual forms 1 by itself");
+    add_essential_on(*command, arguments->conditions);
     command->footer(
         "Steps are of second order, and conserve the energy to rounding.\n\nExamples:\n"
         "  polydec wave bunny.off --initial 'exp(-100*((x-.1)^2+y^2+z^2))' --until 1 -o wave.html\n"
