@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Euler's equations on a sphere of hexagons and on a torus of quads with a flow around its hole:
-// vortices meet, while energy, circulation and the absence of divergence stay to rounding. The first
-// argument says for how many steps.
+// vortices meet, while energy, circulation and the absence of divergence stay to rounding. The
+// first argument says for how many steps.
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -10,8 +10,7 @@
 
 namespace {
 
-void march(const std::string& name, const polydec::Discretization& mesh, double around,
-           int steps) {
+void march(const std::string& name, const polydec::Discretization& mesh, double around, int steps) {
     const polydec::IncompressibleFlow flow(mesh);
     const auto bump = [](const auto& x, double y) {
         return std::exp(-15 * (std::pow(x[0] - 1, 2) + std::pow(x[1] - y, 2) + x[2] * x[2]));

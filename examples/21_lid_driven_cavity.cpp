@@ -4,6 +4,7 @@
 // velocities that Ghia, Ghia and Shin (J. Comput. Phys. 48, 1982, table I) found along the vertical
 // line through the middle. Arguments: shape, cells to a side, Reynolds number, time.
 #include <Eigen/Dense>
+
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -51,9 +52,10 @@ int main(int argc, char** argv) {
     const int cells = argc > 2 ? std::atoi(argv[2]) : 24;
     const int reynolds = argc > 3 ? std::atoi(argv[3]) : 100;
     const double time = argc > 4 ? std::atof(argv[4]) : 10;
-    const auto square = polydec::discretize(shape == "quads"       ? polydec::grid(cells, cells)
-                                            : shape == "triangles" ? polydec::well_centered(cells / 2)
-                                                                   : polydec::hexagons(cells));
+    const auto square =
+        polydec::discretize(shape == "quads"       ? polydec::grid(cells, cells)
+                            : shape == "triangles" ? polydec::well_centered(cells / 2)
+                                                   : polydec::hexagons(cells));
 
     const polydec::Points walls = polydec::facet_sites(square);
     polydec::FlowOptions options{.viscosity = 1.0 / reynolds,

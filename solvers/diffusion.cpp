@@ -49,9 +49,8 @@ void check_size(const Vector& values, Index size) {
 Diffusion::Diffusion(const Discretization& mesh, Side side, int degree,
                      const DiffusionOptions& options)
     : Diffusion(mesh.complex(), mesh.stars(),
-                options.conditions
-                    ? conditioned_complex(mesh, side, degree, *options.conditions)
-                    : conditioned(mesh.complex(), mesh.stars(), side, degree, options),
+                conditioned_complex(mesh, side, degree,
+                                    options.conditions.value_or(built_in_conditions(side))),
                 side, degree, options) {}
 
 Diffusion::Diffusion(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,

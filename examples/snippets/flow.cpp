@@ -33,14 +33,13 @@ void vortices() {
 void cavity() {
     const auto square = polydec::discretize(polydec::grid(24, 24));
     const polydec::Points walls = polydec::facet_sites(square);
-    polydec::FlowOptions options{.viscosity = 0.01,
-                                 .everywhere = polydec::FlowBoundary::no_slip};
+    polydec::FlowOptions options{.viscosity = 0.01, .everywhere = polydec::FlowBoundary::no_slip};
     options.wall_velocity = polydec::Points::Zero(walls.rows(), 2);
     for (polydec::Index f = 0; f < walls.rows(); ++f)
         options.wall_velocity(f, 0) = walls(f, 1) > 0.999 ? 1 : 0;
     const polydec::IncompressibleFlow flow(square, options);
-    const polydec::FlowSolver solver(
-        flow, {.time_step = 0.03, .scheme = polydec::FlowScheme::imex});
+    const polydec::FlowSolver solver(flow,
+                                     {.time_step = 0.03, .scheme = polydec::FlowScheme::imex});
     polydec::Vector w = flow.project(polydec::Vector::Zero(walls.rows()));
     for (int i = 0; i < 400; ++i)
         w = solver.step(w);

@@ -22,7 +22,8 @@ namespace {
 /// corners.
 SparseMatrix means_at_vertices(const Discretization& mesh) {
     const auto& complex = mesh.complex();
-    const SparseMatrix corners = derivative(complex, 1).cwiseAbs() * derivative(complex, 0).cwiseAbs();
+    const SparseMatrix corners =
+        derivative(complex, 1).cwiseAbs() * derivative(complex, 0).cwiseAbs();
     std::vector<Eigen::Triplet<double, Index>> shares;
     Vector sums = Vector::Zero(complex.size(0));
     for (Index cell = 0; cell < complex.size(2); ++cell) {
@@ -86,9 +87,7 @@ struct ShallowWater::Parts {
     }
 
     /// The mean depth at each edge: of the cells on both sides.
-    Vector depth_at_edges(const Vector& depth) const {
-        return sides * depth / 2;
-    }
+    Vector depth_at_edges(const Vector& depth) const { return sides * depth / 2; }
 
     Vector potential_vorticity(const State& state) const {
         const Vector circulation = curl * star.cwiseProduct(state.flux);
@@ -141,8 +140,7 @@ double ShallowWater::stable_step(const State& state) const {
     for (Index e = 0; e < depth.size(); ++e)
         if (!parts.wall[e])
             conductances[e] = parts.options.gravity * depth[e] / parts.star[e];
-    const Vector squares =
-        2 * (parts.sides.transpose() * conductances).cwiseQuotient(parts.areas);
+    const Vector squares = 2 * (parts.sides.transpose() * conductances).cwiseQuotient(parts.areas);
     return 1 / (std::sqrt(squares.maxCoeff()) / 2 + parts.advection.exchange_rate(state.flux));
 }
 

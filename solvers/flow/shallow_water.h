@@ -14,11 +14,11 @@ struct ShallowWaterOptions {
 };
 
 /// Shallow water on surfaces, cells of any polygon: dh/dt + div(h u) = 0 and du/dt + i_(h u) q =
-/// -d(|u|^2 / 2 + g (h + b)), q = (rotation + du) / h the potential vorticity. The depth h is a dual
-/// 0-form, u a dual 1-form along the duals of edges, so that w = star^-1 u is its flux. Walls are
-/// not crossed and have free slip. The term of the vorticity is that of Advection, which does no
-/// work, and kinetic energy and mass fluxes are derivatives of the energy: mass is kept to rounding,
-/// energy but for steps in time, whatever the mesh. Needs positive diagonal stars.
+/// -d(|u|^2 / 2 + g (h + b)), q = (rotation + du) / h the potential vorticity. The depth h is a
+/// dual 0-form, u a dual 1-form along the duals of edges, so that w = star^-1 u is its flux. Walls
+/// are not crossed and have free slip. The term of the vorticity is that of Advection, which does
+/// no work, and kinetic energy and mass fluxes are derivatives of the energy: mass is kept to
+/// rounding, energy but for steps in time, whatever the mesh. Needs positive diagonal stars.
 /// Source: Thuburn, Ringler, Skamarock, Klemp 2009 and Ringler et al. 2010 for the form; Arakawa,
 /// Lamb 1981 for the principle.
 class ShallowWater {

@@ -49,6 +49,67 @@ class InTime(TestCase):
         built_in = self.ask("heat", grid, "--side", "dual", "--initial", "1", "--until", 0.5)
         self.assertLess(built_in["relative_norm"], 1e-3)
 
+    def test_heat_takes_sources_and_boundary_values_in_time(self):
+        """u = (1 + t) (1 + x + 2 y) is a solution that linear functions hold exactly."""
+        grid = golden("grid4.nsc")
+        u = "(1+x+2*y)"
+        where = {"primal": ("--essential-where", "1"), "dual": ()}
+        for side, conditions in where.items():
+            answer = self.ask("heat", grid, "--side", side, "--initial", u, "--source", u,
+                              "--boundary-values", f"(1+t)*{u}", "--until", 1,
+                              "--tolerance-in-time", 1e-7, *conditions)
+            self.assertAlmostEqual(answer["relative_norm"], 2, delta=1e-6)
+            self.assertEqual(answer["integrator"], "runge-kutta")
+            without = self.ask("heat", grid, "--side", side, "--initial", u, "--source", u,
+                               "--until", 1, *(conditions or ("--essential-where", "1")))
+            self.assertLess(without["relative_norm"], 0.5)
+
+    def test_a_tolerance_in_time_is_kept(self):
+        sphere = self.make("icosphere", "--frequency", 8)
+        ends = [self.ask("heat", sphere, "--side", "primal", "--initial", "z", "--until", 1,
+                         "--source", "sin(9*t)*z", "--frames", 3, "--tolerance-in-time", tolerance)
+                for tolerance in (1e-2, 1e-5, 1e-8)]
+        errors = [abs(end["relative_norm"] - ends[2]["relative_norm"]) for end in ends]
+        self.assertLess(errors[0], 1e-2)
+        self.assertLess(errors[1], 1e-5)
+        self.assertGreater(ends[2]["integrator_steps"], ends[0]["integrator_steps"])
+        fixed = self.ask("heat", sphere, "--side", "primal", "--initial", "z", "--until", 1,
+                         "--source", "sin(9*t)*z", "--frames", 3, "--time-step", 0.05)
+        self.assertEqual(fixed["integrator_steps"], 21)
+
+    def test_what_a_source_goes_without_is_told(self):
+        grid = golden("grid4.nsc")
+        heat = ("heat", grid, "--side", "primal", "--initial", "1", "--until", 1)
+        self.assertIn("--source excludes --scheme",
+                      self.fail_with(1, *heat, "--source", "t", "--scheme", "crank-nicolson"))
+        self.assertIn("say which by --essential-where",
+                      self.fail_with(2, *heat, "--boundary-values", "t"))
+        self.assertIn("there is no integrator called `foo`",
+                      self.fail_with(2, *heat, "--integrator", "foo"))
+        self.assertIn("Unexpected token", self.fail_with(1, *heat, "--source", "q"))
+
+    def test_killed_runs_with_a_source_go_on_to_the_same_bits(self):
+        sphere = self.make("icosphere", "--frequency", 24)
+        line = ("heat", sphere, "--side", "primal", "--initial", "z", "--source", "sin(9*t)*z",
+                "--until", 2, "--frames", 40)
+        self.succeed(*line, "--checkpoint", "whole.checkpoint")
+        chance = random.Random(2)
+        kills, is_done = 0, False
+        while not is_done:
+            run = subprocess.Popen(
+                [command.COMMAND, *map(str, line), "--checkpoint", "part.checkpoint", "--resume"],
+                cwd=self.folder, stdout=subprocess.DEVNULL)
+            try:
+                run.wait(timeout=chance.uniform(0.1, 0.4) + 0.1 * kills)
+                is_done = True
+            except subprocess.TimeoutExpired:
+                run.kill()
+                run.wait()
+                kills += 1
+        with open(self.path("whole.checkpoint"), "rb") as one, \
+                open(self.path("part.checkpoint"), "rb") as other:
+            self.assertEqual(one.read(), other.read())
+
     def test_waves_swing_back_and_keep_their_energy(self):
         square = self.make("grid", "--nx", 32, "--ny", 32)
         period = math.sqrt(2)
