@@ -186,7 +186,7 @@ void take_proved(FoundPairs& pairs, const ScaledPencil& pencil, DenseMatrix vect
     pairs.take(vectors, pencil.enclose(vectors));
     std::vector<Index> good;
     for (Index i = 0; i < pairs.count(); ++i)
-        if (pairs.is_accurate(i, largest_radius_share) || pairs.is_fine(i))
+        if (pairs.is_accurate(i, largest_radius_share)) // copies of one are not
             good.push_back(i);
     pairs.keep(good);
 }
