@@ -8,6 +8,7 @@
 #include "tools/expression.h"
 #include "tools/form_values.h"
 #include "tools/march_waves.h"
+#include "tools/outputs.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>

@@ -4,6 +4,7 @@
 #include "tools/conditions.h"
 #include "tools/form_values.h"
 #include "tools/march_waves.h"
+#include "tools/outputs.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
