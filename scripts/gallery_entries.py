@@ -107,6 +107,13 @@ ENTRIES = (
            "polydec wave fine-torus.off --initial 'exp(-30*((x-1.5)^2+y^2+z^2))' --until 3 "
            "--frames 60 -o wave.html"), "wave.html", {"step": "18", "edges": False},
           (DOWN,) * 4),
+    Entry("flow", "Vortices on a sphere",
+          "Two vortices of one sense turn around each other on a sphere of hexagons and are wound up; "
+          "without viscosity the energy is kept to rounding.",
+          ("polydec generate goldberg --frequency 40 -o ball.off",
+           "polydec flow ball.off --vorticity 'exp(-25*(x-.95)^2-25*(y-.3)^2-25*z^2)"
+           "+exp(-25*(x-.95)^2-25*(y+.3)^2-25*z^2)' --until 30 --frames 30 -o flow.html"),
+          "flow.html", {"step": "20", "edges": False}, (RIGHT,) * 8),
     Entry("pulse", "A pulse of light among octahedra",
           "The electric field upwards, by leapfrog on octahedra and tetrahedra, a value for each "
           "cell; the page plays the steps. A cut takes the front half away.",

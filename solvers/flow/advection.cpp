@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace polydec {
 
@@ -55,23 +56,26 @@ std::vector<Pair> pairs_of(int n) {
     return pairs;
 }
 
-/// Whitney's (n-2)-forms of the faces of a simplex, at its centroid: a column each.
+/// Whitney's (n-2)-forms of the faces of a simplex, at the centroids of its facets: a column each.
 class Whitney {
 public:
     explicit Whitney(int n) : n_(n), faces_(subsets(n + 1, n - 1)), product_(n, n - 2) {}
 
     const std::vector<std::vector<int>>& faces() const { return faces_; }
 
-    DenseMatrix at_centroid(const DenseMatrix& gradients) const {
+    /// At that of the facet without a corner.
+    DenseMatrix at_facet(int omitted, const DenseMatrix& gradients) const {
         DenseMatrix forms = DenseMatrix::Zero(product_.size(), static_cast<Index>(faces_.size()));
         for (std::size_t f = 0; f < faces_.size(); ++f)
             for (int p = 0; p <= n_ - 2; ++p) {
                 auto others = faces_[f];
+                if (others[p] == omitted)
+                    continue;
                 others.erase(others.begin() + p);
                 const double sign = p % 2 == 0 ? 1 : -1;
                 forms.col(static_cast<Index>(f)) += sign * product_(gradients(others, Eigen::all));
             }
-        return std::tgamma(n_ - 1.0) / (n_ + 1) * forms;
+        return std::tgamma(n_ - 1.0) / n_ * forms;
     }
 
 private:
@@ -88,9 +92,12 @@ struct Advection::Parts {
     Vector volumes;            // of n-cells
     std::vector<Index> begins; // of the facets of each n-cell in what follows
     std::vector<SignedFace> facets;
-    Points arms; // from the centroid of the cell to that of the facet
+    Points arms;    // from the centroid of the cell to that of the facet
+    Points normals; // of the facet, outwards, divided by its area
+    Vector areas;   // of the facet
+    Vector cones;   // volumes that the centroid of the cell spans with the facet
     std::vector<Pair> pairs;
-    SparseMatrix vorticity; // in n-cells, a row for each pair: z ^ e_i ^ e_j
+    SparseMatrix vorticity; // at facets in cells, a row for each pair: z ^ e_i ^ e_j
 
     explicit Parts(const Discretization& mesh)
         : n(mesh.dimension()),
@@ -111,20 +118,89 @@ struct Advection::Parts {
         return u / volumes[cell];
     }
 
-    /// The matrix F with v . F u = z ^ u ^ v.
-    void turn(Index cell, const Vector& z, DenseMatrix& F) const {
-        const Index first = cell * static_cast<Index>(pairs.size());
-        for (std::size_t p = 0; p < pairs.size(); ++p) {
-            const double value = z[first + static_cast<Index>(p)];
-            F(pairs[p].j, pairs[p].i) = value;
-            F(pairs[p].i, pairs[p].j) = -value;
+    /// Velocities in the cones of the facets of a cell, a row each.
+    void velocities(Index cell, const Vector& w, Points& u) const {
+        const Index first = begins[cell], count = begins[cell + 1] - first;
+        const Eigen::RowVectorXd mean = velocity(cell, w);
+        u.resize(count, n);
+        Eigen::RowVectorXd excess = Eigen::RowVectorXd::Zero(n);
+        for (Index i = 0; i < count; ++i) {
+            const auto& [facet, sign] = facets[first + i];
+            const auto normal = normals.row(first + i);
+            u.row(i) = (sign * w[facet] / areas[first + i] - normal.dot(mean)) * normal;
+            excess += cones[first + i] / volumes[cell] * u.row(i);
         }
+        u.rowwise() += mean - excess;
+    }
+
+    /// Adds what forces on these velocities, already times the volumes of cones, are on fluxes:
+    /// the transpose of the above.
+    void add_forces(Index cell, const Points& forces, Vector& result) const {
+        const Index first = begins[cell], count = begins[cell + 1] - first;
+        const Eigen::RowVectorXd sum = forces.colwise().sum();
+        Eigen::RowVectorXd on_mean = sum;
+        Vector along(count);
+        for (Index i = 0; i < count; ++i) {
+            const auto normal = normals.row(first + i);
+            along[i] = normal.dot(forces.row(i) - cones[first + i] / volumes[cell] * sum);
+            on_mean -= along[i] * normal;
+        }
+        for (Index i = 0; i < count; ++i) {
+            const auto& [facet, sign] = facets[first + i];
+            result[facet] += sign * (arms.row(first + i).dot(on_mean) / volumes[cell] +
+                                     along[i] / areas[first + i]);
+        }
+    }
+
+    /// Of velocities in cones makes forces: z ^ u ^ v = v . force, times the volumes of cones.
+    void turn(Index cell, const Vector& z, Points& u) const {
+        Eigen::RowVectorXd force(n);
+        for (Index i = 0; i < u.rows(); ++i) {
+            const Index place = begins[cell] + i;
+            force.setZero();
+            for (std::size_t p = 0; p < pairs.size(); ++p) {
+                const auto& pair = pairs[p];
+                const double value =
+                    z[place * static_cast<Index>(pairs.size()) + static_cast<Index>(p)];
+                force[pair.j] += value * u(i, pair.i);
+                force[pair.i] -= value * u(i, pair.j);
+            }
+            u.row(i) = cones[place] * force;
+        }
+    }
+
+    /// Where a facet stands among those of a cell.
+    Index place_of(Index cell, Index facet) const {
+        const auto own = std::span(facets).subspan(begins[cell], begins[cell + 1] - begins[cell]);
+        const auto found = std::lower_bound(
+            own.begin(), own.end(), facet, [](const SignedFace& a, Index b) { return a.face < b; });
+        return begins[cell] + static_cast<Index>(found - own.begin());
     }
 
 private:
     void collect_facets(const Discretization& mesh, const Points& corners);
     void collect_vorticity(const Discretization& mesh, const Points& corners);
 };
+
+namespace {
+
+/// Gradients of barycentric coordinates, of corners in R^n: n + 1 rows.
+DenseMatrix gradients_of(const DenseMatrix& corners) {
+    const auto n = corners.cols();
+    const DenseMatrix edges = corners.bottomRows(n).rowwise() - corners.row(0);
+    DenseMatrix gradients(n + 1, n);
+    gradients.bottomRows(n) = edges.inverse().transpose();
+    gradients.row(0) = -gradients.bottomRows(n).colwise().sum();
+    return gradients;
+}
+
+/// The coordinates of the corners of a piece.
+auto corners_of(const Points& corners, Index t) {
+    const auto count = corners.cols() + 1;
+    return corners.middleRows(t * count, count);
+}
+
+} // namespace
 
 /// Sums over the pieces of cells and of facets.
 void Advection::Parts::collect_facets(const Discretization& mesh, const Points& corners) {
@@ -134,64 +210,69 @@ void Advection::Parts::collect_facets(const Discretization& mesh, const Points& 
             facets.push_back(facet);
         begins.push_back(static_cast<Index>(facets.size()));
     }
-    arms = Points::Zero(static_cast<Index>(facets.size()), n);
-
-    const auto& K = mesh.pieces();
+    const auto count = static_cast<Index>(facets.size());
+    arms = normals = Points::Zero(count, n);
+    areas = cones = Vector::Zero(count);
     const auto& merging = mesh.merging();
-    const Vector &sizes = mesh.piece_volumes().primal(n),
-                 &areas = mesh.piece_volumes().primal(n - 1);
-    const Vector& whole_areas = mesh.volumes().primal(n - 1);
+    const Vector& sizes = mesh.piece_volumes().primal(n);
+    const Vector &small = mesh.piece_volumes().primal(n - 1), &whole = mesh.volumes().primal(n - 1);
     for (Index cell = 0; cell < cells(); ++cell) {
         Eigen::RowVectorXd centroid = Eigen::RowVectorXd::Zero(n);
-        const auto own = std::span(facets).subspan(begins[cell], begins[cell + 1] - begins[cell]);
         for (IncidenceMatrix::InnerIterator piece(merging.diamond(n), cell); piece; ++piece) {
-            const Index t = static_cast<Index>(piece.col());
-            const auto places = corners.middleRows(Eigen::Index{t} * (n + 1), n + 1);
+            const auto t = static_cast<Index>(piece.col());
+            const auto places = corners_of(corners, t);
             centroid += sizes[t] / volumes[cell] * places.colwise().mean();
             for (int i = 0; i <= n; ++i) {
-                const Index side = K.face(n, t, i);
-                const auto& [dimension, facet] = merging.carriers(n - 1)[side];
-                if (dimension == n)
-                    continue;
-                const auto found =
-                    std::lower_bound(own.begin(), own.end(), facet,
-                                     [](const SignedFace& a, Index b) { return a.face < b; });
-                arms.row(begins[cell] + (found - own.begin())) +=
-                    areas[side] / whole_areas[facet] * (places.colwise().sum() - places.row(i)) / n;
+                const Index side = mesh.pieces().face(n, t, i);
+                if (const auto& [dimension, facet] = merging.carriers(n - 1)[side]; dimension < n)
+                    arms.row(place_of(cell, facet)) +=
+                        small[side] / whole[facet] * (places.colwise().sum() - places.row(i)) / n;
             }
         }
         arms.middleRows(begins[cell], begins[cell + 1] - begins[cell]).rowwise() -= centroid;
     }
 }
 
+/// Normals of facets, cones, and the vorticity at facets, from pieces that are not flat.
 void Advection::Parts::collect_vorticity(const Discretization& mesh, const Points& corners) {
     const auto& K = mesh.pieces();
+    const auto& merging = mesh.merging();
     const Vector& sizes = mesh.piece_volumes().primal(n);
+    const Vector &small = mesh.piece_volumes().primal(n - 1), &whole = mesh.volumes().primal(n - 1);
     const Whitney whitney(n);
     std::vector<Eigen::Triplet<double, Index>> entries;
+    const auto width = static_cast<Index>(pairs.size());
     for (Index cell = 0; cell < cells(); ++cell)
-        for (IncidenceMatrix::InnerIterator piece(mesh.merging().diamond(n), cell); piece;
-             ++piece) {
-            const Index t = static_cast<Index>(piece.col());
+        for (IncidenceMatrix::InnerIterator piece(merging.diamond(n), cell); piece; ++piece) {
+            const auto t = static_cast<Index>(piece.col());
             if (mesh.is_flat(t))
                 continue;
-            const DenseMatrix places = corners.middleRows(Eigen::Index{t} * (n + 1), n + 1);
-            const DenseMatrix edges = places.bottomRows(n).rowwise() - places.row(0);
-            DenseMatrix gradients(n + 1, n);
-            gradients.bottomRows(n) = edges.inverse().transpose();
-            gradients.row(0) = -gradients.bottomRows(n).colwise().sum();
+            const DenseMatrix places = corners_of(corners, t);
+            const DenseMatrix gradients = gradients_of(places);
             const double side = piece.value() * K.orientation(t) *
-                                (edges.determinant() > 0 ? 1 : -1) * sizes[t] / volumes[cell];
-            const DenseMatrix forms = whitney.at_centroid(gradients);
-            for (std::size_t f = 0; f < whitney.faces().size(); ++f) {
-                const Index face = face_at(K, n, t, whitney.faces()[f]);
-                for (std::size_t p = 0; p < pairs.size(); ++p)
-                    entries.emplace_back(
-                        cell * static_cast<Index>(pairs.size()) + static_cast<Index>(p), face,
-                        side * pairs[p].sign * forms(pairs[p].coefficient, static_cast<Index>(f)));
+                                (gradients.bottomRows(n).determinant() > 0 ? 1 : -1);
+            for (int i = 0; i <= n; ++i) {
+                const Index face = K.face(n, t, i);
+                const auto& [dimension, facet] = merging.carriers(n - 1)[face];
+                if (dimension == n)
+                    continue;
+                const Index place = place_of(cell, facet);
+                normals.row(place) -= n * sizes[t] / whole[facet] * gradients.row(i);
+                const DenseMatrix forms = whitney.at_facet(i, gradients);
+                const double share = side * small[face] / whole[facet];
+                for (std::size_t f = 0; f < whitney.faces().size(); ++f)
+                    for (Index p = 0; p < width; ++p)
+                        entries.emplace_back(
+                            place * width + p, face_at(K, n, t, whitney.faces()[f]),
+                            share * pairs[p].sign *
+                                forms(pairs[p].coefficient, static_cast<Index>(f)));
             }
         }
-    SparseMatrix on_pieces(cells() * static_cast<Index>(pairs.size()), K.size(n - 2));
+    for (Index i = 0; i < areas.size(); ++i) {
+        areas[i] = whole[facets[i].face];
+        cones[i] = areas[i] * normals.row(i).dot(arms.row(i)) / n;
+    }
+    SparseMatrix on_pieces(areas.size() * width, K.size(n - 2));
     on_pieces.setFromTriplets(entries.begin(), entries.end());
     vorticity = on_pieces * mesh.lift()[n - 2];
 }
@@ -209,14 +290,13 @@ Vector Advection::operator()(const Vector& z, const Vector& w) const {
     const Parts& parts = *parts_;
     check_as_many("values of the vorticity", z.size(), parts.vorticity.cols());
     check_as_many("fluxes", w.size(), parts.complex.size(parts.n - 1));
-    const Vector in_cells = parts.vorticity * z;
+    const Vector at_facets = parts.vorticity * z;
     Vector force = Vector::Zero(w.size());
-    DenseMatrix F = DenseMatrix::Zero(parts.n, parts.n);
+    Points u;
     for (Index cell = 0; cell < parts.cells(); ++cell) {
-        parts.turn(cell, in_cells, F);
-        const Vector across = F * parts.velocity(cell, w).transpose();
-        for (Index i = parts.begins[cell]; i < parts.begins[cell + 1]; ++i)
-            force[parts.facets[i].face] += parts.facets[i].sign * parts.arms.row(i).dot(across);
+        parts.velocities(cell, w, u);
+        parts.turn(cell, at_facets, u);
+        parts.add_forces(cell, u, force);
     }
     return force;
 }
@@ -224,21 +304,25 @@ Vector Advection::operator()(const Vector& z, const Vector& w) const {
 SparseMatrix Advection::matrix(const Vector& z) const {
     const Parts& parts = *parts_;
     check_as_many("values of the vorticity", z.size(), parts.vorticity.cols());
-    const Vector in_cells = parts.vorticity * z;
+    const Vector at_facets = parts.vorticity * z;
     std::vector<Eigen::Triplet<double, Index>> entries;
-    DenseMatrix F = DenseMatrix::Zero(parts.n, parts.n);
-    for (Index cell = 0; cell < parts.cells(); ++cell) {
-        parts.turn(cell, in_cells, F);
-        for (Index i = parts.begins[cell]; i < parts.begins[cell + 1]; ++i)
-            for (Index j = parts.begins[cell]; j < i; ++j) {
-                const auto &f = parts.facets[i], &g = parts.facets[j];
-                const double value = f.sign * g.sign / parts.volumes[cell] *
-                                     (parts.arms.row(i) * F).dot(parts.arms.row(j));
-                entries.emplace_back(f.face, g.face, value);
-                entries.emplace_back(g.face, f.face, -value);
+    Vector unit = Vector::Zero(parts.complex.size(parts.n - 1)), force = unit;
+    Points u;
+    for (Index cell = 0; cell < parts.cells(); ++cell)
+        for (Index j = parts.begins[cell]; j < parts.begins[cell + 1]; ++j) {
+            const Index column = parts.facets[j].face;
+            unit[column] = 1;
+            parts.velocities(cell, unit, u);
+            parts.turn(cell, at_facets, u);
+            parts.add_forces(cell, u, force);
+            unit[column] = 0;
+            for (Index i = parts.begins[cell]; i < parts.begins[cell + 1]; ++i) {
+                const Index row = parts.facets[i].face;
+                entries.emplace_back(row, column, force[row]);
+                force[row] = 0;
             }
-    }
-    SparseMatrix result(parts.complex.size(parts.n - 1), parts.complex.size(parts.n - 1));
+        }
+    SparseMatrix result(unit.size(), unit.size());
     result.setFromTriplets(entries.begin(), entries.end());
     return result;
 }

@@ -13,13 +13,15 @@ namespace polydec {
 /// is the primal (n-2)-form star^-1 omega: for n = 2 the vorticity at vertices, for n = 3 its
 /// circulation along edges. Any n >= 2, cells of any shape, lengths alone.
 ///
-/// In each n-cell P the velocity is Perot's, u = sum over its facets of w(f) r_f / |P| with r_f
-/// from the centroid of P to that of f, positive outwards, and z is the mean of its Whitney form.
-/// The force along the part of *f in P is z ^ u ^ r_f: so w' . A(z) w = sum over P of |P| z ^ u ^
-/// u', which is antisymmetric in u and u': A(z) is an antisymmetric matrix on every mesh, and does
-/// no work to rounding. For constant z and u on flat cells A(z) w is exactly the integral of i_u
-/// omega along dual edges, but for a gradient of cells. Source: Mullen et al. 2009 for the
-/// principle; Perot 2000 for u.
+/// In each n-cell P the mean velocity is Perot's, the sum over its facets of w(f) r_f / |P| with
+/// r_f from the centroid of P to that of f, w positive outwards. In the cone C of a facet over the
+/// centroid what lacks of w(f) is added along its normal, less the mean of all that is added; there
+/// z is its Whitney form at the facet. Then w' . A(z) w = sum over cones of |C| z ^ u ^ u', which
+/// is antisymmetric in u and u': A(z) is an antisymmetric matrix on every mesh, and does no work to
+/// rounding. For constant z and u on flat cells A(z) w is exactly the integral of i_u omega from
+/// centroid to centroid: along dual edges but for a gradient of cells, which the pressure takes.
+/// Source: Mullen et al. 2009 for the principle; Perot 2000 for the mean velocity; Eymard,
+/// Gallouet, Herbin 2010 for what is added in cones.
 class Advection {
 public:
     /// Throws InvalidInput for n < 2, naming facets where cells are not oriented alike or branch,
