@@ -108,12 +108,12 @@ ENTRIES = (
            "--frames 60 -o wave.html"), "wave.html", {"step": "18", "edges": False},
           (DOWN,) * 4),
     Entry("flow", "Vortices on a sphere",
-          "Two vortices of one sense turn around each other on a sphere of hexagons and are wound up; "
-          "without viscosity the energy is kept to rounding.",
-          ("polydec generate goldberg --frequency 40 -o ball.off",
+          "Two vortices of one sense turn around each other on a sphere of hexagons, draw each other out "
+          "and will become one. No mesh has a say in it: energy goes by friction alone.",
+          ("polydec generate goldberg --frequency 16 -o ball.off",
            "polydec flow ball.off --vorticity 'exp(-25*(x-.95)^2-25*(y-.3)^2-25*z^2)"
-           "+exp(-25*(x-.95)^2-25*(y+.3)^2-25*z^2)' --until 30 --frames 30 -o flow.html"),
-          "flow.html", {"step": "20", "edges": False}, (RIGHT,) * 8),
+           "+exp(-25*(x-.95)^2-25*(y+.3)^2-25*z^2)' --viscosity .0003 --until 24 --frames 12 "
+           "--scheme imex -o flow.html"), "flow.html", {"step": "8", "edges": False}, (LEFT,) * 7),
     Entry("pulse", "A pulse of light among octahedra",
           "The electric field upwards, by leapfrog on octahedra and tetrahedra, a value for each "
           "cell; the page plays the steps. A cut takes the front half away.",

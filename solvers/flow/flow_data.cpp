@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace polydec {
 
 Vector flow_of_vorticity(const Discretization& mesh, const Vector& vorticity) {
@@ -49,6 +51,11 @@ Vector flux_through_boundary(const Discretization& mesh, const Points& velocity)
             flux[facet] -= outward * piece * n * mesh.piece_volumes().primal(n)[t] *
                            gradients.row(i).dot(velocity.row(facet));
         }
+    constexpr double rounding = 1e-13;
+    const Vector& areas = mesh.volumes().primal(n - 1);
+    for (Index f = 0; f < flux.size(); ++f)
+        if (std::abs(flux[f]) <= rounding * areas[f] * velocity.row(f).norm())
+            flux[f] = 0;
     return flux;
 }
 

@@ -17,8 +17,9 @@ Vector flow_of_vorticity(const Discretization& mesh, const Vector& vorticity);
 Vector flow_of_velocity(const Discretization& mesh, const Points& velocity);
 
 /// The fluxes through the boundary of velocities at its facets, a row of N components for each
-/// (n-1)-cell; 0 at facets inside: FlowOptions::boundary_flux. Throws InvalidInput for another
-/// number of rows or columns, and where only lengths are known or edges were flipped.
+/// (n-1)-cell; 0 at facets inside, and where the velocity is along the facet to rounding:
+/// FlowOptions::boundary_flux. Throws InvalidInput for another number of rows or columns, and where
+/// only lengths are known or edges were flipped.
 Vector flux_through_boundary(const Discretization& mesh, const Points& velocity);
 
 } // namespace polydec
