@@ -109,7 +109,7 @@ ENTRIES = (
           (DOWN,) * 4),
     Entry("flow", "Vortices on a sphere",
           "Two vortices of one sense turn around each other on a sphere of hexagons, draw each other out "
-          "and will become one. No mesh has a say in it: energy goes by friction alone.",
+          "and become one; what energy they lose goes by friction.",
           ("polydec generate goldberg --frequency 16 -o ball.off",
            "polydec flow ball.off --vorticity 'exp(-25*(x-.95)^2-25*(y-.3)^2-25*z^2)"
            "+exp(-25*(x-.95)^2-25*(y+.3)^2-25*z^2)' --viscosity .0003 --until 24 --frames 12 "
