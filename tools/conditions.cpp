@@ -26,7 +26,8 @@ void add_robin(CLI::App& command, ConditionArguments& arguments) {
     command
         .add_option("--robin", arguments.robin,
                     "ALPHA > 0: where no values are given, --flux is the outward derivative\n"
-                    "plus ALPHA u (Robin); nowhere are they without --essential-where or -on")
+                    "plus ALPHA u (Robin). Without --essential-where or --essential-on\n"
+                    "values are given nowhere")
         ->check(CLI::PositiveNumber);
 }
 

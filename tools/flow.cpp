@@ -268,7 +268,7 @@ void add_flow(CLI::App& app) {
     command->add_option("--rotation", arguments->rotation,
                         "of surfaces, the vorticity of the frame, like '2*z' on a planet");
     add_time(*command, arguments->time,
-             "0.4 of the time in which a cell's content is\nexchanged at first, of imex 0.8");
+             "0.4 of the time in\nwhich a cell's content is exchanged at first, of imex 0.8");
     command
         ->add_option("--scheme", arguments->scheme,
                      "midpoint, of second order, keeps the energy without viscosity;\nimex, of "

@@ -43,11 +43,12 @@ Vector integrals(const Discretization& mesh, Side side, int degree,
 CLI::Option* add_form(CLI::App& command, const std::string& option, std::string& text,
                       const std::string& what) {
     return command
-        .add_option(option, text,
-                    fmt::format("{}: an expression in x, y, z; of higher\n"
-                                "degree the coefficients at dx, dy, .. or at dx dy, dx dz, ..,\n"
-                                "like '-y; x; 0'; or a file with a number for each cell",
-                                what))
+        .add_option(
+            option, text,
+            fmt::format("{}:\nan expression in x, y, z; of higher degree the coefficients at\n"
+                        "dx, dy, .. or at dx dy, dx dz, .., like '-y; x; 0'; or a file with\n"
+                        "a number for each cell",
+                        what))
         ->required();
 }
 

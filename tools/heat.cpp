@@ -291,16 +291,17 @@ void add_heat(CLI::App& app) {
                      "engine for a source or a tolerance; --time-step then gives fixed\n"
                      "steps in place of those by the tolerance")
         ->capture_default_str();
-    auto* scheme =
-        command
-            ->add_option("--scheme", arguments->heat.scheme,
-                         "backward-euler, of first order, makes no new extremes;\n"
-                         "crank-nicolson is of second order")
-            ->transform(CLI::CheckedTransformer(
-                std::map<std::string, HeatScheme>{{"backward-euler", HeatScheme::backward_euler},
-                                                  {"crank-nicolson", HeatScheme::crank_nicolson}},
-                CLI::ignore_underscore))
-            ->default_str("backward-euler");
+    auto* scheme = command
+                       ->add_option("--scheme", arguments->heat.scheme,
+                                    "backward-euler, of first order, makes no new extremes;\n"
+                                    "crank-nicolson is of second order")
+                       ->transform(CLI::CheckedTransformer(
+                                       std::map<std::string, HeatScheme>{
+                                           {"backward-euler", HeatScheme::backward_euler},
+                                           {"crank-nicolson", HeatScheme::crank_nicolson}},
+                                       CLI::ignore_underscore)
+                                       .description("backward-euler|crank-nicolson"))
+                       ->default_str("backward-euler");
     for (const char* other : {"--source", "--tolerance-in-time", "--integrator"})
         scheme->excludes(other);
     add_conditions(*command, arguments->conditions,

@@ -168,8 +168,8 @@ void add_maxwell(CLI::App& app) {
     add_star(*command, arguments->mesh, StarKind::automatic);
     command
         ->add_option("--degree", arguments->degree,
-                     "of the electric field: 1 along edges; in the plane 0 for one that stands\n"
-                     "upright on it")
+                     "of the electric field: 1 along edges; in the plane 0 for one\n"
+                     "that stands upright on it")
         ->check(CLI::Range(0, 1))
         ->capture_default_str();
     add_form(*command, "--initial", arguments->initial, "the electric field at time 0")

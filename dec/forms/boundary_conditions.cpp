@@ -62,12 +62,12 @@ BoundaryConditions exchanged(BoundaryConditions conditions) {
 Vector robin_coefficients(const CellComplex& complex, const BoundaryConditions& conditions) {
     check_number(complex, conditions);
     const int n = complex.dimension();
-    const Vector& given = conditions.coefficients;
+    const std::vector<double>& given = conditions.coefficients;
     Vector result = Vector::Zero(complex.size(n - 1));
     for (Index f = 0; f < result.size(); ++f) {
         if (complex.coface_counts(n - 1)[f] != 1 || conditions.at(f) != BoundaryCondition::robin)
             continue;
-        if (given.size() != 1 && given.size() != result.size())
+        if (given.size() != 1 && std::ssize(given) != result.size())
             throw InvalidInput(fmt::format("{} coefficients of Robin's condition are given: "
                                            "expected one for all facets, or one for each of the "
                                            "{} {}-cells",
@@ -166,7 +166,7 @@ BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coeffic
     };
     replace(conditions.everywhere);
     std::for_each(conditions.facets.begin(), conditions.facets.end(), replace);
-    conditions.coefficients = Vector::Constant(1, coefficient);
+    conditions.coefficients = {coefficient};
     return conditions;
 }
 

@@ -24,7 +24,7 @@ struct BoundaryConditions {
     /// Empty, or one for each (n-1)-cell; those with other than one coface do not matter.
     std::vector<BoundaryCondition> facets = {};
     /// Of Robin's condition: one for all facets, or one for each; positive, units 1 / length.
-    Vector coefficients = {};
+    std::vector<double> coefficients = {};
 
     BoundaryCondition at(Index facet) const { return facets.empty() ? everywhere : facets[facet]; }
 };

@@ -41,7 +41,7 @@ TEST(engine_module, errors_cross_the_border_of_a_module) {
 TEST(engine_module, a_module_for_another_version_is_refused_before_it_runs) {
     const std::string path = POLYDEC_TEST_OLD_MODULE;
     EXPECT_EQ(message_of<BackendUnavailable>([&] { load_engine_module(path); }),
-              path + ": is an engine module of version 0, and this polydec takes version 1\n"
+              path + ": is an engine module of version 0, and this polydec takes version 2\n"
                      "Build it against the headers of this polydec.");
 }
 

@@ -97,9 +97,11 @@ TEST(evolution, heat_with_a_source_converges_on_polygons_and_polytopes) {
     // the tetrahedra at the walls of that lattice have negative duals, so that Delta of dual
     // 0-forms is not semidefinite
     for (const auto& [kind, make, cells] : families)
-        for (const Side side : {Side::primal, Side::dual})
-            if (side == Side::primal || std::string(kind) != "tetrahedra")
-                EXPECT_NEAR(order_of_heat(make, cells, side, 0), 2, 0.3) << kind << name(side);
+        for (const Side side : {Side::primal, Side::dual}) {
+            if (side == Side::dual && std::string(kind) == "tetrahedra")
+                continue;
+            EXPECT_NEAR(order_of_heat(make, cells, side, 0), 2, 0.3) << kind << name(side);
+        }
 }
 
 double error_after(const Discretization& mesh, const Cochain& start, Index steps,
@@ -211,8 +213,9 @@ TEST(evolution, diffusion_keeps_the_mean_where_nothing_flows_out) {
         if (!star.zeros().empty() || !star.negatives().empty())
             continue;
         const Index count = mesh.complex().size(0);
-        Evolution heat(mesh, {{.start = {Side::primal, 0, Vector::LinSpaced(count, 0, 1)},
-                               .diffusion = mesh.volumes().primal(1).squaredNorm()}});
+        const Cochain slope{Side::primal, 0, Vector::LinSpaced(count, 0, 1)};
+        Evolution heat(mesh,
+                       {{.start = slope, .diffusion = mesh.volumes().primal(1).squaredNorm()}});
         const auto heat_in = [&](const Cochain& u) { return Vector(star * u.values).sum(); };
         const double before = heat_in(heat.form(0));
         heat.march(0.01);

@@ -89,7 +89,7 @@ TEST(Robin, of_a_slab_is_exact) {
             ends.facets.push_back(std::abs(facets(f, 0) - 0.5) > 0.5 - 1e-9
                                       ? BoundaryCondition::robin
                                       : BoundaryCondition::natural);
-        ends.coefficients = Vector::Constant(facets.rows(), alpha);
+        ends.coefficients.assign(static_cast<std::size_t>(facets.rows()), alpha);
         for (const Side side : sides) {
             const PoissonSolver solver(mesh, {.side = side, .boundary = ends});
             const auto solution = solver.solve(Vector::Ones(solver.sites().rows()),
