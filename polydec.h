@@ -77,6 +77,7 @@
 #include "dec/surfaces/passage.h"
 #include "dec/well_defined.h"
 #include "io/checkpoint.h"
+#include "io/kept_march.h"
 #include "io/matrices/matrix_market.h"
 #include "io/meshes/length_file.h"
 #include "io/meshes/read_mesh.h"
