@@ -16,13 +16,6 @@ py::object matrix(Make make) {
     return csr(unlocked([&]() -> SparseMatrix { return make(); }));
 }
 
-std::vector<Vector> vectors(const std::vector<Numbers>& lists) {
-    std::vector<Vector> result;
-    for (const Numbers& numbers : lists)
-        result.push_back(vector(numbers));
-    return result;
-}
-
 /// Cells of one's own, by their coboundaries and volumes.
 Calculus own_cells(const std::vector<MatrixParts>& coboundaries, const std::vector<Numbers>& primal,
                    const std::vector<Numbers>& dual) {
@@ -159,15 +152,19 @@ py::tuple conditioned_cells(const Calculus& of, const std::string& side, int deg
 
 } // namespace
 
-BoundaryConditions conditions_of(const std::vector<bool>& essential) {
-    const auto condition = [](bool is_essential) {
-        return is_essential ? BoundaryCondition::essential : BoundaryCondition::natural;
+BoundaryConditions conditions_of(const std::vector<bool>& essential, const Vector& robin) {
+    const auto condition = [&](std::size_t i) {
+        if (essential[essential.size() == 1 ? 0 : i])
+            return BoundaryCondition::essential;
+        return robin.size() > 0 && robin[i] != 0 ? BoundaryCondition::robin
+                                                 : BoundaryCondition::natural;
     };
-    if (essential.size() == 1)
-        return {condition(essential.front())};
-    BoundaryConditions conditions;
-    for (const bool is_essential : essential)
-        conditions.facets.push_back(condition(is_essential));
+    if (essential.size() == 1 && robin.size() == 0)
+        return {condition(0)};
+    BoundaryConditions conditions{.coefficients = robin};
+    const std::size_t facets = std::max<std::size_t>(essential.size(), robin.size());
+    for (std::size_t i = 0; i < facets; ++i)
+        conditions.facets.push_back(condition(i));
     return conditions;
 }
 

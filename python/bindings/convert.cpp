@@ -2,6 +2,7 @@
 #include "python/bindings/convert.h"
 
 #include "base/errors.h"
+#include "dec/fields/interior_product.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -56,6 +57,13 @@ py::array array(DenseMatrix columns) {
     return array_of(std::move(columns), true);
 }
 
+py::list arrays(std::vector<Vector> values) {
+    py::list result;
+    for (Vector& each : values)
+        result.append(array(std::move(each)));
+    return result;
+}
+
 py::object csr(SparseMatrix matrix) {
     auto kept = std::make_unique<SparseMatrix>();
     kept->swap(matrix); // Eigen would copy it where one moves it
@@ -87,6 +95,13 @@ Simplices rows(const Integers& numbers) {
     return Eigen::Map<const Simplices>(numbers.data(), numbers.shape(0), numbers.shape(1));
 }
 
+std::vector<Vector> vectors(const std::vector<Numbers>& lists) {
+    std::vector<Vector> result;
+    for (const Numbers& numbers : lists)
+        result.push_back(vector(numbers));
+    return result;
+}
+
 std::vector<Index> indices(const Integers& numbers) {
     return {numbers.data(), numbers.data() + numbers.size()};
 }
@@ -105,6 +120,11 @@ void refuse_choice(std::string_view option, const std::string& name,
 
 Side side_of(const std::string& name) {
     return chosen<Side>("side", name, {{"primal", Side::primal}, {"dual", Side::dual}});
+}
+
+Sampling sampling_of(const std::string& name) {
+    return chosen<Sampling>("sampling", name,
+                            {{"centered", Sampling::centered}, {"upwind", Sampling::upwind}});
 }
 
 Cochain form(const std::string& side, int degree, const Numbers& values) {

@@ -17,6 +17,10 @@
 #include <utility>
 #include <vector>
 
+namespace polydec {
+enum class Sampling;
+}
+
 /// Between numpy's arrays, scipy's matrices and polydec's. What is handed out shares memory and
 /// keeps alive what it belongs to; it is read-only, unless it was made to be handed out. What comes
 /// in has been made contiguous and of the right type and shape in Python, where it has a name, and
@@ -70,6 +74,7 @@ py::array array(Vector values);
 py::array array(Points rows);
 py::array array(Simplices rows);
 py::array array(DenseMatrix columns);
+py::list arrays(std::vector<Vector> values);
 
 /// scipy.sparse.csr_matrix, of this matrix or of one that belongs to the owner. Throws
 /// InvalidInput for one that is not compressed.
@@ -81,6 +86,7 @@ Vector vector(const Numbers& numbers);
 Points rows(const Numbers& numbers);
 DenseMatrix columns(const Numbers& numbers);
 Simplices rows(const Integers& numbers);
+std::vector<Vector> vectors(const std::vector<Numbers>& lists);
 std::vector<Index> indices(const Integers& numbers);
 SparseMatrix sparse(const MatrixParts& matrix);
 
@@ -102,6 +108,7 @@ Value chosen(std::string_view option, const std::string& name,
     refuse_choice(option, name, names);
 }
 Side side_of(const std::string& name);
+Sampling sampling_of(const std::string& name);
 
 /// A form, by its side, degree and values; and the other way round.
 Cochain form(const std::string& side, int degree, const Numbers& values);
@@ -134,6 +141,10 @@ void add_discretization(py::module_& module);
 void add_fields(py::module_& module);
 void add_pages(py::module_& module);
 void add_solvers(py::module_& module);
+void add_in_time(py::module_& module);
+void add_sources(py::module_& module);
+void add_flows(py::module_& module);
+void add_checkpoints(py::module_& module);
 void add_spectra(py::module_& module);
 void add_engines(py::module_& module);
 

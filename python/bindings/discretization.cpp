@@ -187,6 +187,17 @@ void add_stars(py::class_<Discretization>& type) {
              [](const Discretization& mesh, int k, const MatrixParts& star) {
                  return mesh.with_stars(mesh.stars().with(k, sparse(star)));
              })
+        .def("with_material",
+             [](const Discretization& mesh, int k, const Numbers& weights) {
+                 return unlocked([&, given = vector(weights)] {
+                     return mesh.with_stars(weighted_stars(mesh, k, given));
+                 });
+             })
+        .def("cell_means",
+             [](const Discretization& mesh, int k, const Numbers& weights) {
+                 return array(
+                     unlocked([&, given = vector(weights)] { return cell_means(mesh, k, given); }));
+             })
         .def("material_star",
              [](const Discretization& mesh, int k, const Numbers& weights) {
                  return csr(unlocked(

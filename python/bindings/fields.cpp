@@ -5,6 +5,8 @@
 #include "dec/fields/dual_wedge.h"
 #include "dec/fields/flat.h"
 #include "dec/fields/interior_product.h"
+#include "dec/fields/lie_derivative.h"
+#include "dec/fields/periodic_fields.h"
 #include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/wedge.h"
@@ -20,8 +22,7 @@ namespace {
 /// Integrates a form that is given at many points at once: the first time over, the points where it
 /// is asked for are written down, and zeros stand for it; the second time its values there.
 template <class Integrate>
-Cochain integrated(const Discretization& mesh, int components, const py::function& form,
-                   Integrate integrate) {
+auto integrated(Index width, int components, const py::function& form, Integrate integrate) {
     std::vector<double> places;
     const SmoothForm rehearsal = [&](const Vector& point) -> Vector {
         places.insert(places.end(), point.begin(), point.end());
@@ -29,7 +30,6 @@ Cochain integrated(const Discretization& mesh, int components, const py::functio
     };
     unlocked([&] { return integrate(rehearsal); });
 
-    const auto width = static_cast<Index>(mesh.points().cols());
     const auto count = static_cast<Index>(places.size()) / std::max<Index>(width, 1);
     Points points = Eigen::Map<const Points>(places.data(), count, width);
     const Numbers values = form(array(std::move(points))).cast<Numbers>();
@@ -49,20 +49,54 @@ int binomial(int n, int k) {
     return k < 0 || k > n ? 0 : result;
 }
 
+/// How many numbers a k-form has at a point of a space of so many dimensions.
+int components_of(Index width, int degree) {
+    return binomial(static_cast<int>(width), degree);
+}
+
 py::tuple de_rham_of(const Discretization& mesh, const std::string& side, int degree,
                      const py::function& function, int quadrature_degree) {
     const bool is_primal = side_of(side) == Side::primal;
     check_number("the degree of a form", degree, 0, mesh.dimension());
-    const int components = binomial(static_cast<int>(mesh.points().cols()), degree);
-    return parts(integrated(mesh, components, function, [&](const SmoothForm& form) {
+    const auto width = static_cast<Index>(mesh.points().cols());
+    const auto integrate = [&](const SmoothForm& form) {
         return is_primal ? de_rham(mesh, degree, form, quadrature_degree)
                          : dual_de_rham(mesh, degree, form, quadrature_degree);
-    }));
+    };
+    return parts(integrated(width, components_of(width, degree), function, integrate));
 }
 
-Sampling sampling_of(const std::string& name) {
-    return chosen<Sampling>("sampling", name,
-                            {{"centered", Sampling::centered}, {"upwind", Sampling::upwind}});
+py::array boundary_de_rham_of(const Discretization& mesh, int degree, const py::function& function,
+                              int quadrature_degree) {
+    check_number("the degree of a form on the boundary", degree, 0, mesh.dimension() - 1);
+    const auto width = static_cast<Index>(mesh.points().cols());
+    return array(
+        integrated(width, components_of(width, degree), function, [&](const SmoothForm& form) {
+            return boundary_de_rham(mesh, degree, form, quadrature_degree);
+        }));
+}
+
+py::array periodic_de_rham_of(const PeriodicMesh& box, const Discretization& mesh, int degree,
+                              const py::function& function, int quadrature_degree) {
+    check_number("the degree of a form", degree, 0, mesh.dimension());
+    const auto width = static_cast<Index>(box.points.cols());
+    const auto integrate = [&](const SmoothForm& form) {
+        return de_rham(box, mesh, degree, form, quadrature_degree);
+    };
+    return array(integrated(width, components_of(width, degree), function, integrate).values);
+}
+
+void add_periodic(py::module_& module) {
+    py::class_<PeriodicMesh>(module, "PeriodicMesh")
+        .def(py::init([](const Mesh& box, const std::vector<Numbers>& translations) {
+            return unlocked([&, given = vectors(translations)] { return periodic(box, given); });
+        }))
+        .def_readonly("quotient", &PeriodicMesh::quotient)
+        .def_property_readonly("vertices",
+                               [](const PeriodicMesh& self) { return array(self.vertices); })
+        .def_property_readonly("points",
+                               [](const PeriodicMesh& self) { return array(Points(self.points)); })
+        .def("de_rham", &periodic_de_rham_of);
 }
 
 using Product = Cochain (*)(const Discretization&, const Cochain&, const Cochain&);
@@ -139,6 +173,31 @@ void add_fields_of_vectors(py::module_& module) {
     });
 }
 
+void add_lie_derivative(py::module_& module) {
+    using Apply = Cochain (*)(const LieDerivative&, const Points&, const Cochain&);
+    py::class_<LieDerivative>(module, "LieDerivative")
+        .def(py::init([](const Discretization& mesh, int k, const std::string& sampling) {
+            return unlocked([&, how = sampling_of(sampling)] {
+                return std::make_unique<LieDerivative>(mesh, k, how);
+            });
+        }))
+        .def("apply", [](const LieDerivative& self, const std::string& what, const Numbers& field,
+                         const std::string& side, int degree, const Numbers& values) {
+            const auto apply = chosen<Apply>(
+                "an operator", what,
+                {{"lie_derivative", [](const LieDerivative& L, const Points& X,
+                                       const Cochain& a) { return L(X, a); }},
+                 {"interior_product", [](const LieDerivative& L, const Points& X,
+                                         const Cochain& a) { return L.interior_product(X, a); }},
+                 {"inflow", [](const LieDerivative& L, const Points& X, const Cochain& a) {
+                      return L.inflow(X, a);
+                  }}});
+            const Points along = rows(field);
+            const Cochain given = form(side, degree, values);
+            return parts(unlocked([&] { return apply(self, along, given); }));
+        });
+}
+
 void add_transfer(py::module_& module) {
     module.def("transfer", [](const Discretization& mesh, const std::string& what,
                               const std::string& side, int degree, const Numbers& values) {
@@ -164,8 +223,11 @@ void add_transfer(py::module_& module) {
 
 void add_fields(py::module_& module) {
     module.def("de_rham", &de_rham_of);
+    module.def("boundary_de_rham", &boundary_de_rham_of);
+    add_periodic(module);
     add_products(module);
     add_fields_of_vectors(module);
+    add_lie_derivative(module);
     add_transfer(module);
 }
 

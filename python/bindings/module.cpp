@@ -12,6 +12,10 @@ PYBIND11_MODULE(_core, module) {
     add_fields(module);
     add_pages(module);
     add_solvers(module);
+    add_in_time(module);
+    add_sources(module);
+    add_flows(module);
+    add_checkpoints(module);
     add_spectra(module);
     add_engines(module);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/pages/draw_page.h"
+#include "io/pages/series.h"
 #include "io/pictures/draw_cells.h"
 #include "python/bindings/convert.h"
 
@@ -74,12 +75,26 @@ std::string page_of_modes(const Discretization& mesh, const std::string& side, i
     return text_of(draw_page(mesh, found, title), mesh, facts);
 }
 
+void add_series(py::module_& module) {
+    py::class_<Series>(module, "Series")
+        .def(py::init([](const std::string& path, const Discretization& mesh,
+                         const std::string& title, const std::vector<double>& times) {
+            return std::make_unique<Series>(path, mesh, PageText{.title = title}, times);
+        }))
+        .def("add",
+             [](Series& self, double time, const Given& given) {
+                 unlocked([&, forms = forms_of(given)] { self.add(time, forms); });
+             })
+        .def("close", [](Series& self) { unlocked([&] { self.close(); }); });
+}
+
 } // namespace
 
 void add_pages(py::module_& module) {
     module.def("write_vtu", &write_picture);
     module.def("page", &page);
     module.def("page_of_modes", &page_of_modes);
+    add_series(module);
 }
 
 } // namespace polydec::python

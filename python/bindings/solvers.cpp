@@ -1,43 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
+#include "python/bindings/guarded.h"
 #include "solvers/darcy.h"
-#include "solvers/heat.h"
 #include "solvers/hodge.h"
-#include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "solvers/surfaces/parallel_transport.h"
 
-#include <mutex>
-
 namespace polydec::python {
 
 namespace {
-
-/// A solver, for one thread at a time; the others wait without the interpreter's lock.
-template <class Solver>
-struct Guarded {
-    template <class... Arguments>
-    explicit Guarded(Arguments&&... arguments) : solver(std::forward<Arguments>(arguments)...) {}
-
-    template <class Work>
-    auto use(Work work) {
-        return unlocked([&] {
-            const std::lock_guard lock(in_use);
-            return work(solver);
-        });
-    }
-
-    Solver solver;
-    std::mutex in_use;
-};
-
-template <class Solver, class... Arguments>
-std::unique_ptr<Guarded<Solver>> guarded(Arguments&&... arguments) {
-    return unlocked(
-        [&] { return std::make_unique<Guarded<Solver>>(std::forward<Arguments>(arguments)...); });
-}
 
 py::dict both_in_words(const SolveReport& report, const Compatibility& compatibility) {
     py::dict result = report_of(report);
@@ -47,17 +20,18 @@ py::dict both_in_words(const SolveReport& report, const Compatibility& compatibi
 }
 
 PoissonOptions poisson_options(const std::string& side, const std::vector<bool>& essential,
-                               const Numbers& conductivity, const std::string& engine) {
-    return {side_of(side), conditions_of(essential), engine, vector(conductivity)};
+                               const Numbers& robin, const Numbers& conductivity,
+                               const std::string& engine) {
+    return {side_of(side), conditions_of(essential, vector(robin)), engine, vector(conductivity)};
 }
 
 void add_poisson(py::module_& module) {
     using Solver = Guarded<PoissonSolver>;
     py::class_<Solver>(module, "PoissonSolver")
         .def(py::init([](const Calculus& of, const std::string& side,
-                         const std::vector<bool>& essential, const Numbers& conductivity,
-                         const std::string& engine) {
-            const auto options = poisson_options(side, essential, conductivity, engine);
+                         const std::vector<bool>& essential, const Numbers& robin,
+                         const Numbers& conductivity, const std::string& engine) {
+            const auto options = poisson_options(side, essential, robin, conductivity, engine);
             return of.mesh ? guarded<PoissonSolver>(*of.mesh, options)
                            : guarded<PoissonSolver>(of.complex, of.stars, options);
         }))
@@ -85,7 +59,7 @@ void add_darcy(py::module_& module) {
     py::class_<Solver>(module, "DarcySolver")
         .def(py::init([](const Calculus& of, const std::vector<bool>& essential,
                          const Numbers& conductivity, const std::string& engine) {
-            const auto options = poisson_options("dual", essential, conductivity, engine);
+            const auto options = poisson_options("dual", essential, {}, conductivity, engine);
             return of.mesh ? guarded<DarcySolver>(*of.mesh, options)
                            : guarded<DarcySolver>(of.complex, of.stars, options);
         }))
@@ -126,69 +100,6 @@ void add_hodge(py::module_& module) {
             return array(
                 self.use([](const HodgeSolver& solver) { return solver.harmonic_forms(); }));
         });
-}
-
-HeatOptions heat_options(double time_step, const std::string& scheme, const std::string& engine) {
-    return {time_step,
-            chosen<HeatScheme>("scheme", scheme,
-                               {{"backward_euler", HeatScheme::backward_euler},
-                                {"crank_nicolson", HeatScheme::crank_nicolson}}),
-            engine};
-}
-
-void add_heat(py::module_& module) {
-    using Heat = Guarded<HeatSolver>;
-    py::class_<Heat>(module, "HeatSolver")
-        .def(py::init([](const Calculus& of, const std::vector<bool>& essential,
-                         const std::string& given_side, int degree, double time_step,
-                         const std::string& scheme, const std::string& engine) {
-            const HeatOptions options = heat_options(time_step, scheme, engine);
-            const Side side = side_of(given_side);
-            if (essential.empty())
-                return guarded<HeatSolver>(of.complex, of.stars, side, degree, options);
-            const auto conditions = conditions_of(essential);
-            return of.mesh ? guarded<HeatSolver>(*of.mesh, conditions, side, degree, options)
-                           : guarded<HeatSolver>(of.complex, of.stars, conditions, side, degree,
-                                                 options);
-        }))
-        .def("step", [](Heat& self, const std::string& side, int degree, const Numbers& values,
-                        Index steps) {
-            Cochain now = form(side, degree, values);
-            self.use([&](const HeatSolver& solver) {
-                for (Index i = 0; i < steps; ++i) {
-                    now = solver.step(now);
-                    check_signals();
-                }
-            });
-            return parts(std::move(now));
-        });
-}
-
-void add_waves(py::module_& module) {
-    using Waves = Guarded<Leapfrog>;
-    py::class_<Waves>(module, "Leapfrog")
-        .def(py::init([](const Calculus& of, int k, double time_step) {
-            return guarded<Leapfrog>(of.complex, of.stars, k, time_step);
-        }))
-        .def("step",
-             [](Waves& self, const Numbers& E, const Numbers& B, Index steps) {
-                 Vector electric = vector(E), magnetic = vector(B);
-                 self.use([&](const Leapfrog& waves) {
-                     for (Index i = 0; i < steps; ++i) {
-                         waves.step(electric, magnetic);
-                         check_signals();
-                     }
-                 });
-                 return py::make_tuple(array(std::move(electric)), array(std::move(magnetic)));
-             })
-        .def("energy", [](Waves& self, const Numbers& E, const Numbers& B) {
-            return self.use([&, electric = vector(E), magnetic = vector(B)](const Leapfrog& waves) {
-                return waves.energy(electric, magnetic);
-            });
-        });
-    module.def("stable_step", [](const Calculus& of, int k) {
-        return unlocked([&] { return stable_step(of.complex, of.stars, k); });
-    });
 }
 
 void add_distance(py::module_& module) {
@@ -245,8 +156,6 @@ void add_solvers(py::module_& module) {
     add_poisson(module);
     add_darcy(module);
     add_hodge(module);
-    add_heat(module);
-    add_waves(module);
     add_distance(module);
     add_transport(module);
 }

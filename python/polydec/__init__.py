@@ -15,35 +15,47 @@ those of this module, which are Python's own too. See `discretize` and `Complex`
 from . import meshes
 from ._core import __version__
 from ._cells import Cells, ConditionedCells
+from ._checkpoint import Checkpoint, fingerprint, read_checkpoint, write_checkpoint
 from ._cochain import Cochain
 from ._complex import CellList, Complex, Merging, Polygons, discretize
 from ._distance import GeodesicDistance, ParallelTransport, geodesic_distance
 from ._engines import (Backend, Solution, backends, load_engine, register_eigen_solver,
                        register_linear_solver, set_memory_limit, solve)
 from ._errors import BackendUnavailable, Error, InvalidInput, IoError, SolverFailure
-from ._evolution import HeatSolver, Leapfrog, heat, stable_step, wave
-from ._fields import (de_rham, flat, flux_form, flux_sharp, gradient, inflow, interior_product,
+from ._evolution import Evolution, HeatSolver, heat
+from ._fields import (LieDerivative, boundary_de_rham, de_rham, flat, flux_form, flux_sharp, gradient, inflow, interior_product,
                       lie_derivative, primal_dual_wedge, sharp_pd, sharp_pp, wedge,
                       whitney_at_centroids, whitney_form)
+from ._flow import (FlowSolver, FluxTransport, IncompressibleFlow, ShallowWater, flow_of_velocity,
+                    flow_of_vorticity, flux_through_boundary)
 from ._given import as_mesh, split_polygons
 from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
+from ._periodic import PeriodicMesh, periodic
 from ._plot import plot, to_meshio, to_pyvista
 from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonSolver, darcy,
                        harmonic_forms, hodge_decomposition, poisson)
+from ._sources import (CurlCurlSolution, FormSolution, HodgeLaplaceSolver, StokesFlow, StokesSolver,
+                       hodge_laplace)
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
-from ._view import Page, view, write_vtu
+from ._view import Page, Series, view, write_vtu
+from ._waves import AbsorbingLayer, Leapfrog, WaveState, stable_step, wave
 
 __all__ = [
-    "__version__", "meshes", "Backend", "BackendUnavailable", "CellList", "Cells", "Certificate", "Cochain",
-    "Complex", "ConditionedCells", "DarcyFlow", "DarcySolver", "Eigenpairs", "Error",
-    "GeodesicDistance", "HeatSolver", "HodgeParts", "HodgeSolver", "InvalidInput", "IoError",
-    "Leapfrog", "LengthMesh", "Merging", "Mesh", "Page", "ParallelTransport", "PoissonSolver",
-    "Polygons", "Solution", "SolverFailure", "Spectrum", "as_mesh", "backends", "darcy",
-    "de_rham", "discretize", "flat", "flux_form", "flux_sharp", "geodesic_distance", "gradient",
-    "harmonic_forms", "heat", "hodge_decomposition", "inflow", "interior_product",
-    "lie_derivative", "load_engine", "plot", "poisson", "primal_dual_wedge", "read_lengths",
-    "read_mesh", "register_eigen_solver", "register_linear_solver", "set_memory_limit",
-    "sharp_pd", "sharp_pp", "smallest_eigenpairs", "solve", "spectrum", "split_polygons",
-    "stable_step", "to_meshio", "to_pyvista", "view", "wave", "wedge", "whitney_at_centroids",
-    "whitney_form", "write_lengths", "write_mesh", "write_vtu",
+    "__version__", "meshes", "AbsorbingLayer", "Backend", "BackendUnavailable", "CellList",
+    "Cells", "Certificate", "Checkpoint", "Cochain", "Complex", "ConditionedCells",
+    "CurlCurlSolution", "DarcyFlow", "DarcySolver", "Eigenpairs", "Error", "Evolution",
+    "FlowSolver", "FluxTransport", "FormSolution", "GeodesicDistance", "HeatSolver",
+    "HodgeLaplaceSolver", "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
+    "IoError", "Leapfrog", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
+    "ParallelTransport", "PeriodicMesh", "PoissonSolver", "Polygons", "Series", "ShallowWater",
+    "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "WaveState", "as_mesh",
+    "backends", "boundary_de_rham", "darcy", "de_rham", "discretize", "fingerprint", "flat",
+    "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
+    "geodesic_distance", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
+    "hodge_laplace", "inflow", "interior_product", "lie_derivative", "load_engine", "periodic",
+    "plot", "poisson", "primal_dual_wedge", "read_checkpoint", "read_lengths", "read_mesh",
+    "register_eigen_solver", "register_linear_solver", "set_memory_limit", "sharp_pd", "sharp_pp",
+    "smallest_eigenpairs", "solve", "spectrum", "split_polygons", "stable_step", "to_meshio",
+    "to_pyvista", "view", "wave", "wedge", "whitney_at_centroids", "whitney_form",
+    "write_checkpoint", "write_lengths", "write_mesh", "write_vtu",
 ]

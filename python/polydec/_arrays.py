@@ -14,7 +14,7 @@ Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int32]
 MatrixParts = Tuple[Floats, Integers, Integers, int]
 #: What may stand for values at places: one for all, one for each, or a function of the places.
-Values = Union[float, npt.ArrayLike, Callable[[Floats], npt.ArrayLike]]
+Values = Union[float, npt.ArrayLike, Callable[[Floats], Any]]
 
 
 def _array(values: npt.ArrayLike, name: str) -> npt.NDArray[Any]:

@@ -168,6 +168,27 @@ class Complex(Cells):
         """The same with stars of another kind, as the option ``star`` of `discretize`."""
         return Complex(self._mesh.with_star(kind), self._given, {**self._options, "star": kind})
 
+    def with_material(self, k: int, weights: npt.ArrayLike) -> Complex:
+        """The same with the star of k-forms times a weight of each n-cell, at least 0: times the
+        means around k-cells where it is diagonal, else Galerkin's of the material.
+
+        Of Maxwell's equations with E a primal 1-form that of degree 1 is weighted by the
+        permittivity, that of degree 2 by the inverse of the permeability.
+
+        >>> import numpy as np, polydec
+        >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
+        >>> heavy = square.with_material(0, np.full(16, 3.0))
+        >>> np.allclose(heavy.star(0), 3 * square.star(0))
+        True
+        """
+        made = self._mesh.with_material(k, floats(weights, "weights"))
+        return Complex(made, None, self._options)
+
+    def cell_means(self, k: int, weights: npt.ArrayLike) -> Floats:
+        """The mean of a weight of n-cells around each k-cell, such as the losses that `Leapfrog`
+        takes."""
+        return self._mesh.cell_means(k, floats(weights, "weights"))
+
     def material_star(self, k: int, weights: npt.ArrayLike) -> Any:
         """Galerkin's star of k-forms, each n-cell's part times a positive weight."""
         return self._mesh.material_star(k, floats(weights, "weights"))
@@ -316,6 +337,21 @@ def facet_marks(cells: Cells, essential: Any) -> list[bool]:
     """Conditions for C++ from those of users, who may mark facets by their places."""
     places = cells.facet_sites() if isinstance(cells, Complex) else np.zeros((0, 0))
     return marks(essential, places, cells.size(cells.dim - 1))
+
+
+def facet_coefficients(cells: Cells, robin: Any) -> Floats:
+    """Coefficients of Robin's condition, one for each facet; empty, if there are none."""
+    if robin is None:
+        return np.zeros(0)
+    if callable(robin):
+        robin = robin(cells.facet_sites() if isinstance(cells, Complex) else np.zeros((0, 0)))
+    facets = cells.size(cells.dim - 1)
+    given = floats(np.full(facets, robin) if np.ndim(robin) == 0 else robin,
+                   "coefficients of Robin's condition")
+    if len(given) != facets:
+        raise InvalidInput(f"{len(given)} coefficients of Robin's condition are given: expected one, "
+                           f"or one for each of {facets} facets")
+    return given
 
 
 def mesh_of(complex: Complex) -> _core.Discretization:

@@ -1,16 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""Problems in time: heat and waves."""
+"""Problems in time: heat, and forms that diffuse and react."""
 from __future__ import annotations
 
-from typing import Any
+import os
+from typing import Any, Callable, Iterator, Sequence, Union
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, floats
-from ._cells import Form, as_form
+from ._cells import Cells, Form, as_form
+from ._checkpoint import Checkpoint, read_checkpoint, write_checkpoint
+from ._cochain import Cochain
 from ._complex import CellsLike, as_cells, facet_marks
+from ._errors import InvalidInput
+
+#: One form, or several that change together.
+Forms = Union[Form, Sequence[Form]]
 
 
 class HeatSolver:
@@ -65,71 +71,224 @@ def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degre
     return solver.step(u, steps)
 
 
-class Leapfrog:
-    """Waves of primal k-forms: E a k-form at whole times, B a (k+1)-form at half times.
+class Evolution:
+    """Forms that change in time: ``du_i/dt = -nu_i Delta u_i + f_i(t, u_1, u_2, ..)``.
 
-    For k = 1 in space these are Maxwell's equations, for k = 0 the scalar wave equation. On
-    ``complex.conditioned(degree=k)`` E vanishes on the boundary; else nothing flows out.
-
-    Parameters
-    ----------
-    complex : Cells, or a mesh as `discretize` takes it
-    k : int
-    time_step : float
-        Below `stable_step`.
-    """
-
-    def __init__(self, complex: CellsLike, k: int, time_step: float) -> None:
-        complex = as_cells(complex)
-        self._waves = _core.Leapfrog(complex._calculus, k, time_step)
-        self.time_step = time_step
-
-    def step(self, E: npt.ArrayLike, B: npt.ArrayLike, steps: int = 1) -> tuple[Floats, Floats]:
-        """E and B so many steps later. Ctrl-C ends it between two steps."""
-        return self._waves.step(floats(E, "values of E"), floats(B, "values of B"), steps)
-
-    def energy(self, E: npt.ArrayLike, B: npt.ArrayLike) -> float:
-        """What every step conserves."""
-        return self._waves.energy(floats(E, "values of E"), floats(B, "values of B"))
-
-
-def stable_step(complex: CellsLike, k: int) -> float:
-    """The length that time steps of `Leapfrog` must stay below.
-
-    >>> import polydec
-    >>> grid = polydec.discretize(polydec.meshes.kuhn([10], [1.0]))
-    >>> round(polydec.stable_step(grid, 0), 3)      # h = 0.1, and waves run 1 per unit of time
-    0.1
-    """
-    return _core.stable_step(as_cells(complex)._calculus, k)
-
-
-def wave(complex: CellsLike, E: npt.ArrayLike, time: float, B: npt.ArrayLike | None = None, *,
-         k: int = 0, time_step: float | None = None) -> tuple[Floats, Floats]:
-    """E and B of a wave after some time, by steps of equal length, at most 0.9 `stable_step`.
+    Diffusion is solved for, so steps are as long as the tolerances allow, however fine the mesh is.
 
     Parameters
     ----------
     complex : Cells, or a mesh as `discretize` takes it
-    E, B : array_like, shapes (size(k),) and (size(k+1),)
-        At the time 0, and half a step later; B is 0 if left out.
+    start : Cochain or array_like, or a sequence of these
+        The forms at the beginning: one unknown, or several, of any sides and degrees.
+    degree, side
+        Of unknowns that are given as arrays.
+    diffusion : float or sequence of float
+        nu >= 0, for all unknowns or for each; length squared over time.
+    reaction : callable, optional
+        ``reaction(t, u_1, u_2, ..)`` takes the time and an array for each unknown, and returns
+        their rates, which are not stiff: an array, or a tuple of them, where None and 0 stand for
+        no rate. A source depends on the time alone.
+    essential : bool or array of bool or callable, optional
+        As for `spectrum`, for all unknowns. Without, the built-in conditions hold.
+    boundary : float, array_like or callable, optional
+        Values on essential facets, by default 0: of primal k-forms for each k-cell, of dual 0-forms
+        for each facet; or a function of the time that returns them. Of several unknowns a sequence
+        of these, or None.
+    event : callable, optional
+        ``event(t, u_1, u_2, ..)``: a march stops where this goes through 0.
     time : float
-    k : int
-        Degree of E.
-    time_step : float, optional
-        The longest step.
+        At the beginning.
+    integrator : str
+        A name of `backends` of the kind "integrator".
+    relative_tolerance, absolute_tolerance : float
+        What a step may be wrong by, relative to each value and to the size of its cell.
+    first_step, largest_step : float, optional
+        Of those chosen; 0: any.
+    fixed_step : float, optional
+        Steps of this length in place of those that the tolerances ask for; 0: the latter.
+    most_steps : int
+        In one march.
+    engine : str
+        A linear solver, by its name of `backends`.
+
+    Attributes
+    ----------
+    time : float
+    forms : tuple of numpy.ndarray
+        The unknowns now, values on essential facets included.
+
+    Raises
+    ------
+    InvalidInput
+        For forms that do not live on the cells, and what an integrator cannot do.
+    SolverFailure
+        From a march in which rates are not finite or steps become too short.
 
     Examples
     --------
     >>> import numpy as np, polydec
-    >>> square = polydec.discretize(polydec.meshes.grid(16, 16))
-    >>> x = np.cos(np.pi * square.points[:, 0])
-    >>> E, B = polydec.wave(square, x, 2.0)           # one period
-    >>> bool(abs(E - x).max() < 0.02)
+    >>> sphere = polydec.discretize(polydec.meshes.icosphere(8))
+    >>> z = sphere.points[:, 2]                     # Delta z = 2 z, so that a source of 2 z keeps it
+    >>> run = polydec.Evolution(sphere, z, diffusion=1.0, reaction=lambda t, u: 2 * z)
+    >>> run.march(1.0)
+    False
+    >>> bool(abs(run.forms[0] - z).max() < 0.01)
     True
     """
-    complex = as_cells(complex)
-    longest = 0.9 * stable_step(complex, k) if time_step is None else time_step
-    steps = max(1, int(np.ceil(time / longest)))
-    waves = Leapfrog(complex, k, time / steps)
-    return waves.step(E, np.zeros(complex.size(k + 1)) if B is None else B, steps)
+
+    def __init__(self, complex: CellsLike, start: Forms, *, degree: int = 0, side: str = "primal",
+                 diffusion: float | Sequence[float] = 0.0,
+                 reaction: Callable[..., Any] | None = None, essential: Any = None,
+                 boundary: Any = None, event: Callable[..., Any] | None = None,
+                 time: float = 0.0, integrator: str = "runge-kutta",
+                 relative_tolerance: float = 1e-5, absolute_tolerance: float = 1e-8,
+                 first_step: float = 0.0, largest_step: float = 0.0, fixed_step: float = 0.0,
+                 most_steps: int = 1_000_000, engine: str = "auto") -> None:
+        complex = as_cells(complex)
+        unknowns = [as_form(form, degree, side) for form in _several(start)]
+        coefficients = floats(np.full(len(unknowns), diffusion) if np.ndim(diffusion) == 0
+                              else diffusion, "coefficients of diffusion")
+        if len(coefficients) != len(unknowns):
+            raise InvalidInput(f"{len(coefficients)} coefficients of diffusion are given: expected "
+                               f"one, or one for each of {len(unknowns)} unknowns")
+        marked = [] if essential is None else facet_marks(complex, essential)
+        given = [(*form, float(nu), marked, _at_boundary(each, complex, form[0], form[1]))
+                 for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
+        self._run = _core.Evolution(
+            complex._calculus, given, _rates(reaction, len(unknowns)), _number(event), time,
+            integrator, (relative_tolerance, absolute_tolerance, first_step, largest_step, fixed_step,
+             most_steps), engine)
+
+    @property
+    def time(self) -> float:
+        return self._run.time()
+
+    @property
+    def forms(self) -> tuple[Floats, ...]:
+        return tuple(self._run.forms())
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """What it took: ``engine``, ``steps``, ``rejected``, ``evaluations`` of the reaction,
+        ``stiff_evaluations``, ``preparations``, ``solves``, ``last_step``."""
+        return self._run.report()
+
+    def march(self, until: float) -> bool:
+        """Marches to this time, or to the first event; whether it was one.
+
+        Ctrl-C ends it where it calls the reaction or the event.
+        """
+        return self._run.march(until)
+
+    def frames(self, times: Sequence[float], *,
+               checkpoint: str | os.PathLike[str] | None = None,
+               problem: int = 0) -> Iterator[tuple[Any, ...]]:
+        """Marches to each of these ascending times, and gives the time and the forms there; the
+        last ones are those of an event, if there is one.
+
+        Parameters
+        ----------
+        times : sequence of float
+        checkpoint : str or os.PathLike, optional
+            A file that keeps what is there before the next time is marched to. Where it is there
+            already, the run goes on from it, to the times behind it alone.
+        problem : int
+            The `fingerprint` of what a checkpoint belongs to.
+
+        Examples
+        --------
+        >>> import numpy as np, polydec
+        >>> square = polydec.discretize(polydec.meshes.grid(2, 2))
+        >>> run = polydec.Evolution(square, np.ones(9), reaction=lambda t, u: -u)
+        >>> for t, u in run.frames([0.5, 1.0]):
+        ...     print(t, round(u[0], 4))
+        0.5 0.6065
+        1.0 0.3679
+        """
+        step, stopped = 0, False
+        if checkpoint is not None and os.path.exists(checkpoint):
+            step, stopped = self._go_on(read_checkpoint(checkpoint, problem))
+        while step < len(times) and not stopped:
+            stopped = self.march(times[step])
+            step += 1
+            yield (self.time, *self.forms)
+            if checkpoint is not None:
+                write_checkpoint(checkpoint, [*self.state(), [float(stopped)]], step=step,
+                                 time=self.time, problem=problem)
+
+    def _go_on(self, kept: Checkpoint) -> tuple[int, bool]:
+        if not kept.state or len(kept.state[-1]) != 1:
+            raise InvalidInput("the checkpoint is none that frames wrote")
+        self.resume(kept.time, kept.state[:-1])
+        return kept.step, bool(kept.state[-1][0])
+
+    def state(self) -> list[Floats]:
+        """What a checkpoint has to keep beside the time, for `resume`."""
+        return self._run.state()
+
+    def resume(self, time: float, state: Sequence[Floats]) -> None:
+        """Goes on from what `state` gave at this time, with the same steps."""
+        self._run.resume(time, [floats(values, "values of a state") for values in state])
+
+
+def _several(start: Forms) -> list[Form]:
+    if isinstance(start, (list, tuple)) and start and all(
+            isinstance(each, Cochain) or np.ndim(each) > 0 for each in start):
+        return list(start)
+    return [start] # type: ignore[list-item]
+
+
+def _rates(reaction: Callable[..., Any] | None, unknowns: int) -> Any:
+    """The reaction as C++ calls it: with a list of arrays, for a list of them."""
+    if reaction is None:
+        return None
+    called = reaction
+
+    def rate(given: Any) -> Floats:
+        if given is None or (np.ndim(given) == 0 and given == 0):
+            return np.zeros(0)
+        return floats(np.asarray(given), "rates of the reaction")
+
+    def rates(time: float, forms: list[Floats]) -> list[Floats]:
+        given = called(time, *forms)
+        return [rate(each) for each in ((given,) if unknowns == 1 and not isinstance(given, tuple)
+                                        else given)]
+
+    return rates
+
+
+def _number(event: Callable[..., Any] | None) -> Any:
+    if event is None:
+        return None
+    called = event
+    return lambda time, forms: float(called(time, *forms))
+
+
+def _each(boundary: Any, unknowns: int) -> Sequence[Any]:
+    if unknowns == 1:
+        return [boundary]
+    given = [None] * unknowns if boundary is None else boundary
+    if not isinstance(given, (list, tuple)) or len(given) != unknowns:
+        raise InvalidInput(f"values on the boundary are given for other than {unknowns} unknowns: "
+                           "expected a sequence with values or None for each")
+    return given
+
+
+def _at_boundary(boundary: Any, cells: Cells, side: str,
+                 degree: int) -> Callable[[float], Floats] | None:
+    """Values on the boundary as a function of the time: of primal forms for all cells, of dual ones
+    for all those whose duals within the boundary have their degree."""
+    if boundary is None:
+        return None
+    size = cells.size(degree if side == "primal" else cells.dim - degree - 1)
+
+    def values(time: float) -> Floats:
+        given = boundary(time) if callable(boundary) else boundary
+        made = floats(np.full(size, given) if np.ndim(given) == 0 else given,
+                      "values on the boundary")
+        if len(made) != size:
+            raise InvalidInput(f"{len(made)} values on the boundary are given: expected {size}")
+        return made
+
+    return values

@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import Floats, Values, at_places, floats
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
-from ._complex import CellsLike, as_cells, facet_marks
+from ._complex import CellsLike, as_cells, facet_coefficients, facet_marks
 from ._engines import Solution
 from ._errors import InvalidInput
 
@@ -32,7 +32,11 @@ class PoissonSolver:
     essential : bool or array of bool or callable
         Where on the boundary u is given (Dirichlet): everywhere, nowhere, or one mark for each
         (n-1)-cell; elsewhere its normal derivative is (Neumann). A callable takes all facet sites,
-        an array (size(n-1), N), and returns marks.
+        an array (size(n-1), N), and returns marks. By tags of the file these are
+        ``np.isin(complex.facet_tags, [1, 2])``.
+    robin : float, array_like or callable, optional
+        Where u is not given, its normal derivative plus this coefficient times u is (Robin):
+        positive, one for all facets or one for each; where it is 0 the normal derivative is given.
     conductivity : array_like, optional
         kappa > 0 of each n-cell.
     engine : str
@@ -50,9 +54,11 @@ class PoissonSolver:
     """
 
     def __init__(self, complex: CellsLike, *, side: str = "primal", essential: Any = True,
-                 conductivity: npt.ArrayLike | None = None, engine: str = "auto") -> None:
+                 robin: Values | None = None, conductivity: npt.ArrayLike | None = None,
+                 engine: str = "auto") -> None:
         complex = as_cells(complex)
         self._solver = _core.PoissonSolver(complex._calculus, side, facet_marks(complex, essential),
+                                           facet_coefficients(complex, robin),
                                            _conductivity(conductivity), engine)
         self.sites = self._solver.sites
         self.boundary_sites = self._solver.boundary_sites
@@ -69,7 +75,8 @@ class PoissonSolver:
         boundary : float or array or callable
             u at `boundary_sites`; other than essential places do not matter.
         flux : float or array or callable
-            The derivative along the outward normal, times kappa, at `flux_sites`.
+            The derivative along the outward normal, times kappa, at `flux_sites`; where there is
+            Robin's condition with its coefficient times u added.
         """
         right = at_places(f, self.sites, "values of f")
         columns = 1 if right.ndim == 1 else right.shape[1]
@@ -86,7 +93,7 @@ class PoissonSolver:
 
 
 def poisson(complex: CellsLike, f: Values = 0.0, boundary: Values = 0.0, flux: Values = 0.0, *,
-            side: str = "primal", essential: Any = True,
+            side: str = "primal", essential: Any = True, robin: Values | None = None,
             conductivity: npt.ArrayLike | None = None, engine: str = "auto") -> Solution:
     """Solves ``-div kappa grad u = f``: a `PoissonSolver` made for one solve.
 
@@ -99,8 +106,8 @@ def poisson(complex: CellsLike, f: Values = 0.0, boundary: Values = 0.0, flux: V
     >>> bool(abs(u.values - plane(square.points)).max() < 1e-12)
     True
     """
-    solver = PoissonSolver(complex, side=side, essential=essential, conductivity=conductivity,
-                           engine=engine)
+    solver = PoissonSolver(complex, side=side, essential=essential, robin=robin,
+                           conductivity=conductivity, engine=engine)
     return solver.solve(f, boundary, flux)
 
 

@@ -149,6 +149,59 @@ def write_vtu(path: str | os.PathLike[str], complex: CellsLike, forms: Fields | 
     _core.write_vtu(os.fspath(path), complex._mesh, _cells_of(complex, given), given, float32)
 
 
+class Series:
+    """Pictures at ascending times: a .pvd file for ParaView, or an .html page that plays.
+
+    Steps are written while they are added, so what a killed program leaves can be looked at.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        Ends with .pvd or .html.
+    complex : Complex, or a mesh as `discretize` takes it
+    title : str
+    times : sequence of float
+        Those of the steps that a .pvd file has already, to go on with it; empty: begins anew.
+
+    Raises
+    ------
+    IoError
+        If nothing can be written there.
+
+    Examples
+    --------
+    >>> import os, polydec, tempfile
+    >>> sphere = polydec.discretize(polydec.meshes.goldberg(2))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     with polydec.Series(os.path.join(folder, "film.pvd"), sphere) as film:
+    ...         for t in (0.0, 0.5):
+    ...             film.add(t, {"u": t * sphere.points[:, 2]})
+    ...     sorted(os.listdir(folder))
+    ['film', 'film.pvd']
+    """
+
+    def __init__(self, path: str | os.PathLike[str], complex: CellsLike, *,
+                 title: str = "polydec", times: Sequence[float] = ()) -> None:
+        self._complex = as_complex(complex)
+        self._series = _core.Series(os.fspath(path), self._complex._mesh, title, [*times])
+
+    def add(self, time: float, forms: Fields, *, degree: int | None = None,
+            side: str = "primal") -> None:
+        """A step, of forms as `view` takes them, with the same names at every time."""
+        self._series.add(time, _forms(self._complex, _by_name(forms), degree, side))
+
+    def close(self) -> None:
+        """Writes what is not written yet; at the end of a ``with`` by itself."""
+        self._series.close()
+
+    def __enter__(self) -> Series:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        if error[0] is None:
+            self.close()
+
+
 def _by_name(fields: Fields | None) -> dict[str, Form]:
     if fields is None:
         return {}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "python/bindings/calculus.h"
+#include "python/bindings/convert.h"
+#include "python/bindings/guarded.h"
+#include "solvers/hodge_laplace.h"
+#include "solvers/stokes.h"
+
+namespace polydec::python {
+
+namespace {
+
+/// A solver of Delta u = f, and the cells that it is for.
+struct FormSolver {
+    CellComplex complex;
+    HodgeLaplaceSolver solver;
+};
+
+std::unique_ptr<Guarded<FormSolver>> form_solver(const Calculus& of, const std::string& side,
+                                                 int degree, const std::vector<bool>& essential,
+                                                 const Numbers& robin, const std::string& engine) {
+    const HodgeLaplaceOptions options{side_of(side), degree,
+                                      conditions_of(essential, vector(robin)), engine};
+    return unlocked([&] {
+        return std::make_unique<Guarded<FormSolver>>(
+            FormSolver{of.complex, of.mesh ? HodgeLaplaceSolver(*of.mesh, options)
+                                           : HodgeLaplaceSolver(of.complex, of.stars, options)});
+    });
+}
+
+/// Data on the boundary as Python names them: values, codifferential, flow, derivative_flow.
+using GivenData = std::tuple<Numbers, Numbers, Numbers, Numbers>;
+
+BoundaryForms boundary_forms(const GivenData& given) {
+    const auto& [values, codifferential, flow, derivative_flow] = given;
+    return {vector(values), vector(codifferential), vector(flow), vector(derivative_flow)};
+}
+
+void add_forms_with_sources(py::module_& module) {
+    using Solver = Guarded<FormSolver>;
+    py::class_<Solver>(module, "HodgeLaplaceSolver")
+        .def(py::init(&form_solver))
+        .def("solve",
+             [](Solver& self, const std::string& side, int degree, const Numbers& f,
+                const GivenData& data, const Numbers& harmonic) {
+                 FormSolution found =
+                     self.use([&, given = form(side, degree, f), known = boundary_forms(data),
+                               part = vector(harmonic)](const FormSolver& of) {
+                         return of.solver.solve(given, known, part);
+                     });
+                 return py::make_tuple(parts(std::move(found.form)), parts(std::move(found.beside)),
+                                       parts(std::move(found.removed)), report_of(found.report));
+             })
+        .def("solve_curl_curl",
+             [](Solver& self, const std::string& side, int degree, const Numbers& current,
+                const GivenData& data) {
+                 CurlCurlSolution found =
+                     self.use([&, given = form(side, degree, current),
+                               known = boundary_forms(data)](const FormSolver& of) {
+                         return solve_curl_curl(of.solver, of.complex, given, known);
+                     });
+                 return py::make_tuple(parts(std::move(found.potential)),
+                                       parts(std::move(found.removed)), report_of(found.report));
+             })
+        .def("harmonic_forms", [](Solver& self) {
+            return array(self.use([](const FormSolver& of) { return of.solver.harmonic_forms(); }));
+        });
+}
+
+void add_stokes(py::module_& module) {
+    using Solver = Guarded<StokesSolver>;
+    py::class_<Solver>(module, "StokesSolver")
+        .def(py::init([](const Calculus& of, double viscosity, const std::string& engine) {
+            const StokesOptions options{viscosity, engine};
+            return of.mesh ? guarded<StokesSolver>(*of.mesh, options)
+                           : guarded<StokesSolver>(of.complex, of.stars, options);
+        }))
+        .def("solve", [](Solver& self, int degree, const Numbers& force, const Numbers& through,
+                         const Numbers& along) {
+            StokesFlow found =
+                self.use([&, given = form("primal", degree, force), fluxes = vector(through),
+                          tangential = vector(along)](const StokesSolver& solver) {
+                    return solver.solve(given, fluxes, tangential);
+                });
+            return py::make_tuple(parts(std::move(found.flux)), parts(std::move(found.vorticity)),
+                                  parts(std::move(found.pressure)), report_of(found.report));
+        });
+}
+
+} // namespace
+
+void add_sources(py::module_& module) {
+    add_forms_with_sources(module);
+    add_stokes(module);
+}
+
+} // namespace polydec::python

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Flows, and what they carry."""
+import numpy as np
+import pytest
+
+import polydec
+from conftest import complex_of, near
+
+SURFACES = ["goldberg", "torus", "hexagons", "well_centered", "kuhn"]
+
+
+def some_flow(name, **words):
+    c = complex_of(name)
+    flow = polydec.IncompressibleFlow(c, **words)
+    return flow, flow.project(np.cos(np.arange(c.size(c.dim - 1))))
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_energy_is_kept_or_lost_to_friction(name):
+    flow, w = some_flow(name)
+    assert flow.divergence(w) < 1e-12
+    dt = 0.3 * flow.exchange_time(w)
+    after = polydec.FlowSolver(flow, dt).step(w, 5)
+    assert np.isclose(flow.energy(after), flow.energy(w), rtol=1e-11)
+    assert not near(after, w, 1e-3)
+    sticky, w = some_flow(name, viscosity=0.1, no_slip=True)
+    small = 1e-3 * sticky.exchange_time(w)
+    rate = (sticky.energy(polydec.FlowSolver(sticky, small).step(w)) - sticky.energy(w)) / small
+    assert rate < 0
+    assert np.isclose(sticky.momentum(w) @ sticky.rate(w), -sticky.dissipation(w))
+
+
+@pytest.mark.parametrize("name", ["goldberg", "torus"])
+def test_circulations_cancel(name):
+    flow, w = some_flow(name)
+    assert abs(flow.circulations(w).sum()) < 1e-12 * abs(flow.circulations(w)).sum()
+    c = complex_of(name)
+    assert near(c.star(0) * flow.vorticity(w), flow.circulations(w))
+    assert near(flow.rate(w) @ flow.momentum(w), np.float64(0), 1) # no work, to rounding
+    assert abs(flow.rate(w) @ flow.momentum(w)) < 1e-10 * flow.energy(w)
+
+
+def test_walls_move_fluids():
+    square = complex_of("grid")
+    top = lambda x: np.outer(x[:, 1] > 1 - 1e-9, [1.0, 0.0])
+    flow = polydec.IncompressibleFlow(square, viscosity=1.0, no_slip=True, wall_velocity=top)
+    w = polydec.FlowSolver(flow, 0.05, scheme="imex").step(np.zeros(square.size(1)), 20)
+    velocity = polydec.flux_sharp(square, square.cochain(w, 1))
+    centers = square.centroids(2)
+    assert velocity[centers[:, 1].argmax(), 0] > 0 and flow.energy(w) > 0
+    still = polydec.IncompressibleFlow(square, viscosity=1.0, no_slip=True, wall_velocity=[0, 0])
+    assert abs(polydec.FlowSolver(still, 0.05).step(np.zeros(square.size(1)))).max() == 0
+
+
+def test_open_boundary_lets_through(square):
+    right = lambda x: x[:, 0] > 1 - 1e-9
+    left = lambda x: x[:, 0] < 1e-9
+    through = polydec.de_rham(square, 1, polydec.flux_form(lambda x: [1.0, 0] + 0 * x))
+    flow = polydec.IncompressibleFlow(square, open=right, boundary_flux=through)
+    assert near(flow.project(0 * through), through)
+    assert abs(flow.pressure(through)).max() < 1 and left(square.facet_sites()).any()
+    with pytest.raises(polydec.InvalidInput, match="flows out than in"):
+        polydec.IncompressibleFlow(square, boundary_flux=np.where(
+            left(square.facet_sites()), through, 0))
+
+
+def test_wrong_use_is_refused(square):
+    flow = polydec.IncompressibleFlow(square)
+    with pytest.raises(polydec.InvalidInput, match="fluxes"):
+        flow.energy([1.0])
+    with pytest.raises(polydec.InvalidInput):
+        polydec.FlowSolver(flow, -1.0)
+    with pytest.raises(polydec.InvalidInput, match="scheme"):
+        polydec.FlowSolver(flow, 1.0, scheme="euler")
+    with pytest.raises(polydec.InvalidInput, match="tetra|orient|branch|simplices|cells"):
+        polydec.IncompressibleFlow(complex_of("moebius"))
+
+
+@pytest.mark.parametrize("name", SURFACES)
+@pytest.mark.parametrize("sampling", ["upwind", "centered"])
+def test_mass_is_carried(name, sampling):
+    c = complex_of(name)
+    flow = np.sin(np.arange(c.size(c.dim - 1)))
+    rho = 1 + 0.5 * np.cos(np.arange(c.size(c.dim)))
+    carried = polydec.FluxTransport(c, sampling=sampling)
+    through = carried.mass_flux(flow, rho, np.ones(len(flow)))
+    rate = carried.rate(flow, rho, np.ones(len(flow)))
+    assert near(rate * c.volumes(c.dim), -(c.d(c.dim - 1) @ through))
+    assert abs(carried.mass(rate) + carried.outflow(through)) < 1e-12 * abs(through).sum()
+    after = rho + carried.stable_step(flow) * polydec.FluxTransport(c).rate(flow, rho)
+    assert after.min() > -1e-12
+
+
+@pytest.mark.parametrize("name, k", [("hexagons", 0), ("hexagons", 1), ("hexagons", 2),
+                                     ("kuhn", 1), ("kuhn", 2), ("torus", 1)])
+@pytest.mark.parametrize("sampling", ["upwind", "centered"])
+def test_lie_derivatives_are_those_of_matrices(name, k, sampling):
+    c = complex_of(name)
+    X, form = np.cos(c.points), np.sin(np.arange(c.size(k)))
+    L = polydec.LieDerivative(c, k, sampling=sampling)
+    assert near(L(X, form), polydec.lie_derivative(c, X, k, sampling=sampling) @ form)
+    if k > 0:
+        i = polydec.interior_product(c, X, k, sampling=sampling)
+        assert near(L.interior_product(X, form), i @ form)
+    assert isinstance(L(X, c.cochain(form, k)), polydec.Cochain)
+    assert near(L.inflow(X, form), polydec.inflow(c, X, k) @ form) or sampling == "centered"
+    with pytest.raises(polydec.InvalidInput):
+        L(X[:2], form)
+
+
+@pytest.mark.parametrize("name", ["goldberg", "torus", "well_centered"])
+def test_shallow_water_keeps_mass_and_energy(name):
+    c = complex_of(name)
+    water = polydec.ShallowWater(c, gravity=2.0, rotation=np.cos(c.points[:, 0]),
+                                 bottom=0.1 * np.sin(np.arange(c.size(2))))
+    depth = 1 + 0.1 * np.cos(np.arange(c.size(2)))
+    flux = 0.01 * np.sin(np.arange(c.size(1))) * ~c.boundary_facets()
+    dt = 0.2 * water.stable_step(depth, flux)
+    later = water.step(depth, flux, dt, 20)
+    assert np.isclose(water.mass(*later), water.mass(depth, flux), rtol=1e-13)
+    assert np.isclose(water.energy(*later), water.energy(depth, flux), rtol=1e-5)
+    assert not near(later[0], depth, 1e-3)
+    rate = water.rate(depth, flux)
+    assert abs(c.volumes(2) @ rate[0]) < 1e-13
+    assert near((water.step(depth, flux, 1e-6)[0] - depth) / 1e-6, rate[0], 1e-4)
+    assert len(water.potential_vorticity(depth, flux)) == c.size(0)
+    assert water.potential_enstrophy(depth, flux) > 0
+    with pytest.raises(polydec.InvalidInput):
+        water.rate(0 * depth, flux)

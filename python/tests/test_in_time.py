@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: MIT
+"""Evolutions, waves and what long runs keep."""
+import os
+import signal
+import threading
+
+import numpy as np
+import pytest
+
+import polydec
+from conftest import complex_of, near
+
+INTEGRATORS = [engine.name for engine in polydec.backends()
+               if engine.kind == "integrator" and engine.available]
+
+
+def eigenform(c, k, side):
+    """A mode of Delta that is none of the kernel, and its eigenvalue."""
+    found = polydec.spectrum(c, degree=k, side=side, count=min(6, c.size(k, side)))
+    i = int(np.argmax(found.eigenvalues > 1e-6))
+    return found.modes[:, i], found.eigenvalues[i]
+
+
+@pytest.mark.parametrize("name, k", [("torus", 0), ("torus", 1), ("well_centered", 0),
+                                     ("kuhn", 1), ("segments", 1)])
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_modes_decay_at_their_rates(name, k, side):
+    c = complex_of(name)
+    mode, eigenvalue = eigenform(c, k, side)
+    run = polydec.Evolution(c, mode, degree=k, side=side, diffusion=0.5,
+                            relative_tolerance=1e-8, absolute_tolerance=1e-12)
+    assert not run.march(1 / eigenvalue)
+    assert near(run.forms[0], np.exp(-0.5) * mode, 1e-6)
+    assert run.report["steps"] > 0 and run.report["engine"] == "runge-kutta"
+    assert not near(run.forms[0], np.exp(-0.6) * mode, 1e-2)
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_every_integrator_couples_unknowns(sphere, integrator):
+    z = sphere.points[:, 2]
+    run = polydec.Evolution(sphere, [z, 0 * z], reaction=lambda t, u, v: (v, -u),
+                            integrator=integrator, relative_tolerance=1e-8)
+    times = [0.5, 1.0]
+    for time, (at, u, v) in zip(times, run.frames(times)):
+        assert at == time and near(u, np.cos(time) * z, 1e-5) and near(v, -np.sin(time) * z, 1e-5)
+
+
+def test_there_are_integrators():
+    assert {"runge-kutta"} <= set(INTEGRATORS)
+
+
+def test_unknowns_of_different_kinds(square):
+    one = square.cochain(np.ones(square.size(0)), 0)
+    two = square.cochain(np.ones(square.size(2, "dual")), 2, "dual")
+    run = polydec.Evolution(square, [one, two], diffusion=[1.0, 0.0],
+                            reaction=lambda t, u, v: (None, 3 * t ** 2 * np.ones(len(v))))
+    run.march(1.0)
+    assert near(run.forms[0], np.ones(square.size(0)), 1e-9)
+    assert near(run.forms[1], 2 * np.ones(len(two)), 1e-4)
+
+
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_values_on_the_boundary(square, side):
+    sites = polydec.PoissonSolver(square, side=side).sites
+    at = square.points if side == "primal" else square.facet_sites()
+    run = polydec.Evolution(square, 1 + sites[:, 0], side=side, diffusion=1.0, essential=True,
+                            boundary=lambda t: (1 + t) * (1 + at[:, 0]),
+                            reaction=lambda t, u: 1 + sites[:, 0])
+    run.march(0.5)
+    assert near(run.forms[0], 1.5 * (1 + sites[:, 0]), 1e-4)
+    still = polydec.Evolution(square, np.full(len(sites), 2.0), side=side, diffusion=1.0,
+                              essential=True, boundary=2.0)
+    still.march(0.5)
+    assert near(still.forms[0], np.full(len(sites), 2.0), 1e-9)
+    with pytest.raises(polydec.InvalidInput, match="3 values on the boundary are given"):
+        polydec.Evolution(square, np.zeros(len(sites)), side=side, diffusion=1.0, essential=True,
+                          boundary=np.zeros(3)).march(1.0)
+
+
+def test_events_end_marches(square):
+    run = polydec.Evolution(square, np.ones(square.size(0)), reaction=lambda t, u: -u,
+                            event=lambda t, u: u[0] - 0.5, relative_tolerance=1e-9)
+    assert run.march(3.0)
+    assert abs(run.time - np.log(2)) < 1e-6
+    assert not run.march(3.0) and run.time == 3.0
+
+
+def test_errors_of_functions_come_through(square):
+    ones = np.ones(square.size(0))
+
+    def fails(time, *forms):
+        raise KeyError("mine")
+
+    for words in ({"reaction": fails}, {"event": fails}, {"boundary": fails, "diffusion": 1.0,
+                                                          "essential": True}):
+        with pytest.raises(KeyError, match="mine"):
+            polydec.Evolution(square, ones, **words).march(1.0)
+    with pytest.raises(polydec.InvalidInput, match="3 rates of unknown 0"):
+        polydec.Evolution(square, ones, reaction=lambda t, u: np.zeros(3)).march(1.0)
+    with pytest.raises(polydec.InvalidInput, match="rates of 3 unknowns: expected 2"):
+        polydec.Evolution(square, [ones, ones],
+                          reaction=lambda t, u, v: (u, v, u)).march(1.0)
+    with pytest.raises(polydec.SolverFailure, match="at the time 0.5"):
+        polydec.Evolution(square, ones,
+                          reaction=lambda t, u: np.nan * u if t > 0.5 else u).march(1.0)
+    with pytest.raises(polydec.InvalidInput, match="runge-kutta"):
+        polydec.Evolution(square, ones, integrator="nonsense")
+    with pytest.raises(polydec.InvalidInput, match="2 coefficients of diffusion"):
+        polydec.Evolution(square, ones, diffusion=[1.0, 2.0])
+
+
+def test_ctrl_c_ends_a_march(square):
+    run = polydec.Evolution(square, np.ones(square.size(0)), reaction=lambda t, u: np.cos(t) * u,
+                            fixed_step=1e-4, most_steps=1_000_000_000)
+    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        run.march(1e4)
+    timer.join()
+    assert np.isfinite(run.forms[0]).all() # and it can be gone on with
+    assert not run.march(run.time + 0.01)
+
+
+def test_a_reaction_cannot_use_the_run_itself(square):
+    run = polydec.Evolution(square, np.ones(square.size(0)), reaction=lambda t, u: run.time * u)
+    with pytest.raises(polydec.InvalidInput, match="uses the same solver"):
+        run.march(1.0)
+    assert run.time == 0.0
+
+
+@pytest.mark.parametrize("integrator", ["runge-kutta"])
+def test_runs_go_on_in_the_same_bits(sphere, integrator, tmp_path):
+    def made():
+        return polydec.Evolution(sphere, sphere.points[:, 2], diffusion=0.1,
+                                 reaction=lambda t, u: np.sin(t) * u, integrator=integrator)
+
+    whole = made()
+    whole.march(0.5)
+    path, problem = tmp_path / "run.checkpoint", polydec.fingerprint(sphere, 0.1, "heat")
+    polydec.write_checkpoint(path, whole.state(), time=whole.time, problem=problem)
+    whole.march(1.0)
+    kept, resumed = polydec.read_checkpoint(path, problem), made()
+    resumed.resume(kept.time, kept.state)
+    resumed.march(1.0)
+    assert np.array_equal(whole.forms[0], resumed.forms[0])
+    with pytest.raises(polydec.InvalidInput, match="belongs to"):
+        polydec.read_checkpoint(path, polydec.fingerprint(sphere, 0.2, "heat"))
+    with pytest.raises(polydec.IoError):
+        polydec.write_checkpoint(tmp_path / "none" / "such", [])
+
+
+def test_frames_are_gone_on_with(sphere, tmp_path):
+    def frames(**words):
+        run = polydec.Evolution(sphere, sphere.points[:, 2], diffusion=0.1,
+                                reaction=lambda t, u: np.sin(9 * t) * u,
+                                event=lambda t, u: u.max() - 0.8)
+        return run.frames([0.1, 0.2, 0.4, 10.0], checkpoint=tmp_path / "a", **words)
+
+    first = frames(problem=3)
+    for _ in range(3):
+        next(first) # what the third shows is not kept when it is left alone
+    times = [frame[0] for frame in frames(problem=3)]
+    assert times[:1] == [0.4] and 0.4 < times[1] < 10
+    assert list(frames(problem=3)) == []
+    with pytest.raises(polydec.InvalidInput, match="belongs to"):
+        next(frames(problem=4))
+    polydec.write_checkpoint(tmp_path / "a", [[1.0, 2.0]], problem=3)
+    with pytest.raises(polydec.InvalidInput, match="none that frames wrote"):
+        next(frames(problem=3))
+
+
+def test_fingerprints_tell_things_apart(sphere, square):
+    things = [(sphere,), (square,), (1.0,), (2.0,), ("a",), ([1.0, 2.0],), (1.0, 2.0, 3.0)]
+    assert len({polydec.fingerprint(*each) for each in things}) == len(things)
+    assert polydec.fingerprint(sphere, "a") == polydec.fingerprint(sphere, "a")
+
+
+def test_two_runs_in_two_threads(sphere):
+    found = {}
+
+    def work(rate):
+        run = polydec.Evolution(sphere, np.ones(sphere.size(0)), diffusion=0.1,
+                                reaction=lambda t, u: rate * u, relative_tolerance=1e-8)
+        run.march(1.0)
+        found[rate] = run.forms[0][0]
+
+    threads = [threading.Thread(target=work, args=(rate,)) for rate in (1.0, 2.0)]
+    for each in threads:
+        each.start()
+    for each in threads:
+        each.join()
+    assert all(abs(found[rate] / np.exp(rate) - 1) < 1e-5 for rate in found) and len(found) == 2
+
+
+@pytest.mark.parametrize("name, k", [("kuhn", 0), ("kuhn", 1), ("hexagons", 0), ("torus", 1)])
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_waves_of_either_side_keep_their_energy(name, k, side):
+    c = complex_of(name)
+    step = 0.9 * polydec.stable_step(c, k, side=side, essential=side == "dual")
+    waves = polydec.Leapfrog(c, k, step, side=side, essential=side == "dual")
+    E, B = waves.step(np.cos(np.arange(c.size(k, side))), np.zeros(c.size(k + 1, side)))
+    E1, B1 = waves.step(E, B)
+    assert near(B1 - B, -step * (c.d(k, side) @ E))
+    E2, B2 = waves.step(E, B, 200)
+    assert np.isclose(waves.energy(E2, B2), waves.energy(E, B))
+
+
+def test_essential_waves_are_those_of_conditioned_cells():
+    box = complex_of("kuhn")
+    inside = box.conditioned(degree=1)
+    assert polydec.stable_step(box, 1, essential=True) == polydec.stable_step(inside, 1)
+    E = inside.restrict(1, np.cos(np.arange(box.size(1))))
+    within, _ = polydec.wave(inside, E, 1.0, k=1)
+    whole, _ = polydec.wave(box, inside.extend(1, E), 1.0, k=1, essential=True)
+    assert np.array_equal(inside.extend(1, within), whole)
+
+
+def test_sources_and_losses(square):
+    """Constant functions are moved by sources alone, at E' = f(t) - loss E."""
+    n, dt = square.size(0), 0.01
+    waves = polydec.Leapfrog(square, 0, dt)
+    end = waves.march(polydec.WaveState(np.ones(n), np.zeros(square.size(1))), 100,
+                      source=lambda t: np.full(n, np.cos(t)))
+    assert abs(end.time - 1) < 1e-12 and near(end.E, np.full(n, 1 + np.sin(1)), 1e-5)
+    lossy = polydec.Leapfrog(square, 0, dt, loss=2.0)
+    lost, _ = lossy.step(np.ones(n), np.zeros(square.size(1)), 100)
+    assert near(lost, np.full(n, np.exp(-2)), 1e-3)
+    with pytest.raises(ZeroDivisionError):
+        waves.march(end, source=lambda t: 1 / 0)
+    with pytest.raises(polydec.InvalidInput):
+        waves.march(end, source=lambda t: [1.0, 2.0])
+
+
+def test_absorbing_layers():
+    line = polydec.discretize(polydec.meshes.kuhn([200], [10.0]))
+    pulse = np.exp(-10 * (line.points[:, 0] - 5) ** 2)
+    for layer in (2.0, polydec.AbsorbingLayer(2.0, "conducting"),
+                  polydec.AbsorbingLayer(2.0, sides=[(True, True)])):
+        assert abs(polydec.wave(line, pulse, 20.0, layer=layer)[0]).max() < 1e-2
+    one_side = polydec.AbsorbingLayer(2.0, sides=[(True, False)])
+    assert abs(polydec.wave(line, pulse, 9.0, layer=one_side)[0]).max() > 0.3
+    waves = polydec.Leapfrog(line, 0, 0.04, layer=2.0)
+    assert waves.layer == "stretched"
+    state = polydec.WaveState(pulse, np.zeros(200))
+    assert np.array_equal(waves.march(state, 300).E, waves.march(waves.march(state, 150), 150).E)
+    with pytest.raises(polydec.InvalidInput, match="expected the Complex"):
+        polydec.Leapfrog(line.conditioned(), 0, 0.01, layer=2.0)
+    with pytest.raises(polydec.InvalidInput, match="layer"):
+        waves.step(pulse, np.zeros(200))
+
+
+def test_series(sphere, tmp_path):
+    with polydec.Series(tmp_path / "film.pvd", sphere) as film:
+        for t in (0.0, 1.0):
+            film.add(t, {"z": t * sphere.points[:, 2]})
+        with pytest.raises(polydec.InvalidInput, match="above"):
+            film.add(0.5, {"z": sphere.points[:, 2]})
+    assert (tmp_path / "film.pvd").read_text().count("DataSet timestep") == 2
+    with polydec.Series(tmp_path / "film.html", sphere, title="A film") as page:
+        page.add(0.0, sphere.points[:, 2])
+    assert "A film" in (tmp_path / "film.html").read_text()
+    with pytest.raises(polydec.InvalidInput):
+        polydec.Series(tmp_path / "film.txt", sphere)

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Sources of forms, conditions of Robin's, boxes without walls, slow flows."""
+import numpy as np
+import pytest
+
+import polydec
+from conftest import complex_of, near
+
+
+@pytest.mark.parametrize("name, k", [("torus", 0), ("torus", 1), ("torus", 2), ("goldberg", 1),
+                                     ("kuhn", 1), ("kuhn", 2), ("well_centered", 1)])
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_sources_of_forms(name, k, side):
+    c = complex_of(name)
+    conditions = side == "dual" # which are built in
+    f = c.cochain(np.cos(np.arange(c.size(k, side))), k, side)
+    solver = polydec.HodgeLaplaceSolver(c, degree=k, side=side, essential=conditions)
+    found = solver.solve(f)
+    assert (found.form.laplacian() + found.removed - f).norm() < 1e-8 * f.norm()
+    harmonic = solver.harmonic_forms()
+    for h in harmonic.T:
+        assert abs(c.inner_product(found.form.values, h, k, side)) < 1e-8 * f.norm()
+    if harmonic.shape[1]:
+        more = solver.solve(f, harmonic=np.arange(1.0, harmonic.shape[1] + 1))
+        assert near((more.form - found.form).values,
+                    harmonic @ np.arange(1.0, harmonic.shape[1] + 1), 1e-8)
+    expected = found.form.delta() if side == "primal" else found.form.d()
+    assert near(found.beside.values, expected.values, 1e-7) or len(expected.values) == 0
+    with pytest.raises(polydec.InvalidInput):
+        solver.solve(np.ones(3))
+
+
+def test_magnets():
+    box = complex_of("kuhn").with_material(2, np.linspace(0.1, 1, 8))
+    j = box.cochain(np.cos(np.arange(box.size(1))), 1)
+    found = polydec.HodgeLaplaceSolver(box, degree=1).solve_curl_curl(j)
+    A = found.potential
+    assert np.isclose(A.d().norm() ** 2, box.inner_product(A, j - found.removed))
+    assert not near(A.values, polydec.HodgeLaplaceSolver(complex_of("kuhn"), degree=1)
+                    .solve_curl_curl(j.values).potential.values, 1e-2)
+
+
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_robin_of_a_rod(side):
+    """u'' = -1 with u(0) = 0 and u' + b u = 0 at 1 is x (1 + b / 2) / (1 + b) - x^2 / 2."""
+    rod = polydec.discretize(polydec.meshes.kuhn([40]))
+    solver = polydec.PoissonSolver(rod, side=side, essential=lambda x: x[:, 0] < 0.5, robin=2.0)
+    x = solver.sites[:, 0]
+    assert near(solver.solve(1.0).values, x * (2 / 3 - x / 2), 1e-3)
+    coefficients = np.where(rod.facet_sites()[:, 0] > 0.5, 2.0, 0.0)
+    for robin in (coefficients, lambda at: np.where(at[:, 0] > 0.5, 2.0, 0.0)):
+        u = polydec.poisson(rod, 1.0, side=side, essential=lambda at: at[:, 0] < 0.5, robin=robin)
+        assert np.array_equal(u.values, solver.solve(1.0).values)
+    none = polydec.poisson(rod, 1.0, side=side, essential=lambda at: at[:, 0] < 0.5)
+    assert not near(none.values, u.values, 0.1)
+    for robin in (-1.0, np.ones(3)):
+        with pytest.raises(polydec.InvalidInput):
+            polydec.PoissonSolver(rod, side=side, essential=False, robin=robin)
+
+
+@pytest.mark.parametrize("mesh, n", [(polydec.meshes.kuhn([8]), 1), (polydec.meshes.grid(6, 6), 2),
+                                     (polydec.meshes.kuhn([4, 4, 4]), 3)])
+def test_boxes_without_walls(mesh, n):
+    box = polydec.periodic(mesh, np.eye(n))
+    c = polydec.discretize(box)
+    assert not c.boundary_facets().any()
+    assert c.betti_numbers() == [[1, 1], [1, 2, 1], [1, 3, 3, 1]][n - 1]
+    assert len(box.points) == c.size(0) and len(box.numbers) == len(mesh.points)
+    form = box.de_rham(c, 1, lambda x: np.cos(2 * np.pi * x))
+    potential = box.de_rham(c, 0, lambda x: np.sin(2 * np.pi * x).sum(axis=1) / (2 * np.pi))
+    assert near(form, c.d(0) @ potential, 1e-3)
+    with pytest.raises(polydec.InvalidInput):
+        polydec.periodic(mesh, [np.full(n, 0.3)])
+
+
+def test_materials_weight_stars(square):
+    weights = np.linspace(1, 2, square.size(2))
+    assert near(square.with_material(1, weights).star(1),
+                square.star(1) * square.cell_means(1, weights))
+    assert near(square.cell_means(2, weights), weights)
+
+
+@pytest.mark.parametrize("name", ["grid", "well_centered"])
+def test_slow_flows(name):
+    c = complex_of(name)
+    uniform = polydec.de_rham(c, 1, polydec.flux_form(lambda x: [2.0, 1.0] + 0 * x))
+    along = polydec.boundary_de_rham(c, 1, lambda x: [-2.0, -1.0] + 0 * x)
+    flow = polydec.StokesSolver(c, viscosity=3.0).solve(through=uniform, along=along)
+    assert near(flow.flux.values, uniform, 1e-9)
+    assert abs(flow.vorticity.values).max() < 1e-8 and abs(flow.pressure.values).max() < 1e-7
+    force = polydec.StokesSolver(c).solve(force=np.cos(np.arange(c.size(1))))
+    assert abs(c.d(1) @ force.flux.values).max() < 1e-12 and force.flux.norm() > 0
+    with pytest.raises(polydec.InvalidInput):
+        polydec.StokesSolver(c).solve(through=np.where(c.facet_sites()[:, 0] < 1e-9, 1.0, 0.0))
