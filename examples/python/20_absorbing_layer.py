@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""Light in an open plane: the electric field stands upright on it, so it is a 0-form, and a pulse runs
+away in all directions. Around the squares that are of interest lies a layer of ten others that
+swallows what comes in. What still comes back is the difference from a plane so large that nothing
+can. Then a current makes waves beside a rod of glass, in which light is half as fast."""
+import numpy as np
+import numpy.typing as npt
+
+import polydec
+
+Floats = npt.NDArray[np.float64]
+
+layer, step = 10.0, 0.6 # squares have the side 1, light the speed 1
+
+
+def plane(half: int) -> polydec.Complex:
+    mesh = polydec.meshes.kuhn([2 * half, 2 * half], [2.0 * half, 2.0 * half])
+    return polydec.discretize((mesh.points - half, mesh.simplices))
+
+
+def hill(mesh: polydec.Complex, x: float, width: float) -> Floats:
+    far = ((mesh.points - [x, 0]) ** 2).sum(axis=1)
+    return np.asarray(np.exp(-far / width ** 2))
+
+
+def run(half: int, width: float) -> Floats:
+    """The field over time in the middle, and at the end everywhere."""
+    mesh = plane(half)
+    light = polydec.Leapfrog(mesh, 0, step, essential=True, layer=width)
+    state = polydec.WaveState(hill(mesh, 0, 3), np.zeros(mesh.size(1)))
+    middle = abs(mesh.points).max(axis=1) < 20
+    seen = []
+    for _ in range(100):
+        state = light.march(state)
+        seen.append(state.E[middle])
+    return np.concatenate(seen)
+
+
+def rod() -> None:
+    mesh = plane(30)
+    permittivity = np.where(np.linalg.norm(mesh.centers(2), axis=1) < 8, 4.0, 1.0)
+    mesh = mesh.with_material(0, permittivity)
+    light = polydec.Leapfrog(mesh, 0, step, essential=True, layer=layer)
+    state = polydec.WaveState(np.zeros(mesh.size(0)), np.zeros(mesh.size(1)))
+    antenna = hill(mesh, -14, 1.5)
+    most = 0.0
+    while state.time < 200:
+        state = light.march(state, source=lambda t: np.sin(0.5 * t) * np.exp(
+            -((t - 30) / 15) ** 2) * antenna)
+        most = max(most, light.energy(state.E, state.B))
+    left = 100 * (1 - light.energy(state.E, state.B) / most)
+    print(f"with a glass rod {left:g} % of the energy has left")
+
+
+open_plane, wide = run(30, layer), run(64, 0.0)
+back = abs(open_plane - wide).max() / abs(wide).max()
+print(f"{back:g} of the pulse comes back: {'less than 1e-4' if back < 1e-4 else 'too much'}")
+rod()
