@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Checks that every C++ block of README.md and of docs/*.md stands, line by line and indented the
-same, in an example that is compiled and that the page links to; and that every page of docs/ but the
-decisions shows a picture, all of which are there.
+"""Checks that every C++ block of README.md and of docs/*.md, and every block of docs/*.md in Python
+that is no dialog, stands, line by line and indented the same, in an example that is compiled or run
+and that the page links to; and that every page of docs/ but the decisions shows a picture, all of
+which are there.
 
 Usage: readme.py ROOT. A complaint for each, as file:line. Exit code: 0 none, 1 some.
 """
@@ -10,10 +11,11 @@ import sys
 from pathlib import Path
 
 
-def blocks(text):
-    """The C++ blocks, each with the number of its first line."""
+def blocks(text, language="cpp"):
+    """The blocks of a language, each with the number of its first line."""
     return [(text.count("\n", 0, match.start(1)) + 1, match.group(1))
-            for match in re.finditer(r"^ *```cpp\n(.*?)^ *```", text, re.DOTALL | re.MULTILINE)]
+            for match in re.finditer(rf"^ *```{language}\n(.*?)^ *```", text,
+                                     re.DOTALL | re.MULTILINE)]
 
 
 def stands_in(block, source):
@@ -28,11 +30,11 @@ def targets(page):
             [name for picture, name in links if picture])
 
 
-def lost(page, sources):
+def lost(page, sources, language="cpp"):
     """The blocks of a page that stand in no source, given by name, to which it links."""
     linked, _ = targets(page)
-    return [(line, block) for line, block in blocks(page)
-            if not any(name in linked and stands_in(block, source)
+    return [(line, block) for line, block in blocks(page, language)
+            if not block.startswith(">>>") and not any(name in linked and stands_in(block, source)
                        for name, source in sources.items())]
 
 
@@ -55,6 +57,9 @@ def check_itself():
     for source in ["{\nint x;\nint y;\n}\n", "    int x;\n\n    int y;\n", "    int x;\n",
                    "    int x;\n    int y;  // more\n"]:
         assert lost(page, {"a.cpp": source}), source
+    python = "```python\nx = 1\n```\n```python\n>>> 1\n1\n```\n[a.py](a.py)"
+    assert not lost(python, {"a.py": "x = 1\ny = 2\n"}, "python")
+    assert lost(python, {"a.py": "x = 2\n"}, "python") == [(2, "x = 1\n")]
     here = Path(__file__).parent
     assert missing_pictures(page, here) == ["images/none.svg is not there"]
     assert missing_pictures(code, here) == ["the page has no picture"]
@@ -63,11 +68,13 @@ def check_itself():
 
 def main():
     root = Path(sys.argv[1])
-    sources = {path.name: path.read_text() for path in sorted((root / "examples").rglob("*.cpp"))}
+    sources = {path.name: path.read_text() for ending in ("cpp", "py")
+               for path in sorted((root / "examples").rglob(f"*.{ending}"))}
     found = False
     for path in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
         page, name = path.read_text(), path.relative_to(root)
-        for line, block in lost(page, sources):
+        of_python = lost(page, sources, "python") if path.name != "README.md" else []
+        for line, block in lost(page, sources) + of_python:
             print(f"{name}:{line}: this code is in no example that the page links to:\n{block}")
             found = True
         if path.name != "decisions.md":

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// A long run that may be killed at any time: started again, it goes on from its last checkpoint,
+// in the same bits.
+#include <filesystem>
+#include <iostream>
+#include <polydec.h>
+
+void run(const std::vector<double>& times) {
+    const auto sphere = polydec::discretize(polydec::goldberg(8));
+    const polydec::Cochain z{polydec::Side::primal, 0, sphere.points().col(2)};
+    polydec::Evolution heat(sphere, {{.start = z, .diffusion = 1}});
+    const auto problem = polydec::Fingerprint().add(sphere).add("heat").value();
+    polydec::kept_march(heat, times, "run.checkpoint", problem, [&](const auto& now) {
+        const double left = polydec::norm(sphere, now.form(0)) / polydec::norm(sphere, z);
+        std::cout << "at " << now.time() << " there is " << left << '\n';
+    });
+}
+
+int main() {
+    std::filesystem::remove("run.checkpoint");
+    run({0.1, 0.2}); // and is killed
+    run({0.1, 0.2, 0.3, 0.4});
+}

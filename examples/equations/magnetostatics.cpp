@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// The field of a coil around a core of iron, in a box: its energy is the work of the current.
+#include <cmath>
+#include <iostream>
+#include <polydec.h>
+
+int main() {
+    const auto box = polydec::discretize(polydec::kuhn(3, 10));
+    const polydec::Points at = polydec::cell_centroids(box, 3).array() - 0.5;
+    const auto is_core = at.leftCols(2).rowwise().norm().array() < 0.2;
+    const polydec::Vector over_mu = is_core.select(polydec::Vector::Constant(at.rows(), 0.01), 1);
+    const auto iron = box.with_stars(polydec::weighted_stars(box, 2, over_mu));
+    const auto coil = polydec::de_rham(box, 1, polydec::circulation_form([](const auto& x) {
+                                           const double a = x[0] - 0.5, b = x[1] - 0.5;
+                                           const double j = std::exp(-30 * (a * a + b * b));
+                                           return polydec::Vector{{-b * j, a * j, 0}};
+                                       }));
+    const polydec::HodgeLaplaceSolver solver(iron, {.degree = 1});
+    const auto [A, removed, report] = polydec::solve_curl_curl(solver, iron.complex(), coil);
+    std::cout << "energy " << std::pow(polydec::norm(iron, polydec::d(iron, A)), 2) / 2 << ", work "
+              << polydec::inner_product(iron, A, coil) / 2 << '\n';
+}

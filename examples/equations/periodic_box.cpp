@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// A box without walls, whose opposite sides are one: functions swing there with the frequencies 2
+// pi (k, l), for (0, 1) as many as there are signs and places.
+#include <iostream>
+#include <numbers>
+#include <polydec.h>
+
+int main() {
+    const auto box = polydec::periodic(polydec::grid(40, 40),
+                                       {polydec::Vector{{1, 0}}, polydec::Vector{{0, 1}}});
+    const auto mesh = polydec::discretize(box.quotient);
+    const auto modes = polydec::spectrum(mesh, {.count = 5}).eigenvalues;
+    std::cout << mesh.complex().size(0) << " vertices, no boundary; eigenvalues over 4 pi^2:";
+    for (const double eigenvalue : modes.tail(4))
+        std::cout << ' ' << eigenvalue / (4 * std::numbers::pi * std::numbers::pi);
+    std::cout << '\n';
+}

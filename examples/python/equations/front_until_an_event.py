@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+"""A front runs into what is not yet burnt, u' = u_xx + u (1 - u) (u - 0.1), until it is in the
+middle: with its speed 0.8 / sqrt(2) after 17.678."""
+import numpy as np
+
+import polydec
+
+line = polydec.discretize(polydec.meshes.kuhn([400], [40.0]))
+front = 1 / (1 + np.exp((line.points[:, 0] - 10) / np.sqrt(2)))
+fire = polydec.Evolution(line, front, diffusion=1.0,
+                         reaction=lambda t, u: u * (1 - u) * (u - 0.1),
+                         event=lambda t, u: u[200] - 0.5)
+fire.march(100.0)
+print(f"in the middle at {fire.time:g}")

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+"""Water in a square box whose lid is drawn along, Re = 100: on the vertical line through the middle
+it flows back with up to 0.2109 (Ghia, Ghia, Shin 1982)."""
+import numpy as np
+
+import polydec
+
+square = polydec.discretize(polydec.meshes.grid(32, 32))
+lid = lambda x: np.outer(x[:, 1] > 0.999, [1.0, 0.0])
+flow = polydec.IncompressibleFlow(square, viscosity=0.01, no_slip=True, wall_velocity=lid)
+w = polydec.FlowSolver(flow, 0.02, scheme="imex").step(np.zeros(square.size(1)), 400)
+u = polydec.flux_sharp(square, square.cochain(w, 1))
+middle = abs(square.centers(2)[:, 0] - 0.5) < 0.02
+print(f"back with {-u[middle, 0].min():g}")

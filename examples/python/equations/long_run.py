@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+"""A long run that may be killed at any time: started again, it goes on from its last checkpoint,
+in the same bits."""
+import polydec
+
+
+def run(times: list[float]) -> None:
+    sphere = polydec.discretize(polydec.meshes.goldberg(8))
+    z = sphere.points[:, 2]
+    heat = polydec.Evolution(sphere, z, diffusion=1.0)
+    problem = polydec.fingerprint(sphere, "heat")
+    for time, u in heat.frames(times, checkpoint="run.checkpoint", problem=problem):
+        print(f"at {time:g} there is {sphere.norm(u, 0) / sphere.norm(z, 0):g}")
+
+
+run([0.1, 0.2]) # and is killed
+run([0.1, 0.2, 0.3, 0.4])

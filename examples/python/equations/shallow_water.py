@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+"""A hill of water runs around a planet that turns: its mass and its energy are kept."""
+import numpy as np
+
+import polydec
+
+planet = polydec.discretize(polydec.meshes.goldberg(8))
+water = polydec.ShallowWater(planet, rotation=2 * planet.points[:, 2])
+depth = polydec.de_rham(planet, 0, lambda x: 1 + 0.2 * np.exp(8 * (x[:, 0] - 1)), side="dual")
+flux = np.zeros(planet.size(1))
+mass, energy = water.mass(depth, flux), water.energy(depth, flux)
+depth, flux = water.step(depth, flux, 0.5 * water.stable_step(depth, flux), 200)
+print(f"highest {depth.max():g}, of the mass is kept {water.mass(depth, flux) / mass:g}, "
+      f"of the energy {water.energy(depth, flux) / energy:g}")
