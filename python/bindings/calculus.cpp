@@ -161,7 +161,7 @@ BoundaryConditions conditions_of(const std::vector<bool>& essential, const Vecto
     };
     if (essential.size() == 1 && robin.size() == 0)
         return {condition(0)};
-    BoundaryConditions conditions{.coefficients = robin};
+    BoundaryConditions conditions{.coefficients = {robin.begin(), robin.end()}};
     const std::size_t facets = std::max<std::size_t>(essential.size(), robin.size());
     for (std::size_t i = 0; i < facets; ++i)
         conditions.facets.push_back(condition(i));
