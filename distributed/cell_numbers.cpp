@@ -13,6 +13,13 @@ namespace polydec {
 
 namespace {
 
+/// By which its owner knows a cell. Rows ascend with these.
+struct FirstPiece {
+    int owner;
+    GlobalIndex number;
+    auto operator<=>(const FirstPiece&) const = default;
+};
+
 class Numbering {
 public:
     Numbering(const Ranks& ranks, const LocalComplex& local, const MergedCells& merged, int k)
@@ -25,12 +32,14 @@ public:
         cells_.count = count;
         cells_.number = places;
         cells_.first_row = ranks_.sum_before(std::ssize(places));
-        tell_pieces();
+        find_others();
+        find_cells();
         return std::move(cells_);
     }
 
 private:
-    bool is_piece(Index s) const { return merged_.carriers[k_][s].dimension == k_; }
+    const Carrier& carrier(Index s) const { return merged_.carriers[k_][s]; }
+    bool is_piece(Index s) const { return carrier(s).dimension == k_; }
 
     void find_own() {
         for (Index s = 0; s < local_.degree(k_).size(); ++s)
@@ -45,70 +54,72 @@ private:
         return numbers;
     }
 
-    void tell_pieces();
+    void find_others();
+    void find_cells();
 
     const Ranks& ranks_;
     const LocalComplex& local_;
     const MergedCells& merged_;
     int k_;
     DistributedCells::Degree cells_;
+    std::vector<FirstPiece> others_; // first pieces of cells of others, ascending
 };
 
-/// Owners of cells tell the ranks of their first pieces' numbers, and these whoever asks.
-void Numbering::tell_pieces() {
+/// Asks the owners of cells that begin elsewhere.
+void Numbering::find_others() {
     const auto& degree = local_.degree(k_);
-    const EqualStretches stretches(degree.count, ranks_.size());
-    struct Told {
-        GlobalIndex first;
-        CellNumber cell;
-    };
-    auto parcels = ranks_.empty_parcels<Told>();
-    for (std::size_t i = 0; i < cells_.first.size(); ++i) {
-        const GlobalIndex first = degree.number[cells_.first[i]];
-        parcels[stretches.rank_of(first)].push_back(
-            {first, {cells_.number[i], cells_.first_row + static_cast<GlobalIndex>(i)}});
-    }
-    const auto arrived = ranks_.deliver(std::move(parcels));
-    std::vector<CellNumber> directory(
-        static_cast<std::size_t>(stretches.end(ranks_.rank()) - stretches.begin(ranks_.rank())));
-    const GlobalIndex begin = stretches.begin(ranks_.rank());
-    for (const auto& parcel : arrived)
-        for (const auto& [first, cell] : parcel)
-            directory[static_cast<std::size_t>(first - begin)] = cell;
+    for (Index s = 0; s < degree.size(); ++s)
+        if (is_piece(s) && carrier(s).owner != ranks_.rank())
+            others_.push_back({carrier(s).owner, carrier(s).first});
+    std::sort(others_.begin(), others_.end());
+    others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
 
-    std::vector<GlobalIndex> firsts;
-    firsts.reserve(static_cast<std::size_t>(degree.size()));
-    for (Index s = 0; s < degree.size(); ++s)
-        if (is_piece(s))
-            firsts.push_back(merged_.carriers[k_][s].first);
-    const NumberPlaces place(firsts);
     std::vector<int> whom;
-    for (const GlobalIndex first : place.numbers())
-        whom.push_back(stretches.rank_of(first));
-    const auto found =
-        ranks_.ask<CellNumber>("cell numbers", whom, place.numbers(), [&](GlobalIndex first) {
-            return directory[static_cast<std::size_t>(first - begin)];
-        });
-    cells_.of_simplex.resize(static_cast<std::size_t>(degree.size()));
+    std::vector<GlobalIndex> firsts;
+    for (const auto& [owner, number] : others_) {
+        whom.push_back(owner);
+        firsts.push_back(number);
+    }
+    cells_.others = ranks_.ask<CellNumber>("cell numbers", whom, firsts, [&](GlobalIndex number) {
+        const auto found =
+            std::lower_bound(cells_.first.begin(), cells_.first.end(), degree.find(number));
+        return cells_.cell(static_cast<Index>(found - cells_.first.begin()));
+    });
+}
+
+/// Of all pieces here. First pieces that are own come before the others of their cells.
+void Numbering::find_cells() {
+    const auto& degree = local_.degree(k_);
+    const NumberPlaces place(degree.number);
+    cells_.of_simplex.assign(static_cast<std::size_t>(degree.size()), -1);
+    for (Index cell = 0; cell < cells_.own(); ++cell)
+        cells_.of_simplex[cells_.first[cell]] = cell;
     for (Index s = 0; s < degree.size(); ++s)
-        if (is_piece(s))
-            cells_.of_simplex[s] = found[place(merged_.carriers[k_][s].first)];
+        if (is_piece(s)) {
+            const auto& [dimension, sign, owner, first] = carrier(s);
+            const FirstPiece of_other{owner, first};
+            cells_.of_simplex[s] =
+                owner == ranks_.rank()
+                    ? cells_.of_simplex[place(first)]
+                    : cells_.own() + static_cast<Index>(std::lower_bound(others_.begin(),
+                                                                         others_.end(), of_other) -
+                                                        others_.begin());
+        }
 }
 
 /// Added up in ascending order of pieces, wherever these are.
 std::vector<PieceSum> sums_of_volumes(const Ranks& ranks, const LocalComplex& local,
                                       const CellVolumes& of_pieces,
                                       const DistributedCells::Degree& cells, int k) {
-    Points volumes(local.degree(k).size(), 4);
-    for (Index s = 0; s < volumes.rows(); ++s) {
-        PieceSum own;
-        own.add(of_pieces, k, s);
-        volumes.row(s) << own.primal, own.dual, own.terms, own.rounding;
-    }
-    std::vector<PieceSum> sums;
-    const Points all = gather_pieces(ranks, local, cells, k, volumes).sums();
-    for (const auto& row : all.rowwise())
-        sums.push_back({row[0], row[1], row[2], row[3]});
+    std::vector<PieceSum> sums(static_cast<std::size_t>(cells.own()));
+    OwnPieces(ranks, local, cells, k)
+        .visit<PieceSum>(
+            1,
+            [&](Index s, PieceSum* piece) {
+                *piece = {};
+                piece->add(of_pieces, k, s);
+            },
+            [&](Index cell, const PieceSum* piece) { sums[cell].add(*piece); });
     return sums;
 }
 
@@ -140,25 +151,31 @@ std::vector<std::vector<Index>> numbers_of(const std::vector<DistributedCells::D
 /// The first piece tells: all pieces of a cell have the same merged cofaces.
 void add_cofaces(const LocalComplex& local, const MergedCells& merged,
                  const DistributedCells::Degree& above, int k, DistributedCells::Degree& cells) {
+    struct Coface {
+        GlobalIndex row;
+        Index cell;
+        int sign;
+    };
     const Cofaces cofaces(local.complex, k + 1);
-    std::vector<std::pair<CellNumber, double>> row;
+    std::vector<Coface> around;
     cells.begins.reserve(cells.first.size() + 1);
     for (const Index s : cells.first) {
-        row.clear();
+        around.clear();
         for (const auto& [t, omitted] : cofaces.of(s))
-            if (const CellNumber& cell = above.of_simplex[t]; cell.row >= 0)
-                row.emplace_back(cell, merged.carriers[k + 1][t].sign *
-                                           local.complex.sign(k + 1, t, omitted));
-        std::sort(row.begin(), row.end(),
-                  [](const auto& x, const auto& y) { return x.first.row < y.first.row; });
-        for (auto entry = row.begin(); entry != row.end();) {
-            const CellNumber cell = entry->first;
-            double sign = 0;
-            for (; entry != row.end() && entry->first.row == cell.row; ++entry)
-                sign += entry->second;
+            if (const Index cell = above.of_simplex[t]; cell >= 0)
+                around.push_back(
+                    {above.cell(cell).row, cell,
+                     merged.carriers[k + 1][t].sign * local.complex.sign(k + 1, t, omitted)});
+        std::sort(around.begin(), around.end(),
+                  [](const Coface& x, const Coface& y) { return x.row < y.row; });
+        for (auto entry = around.begin(); entry != around.end();) {
+            const Index cell = entry->cell;
+            int sign = 0;
+            for (; entry != around.end() && entry->cell == cell; ++entry)
+                sign += entry->sign;
             if (sign != 0) {
                 cells.cofaces.push_back(cell);
-                cells.signs.push_back(sign);
+                cells.signs.push_back(static_cast<std::int8_t>(sign));
             }
         }
         cells.begins.push_back(static_cast<Index>(cells.cofaces.size()));

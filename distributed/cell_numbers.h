@@ -15,15 +15,25 @@ struct CellNumber {
 struct DistributedCells {
     /// The cells of one degree.
     struct Degree {
-        GlobalIndex count = 0;              ///< on all ranks
-        GlobalIndex first_row = 0;          ///< of this rank's own
-        std::vector<Index> first;           ///< own cells: their first pieces here, ascending
-        std::vector<GlobalIndex> number;    ///< of these
-        std::vector<CellNumber> of_simplex; ///< the cell of each piece here; -1 where it is removed
-        /// Own k-cells with their cofaces and the signs of these: rows of d_k^T.
+        GlobalIndex count = 0;           ///< on all ranks
+        GlobalIndex first_row = 0;       ///< of this rank's own
+        std::vector<Index> first;        ///< own cells: their first pieces here, ascending
+        std::vector<GlobalIndex> number; ///< of these
+        std::vector<CellNumber> others;  ///< cells of other ranks with pieces here, by rows
+        std::vector<Index> of_simplex;   ///< the cell of each piece here; -1 where it is removed
+        /// Own k-cells with their cofaces, cells of degree k + 1, and the signs of these: rows of
+        /// d_k^T.
         std::vector<Index> begins = {0};
-        std::vector<CellNumber> cofaces;
-        std::vector<double> signs;
+        std::vector<Index> cofaces;
+        std::vector<std::int8_t> signs;
+
+        /// Number of own cells.
+        Index own() const { return static_cast<Index>(first.size()); }
+
+        /// What ranks call a cell that this one knows: its own from 0 on, then others.
+        CellNumber cell(Index i) const {
+            return i < own() ? CellNumber{number[i], first_row + i} : others[i - own()];
+        }
     };
     std::vector<Degree> degrees;
     CellVolumes volumes; ///< of own cells, as merged_volumes has them, bit by bit

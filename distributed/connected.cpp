@@ -53,6 +53,27 @@ Connections connections_of(Mat graph) {
 
 } // namespace
 
+GlobalIndex component_count(const Ranks& ranks, const LocalComplex& local) {
+    const Index vertices = local.complex.size(0);
+    std::vector<Index> parts;
+    Index count = 0;
+    ranks.together("components", [&] {
+        DisjointSets sets(vertices);
+        for (const auto& edge : local.complex.simplices(1).rowwise())
+            sets.join(edge[0], edge[1]);
+        parts = sets.firsts();
+        for (Index v = 0; v < vertices; ++v)
+            parts[v] = parts[v] == v ? count++ : parts[parts[v]];
+    });
+    const std::vector<std::int8_t> signs(parts.size(), 1);
+    const GlobalIndex first = ranks.sum_before(count);
+    const auto shared = join_parts(ranks, local.degree(0).copies, parts, signs, count);
+    GlobalIndex own = 0; // components whose first part is here
+    for (Index part = 0; part < count; ++part)
+        own += shared[static_cast<std::size_t>(part)].first == first + part ? 1 : 0;
+    return ranks.sum(own);
+}
+
 SharedComponents::SharedComponents(const Ranks& ranks, Mat graph, const HeldUnknowns& held,
                                    Vector weights)
     : ranks_(ranks), weights_(std::move(weights)) {

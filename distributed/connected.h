@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "distributed/local_complex.h"
 #include "distributed/petsc.h"
 #include "solvers/constrained_system.h"
 
 namespace polydec {
+
+/// Collective: of how many connected components a complex consists.
+GlobalIndex component_count(const Ranks& ranks, const LocalComplex& local);
 
 /// Own unknowns that are prescribed, and those that boundary data tie down: see ConstrainedSystem.
 struct HeldUnknowns {
@@ -16,6 +20,9 @@ struct HeldUnknowns {
 class SharedComponents {
 public:
     SharedComponents(const Ranks& ranks, Mat graph, const HeldUnknowns& held, Vector weights);
+
+    /// Collective: of how many connected components a complex consists.
+    GlobalIndex component_count(const Ranks& ranks, const LocalComplex& local);
 
     /// Own unknowns that are set to zero for the time being: one of each component.
     const std::vector<bool>& grounded() const { return grounded_; }

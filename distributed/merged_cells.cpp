@@ -107,9 +107,11 @@ std::vector<Carrier> Rounds::pieces_of(const Blocks& blocks, int k) {
     std::vector<Carrier> carriers;
     carriers.reserve(own.size());
     for (std::size_t s = 0; s < own.size(); ++s) {
-        carriers.push_back({k, labels.of[s].sign, labels.of[s].number});
+        const auto& [number, owner, sign] = labels.of[s];
+        carriers.push_back(
+            {static_cast<std::int8_t>(k), static_cast<std::int8_t>(sign), owner, number});
         if (labels.clashes[s])
-            clashing_.push_back({k, labels.of[s].number});
+            clashing_.push_back({k, number});
     }
     for (const Index piece : blocks.twisted[k])
         clashing_.push_back({k, labels.of[piece].number});
@@ -125,8 +127,10 @@ Carriers Rounds::carriers_of(const Blocks& blocks) {
         const auto& own = blocks.carriers[k];
         carriers[k] = pieces_of(blocks, k);
         for (std::size_t s = 0; s < own.size(); ++s)
-            if (const auto& [dimension, piece] = own[s]; dimension != k)
-                carriers[k][s] = {dimension, 0, carriers[dimension][piece].first};
+            if (const auto& [dimension, piece] = own[s]; dimension != k) {
+                const Carrier& cell = carriers[dimension][piece];
+                carriers[k][s] = {static_cast<std::int8_t>(dimension), 0, cell.owner, cell.first};
+            }
         refresh(ranks_, local_.degree(k).copies, carriers[k]);
     }
     return carriers;
@@ -136,7 +140,7 @@ std::vector<Flaw> Rounds::local_flaws(const Blocks& blocks, const Carriers& carr
     std::vector<Flaw> flaws;
     for (int k = 0; k <= n_; ++k)
         for (Index s = 0; s < local_.degree(k).size(); ++s) {
-            const auto& [dimension, sign, first] = carriers[k][s];
+            const auto& [dimension, sign, owner, first] = carriers[k][s];
             if (local_.owns(ranks_, k, s) && (dimension > k || first != local_.degree(k).number[s]))
                 flaws.push_back({{dimension, first}, k % 2 == 0 ? 1 : -1, 0});
         }
@@ -180,7 +184,7 @@ void Rounds::keep_worst(const std::vector<CellName>& bad, const Carriers& carrie
     const auto for_each_interface = [&](auto take) {
         for (int k = 0; k < n_; ++k)
             for (Index s = 0; s < local_.degree(k).size(); ++s) {
-                const auto& [dimension, sign, first] = carriers[k][s];
+                const auto& [dimension, sign, owner, first] = carriers[k][s];
                 const CellName cell{dimension, first};
                 const auto found = std::lower_bound(bad.begin(), bad.end(), cell);
                 if (dimension == k + 1 && local_.owns(ranks_, k, s) && found != bad.end() &&
@@ -204,10 +208,11 @@ void Rounds::keep_worst(const std::vector<CellName>& bad, const Carriers& carrie
 /// Every simplex its own cell.
 MergedCells Rounds::unmerged(MergedCells result) const {
     for (int k = 0; k <= n_; ++k) {
+        const auto& degree = local_.degree(k);
         auto& own = result.carriers.emplace_back();
-        own.reserve(local_.degree(k).number.size());
-        for (const GlobalIndex number : local_.degree(k).number)
-            own.push_back({k, 1, number});
+        own.reserve(degree.number.size());
+        for (Index s = 0; s < degree.size(); ++s)
+            own.push_back({static_cast<std::int8_t>(k), 1, degree.owner[s], degree.number[s]});
     }
     return result;
 }

@@ -10,9 +10,10 @@ namespace polydec {
 
 /// The cell whose interior an open simplex lies in.
 struct Carrier {
-    std::int32_t dimension = 0; ///< that of the simplex if it is a piece, or more
-    std::int32_t sign = 1;      ///< of the piece in its cell; 0 if it is none
-    GlobalIndex first = 0;      ///< number of the cell's first piece
+    std::int8_t dimension = 0; ///< that of the simplex if it is a piece, or more
+    std::int8_t sign = 1;      ///< of the piece in its cell; 0 if it is none
+    std::int32_t owner = 0;    ///< rank of the cell's first piece
+    GlobalIndex first = 0;     ///< number of that
 };
 
 /// What cells a rank's simplices are merged into. The same carriers, signs and rounds, bit by bit,

@@ -6,7 +6,8 @@
 namespace polydec {
 
 /// Different numbers in ascending order, and the place of each of them. Linear time and memory
-/// where they lie close together, as those of one part of a mesh do.
+/// where they lie close together, as those of one part of a mesh do; without a table where none is
+/// left out.
 class NumberPlaces {
 public:
     /// Of those in a list, in any order and any number of times.
@@ -23,6 +24,13 @@ public:
             numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
             return;
         }
+        const auto is_next = [](GlobalIndex a, GlobalIndex b) { return b == a + 1; };
+        if (range == std::ssize(list) &&
+            std::adjacent_find(list.begin(), list.end(), std::not_fn(is_next)) == list.end()) {
+            numbers_.assign(list.begin(), list.end());
+            is_stretch_ = true;
+            return;
+        }
         table_.assign(static_cast<std::size_t>(range), -1);
         for (const GlobalIndex number : list)
             table_[static_cast<std::size_t>(number - first_)] = 0;
@@ -37,6 +45,8 @@ public:
 
     /// Of a number that is among them.
     Index operator()(GlobalIndex number) const {
+        if (is_stretch_)
+            return static_cast<Index>(number - first_);
         return table_.empty()
                    ? static_cast<Index>(std::lower_bound(numbers_.begin(), numbers_.end(), number) -
                                         numbers_.begin())
@@ -46,6 +56,7 @@ public:
 private:
     std::vector<GlobalIndex> numbers_;
     GlobalIndex first_ = 0;
+    bool is_stretch_ = false;
     std::vector<Index> table_; // by number from the first on; empty where they lie far apart
 };
 

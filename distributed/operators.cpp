@@ -13,6 +13,7 @@ OwnedMat transposed_coboundary(const Ranks& ranks, const DistributedCells& cells
     const auto &lower = cells.degree(k), &upper = cells.degree(k + 1);
     struct Rows {
         std::vector<PetscInt> begins, columns;
+        std::vector<double> signs;
     };
     const Rows rows = ranks.together("derivative", [&] {
         Rows made_rows;
@@ -20,8 +21,9 @@ OwnedMat transposed_coboundary(const Ranks& ranks, const DistributedCells& cells
         petsc_number(upper.count);
         for (const Index begin : lower.begins)
             made_rows.begins.push_back(begin);
-        for (const CellNumber& cell : lower.cofaces)
-            made_rows.columns.push_back(petsc_number(cell.row));
+        for (const Index cell : lower.cofaces)
+            made_rows.columns.push_back(petsc_number(upper.cell(cell).row));
+        made_rows.signs.assign(lower.signs.begin(), lower.signs.end());
         return made_rows;
     });
     return made("taking over a derivative", [&](Mat* matrix) {
@@ -29,7 +31,7 @@ OwnedMat transposed_coboundary(const Ranks& ranks, const DistributedCells& cells
             communicator(ranks), static_cast<PetscInt>(lower.first.size()),
             static_cast<PetscInt>(upper.first.size()), static_cast<PetscInt>(lower.count),
             static_cast<PetscInt>(upper.count), rows.begins.data(), rows.columns.data(),
-            lower.signs.data(), matrix);
+            rows.signs.data(), matrix);
     });
 }
 

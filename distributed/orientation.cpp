@@ -86,27 +86,6 @@ LocalParts parts_of(const LocalComplex& local) {
     return parts;
 }
 
-/// The n-simplices that others have too show which parts are one.
-std::vector<SharedClass> join_parts(const Ranks& ranks, const LocalComplex& local,
-                                    const LocalParts& parts) {
-    const int n = local.dimension();
-    const auto count = static_cast<Index>(parts.one_sided.size());
-    const GlobalIndex first = ranks.sum_before(count);
-    struct Place {
-        GlobalIndex part, sign;
-    };
-    std::vector<Place> places;
-    for (std::size_t t = 0; t < parts.of.size(); ++t)
-        places.push_back({first + parts.of[t], parts.signs[t]});
-    refresh(ranks, local.degree(n).copies, places);
-    std::vector<SharedElement> shared;
-    for (const auto& copies : local.degree(n).copies.in)
-        for (const Index t : copies)
-            shared.push_back(
-                {first + parts.of[t], places[t].part, parts.signs[t] * places[t].sign});
-    return join_shared(ranks, first, count, std::move(shared));
-}
-
 /// What is decided for each part that has votes, at the rank where its number lies.
 std::vector<int> decide(const Ranks& ranks, const std::vector<Vote>& votes) {
     auto parcels = ranks.empty_parcels<Vote>();
@@ -146,7 +125,8 @@ void orient(const Ranks& ranks, const Stars& stars, LocalComplex& local) {
         for (Index t = 0; t < tops.size(); ++t)
             given.push_back(sign_of(rows, local.complex.input_row(t)));
     });
-    const auto shared = join_parts(ranks, local, parts);
+    const auto shared = join_parts(ranks, tops.copies, parts.of, parts.signs,
+                                   static_cast<Index>(parts.one_sided.size()));
     std::vector<Vote> votes;
     for (std::size_t part = 0; part < shared.size(); ++part)
         votes.push_back({shared[part].first, 0, std::numeric_limits<GlobalIndex>::max(), 1,

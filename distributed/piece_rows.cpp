@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/piece_rows.h"
 
-#include "distributed/number_places.h"
-
 #include <algorithm>
 #include <numeric>
 
@@ -25,95 +23,115 @@ private:
     std::vector<GlobalIndex> begins_;
 };
 
-void append_row(std::vector<double>& numbers, const Points& rows, Eigen::Index row) {
-    const auto width = rows.cols();
-    numbers.insert(numbers.end(), rows.data() + row * width, rows.data() + (row + 1) * width);
-}
-
-Points as_rows(const Parcels<double>& parcels, Eigen::Index width) {
-    std::size_t count = 0;
-    for (const auto& parcel : parcels)
-        count += parcel.size();
-    Points rows(width > 0 ? static_cast<Eigen::Index>(count) / width : 0, width);
-    double* entry = rows.data();
-    for (const auto& parcel : parcels)
-        entry = std::copy(parcel.begin(), parcel.end(), entry);
-    return rows;
+/// Writes row s of these.
+auto writer(const Points& rows) {
+    return [&rows](Index s, double* row) {
+        std::copy_n(rows.data() + s * rows.cols(), rows.cols(), row);
+    };
 }
 
 } // namespace
 
-Points PieceRows::sums() const {
-    Points result = Points::Zero(static_cast<Eigen::Index>(begins.size()) - 1, rows.cols());
-    for (Eigen::Index cell = 0; cell < result.rows(); ++cell)
-        for (Index piece = begins[cell]; piece < begins[cell + 1]; ++piece)
-            result.row(cell) += rows.row(piece);
-    return result;
+OwnPieces::OwnPieces(const Ranks& ranks, const LocalComplex& local,
+                     const DistributedCells::Degree& cells, int k)
+    : ranks_(ranks),
+      away_(ranks.empty_parcels<Index>()),
+      begins_(static_cast<std::size_t>(cells.own()) + 1, 0) {
+    const auto& degree = local.degree(k);
+    const auto is_own_piece = [&](Index s) {
+        return cells.of_simplex[s] >= 0 && local.owns(ranks, k, s);
+    };
+    const RowOwners owner(ranks, cells);
+    struct Sent {
+        GlobalIndex row, number;
+    };
+    auto sent = ranks.empty_parcels<Sent>();
+    for (Index s = 0; s < degree.size(); ++s) {
+        const Index cell = cells.of_simplex[s];
+        if (!is_own_piece(s))
+            continue;
+        if (cell < cells.own()) {
+            ++begins_[cell + 1];
+            continue;
+        }
+        const GlobalIndex row = cells.cell(cell).row;
+        away_[owner(row)].push_back(s);
+        sent[owner(row)].push_back({row, degree.number[s]});
+    }
+    std::vector<Sent> came;
+    for (const auto& parcel : ranks.deliver(std::move(sent)))
+        came.insert(came.end(), parcel.begin(), parcel.end());
+    const auto cell_of = [&](const Sent& piece) { return piece.row - cells.first_row; };
+    for (const Sent& piece : came)
+        ++begins_[cell_of(piece) + 1];
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+
+    // those here ascend; only where others come to a cell are its pieces not yet in order
+    pieces_.resize(static_cast<std::size_t>(begins_.back()));
+    std::vector<Index> next(begins_.begin(), begins_.end() - 1);
+    for (Index s = 0; s < degree.size(); ++s)
+        if (const Index cell = cells.of_simplex[s]; is_own_piece(s) && cell < cells.own())
+            pieces_[next[cell]++] = s;
+    for (std::size_t i = 0; i < came.size(); ++i)
+        pieces_[next[cell_of(came[i])]++] = -1 - static_cast<Index>(i);
+    const auto number = [&](Index piece) {
+        return piece >= 0 ? degree.number[piece] : came[-1 - piece].number;
+    };
+    for (const Sent& piece : came) {
+        const auto begin = pieces_.begin() + begins_[cell_of(piece)],
+                   end = pieces_.begin() + begins_[cell_of(piece) + 1];
+        const auto before = [&](Index a, Index b) { return number(a) < number(b); };
+        if (!std::is_sorted(begin, end, before))
+            std::sort(begin, end, before);
+    }
 }
 
 PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
                         const DistributedCells::Degree& cells, int k, const Points& of_simplices) {
-    struct Piece {
-        GlobalIndex row, number;
-        auto operator<=>(const Piece&) const = default;
-    };
-    const RowOwners owner(ranks, cells);
-    const auto& degree = local.degree(k);
-    auto keys = ranks.empty_parcels<Piece>();
-    auto numbers = ranks.empty_parcels<double>();
-    const auto at_most = static_cast<std::size_t>(degree.size()); // nearly all stay here
-    keys[static_cast<std::size_t>(ranks.rank())].reserve(at_most);
-    numbers[static_cast<std::size_t>(ranks.rank())].reserve(
-        at_most * static_cast<std::size_t>(of_simplices.cols()));
-    for (Index s = 0; s < degree.size(); ++s)
-        if (const GlobalIndex row = cells.of_simplex[s].row; row >= 0 && local.owns(ranks, k, s)) {
-            keys[owner(row)].push_back({row, degree.number[s]});
-            append_row(numbers[owner(row)], of_simplices, s);
-        }
-    Points came = as_rows(ranks.deliver(std::move(numbers)), of_simplices.cols());
-    std::vector<Piece> pieces;
-    for (const auto& parcel : ranks.deliver(std::move(keys)))
-        pieces.insert(pieces.end(), parcel.begin(), parcel.end());
-
-    PieceRows result{std::vector<Index>(cells.first.size() + 1, 0), {}};
-    for (const Piece& piece : pieces)
-        ++result.begins[static_cast<std::size_t>(piece.row - cells.first_row) + 1];
-    std::partial_sum(result.begins.begin(), result.begins.end(), result.begins.begin());
-    if (std::is_sorted(pieces.begin(), pieces.end())) {
-        result.rows = std::move(came);
-        return result;
-    }
-    std::vector<Index> order(pieces.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](Index i, Index j) { return pieces[i] < pieces[j]; });
-    result.rows = came(order, Eigen::all);
+    const OwnPieces pieces(ranks, local, cells, k);
+    const auto width = of_simplices.cols();
+    PieceRows result{pieces.begins(), Points(pieces.begins().back(), width)};
+    double* next = result.rows.data();
+    pieces.visit<double>(width, writer(of_simplices),
+                         [&](Index, const double* row) { next = std::copy_n(row, width, next); });
     return result;
+}
+
+Points add_pieces(const Ranks& ranks, const LocalComplex& local,
+                  const DistributedCells::Degree& cells, int k, const Points& of_simplices) {
+    const auto width = of_simplices.cols();
+    Points sums = Points::Zero(cells.own(), width);
+    OwnPieces(ranks, local, cells, k)
+        .visit<double>(width, writer(of_simplices), [&](Index cell, const double* row) {
+            sums.row(cell) += Eigen::Map<const Points>(row, 1, width);
+        });
+    return sums;
 }
 
 Points spread_to_pieces(const Ranks& ranks, const DistributedCells::Degree& cells,
                         const Points& of_cells) {
-    std::vector<GlobalIndex> rows;
-    for (const CellNumber& cell : cells.of_simplex)
-        if (cell.row >= 0)
-            rows.push_back(cell.row);
-    const NumberPlaces place(rows);
-
+    const auto width = of_cells.cols();
     const RowOwners owner(ranks, cells);
     auto questions = ranks.empty_parcels<GlobalIndex>();
-    for (const GlobalIndex row : place.numbers())
-        questions[owner(row)].push_back(row);
+    for (const CellNumber& cell : cells.others)
+        questions[owner(cell.row)].push_back(cell.row);
     auto answers = ranks.empty_parcels<double>();
     const auto asked = ranks.deliver(std::move(questions));
     for (std::size_t r = 0; r < asked.size(); ++r)
-        for (const GlobalIndex row : asked[r])
-            append_row(answers[r], of_cells, row - cells.first_row);
-    const Points came = as_rows(ranks.deliver(std::move(answers)), of_cells.cols());
+        for (const GlobalIndex row : asked[r]) {
+            const double* const begin = of_cells.data() + (row - cells.first_row) * width;
+            answers[r].insert(answers[r].end(), begin, begin + width);
+        }
+    std::vector<double> came; // of others in their order, since rows ascend with ranks
+    for (const auto& parcel : ranks.deliver(std::move(answers)))
+        came.insert(came.end(), parcel.begin(), parcel.end());
+    const Points of_others = Eigen::Map<const Points>(came.data(), std::ssize(cells.others), width);
 
-    Points result =
-        Points::Zero(static_cast<Eigen::Index>(cells.of_simplex.size()), of_cells.cols());
+    Points result = Points::Zero(std::ssize(cells.of_simplex), width);
     for (Eigen::Index s = 0; s < result.rows(); ++s)
-        if (const GlobalIndex row = cells.of_simplex[static_cast<std::size_t>(s)].row; row >= 0)
-            result.row(s) = came.row(place(row));
+        if (const Index cell = cells.of_simplex[static_cast<std::size_t>(s)]; cell >= 0)
+            result.row(s) =
+                cell < cells.own() ? of_cells.row(cell) : of_others.row(cell - cells.own());
     return result;
 }
 

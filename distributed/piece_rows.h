@@ -5,20 +5,63 @@
 
 namespace polydec {
 
-/// Rows of numbers of all pieces of each own k-cell, wherever these are, in ascending order of
-/// pieces: those of cell i stand from begins[i] on.
+/// The pieces of each own k-cell, wherever they are, in ascending order.
+class OwnPieces {
+public:
+    /// Collective.
+    OwnPieces(const Ranks& ranks, const LocalComplex& local, const DistributedCells::Degree& cells,
+              int k);
+
+    /// Those of cell i have the places from begins()[i] on.
+    const std::vector<Index>& begins() const { return begins_; }
+
+    /// Collective: calls take(cell, row) for every piece, in the order of their places. A row has
+    /// so many items, which write(simplex, row) has written where the piece is.
+    template <class Item, class Write, class Take>
+    void visit(Eigen::Index width, Write write, Take take) const {
+        std::vector<Item> row(static_cast<std::size_t>(width));
+        auto parcels = ranks_.empty_parcels<Item>();
+        for (std::size_t r = 0; r < parcels.size(); ++r)
+            for (const Index s : away_[r]) {
+                write(s, row.data());
+                parcels[r].insert(parcels[r].end(), row.begin(), row.end());
+            }
+        std::vector<Item> came;
+        for (const auto& parcel : ranks_.deliver(std::move(parcels)))
+            came.insert(came.end(), parcel.begin(), parcel.end());
+        for (Index cell = 0; cell + 1 < std::ssize(begins_); ++cell)
+            for (Index place = begins_[cell]; place < begins_[cell + 1]; ++place)
+                if (const Index s = pieces_[place]; s >= 0) {
+                    write(s, row.data());
+                    take(cell, static_cast<const Item*>(row.data()));
+                } else {
+                    take(cell, static_cast<const Item*>(came.data() + (-1 - s) * width));
+                }
+    }
+
+private:
+    Ranks ranks_;
+    Parcels<Index> away_; // own simplices that are pieces of cells of others
+    std::vector<Index> begins_;
+    std::vector<Index> pieces_; // simplices here, or -1 - i: row i of those that come
+};
+
+/// Rows of numbers of all pieces of each own k-cell, in ascending order of pieces: those of cell i
+/// stand from begins[i] on.
 struct PieceRows {
     std::vector<Index> begins;
     Points rows;
-
-    /// The rows of every cell added up, in their order, as one process would.
-    Points sums() const;
 };
 
 /// Collective: `of_simplices` has a row for every local k-simplex; those that are no pieces, or
 /// another rank's, do not matter.
 PieceRows gather_pieces(const Ranks& ranks, const LocalComplex& local,
                         const DistributedCells::Degree& cells, int k, const Points& of_simplices);
+
+/// Collective: the rows of the pieces of every own k-cell added up, in ascending order of pieces,
+/// as one process would.
+Points add_pieces(const Ranks& ranks, const LocalComplex& local,
+                  const DistributedCells::Degree& cells, int k, const Points& of_simplices);
 
 /// Collective: the row of its cell for every local k-simplex that is a piece, 0 for the others;
 /// `of_cells` has one for every own k-cell.

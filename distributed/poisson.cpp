@@ -146,7 +146,7 @@ Points cell_centers(const Ranks& ranks, const DistributedMesh& mesh, int k) {
                          local.points);
         weighted.col(N) = volumes;
     });
-    const Points sums = gather_pieces(ranks, local, mesh.cells.degree(k), k, weighted).sums();
+    const Points sums = add_pieces(ranks, local, mesh.cells.degree(k), k, weighted);
     return sums.col(N).cwiseInverse().asDiagonal() * sums.leftCols(N);
 }
 
@@ -192,7 +192,7 @@ SharedPoissonSolver::Problem SharedPoissonSolver::Problem::primal(const Ranks& r
     for (Index f = 0; f < at.rows(); ++f)
         for (const Index v : mesh.local.complex.simplices(n - 1).row(f))
             if (at(f, 0) > 0 && mesh.local.owns(ranks, 0, v))
-                held.fixed[vertices.of_simplex[v].row - vertices.first_row] = true;
+                held.fixed[vertices.of_simplex[v]] = true;
 
     // what own vertices get of the pieces of facets
     SparseMatrix shares(std::ssize(vertices.first), at.rows());

@@ -85,4 +85,23 @@ std::vector<SharedClass> join_shared(const Ranks& ranks, GlobalIndex first, Inde
     return result;
 }
 
+std::vector<SharedClass> join_parts(const Ranks& ranks, const Copies& copies,
+                                    const std::vector<Index>& of,
+                                    const std::vector<std::int8_t>& signs, Index count) {
+    const GlobalIndex first = ranks.sum_before(count);
+    struct Place {
+        GlobalIndex part, sign;
+    };
+    std::vector<SharedElement> shared;
+    tell_copies(
+        ranks, copies,
+        [&](Index element) -> Place {
+            return {first + of[element], signs[element]};
+        },
+        [&](Index element, const Place& of_owner) {
+            shared.push_back({first + of[element], of_owner.part, signs[element] * of_owner.sign});
+        });
+    return join_shared(ranks, first, count, std::move(shared));
+}
+
 } // namespace polydec

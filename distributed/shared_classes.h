@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "distributed/ranks.h"
+#include "distributed/copies.h"
 
 namespace polydec {
 
@@ -25,5 +25,11 @@ struct SharedClass {
 /// 0 and joined there, so their number should be far below that of cells.
 std::vector<SharedClass> join_shared(const Ranks& ranks, GlobalIndex first, Index count,
                                      std::vector<SharedElement> shared);
+
+/// Collective: joins parts of ranks, each of which numbers its own from 0 on, that have elements in
+/// common: copies. of and signs have the part of each element, and its sign in there.
+std::vector<SharedClass> join_parts(const Ranks& ranks, const Copies& copies,
+                                    const std::vector<Index>& of,
+                                    const std::vector<std::int8_t>& signs, Index count);
 
 } // namespace polydec

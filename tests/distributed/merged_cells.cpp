@@ -68,6 +68,9 @@ std::string difference(const DistributedCells& cells, const Merged& whole) {
         if (degree.count != whole.P().size(k))
             return fmt::format("{} {}-cells for {}", degree.count, k, whole.P().size(k));
         const IncidenceMatrix transposed = whole.P().boundary(k + 1);
+        const auto number_of_coface = [&](Index e) {
+            return static_cast<Index>(cells.degree(k + 1).cell(degree.cofaces[e]).number);
+        };
         for (std::size_t i = 0; i < degree.first.size(); ++i) {
             const auto cell = static_cast<Index>(degree.number[i]);
             const auto own = static_cast<Index>(i);
@@ -78,8 +81,7 @@ std::string difference(const DistributedCells& cells, const Merged& whole) {
                 continue;
             int entries = 0;
             for (Index e = degree.begins[i]; e < degree.begins[i + 1]; ++e, ++entries)
-                if (transposed.coeff(cell, static_cast<Index>(degree.cofaces[e].number)) !=
-                    degree.signs[e])
+                if (transposed.coeff(cell, number_of_coface(e)) != degree.signs[e])
                     return fmt::format("a sign of {}-cell {}", k, cell);
             if (entries != transposed.row(cell).nonZeros())
                 return fmt::format("cofaces of {}-cell {}", k, cell);

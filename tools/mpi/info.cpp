@@ -114,30 +114,31 @@ StarNumbers star_numbers(const Ranks& ranks, const DistributedMesh& mesh, int k)
     return numbers;
 }
 
-/// Of the n-simplices here: numbers of the file, far below 2^53.
-Points corners_of(const LocalComplex& local) {
-    const Simplices& tops = local.complex.simplices(local.dimension());
-    Points corners(tops.rows(), tops.cols());
-    for (Eigen::Index i = 0; i < tops.size(); ++i)
-        corners.data()[i] = static_cast<double>(local.vertices[tops.data()[i]]);
-    return corners;
-}
-
 /// How many cells have so many vertices, and how many simplices are not alone in theirs.
 void count_vertices(const Ranks& ranks, const DistributedMesh& mesh, SharedInfo& info) {
+    const LocalComplex& local = mesh.local;
     const int n = mesh.dimension();
-    const PieceRows pieces =
-        gather_pieces(ranks, mesh.local, mesh.cells.degree(n), n, corners_of(mesh.local));
+    const Simplices& tops = local.complex.simplices(n);
+    const OwnPieces pieces(ranks, local, mesh.cells.degree(n), n);
+    const auto write = [&](Index t, GlobalIndex* corners) {
+        for (const Index v : tops.row(t))
+            *corners++ = local.vertices[v];
+    };
     std::map<GlobalIndex, GlobalIndex> own;
     GlobalIndex merged = 0;
-    for (std::size_t cell = 0; cell + 1 < pieces.begins.size(); ++cell) {
-        const Index begin = pieces.begins[cell], end = pieces.begins[cell + 1];
-        std::set<double> vertices;
-        for (Index piece = begin; piece < end; ++piece)
-            vertices.insert(pieces.rows.row(piece).begin(), pieces.rows.row(piece).end());
-        ++own[std::ssize(vertices)];
-        merged += end - begin > 1 ? end - begin : 0;
-    }
+    Index left = 0; // pieces of the cell that are still to come
+    std::set<GlobalIndex> of_cell;
+    pieces.visit<GlobalIndex>(n + 1, write, [&](Index cell, const GlobalIndex* corners) {
+        if (left == 0) {
+            left = pieces.begins()[cell + 1] - pieces.begins()[cell];
+            merged += left > 1 ? left : 0;
+        }
+        of_cell.insert(corners, corners + n + 1);
+        if (--left == 0) {
+            ++own[std::ssize(of_cell)];
+            of_cell.clear();
+        }
+    });
     info.merged_simplices = ranks.sum(merged);
     struct Count {
         GlobalIndex vertices, cells;
@@ -147,16 +148,6 @@ void count_vertices(const Ranks& ranks, const DistributedMesh& mesh, SharedInfo&
         counts.push_back({vertices, cells});
     for (const auto& [vertices, cells] : ranks.of_all(counts))
         info.vertices_per_cell[vertices] += cells;
-}
-
-GlobalIndex components_of(const Ranks& ranks, const DistributedMesh& mesh) {
-    const auto vertices = mesh.cells.degree(0).first.size();
-    const auto edges = static_cast<Index>(mesh.cells.degree(1).first.size());
-    const OwnedMat graph = gram_of_columns(ranks, mesh.cells, 0, Vector::Ones(edges));
-    const std::vector<bool> none(vertices, false);
-    return SharedComponents(ranks, graph.get(), {none, none},
-                            Vector::Ones(static_cast<Index>(vertices)))
-        .count();
 }
 
 void run_info(const Ranks& ranks, const SharedArguments& arguments) {
@@ -176,7 +167,7 @@ void run_info(const Ranks& ranks, const SharedArguments& arguments) {
         info.euler.merged += k % 2 == 0 ? merged : -merged;
         info.stars.push_back(star_numbers(ranks, mesh, k));
     }
-    info.components = components_of(ranks, mesh);
+    info.components = component_count(ranks, mesh.local);
     info.orientable = mesh.local.orientable;
     info.volume = in_input_units(ranks.sum(mesh.cells.volumes.primal(n).sum()), mesh.unit, n);
     info.degenerate = mesh.merged.degenerate_interior;
