@@ -22,7 +22,7 @@ constexpr Side sides[] = {Side::primal, Side::dual};
 constexpr StarKind kinds[] = {StarKind::circumcentric, StarKind::galerkin};
 
 BoundaryConditions robin(double coefficient) {
-    return {BoundaryCondition::robin, {}, Vector::Constant(1, coefficient)};
+    return {BoundaryCondition::robin, {}, {coefficient}};
 }
 
 Discretization with(const Mesh& input, StarKind kind) {
