@@ -90,8 +90,11 @@ Ksp::~Ksp() = default;
 void Ksp::set_up(const std::string& own_options, double room) {
     const petsc::Session session(engine_.name);
     const std::string roomy =
-        is_direct(engine_.name) ? fmt::format("-mat_mumps_icntl_14 {:.0f} ", room) : "";
-    const petsc::SetOptions set(session, own_options + roomy + engine_.options);
+        is_direct(engine_.name) ? fmt::format(" -mat_mumps_icntl_14 {:.0f} ", room) : "";
+    // a user's own room is where MUMPS begins; the last word counts
+    const petsc::SetOptions set(session, room == first_room
+                                             ? own_options + roomy + engine_.options
+                                             : own_options + engine_.options + roomy);
     require(KSPCreate(communicator(ranks_), solver_->ksp.put()), "making a solver");
     KSP ksp = solver_->ksp.get();
     require(KSPSetOptionsPrefix(ksp, petsc::prefix), "making a solver");

@@ -9,6 +9,7 @@ takes the busiest rank.
 
 BIN holds polydec and polydec-mpi. A mesh of Kuhn's tetrahedra or of triangles, in a temporary
 folder, takes some 40 MB; each run takes seconds, and as many cores as ranks if there are so many.
+Meshes stay the same for all numbers of ranks, or have as many cells a rank.
 """
 import argparse
 import json
@@ -22,6 +23,11 @@ MPIRUN = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
 BEGIN, END = "<!-- ranks_table.py: tables -->", "<!-- ranks_table.py: end -->"
 STAGES = ["read", "owners", "complex", "volumes", "merge", "cells"]
 MEGA = 1e-6
+PATIENCE = 300  # seconds for a run, after which it counts as hanging
+# how many cubes or squares an edge of the mesh has: of the whole one, and on so many ranks of those
+# with as many cells a rank
+CUBES, CUBES_BY_RANKS = 55, {1: 28, 2: 35, 4: 44, 8: 55}
+SQUARES, SQUARES_BY_RANKS = 707, {1: 250, 2: 354, 4: 500, 8: 707}
 
 
 def measure(binaries, mesh, ranks, runs):
@@ -29,7 +35,7 @@ def measure(binaries, mesh, ranks, runs):
     words = MPIRUN + ["-n", str(ranks), str(binaries / "polydec-mpi"), "info", str(mesh), "--json",
                       "--timing"]
     told = [json.loads(subprocess.run(words, check=True, capture_output=True, text=True,
-                                      stdin=subprocess.DEVNULL).stdout)["ranks"]
+                                      stdin=subprocess.DEVNULL, timeout=PATIENCE).stdout)["ranks"]
             for _ in range(runs)]
     return min(told, key=lambda run: sum(run["stages"][stage]["cpu_seconds"] for stage in STAGES))
 
@@ -45,7 +51,7 @@ def rows(columns, baseline):
         "{:.2f}; {:.0f}".format(sum(run["stages"][stage]["cpu_seconds"] for stage in STAGES),
                                 sum(MEGA * run["stages"][stage]["bytes_sent"] for stage in STAGES))
         for run in columns]
-    yield "memory, MB a rank", [f"{MEGA * run['peak_memory']:,.0f}" for run in columns]
+    yield "memory at its peak, MB a rank", [f"{MEGA * run['peak_memory']:,.0f}" for run in columns]
     yield "bytes a cell held", [
         f"{(run['peak_memory'] - baseline) / (run['cells_held'] / run['count']):.0f}"
         for run in columns]
@@ -79,23 +85,32 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("binaries", type=pathlib.Path)
     parser.add_argument("--docs", action="store_true")
-    parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2, 4, 8])
+    parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2, 4, 8],
+                        choices=list(CUBES_BY_RANKS))
     parser.add_argument("--runs", type=int, default=3, help="of each, the best of which counts")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        runs = options.runs
         made = maker(options.binaries, pathlib.Path(folder))
-        baseline = measure(options.binaries, made("kuhn", "--cells", "2"), 1, 1)["peak_memory"]
-        solid, sides = made("kuhn", "--cells", "55"), {1: 35, 2: 44, 4: 56, 8: 70}
-        plane = made("grid", "--nx", "707", "--ny", "707")
-        tables = [
-            table("998,250 tetrahedra", [measure(options.binaries, solid, r, runs)
-                                         for r in options.ranks], baseline),
-            table("some 257,000 tetrahedra a rank",
-                  [measure(options.binaries, made("kuhn", "--cells", str(sides[r])), r, runs)
-                   for r in options.ranks if r in sides], baseline),
-            table("999,698 triangles", [measure(options.binaries, plane, r, runs)
-                                        for r in options.ranks], baseline)]
+
+        def cubes(side):
+            return made("kuhn", "--cells", str(side))
+
+        def squares(side):
+            return made("grid", "--nx", str(side), "--ny", str(side))
+
+        def columns(mesh_on):
+            return [measure(options.binaries, mesh_on(r), r, options.runs) for r in options.ranks]
+
+        baseline = measure(options.binaries, cubes(2), 1, 1)["peak_memory"]
+        tables = []
+        for name, mesh, side, by_ranks in [("tetrahedra", cubes, CUBES, CUBES_BY_RANKS),
+                                           ("triangles", squares, SQUARES, SQUARES_BY_RANKS)]:
+            whole = columns(lambda r: mesh(side))
+            tables.append(table(f"{whole[0]['cells']:,} {name}", whole, baseline))
+            parts = columns(lambda r: mesh(by_ranks[r]))
+            least, most = (round(of(run["cells"] / run["count"] for run in parts), -3)
+                           for of in (min, max))
+            tables.append(table(f"{least:,.0f} to {most:,.0f} {name} a rank", parts, baseline))
     text = "\n\n".join(tables)
     print(text)
     if options.docs:
