@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <new>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -97,11 +98,47 @@ Report unpack(const Packed& packed) {
              .line = numbers[2]}};
 }
 
+/// Returns when they have ended. Leaves the processor to others before long: ranks that share one
+/// would else wait for each other's turns to end.
+void await(std::span<MPI_Request> requests) {
+    constexpr int eager = 1000;
+    constexpr std::chrono::microseconds pause(50);
+    for (int tries = 0, done = 0;; ++tries) {
+        MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
+        if (done != 0)
+            return;
+        if (tries >= eager)
+            std::this_thread::sleep_for(pause);
+    }
+}
+
+/// Begins a collective call by `begin(MPI_Request*)` and returns when it has ended.
+template <class Begin>
+void collect(Begin begin) {
+    MPI_Request request = MPI_REQUEST_NULL;
+    begin(&request);
+    await({&request, 1});
+}
+
+template <class Number>
+void reduce(MPI_Comm communicator, std::span<Number> numbers, MPI_Datatype type, MPI_Op operation) {
+    collect([&](MPI_Request* request) {
+        MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), type,
+                       operation, communicator, request);
+    });
+}
+
+template <class Item>
+void broadcast(MPI_Comm communicator, std::span<Item> items, MPI_Datatype type, int from) {
+    collect([&](MPI_Request* request) {
+        MPI_Ibcast(items.data(), static_cast<int>(items.size()), type, from, communicator, request);
+    });
+}
+
 template <class Number>
 Number reduced(MPI_Comm communicator, Number own, MPI_Datatype type, MPI_Op operation) {
-    Number result{};
-    MPI_Allreduce(&own, &result, 1, type, operation, communicator);
-    return result;
+    reduce(communicator, std::span(&own, 1), type, operation);
+    return own;
 }
 
 } // namespace
@@ -170,12 +207,12 @@ void Ranks::vote(const std::exception_ptr& failure) const {
     Packed packed;
     if (rank() == first)
         packed = pack(describe(failure));
-    std::int64_t sizes[] = {std::ssize(packed.numbers), std::ssize(packed.letters)};
-    MPI_Bcast(sizes, 2, MPI_INT64_T, first, communicator);
+    std::vector<std::int64_t> sizes{std::ssize(packed.numbers), std::ssize(packed.letters)};
+    broadcast(communicator, std::span(sizes), MPI_INT64_T, first);
     packed.numbers.resize(static_cast<std::size_t>(sizes[0]));
     packed.letters.resize(static_cast<std::size_t>(sizes[1]));
-    MPI_Bcast(packed.numbers.data(), static_cast<int>(sizes[0]), MPI_INT64_T, first, communicator);
-    MPI_Bcast(packed.letters.data(), static_cast<int>(sizes[1]), MPI_CHAR, first, communicator);
+    broadcast(communicator, std::span(packed.numbers), MPI_INT64_T, first);
+    broadcast(communicator, std::span(packed.letters), MPI_CHAR, first);
     raise(unpack(packed));
 }
 
@@ -201,7 +238,9 @@ double Ranks::least(double own) const {
 
 GlobalIndex Ranks::sum_before(GlobalIndex own) const {
     GlobalIndex before = 0;
-    MPI_Exscan(&own, &before, 1, MPI_INT64_T, MPI_SUM, state_->communicator);
+    collect([&](MPI_Request* request) {
+        MPI_Iexscan(&own, &before, 1, MPI_INT64_T, MPI_SUM, state_->communicator, request);
+    });
     return rank() == 0 ? 0 : before;
 }
 
@@ -210,19 +249,19 @@ bool Ranks::any(bool own) const {
 }
 
 void Ranks::take_largest(std::span<double> own) const {
-    MPI_Allreduce(MPI_IN_PLACE, own.data(), static_cast<int>(own.size()), MPI_DOUBLE, MPI_MAX,
-                  state_->communicator);
+    reduce(state_->communicator, own, MPI_DOUBLE, MPI_MAX);
 }
 
 void Ranks::add_up(std::span<double> own) const {
-    MPI_Allreduce(MPI_IN_PLACE, own.data(), static_cast<int>(own.size()), MPI_DOUBLE, MPI_SUM,
-                  state_->communicator);
+    reduce(state_->communicator, own, MPI_DOUBLE, MPI_SUM);
 }
 
 std::vector<GlobalIndex> Ranks::exchange_counts(const std::vector<GlobalIndex>& counts) const {
     std::vector<GlobalIndex> arriving(counts.size());
-    MPI_Alltoall(counts.data(), 1, MPI_INT64_T, arriving.data(), 1, MPI_INT64_T,
-                 state_->communicator);
+    collect([&](MPI_Request* request) {
+        MPI_Ialltoall(counts.data(), 1, MPI_INT64_T, arriving.data(), 1, MPI_INT64_T,
+                      state_->communicator, request);
+    });
     return arriving;
 }
 
@@ -256,7 +295,7 @@ void Ranks::transfer(std::size_t item_size, const std::vector<GlobalIndex>& coun
     for (int r = 0; r < size(); ++r)
         if (r != rank())
             state_->bytes_sent += counts[r] * static_cast<GlobalIndex>(item_size);
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    await(requests);
     MPI_Type_free(&item);
 }
 

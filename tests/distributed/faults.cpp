@@ -114,6 +114,7 @@ TEST(Faults, of_reading_and_writing_are_the_same_error_everywhere_and_leave_noth
         ranks.any(false); // all have come
         for (const auto& entry : std::filesystem::directory_iterator(folder / "out"))
             EXPECT_EQ(entry.path().filename().string().find(".tmp"), std::string::npos) << name;
+        ranks.any(false); // all have looked
     };
     expect_faults_everywhere(
         ranks, "pdm", [&] { write_slice(ranks, fresh("b.pdm"), slice); }, 1000);
