@@ -98,7 +98,7 @@ class Flow(TestCase):
         self.succeed("flow", sphere, "--vorticity", "z", "--until", 1, "-o", "s.html")
 
     def test_killed_runs_go_on_to_the_same_bits(self):
-        sphere = self.make("icosphere", "--frequency", 20)
+        sphere = self.make("icosphere", "--frequency", 12)
         chance = random.Random(1)
         line = ("flow", sphere, "--vorticity", "exp(-9*((x-1)^2+y^2))", "--until", 4, "--frames",
                 20)
