@@ -153,12 +153,12 @@ std::shared_ptr<Evolution> evolution(const Heat& heat) {
     const double unit = heat.time_unit();
     Unknown unknown{.start = heat.start, .diffusion = 1, .conditions = heat.conditions};
     if (heat.boundary)
-        unknown.boundary_values = in_time(*heat.boundary, [&](double t) {
+        unknown.boundary_values = in_time(*heat.boundary, [&, unit](double t) {
             return heat.boundary->on_boundary(mesh, side, degree, unit * t);
         });
     Reaction reaction;
     if (heat.source)
-        reaction = [rate = in_time(*heat.source, [&](double t) {
+        reaction = [rate = in_time(*heat.source, [&, unit](double t) {
                         return Vector(unit * heat.source->on(mesh, side, degree, unit * t).values);
                     })](double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
     const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;
