@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""Conditions by groups of the file, and Robin's."""
+import math
+
+import command
+from command import TestCase, golden
+
+LEFT, RIGHT, BOTTOM, TOP = 11, 12, 13, 14
+PLACES = {LEFT: "x<1e-9", RIGHT: "x>1-1e-9", BOTTOM: "y<1e-9", TOP: "y>1-1e-9"}
+
+
+def square(n):
+    """The text of a square of n x n squares, of two triangles each, whose sides have tags."""
+    def place(x, y):
+        return y * (n + 1) + x + 1
+
+    vertices = [f"{x / n} {y / n} 0" for y in range(n + 1) for x in range(n + 1)]
+    triangles = []
+    for y in range(n):
+        for x in range(n):
+            a, b, c, d = place(x, y), place(x + 1, y), place(x + 1, y + 1), place(x, y + 1)
+            triangles += [f"{a} {b} {c} 1", f"{a} {c} {d} 1"]
+    edges = []
+    for i in range(n):
+        edges += [f"{place(0, i)} {place(0, i + 1)} {LEFT}", f"{place(n, i)} {place(n, i + 1)} {RIGHT}",
+                  f"{place(i, 0)} {place(i + 1, 0)} {BOTTOM}", f"{place(i, n)} {place(i + 1, n)} {TOP}"]
+    return "\n".join(["MeshVersionFormatted 2", "Dimension 2", "Vertices", str(len(vertices)), *vertices,
+                      "Edges", str(len(edges)), *edges,
+                      "Triangles", str(len(triangles)), *triangles, "End", ""])
+
+
+class Conditions(TestCase):
+    def setUp(self):
+        super().setUp()
+        self.square = self.write("square.mesh", square(8))
+
+    def pairs(self, *tags):
+        """The same facets by their groups and by their places."""
+        return (("--essential-on", *tags),
+                ("--essential-where", " + ".join(f"({PLACES[tag]})" for tag in tags)))
+
+    def test_groups_of_facets_are_those_at_their_places(self):
+        asked = (
+            ("poisson", "--rhs", "1+x", "--boundary", "y", "--side", "primal"),
+            ("poisson", "--rhs", "1+x", "--boundary", "y", "--side", "dual"),
+            ("heat", "--initial", "1+x*y", "--until", 0.1, "--side", "primal"),
+            ("heat", "--initial", "y; x*x", "--degree", 1, "--until", 0.1, "--side", "dual"),
+            ("hodge", "--form", "y; x*x", "--side", "primal"),
+            ("maxwell", "--initial", "y; x*x", "--until", 1))
+        for tags in ((LEFT,), (RIGHT, TOP), tuple(PLACES)):
+            by_group, by_place = self.pairs(*tags)
+            for name, *rest in asked:
+                with self.subTest(command=name, tags=tags, rest=rest):
+                    one = self.ask(name, self.square, *rest, *by_group)
+                    other = self.ask(name, self.square, *rest, *by_place)
+                    self.assertEqual(one, other)
+
+    def test_another_group_has_another_solution(self):
+        ask = ("poisson", self.square, "--rhs", "1+x", "--side", "primal")
+        self.assertNotEqual(self.ask(*ask, "--essential-on", LEFT)["max"],
+                            self.ask(*ask, "--essential-on", RIGHT)["max"])
+
+    def test_groups_that_are_not_there_are_refused(self):
+        self.assertIn("no facet has the tag 7: the tags are 0, 11, 12, 13, 14", self.fail_with(
+            2, "poisson", self.square, "--rhs", "1", "--side", "primal", "--essential-on", 7))
+        self.assertIn("the mesh has no facets with tags", self.fail_with(
+            2, "poisson", golden("grid4.nsc"), "--rhs", "1", "--side", "primal", "--essential-on", 7))
+
+    def test_robin_has_solutions_that_are_linear_exactly_on_duals_and_converges_on_primals(self):
+        exact, flux = "1+x", "2*(1+x)+(x>1-1e-9)-(x<1e-9)"
+        errors = []
+        for n in (8, 16, 32):
+            mesh = self.write(f"square{n}.mesh", square(n))
+            ask = ("poisson", mesh, "--rhs", "0", "--robin", 2, "--flux", flux, "--exact", exact)
+            self.assertLess(self.ask(*ask, "--side", "dual")["error"]["max"], 1e-12)
+            errors.append(self.ask(*ask, "--side", "primal")["error"]["l2"])
+        for coarse, fine in zip(errors, errors[1:]):
+            self.assertGreater(math.log2(coarse / fine), 1.9)
+        wrong = self.ask("poisson", self.square, "--rhs", "0", "--robin", 3, "--flux", flux, "--exact",
+                         exact, "--side", "dual")
+        self.assertGreater(wrong["error"]["max"], 0.1)
+
+    def test_robin_between_walls_of_given_values(self):
+        """-u'' = 0, u(0) = 1, u'(1) + 3 u(1) = 0: u = 1 - 3 x / 4."""
+        for side in ("primal", "dual"):
+            answer = self.ask("poisson", self.square, "--rhs", "0", "--side", side, "--essential-on", LEFT,
+                              "--boundary", "1", "--robin", 3, "--flux",
+                              f"({PLACES[BOTTOM]})*3*(1-.75*x)+({PLACES[TOP]})*3*(1-.75*x)",
+                              "--exact", "1-.75*x")
+            self.assertLess(answer["error"]["l2"], 1e-12 if side == "dual" else 2e-3)
+        for bad in (0, -1, "nan"):
+            self.fail_with(1, "poisson", self.square, "--rhs", "0", "--side", "dual", "--robin", bad)
+
+
+if __name__ == "__main__":
+    command.main()
