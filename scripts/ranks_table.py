@@ -19,7 +19,7 @@ import sys
 import tempfile
 
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "many_machines.md"
-MPIRUN = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
+MPIRUN = ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
 BEGIN, END = "<!-- ranks_table.py: tables -->", "<!-- ranks_table.py: end -->"
 STAGES = ["read", "owners", "complex", "volumes", "merge", "cells"]
 MEGA = 1e-6
