@@ -19,7 +19,8 @@ import sys
 import tempfile
 
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "many_machines.md"
-MPIRUN = ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
+MPIRUN = ["mpirun", "-x", "OMP_NUM_THREADS=1", "--oversubscribe", "--bind-to", "none", "--mca",
+          "mpi_yield_when_idle", "1"]
 BEGIN, END = "<!-- ranks_table.py: tables -->", "<!-- ranks_table.py: end -->"
 STAGES = ["read", "owners", "complex", "volumes", "merge", "cells"]
 MEGA = 1e-6
@@ -110,7 +111,8 @@ def main():
             parts = columns(lambda r: mesh(by_ranks[r]))
             least, most = (round(of(run["cells"] / run["count"] for run in parts), -3)
                            for of in (min, max))
-            tables.append(table(f"{least:,.0f} to {most:,.0f} {name} a rank", parts, baseline))
+            some = f"{least:,.0f}" if least == most else f"{least:,.0f} to {most:,.0f}"
+            tables.append(table(f"{some} {name} a rank", parts, baseline))
     text = "\n\n".join(tables)
     print(text)
     if options.docs:
