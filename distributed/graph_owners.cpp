@@ -67,6 +67,12 @@ Rows rows_of(const std::vector<Neighbors>& list, GlobalIndex first, std::size_t 
     return rows;
 }
 
+/// The threads of PTScotch 7.0 race: ranks come to see different graphs and wait for each other for
+/// ever. With one thread on each rank they do not. Whoever has set this variable is obeyed.
+void leave_threads_out_of_ptscotch() {
+    setenv("SCOTCH_PTHREAD_NUMBER", "1", 0);
+}
+
 } // namespace
 
 std::vector<int> owners_by_graph(const Ranks& ranks, const MeshSlice& slice) {
@@ -86,6 +92,7 @@ std::vector<int> owners_by_graph(const Ranks& ranks, const MeshSlice& slice) {
     MatPartitioning partitioning = nullptr;
     IS owners = nullptr;
     const PetscInt* found = nullptr;
+    leave_threads_out_of_ptscotch();
     require(MatPartitioningCreate(communicator(ranks), &partitioning), "dividing a graph");
     require(MatPartitioningSetAdjacency(partitioning, graph.get()), "dividing a graph");
     require(MatPartitioningSetType(partitioning, MATPARTITIONINGPTSCOTCH), "dividing a graph");

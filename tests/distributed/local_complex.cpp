@@ -29,6 +29,21 @@ TEST(LocalComplexes, are_restrictions_of_the_whole) {
     }
 }
 
+// With several threads of PTScotch on each rank, some of so many rounds never end.
+TEST(Owners, by_the_graph_are_found_again_and_again) {
+    const auto ranks = Ranks::all();
+    constexpr int times = 5;
+    for (const auto& [name, mesh] : swept(ranks)) {
+        const MeshSlice slice = slice_of(ranks, mesh);
+        for (int time = 0; time < times; ++time) {
+            const auto owners = vertex_owners(ranks, slice, Ownership::graph);
+            EXPECT_EQ(std::ssize(owners), slice.points.rows()) << name;
+            for (const int owner : owners)
+                EXPECT_TRUE(0 <= owner && owner < ranks.size()) << name << ": " << owner;
+        }
+    }
+}
+
 TEST(LocalComplexes, are_oriented_like_the_whole_however_cells_are_given) {
     const auto ranks = Ranks::all();
     for (const auto& [name, mesh] : swept(ranks))
