@@ -2,7 +2,10 @@
 #include "backends/component.h"
 #include "backends/integrators/sundials.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cvode/cvode.h>
+#include <limits>
 #include <memory>
 #include <new>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
@@ -31,7 +34,14 @@ protected:
     void create() override;
     void set_options();
 
-    int stop_at(double time) override { return CVodeSetStopTime(memory_.get(), time); }
+    int stop_at(double until) override {
+        // Steps that no longer change the time would be taken until most_steps are used up.
+        const double least = 4 * std::numeric_limits<double>::epsilon() *
+                             std::max(std::abs(time()), std::abs(until));
+        if (const int answer = CVodeSetMinStep(memory_.get(), least); answer != 0)
+            return answer;
+        return CVodeSetStopTime(memory_.get(), until);
+    }
 
     int evolve(double until, double& reached) override {
         return CVode(memory_.get(), until, vector(), &reached, CV_NORMAL);

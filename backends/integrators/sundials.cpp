@@ -28,11 +28,6 @@ SUNLinearSolver_Type matrix_embedded(SUNLinearSolver) {
     return SUNLINEARSOLVER_MATRIX_EMBEDDED;
 }
 
-int write(const Vector& values, N_Vector result) {
-    entries(result) = values;
-    return values.allFinite() ? 0 : recoverable;
-}
-
 } // namespace
 
 SundialsIntegrator::SundialsIntegrator(const std::string& name, const IntegratorOptions& options,
@@ -58,6 +53,7 @@ void SundialsIntegrator::start(const Vector& memory) {
     prepared_ = 0;
     heard_.clear();
     thrown_ = nullptr;
+    is_finite_ = true;
     create();
 }
 
@@ -79,7 +75,8 @@ void SundialsIntegrator::require(int answer, const char* step) {
         std::rethrow_exception(std::exchange(thrown_, nullptr));
     if (answer >= 0)
         return;
-    if (answer == rate_failed || answer == first_rate_failed || answer == rates_failed)
+    if ((answer == not_converging && !is_finite_) || answer == rate_failed ||
+        answer == first_rate_failed || answer == rates_failed)
         fail_of_rate();
     if (answer == too_much_work)
         fail(fmt::format("{} steps do not suffice: allow more by most_steps or larger errors, or, "
@@ -87,6 +84,12 @@ void SundialsIntegrator::require(int answer, const char* step) {
                          "stiff part",
                          options().most_steps));
     fail(fmt::format("{}: {}", step, heard_.empty() ? fmt::format("error {}", answer) : heard_));
+}
+
+int SundialsIntegrator::write(const Vector& values, N_Vector result) {
+    entries(result) = values;
+    is_finite_ = values.allFinite();
+    return is_finite_ ? 0 : recoverable;
 }
 
 template <typename Work>
@@ -102,13 +105,13 @@ int SundialsIntegrator::guarded(void* self, Work work) {
 
 int SundialsIntegrator::call_rate(double time, N_Vector state, N_Vector result, void* self) {
     return guarded(self, [&](SundialsIntegrator& integrator) {
-        return write(integrator.rate(time, entries(state)), result);
+        return integrator.write(integrator.rate(time, entries(state)), result);
     });
 }
 
 int SundialsIntegrator::call_stiff_rate(double time, N_Vector state, N_Vector result, void* self) {
     return guarded(self, [&](SundialsIntegrator& integrator) {
-        return write(integrator.stiff_rate(time, entries(state)), result);
+        return integrator.write(integrator.stiff_rate(time, entries(state)), result);
     });
 }
 
@@ -119,7 +122,7 @@ int SundialsIntegrator::call_all_rates(double time, N_Vector state, N_Vector res
             sum += integrator.rate(time, entries(state));
         if (integrator.is_stiff())
             sum += integrator.stiff_rate(time, entries(state));
-        return write(sum, result);
+        return integrator.write(sum, result);
     });
 }
 
@@ -145,7 +148,7 @@ void SundialsIntegrator::hear(int code, const char*, const char*, char* text, vo
 int SundialsIntegrator::call_solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b,
                                    double) {
     return guarded(solver->content, [&](SundialsIntegrator& integrator) {
-        return write(integrator.solve_with_current(entries(b)), x);
+        return integrator.write(integrator.solve_with_current(entries(b)), x);
     });
 }
 

@@ -45,6 +45,7 @@ protected:
         stopped = 1,
         at_root = 2,
         too_much_work = -1,
+        not_converging = -4,
         rate_failed = -8,
         first_rate_failed = -9,
         rates_failed = -10
@@ -79,6 +80,7 @@ protected:
 private:
     static int call_solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, double);
     Vector solve_with_current(const Vector& b);
+    int write(const Vector& values, N_Vector result);
 
     template <typename Work>
     static int guarded(void* self, Work work);
@@ -89,7 +91,8 @@ private:
     double gamma_may_be_off_;
     double prepared_ = 0; ///< the gamma that can be solved with
     double prepared_time_ = 0;
-    std::string heard_; ///< what the engine said last
+    bool is_finite_ = true; ///< what the engine was given last
+    std::string heard_;     ///< what the engine said last
     std::exception_ptr thrown_;
 };
 
