@@ -104,13 +104,15 @@ count_jobs() {
 }
 jobs=$(count_jobs) || exit 1
 
-# configure PRESET; a build folder that came along with a moved checkout is begun anew.
+# configure PRESET [-DNAME=VALUE ..]; a build folder that came along with a moved checkout is begun anew.
 configure() {
+    preset=$1
+    shift
     home="CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"
-    if [ -f "build/$1/CMakeCache.txt" ] && ! grep -qxF "$home" "build/$1/CMakeCache.txt"; then
-        cmake --fresh --preset "$1"
+    if [ -f "build/$preset/CMakeCache.txt" ] && ! grep -qxF "$home" "build/$preset/CMakeCache.txt"; then
+        cmake --fresh --preset "$preset" "$@"
     else
-        cmake --preset "$1"
+        cmake --preset "$preset" "$@"
     fi
 }
 

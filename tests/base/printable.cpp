@@ -29,7 +29,8 @@ TEST(Printable, bytes_that_are_no_utf8_are_told) {
 }
 
 TEST(Printable, of_a_long_name_the_end_is_kept) {
-    const std::string name = std::string(5000, 'x') + "/mesh.off";
+    std::string name(5000, 'x');
+    name += "/mesh.off";
     const auto shown = printable(name, 50);
     EXPECT_EQ(shown, "..." + name.substr(name.size() - 50));
     EXPECT_TRUE(is_utf8(printable("aé網🙂" + std::string(46, 'x') + "網", 50)));
