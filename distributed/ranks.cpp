@@ -98,23 +98,28 @@ Report unpack(const Packed& packed) {
              .line = numbers[2]}};
 }
 
-/// Returns when they have ended. Leaves the processor to others before long: ranks that share one
-/// would else wait for each other's turns to end.
-void await(std::span<MPI_Request> requests) {
+using Clock = std::chrono::steady_clock;
+
+/// Whether they have ended before a time. Leaves the processor to others before long: ranks that
+/// share one would else wait for each other's turns to end.
+bool await(std::span<MPI_Request> requests, Clock::time_point latest = Clock::time_point::max()) {
     constexpr int eager = 1000;
     constexpr std::chrono::microseconds pause(50);
     for (int tries = 0, done = 0;; ++tries) {
         MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
         if (done != 0)
-            return;
-        if (tries >= eager)
-            std::this_thread::sleep_for(pause);
+            return true;
+        if (tries < eager)
+            continue;
+        if (Clock::now() > latest)
+            return false;
+        std::this_thread::sleep_for(pause);
     }
 }
 
 /// Begins a collective call by `begin(MPI_Request*)` and returns when it has ended.
 template <class Begin>
-void collect(Begin begin) {
+void call_together(Begin begin) {
     MPI_Request request = MPI_REQUEST_NULL;
     begin(&request);
     await({&request, 1});
@@ -122,7 +127,7 @@ void collect(Begin begin) {
 
 template <class Number>
 void reduce(MPI_Comm communicator, std::span<Number> numbers, MPI_Datatype type, MPI_Op operation) {
-    collect([&](MPI_Request* request) {
+    call_together([&](MPI_Request* request) {
         MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), type,
                        operation, communicator, request);
     });
@@ -130,7 +135,7 @@ void reduce(MPI_Comm communicator, std::span<Number> numbers, MPI_Datatype type,
 
 template <class Item>
 void broadcast(MPI_Comm communicator, std::span<Item> items, MPI_Datatype type, int from) {
-    collect([&](MPI_Request* request) {
+    call_together([&](MPI_Request* request) {
         MPI_Ibcast(items.data(), static_cast<int>(items.size()), type, from, communicator, request);
     });
 }
@@ -161,20 +166,11 @@ std::int64_t Ranks::bytes_sent() const {
 }
 
 bool Ranks::all_come(double seconds) const {
-    using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds pause(2);
-    const auto until = Clock::now() + std::chrono::duration<double>(seconds);
+    const std::chrono::duration<double> patience(seconds);
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Ibarrier(state_->after_errors, &request);
-    while (true) {
-        int have_come = 0;
-        MPI_Test(&request, &have_come, MPI_STATUS_IGNORE);
-        if (have_come != 0)
-            return true;
-        if (Clock::now() > until)
-            return false;
-        std::this_thread::sleep_for(pause);
-    }
+    return await({&request, 1},
+                 Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
 }
 
 void Ranks::abort(int code) const {
@@ -238,7 +234,7 @@ double Ranks::least(double own) const {
 
 GlobalIndex Ranks::sum_before(GlobalIndex own) const {
     GlobalIndex before = 0;
-    collect([&](MPI_Request* request) {
+    call_together([&](MPI_Request* request) {
         MPI_Iexscan(&own, &before, 1, MPI_INT64_T, MPI_SUM, state_->communicator, request);
     });
     return rank() == 0 ? 0 : before;
@@ -258,7 +254,7 @@ void Ranks::add_up(std::span<double> own) const {
 
 std::vector<GlobalIndex> Ranks::exchange_counts(const std::vector<GlobalIndex>& counts) const {
     std::vector<GlobalIndex> arriving(counts.size());
-    collect([&](MPI_Request* request) {
+    call_together([&](MPI_Request* request) {
         MPI_Ialltoall(counts.data(), 1, MPI_INT64_T, arriving.data(), 1, MPI_INT64_T,
                       state_->communicator, request);
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/shared_solver.h"
 
+#include "backends/linear/solution_quality.h"
 #include "base/errors.h"
 #include "distributed/ksp.h"
 #include "distributed/petsc_calls.h"
@@ -51,6 +52,7 @@ struct SharedSolver::State {
         if (count == 0)
             return;
         reduced = part(ranks, system.A.get(), unknowns);
+        require(MatNorm(reduced.get(), NORM_INFINITY, &matrix_norm), "looking at a matrix");
         next_engine();
     }
 
@@ -80,6 +82,14 @@ struct SharedSolver::State {
     }
 
     double norm(const Vector& own) const { return std::sqrt(ranks.sum(own.squaredNorm())); }
+    double largest(const Vector& own) const {
+        return ranks.largest(own.size() > 0 ? own.lpNorm<Eigen::Infinity>() : 0.0);
+    }
+
+    SolutionQuality quality(const Vector& x, const Vector& b, const Vector& rest) const {
+        return {.residual = norm(rest) / norm(b),
+                .backward_error = largest(rest) / (matrix_norm * largest(x) + largest(b))};
+    }
 
     Vector solve(const Vector& b, SolveReport& report);
 
@@ -90,6 +100,7 @@ struct SharedSolver::State {
     std::vector<Index> unknowns;
     GlobalIndex count = 0;
     OwnedMat reduced;
+    PetscReal matrix_norm = 0;            // the largest sum of a row
     std::vector<std::string> left, tried; // engines
     std::unique_ptr<Ksp> solver;
     std::string name;
@@ -97,29 +108,28 @@ struct SharedSolver::State {
 
 /// Refined until the residual does not shrink any more, or is small enough.
 Vector SharedSolver::State::solve(const Vector& b, SolveReport& report) {
-    constexpr double enough = 1e-12, still_good = 1e-8;
+    constexpr double enough = 1e-12;
     constexpr int most_refinements = 3;
-    const double size = norm(b);
-    if (size == 0)
+    if (norm(b) == 0)
         return Vector::Zero(b.size());
     while (true) {
         try {
             Vector x = Vector::Zero(b.size()), r = b;
-            double residual = 1;
-            for (int i = 0; i <= most_refinements && residual > enough; ++i) {
+            SolutionQuality reached{.residual = 1, .backward_error = 1};
+            for (int i = 0; i <= most_refinements && reached.residual > enough; ++i) {
                 const Vector better = x + solver->solve(r, report.iterations);
                 const Vector rest = b - product(ranks, reduced.get(), better);
-                const double now = norm(rest) / size;
-                if (!(now < residual))
+                const SolutionQuality now = quality(better, b, rest);
+                if (!(now.residual < reached.residual))
                     break;
                 x = better;
                 r = rest;
-                residual = now;
+                reached = now;
             }
-            if (!(residual <= still_good))
-                throw SolverFailure(
-                    fmt::format("{}: the residual stays at {:.2g}", name, residual));
-            report.residual = residual;
+            if (!reached.is_good())
+                throw SolverFailure(fmt::format("{}: {}", name, reached.failure()));
+            report.residual = reached.residual;
+            report.backward_error = reached.backward_error;
             return x;
         } catch (const SolverFailure& failure) { // of all ranks
             tried.emplace_back(failure.what());

@@ -17,8 +17,6 @@ namespace polydec {
 
 namespace {
 
-constexpr double residual_limit = 1e-6;
-constexpr double backward_limit = 1e-10;
 constexpr double kernel_limit = 1e-8;
 
 bool same_pattern(const SparseMatrix& A, const SparseMatrix& B) {
@@ -66,14 +64,6 @@ void scale(Numbers&& numbers, int exponent) {
 // A residual that is not a number is larger than any.
 double worse(double a, double b) {
     return b <= a ? a : b;
-}
-
-// What no matrix hits is what a forgotten kernel leaves behind.
-std::string describe_failure(double residual, double backward_error) {
-    return fmt::format("the solution is not to be trusted: |b - A x| / |b| = {:.2g}, backward "
-                       "error {:.2g}\nThe matrix is singular to working precision or its facts are "
-                       "wrong; if it has a kernel, give it in the facts.",
-                       residual, backward_error);
 }
 
 } // namespace
@@ -202,9 +192,9 @@ CheckedSolver::Solution CheckedSolver::invert(const DenseMatrix& B) {
     return solution;
 }
 
-CheckedSolver::Quality CheckedSolver::measure(const DenseMatrix& X, const DenseMatrix& B,
-                                              const DenseMatrix& R) const {
-    Quality worst;
+SolutionQuality CheckedSolver::measure(const DenseMatrix& X, const DenseMatrix& B,
+                                       const DenseMatrix& R) const {
+    SolutionQuality worst;
     for (Eigen::Index j = 0; j < B.cols(); ++j) {
         const double r = R.col(j).lpNorm<Eigen::Infinity>();
         const double b = B.col(j).lpNorm<Eigen::Infinity>();
@@ -216,17 +206,15 @@ CheckedSolver::Quality CheckedSolver::measure(const DenseMatrix& X, const DenseM
     return worst;
 }
 
-bool CheckedSolver::is_good(const Quality& quality) const {
-    const double wished = traits_.method == Method::iterative ? 10.0 * options_.tolerance : 0.0;
-    return quality.residual <= std::max(residual_limit, wished) &&
-           quality.backward_error <= std::max(backward_limit, wished);
+bool CheckedSolver::is_good(const SolutionQuality& quality) const {
+    return quality.is_good(traits_.method == Method::iterative ? 10.0 * options_.tolerance : 0.0);
 }
 
 CheckedSolver::Solution CheckedSolver::solve_checked(const DenseMatrix& B) {
     Solution solution = invert(B);
     DenseMatrix R = B;
     R.noalias() -= *matrix_ * solution.columns;
-    Quality quality = measure(solution.columns, B, R);
+    SolutionQuality quality = measure(solution.columns, B, R);
 
     // Where inertia is wanted, refinement would hide the sign of a count not to be trusted.
     if (inertia_ == Inertia::unneeded && !is_good(quality) && R.allFinite()) {
@@ -238,9 +226,8 @@ CheckedSolver::Solution CheckedSolver::solve_checked(const DenseMatrix& B) {
         quality = measure(solution.columns, B, R);
     }
     if (!R.allFinite() || (inertia_ == Inertia::unneeded && !is_good(quality)))
-        fail(describe_failure(quality.residual, quality.backward_error),
-             SolveReport::failed(name_, solution.iterations, quality.residual,
-                                 quality.backward_error));
+        fail(quality.failure(), SolveReport::failed(name_, solution.iterations, quality.residual,
+                                                    quality.backward_error));
     report_ = {name_, solution.iterations, quality.residual, quality.backward_error, {name_}};
     return solution;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backends/linear/grounding.h"
+#include "backends/linear/solution_quality.h"
 #include "backends/linear_solver.h"
 
 namespace polydec {
@@ -49,11 +50,6 @@ protected:
     [[noreturn]] void fail(const std::string& reason, SolveReport report) const;
 
 private:
-    struct Quality {
-        double residual = 0.0;
-        double backward_error = 0.0;
-    };
-
     template <typename Work>
     auto within_memory(const char* purpose, Eigen::Index size, Work work) const;
     void factorize_valid(std::shared_ptr<const SparseMatrix> A, const MatrixFacts& facts,
@@ -64,8 +60,8 @@ private:
     std::shared_ptr<const SparseMatrix> treat(const std::shared_ptr<const SparseMatrix>& A,
                                               MatrixFacts& facts);
     Solution invert(const DenseMatrix& B);
-    Quality measure(const DenseMatrix& X, const DenseMatrix& B, const DenseMatrix& R) const;
-    bool is_good(const Quality& quality) const;
+    SolutionQuality measure(const DenseMatrix& X, const DenseMatrix& B, const DenseMatrix& R) const;
+    bool is_good(const SolutionQuality& quality) const;
     Solution solve_checked(const DenseMatrix& B);
     DenseMatrix solve_scaled(const Eigen::Ref<const DenseMatrix>& B);
 
