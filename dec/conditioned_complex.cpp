@@ -75,6 +75,11 @@ ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& sta
 
 } // namespace
 
+BoundaryConditions essential_on(const Discretization& mesh,
+                                const std::vector<std::string>& groups) {
+    return essential_on(mesh.facet_tags(), group_tags(mesh.groups(), mesh.dimension() - 1, groups));
+}
+
 ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const HodgeStars& stars,
                                              Side side, int degree,
                                              const BoundaryConditions& conditions) {

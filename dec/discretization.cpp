@@ -240,11 +240,12 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
         cell_tags = merged_tags(merged.merging, n, tags, mesh.warnings);
         merged_facet_tags = merged_tags(merged.merging, n - 1, facet_tags, mesh.warnings);
     }
-    const Discretization result(
-        {std::move(mesh.points), std::move(points), std::move(passage), std::move(merged.merging),
-         of_input, merged.volumes, volumes, options, std::move(merged.degenerate),
-         std::move(mesh.warnings), std::move(cell_tags), std::move(lengths), unit,
-         std::move(isolated), std::move(merged_facet_tags), centers, std::move(merged.flat)});
+    const Discretization result({std::move(mesh.points), std::move(points), std::move(passage),
+                                 std::move(merged.merging), of_input, merged.volumes, volumes,
+                                 options, std::move(merged.degenerate), std::move(mesh.warnings),
+                                 std::move(cell_tags), std::move(lengths), unit,
+                                 std::move(isolated), std::move(merged_facet_tags), centers,
+                                 std::move(mesh.groups), std::move(merged.flat)});
     if (options.star == StarKind::circumcentric)
         return result;
     begin(stage, "stars");

@@ -42,6 +42,7 @@ public:
         Points isolated = {};
         std::vector<Index> facet_tags = {};
         Centers centers = options.centers;
+        std::vector<GroupName> groups = {};
         std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others, or empty
     };
 
@@ -158,6 +159,10 @@ public:
     /// different ones; or empty, if the input has no facets with tags or edges were flipped.
     const std::vector<Index>& facet_tags() const& { return parts_->facet_tags; }
     std::vector<Index> facet_tags() && { return facet_tags(); }
+
+    /// The names of groups of the input.
+    const std::vector<GroupName>& groups() const& { return parts_->groups; }
+    std::vector<GroupName> groups() && { return groups(); }
 
     /// What points, lengths and volumes are measured in, as a length of the input: 1, or a power of
     /// 4 where the input is so large or small that products of its lengths would be no numbers. So

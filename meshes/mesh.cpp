@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <charconv>
+
 namespace polydec {
 
 void check_facet_tags(const Mesh& mesh) {
@@ -29,6 +32,37 @@ void check_facet_tags(const Mesh& mesh) {
                                 .cells = {static_cast<Index>(facet)},
                                 .vertices = {vertices.begin(), vertices.end()}});
     }
+}
+
+std::vector<Index> group_tags(const std::vector<GroupName>& groups, int dimension,
+                              const std::vector<std::string>& words) {
+    const auto fits = [&](const GroupName& group) {
+        return group.dimension == dimension || group.dimension == -1;
+    };
+    std::vector<Index> tags;
+    for (const std::string& word : words) {
+        const auto group = std::find_if(groups.begin(), groups.end(), [&](const GroupName& each) {
+            return fits(each) && each.name == word;
+        });
+        Index number = 0;
+        const char* const end = word.data() + word.size();
+        if (group != groups.end()) {
+            tags.push_back(group->tag);
+        } else if (const auto read = std::from_chars(word.data(), end, number);
+                   read.ec == std::errc() && read.ptr == end) {
+            tags.push_back(number);
+        } else {
+            std::vector<std::string> names;
+            for (const GroupName& each : groups)
+                if (fits(each))
+                    names.push_back(each.name);
+            throw InvalidInput(
+                fmt::format("no group of {}-cells is called {}: {}", dimension, word,
+                            names.empty() ? "none has a name; give its number"
+                                          : fmt::format("there are {}", fmt::join(names, ", "))));
+        }
+    }
+    return tags;
 }
 
 } // namespace polydec

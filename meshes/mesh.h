@@ -14,6 +14,13 @@ struct TaggedSimplices {
     std::vector<Index> tags = {}; ///< one for each
 };
 
+/// What a file calls a physical group.
+struct GroupName {
+    int dimension = -1; ///< of its simplices; -1 where the file does not say
+    Index tag = 0;
+    std::string name = {};
+};
+
 /// What a file or a generator gives: points of R^N and top simplices of one dimension n.
 struct Mesh {
     Points points;       ///< one row per vertex, N columns
@@ -24,6 +31,7 @@ struct Mesh {
     /// Facets that have a tag of their own, as the parts of a boundary and interfaces do: some
     /// (n-1)-simplices, in any order.
     TaggedSimplices facet_tags = {};
+    std::vector<GroupName> groups = {}; ///< those that have names
 
     int ambient_dimension() const { return static_cast<int>(points.cols()); }
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }
@@ -32,5 +40,10 @@ struct Mesh {
 /// Throws InvalidInput, naming the facet, unless every facet with a tag has n vertices of the mesh,
 /// and one tag.
 void check_facet_tags(const Mesh& mesh);
+
+/// The tags of groups of this dimension, each given by its name or by its number in digits. Throws
+/// InvalidInput for another word, with the names there are.
+std::vector<Index> group_tags(const std::vector<GroupName>& groups, int dimension,
+                              const std::vector<std::string>& words);
 
 } // namespace polydec

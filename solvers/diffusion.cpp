@@ -4,6 +4,7 @@
 #include "backends/registry.h"
 #include "base/block_matrix.h"
 #include "base/errors.h"
+#include "dec/boundary_star.h"
 #include "dec/forms/laplacian.h"
 #include "solvers/spectra/positive_mass.h"
 
@@ -16,12 +17,13 @@ namespace polydec {
 
 namespace {
 
-/// M_k + t d^T M_(k+1) d, and beside it t times d^T M_k and, negative, M_(k-1): of a form and its
-/// codifferential. Quasi-definite, so that it has factors in every order.
-SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars, int k, double t) {
+/// M_k + t (d^T M_(k+1) d + weights), and beside it t times d^T M_k and, negative, M_(k-1): of a
+/// form and its codifferential. Quasi-definite, so that it has factors in every order.
+SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars, const Vector& weights,
+                        int k, double t) {
     const Operator mass = Operator::star(stars[k]);
     const Operator below = Operator::derivative(complex, k - 1).transposed();
-    Operator A = mass;
+    Operator A = mass + t * Operator::weights(weights);
     if (k < complex.dimension()) {
         const Operator d = Operator::derivative(complex, k);
         A = A + t * (d.transposed() * Operator::star(stars[k + 1]) * d);
@@ -32,9 +34,26 @@ SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars, int
 ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Side side,
                                int degree, const DiffusionOptions& options) {
     if (options.conditions)
-        return conditioned_complex(complex, stars, side, degree, *options.conditions);
+        return conditioned_but_for_robin(complex, stars, side, degree, *options.conditions);
     return {relative_complex(complex, essential_cells(complex, built_in_conditions(Side::primal))),
             stars};
+}
+
+/// What Robin's condition adds: to the stiffness of primal forms, and of dual ones, which its
+/// facets hold back like a layer, to the star below. Empty where there is none; star(k, weights) is
+/// that within the boundary.
+template <class BoundaryStar>
+Vector part_of_robin(const CellComplex& complex, Side side, int k,
+                     const std::optional<BoundaryConditions>& conditions, BoundaryStar star) {
+    if (!conditions)
+        return {};
+    const Vector robin = robin_coefficients(complex, *conditions);
+    const bool primal = side == Side::primal;
+    if (robin.isZero(0) || k == (primal ? complex.dimension() : 0))
+        return {};
+    if (primal)
+        return star(k, robin);
+    return star(k - 1, (robin.array() > 0).select(robin.cwiseInverse(), 0.0 * robin));
 }
 
 void check_size(const Vector& values, Index size) {
@@ -49,17 +68,25 @@ void check_size(const Vector& values, Index size) {
 Diffusion::Diffusion(const Discretization& mesh, Side side, int degree,
                      const DiffusionOptions& options)
     : Diffusion(mesh.complex(), mesh.stars(),
-                conditioned_complex(mesh, side, degree,
-                                    options.conditions.value_or(built_in_conditions(side))),
+                conditioned_but_for_robin(mesh, side, degree,
+                                          options.conditions.value_or(built_in_conditions(side))),
+                part_of_robin(
+                    mesh.complex(), side, cell_degree(mesh.complex(), side, degree),
+                    options.conditions,
+                    [&](int k, const Vector& weights) { return boundary_star(mesh, k, weights); }),
                 side, degree, options) {}
 
 Diffusion::Diffusion(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
                      const DiffusionOptions& options)
-    : Diffusion(complex, stars, conditioned(complex, stars, side, degree, options), side, degree,
-                options) {}
+    : Diffusion(complex, stars, conditioned(complex, stars, side, degree, options),
+                part_of_robin(complex, side, cell_degree(complex, side, degree), options.conditions,
+                              [&](int k, const Vector& weights) {
+                                  return boundary_star(complex, stars.volumes(), k, weights);
+                              }),
+                side, degree, options) {}
 
 Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars,
-                     ConditionedComplex space, Side side, int degree,
+                     ConditionedComplex space, const Vector& robin, Side side, int degree,
                      const DiffusionOptions& options)
     : side_(side),
       degree_(degree),
@@ -67,16 +94,23 @@ Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars,
       stiffness_(Operator::zero(0, 0)),
       mass_(space.stars[cell_degree(whole, side, degree)]) {
     const CellComplex& complex = space.relative.complex;
-    const HodgeStars& stars = space.stars;
     const int k = mass_.degree();
     kept_ = space.relative.cells[k];
+    robin_ = Vector::Zero(size());
+    if (robin.size() > 0 && side == Side::primal)
+        robin_ = space.relative.restrict(k, robin);
+    else if (robin.size() > 0)
+        space.stars =
+            space.stars.with(k - 1, Operator::star(space.stars[k - 1]) +
+                                        Operator::weights(space.relative.restrict(k - 1, robin)));
+    const HodgeStars& stars = space.stars;
     check_positive_mass(mass_, side, degree);
     if (!(coefficient_ >= 0) || !std::isfinite(coefficient_))
         throw InvalidInput(fmt::format("a coefficient of diffusion of {} is given: expected a "
                                        "finite one of at least 0",
                                        coefficient_));
     solver_ = make_linear_solver(options.linear_solver);
-    stiffness_ = symmetric_laplacian(complex, stars, k);
+    stiffness_ = symmetric_laplacian(complex, stars, k) + Operator::weights(robin_);
     facts_ = {.symmetry = Symmetry::symmetric,
               .domain_dimension = complex.dimension(),
               .many_solves = true};
@@ -109,7 +143,8 @@ Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side
 SparseMatrix Diffusion::step_matrix(double gamma) const {
     const double t = gamma * coefficient_;
     if (is_mixed_)
-        return mixed_step(space_->kept.relative.complex, space_->kept.stars, mass_.degree(), t);
+        return mixed_step(space_->kept.relative.complex, space_->kept.stars, robin_, mass_.degree(),
+                          t);
     return Operator::star(mass_) + t * stiffness_;
 }
 

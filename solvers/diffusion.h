@@ -16,6 +16,7 @@ namespace polydec {
 struct DiffusionOptions {
     double coefficient = 1; ///< nu, at least 0; length squared over time
     /// Without, those that hold where nothing is done about the boundary (built_in_conditions).
+    /// Robin's as well, of which the data are 0: what flows out is the coefficient times the trace.
     std::optional<BoundaryConditions> conditions = {};
     std::string linear_solver = "auto";
 };
@@ -33,7 +34,8 @@ class Diffusion {
 public:
     /// Throws InvalidInput if there is no such degree, the mass of these forms is not positive or a
     /// star that must be inverted has a zero (naming the cells), the coefficient is negative or not
-    /// finite, or there are conditions but not one for each facet.
+    /// finite, or there are conditions but not one for each facet; for Robin's condition like
+    /// robin_coefficients and boundary_star.
     Diffusion(const Discretization& mesh, Side side, int degree, const DiffusionOptions& options);
     Diffusion(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
               const DiffusionOptions& options);
@@ -53,7 +55,8 @@ public:
 
     /// What values other than 0 on essential facets add to the rate. They are given as
     /// boundary_values of an Unknown are. Throws InvalidInput for another number of values, for
-    /// stars that are no diagonals, and for dual forms if an essential facet has no dual.
+    /// stars that are no diagonals, as where dual forms have Robin's condition too, and for dual
+    /// forms if an essential facet has no dual.
     Vector boundary_rate(const Vector& boundary_values) const;
 
     /// Gets ready for solving with this gamma > 0. Throws SolverFailure if the engine fails.
@@ -64,7 +67,7 @@ public:
 
 private:
     Diffusion(const CellComplex& whole, const HodgeStars& stars, ConditionedComplex space,
-              Side side, int degree, const DiffusionOptions& options);
+              const Vector& robin, Side side, int degree, const DiffusionOptions& options);
 
     SparseMatrix step_matrix(double gamma) const;
     Vector primal_load(const Vector& boundary_values) const;
@@ -75,6 +78,7 @@ private:
     int degree_;
     double coefficient_ = 1;
     Operator stiffness_;
+    Vector robin_; // what Robin's condition adds to the stiffness of primal forms
     HodgeStar mass_;
     bool is_mixed_ = false;
     MatrixFacts facts_;

@@ -8,6 +8,7 @@
 #include "io/meshes/length_file.h"
 #include "io/meshes/read_mesh.h"
 #include "meshes/peel.h"
+#include "meshes/periodic.h"
 #include "tools/messages.h"
 #include "tools/options.h"
 
@@ -16,6 +17,8 @@
 #include <array>
 #include <set>
 #include <unistd.h>
+#include <variant>
+#include <vector>
 
 namespace polydec::tools {
 
@@ -90,6 +93,11 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
         ->check(CLI::IsMember({"circumcenters", "centroids"}));
     auto* groups = command.add_flag("--keep-groups", arguments.keep_groups,
                                     "merge no cells of different physical groups");
+    command
+        .add_option("--periodic", arguments.periods,
+                    "glue the mesh to itself along this translation, such as 1,0; may be\n"
+                    "given again. What comes of it has lengths, and no places")
+        ->check(check_vector);
     command.add_flag("--peel", arguments.peel,
                      "leave out flat cells on the boundary of a solid first");
     command
@@ -130,6 +138,26 @@ CLI::Option* add_side(CLI::App& command, Side& side) {
         ->transform(CLI::Validator(read, "primal|dual"));
 }
 
+/// What a file holds, glued along the translations, or as it is.
+std::variant<Mesh, LengthMesh> read(const MeshArguments& arguments) {
+    if (is_length_file(arguments.mesh)) {
+        if (!arguments.periods.empty())
+            throw InvalidInput(
+                "--periodic: a file of lengths has no places that a translation takes "
+                "to others; glue it by giving vertices on both sides one number");
+        return read_lengths(arguments.mesh);
+    }
+    Mesh mesh = read_mesh(arguments.mesh);
+    if (arguments.peel)
+        mesh = peeled(std::move(mesh));
+    if (arguments.periods.empty())
+        return mesh;
+    std::vector<Vector> translations;
+    for (const std::string& period : arguments.periods)
+        translations.push_back(*vector_of(period));
+    return periodic(std::move(mesh), translations).quotient;
+}
+
 Discretization load(const MeshArguments& arguments, Log& log) {
     const Progress progress;
     const auto stage = [&](std::string_view what) {
@@ -151,12 +179,11 @@ Discretization load(const MeshArguments& arguments, Log& log) {
 
     stage("read");
     auto result = computed_on(arguments.mesh, [&] {
-        return is_length_file(arguments.mesh)
-                   ? discretize_checked(arguments, read_lengths(arguments.mesh), options, stage)
-                   : discretize_checked(arguments,
-                                        arguments.peel ? peeled(read_mesh(arguments.mesh))
-                                                       : read_mesh(arguments.mesh),
-                                        options, stage);
+        return std::visit(
+            [&](auto given) {
+                return discretize_checked(arguments, std::move(given), options, stage);
+            },
+            read(arguments));
     });
     log.timing.end();
     for (const auto& warning : result.warnings())

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace polydec::tools {
 
@@ -22,6 +23,7 @@ struct MeshArguments {
     bool merge = true;
     bool keep_groups = false;
     bool peel = false;
+    std::vector<std::string> periods; ///< translations, "1,0"
     std::string centers = "circumcenters";
     std::string delaunay;                             ///< empty, flips or split-boundary
     std::string star = name(StarKind::circumcentric); ///< see add_star

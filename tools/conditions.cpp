@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/conditions.h"
 
+#include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
 
 namespace polydec::tools {
@@ -16,18 +17,19 @@ CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
 void add_essential_on(CLI::App& command, ConditionArguments& arguments) {
     command
         .add_option("--essential-on", arguments.essential_on,
-                    "the same at boundary facets with one of these tags (physical\n"
-                    "groups of the file); with --keep-groups merging joins none of them")
+                    "the same at boundary facets of these physical groups of the file, by\n"
+                    "name or number; with --keep-groups merging joins none of them")
         ->excludes("--natural")
         ->excludes("--essential-where");
 }
 
-void add_robin(CLI::App& command, ConditionArguments& arguments) {
+void add_robin(CLI::App& command, ConditionArguments& arguments, const std::string& data) {
     command
         .add_option("--robin", arguments.robin,
-                    "ALPHA > 0: where no values are given, --flux is the outward derivative\n"
-                    "plus ALPHA u (Robin). Without --essential-where or --essential-on\n"
-                    "values are given nowhere")
+                    "ALPHA > 0: where no values are given, " + data +
+                        " is the outward derivative\n"
+                        "plus ALPHA u (Robin). Without --essential-where or --essential-on\n"
+                        "values are given nowhere")
         ->check(CLI::PositiveNumber);
 }
 
@@ -50,7 +52,7 @@ std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretiz
     if (natural_)
         return BoundaryConditions{BoundaryCondition::natural};
     if (!essential_on_.empty())
-        return essential_on(mesh.facet_tags(), essential_on_);
+        return essential_on(mesh, essential_on_);
     if (!essential_where_)
         return std::nullopt;
     const Points sites = mesh.unit() * facet_sites(mesh);

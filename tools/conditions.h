@@ -17,7 +17,7 @@ namespace polydec::tools {
 struct ConditionArguments {
     bool natural = false;
     std::string essential_where;
-    std::vector<Index> essential_on;
+    std::vector<std::string> essential_on;
     double robin = 0; ///< coefficient of Robin's condition in place of the natural one; 0: none
 };
 
@@ -29,8 +29,8 @@ CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
 /// file.
 void add_essential_on(CLI::App& command, ConditionArguments& arguments);
 
-/// The option --robin.
-void add_robin(CLI::App& command, ConditionArguments& arguments);
+/// The option --robin, by which these data are the outward derivative plus ALPHA u.
+void add_robin(CLI::App& command, ConditionArguments& arguments, const std::string& data);
 
 /// The conditions asked for, on any mesh. Made before any work, like SiteValues.
 class ConditionValues {
@@ -49,7 +49,7 @@ private:
     std::optional<BoundaryConditions> without_robin(const Discretization& mesh) const;
 
     bool natural_;
-    std::vector<Index> essential_on_;
+    std::vector<std::string> essential_on_;
     double robin_;
     std::optional<SiteValues> essential_where_;
 };

@@ -261,6 +261,8 @@ void run_heat(const HeatArguments& arguments) {
         take_equal_steps(march, heat);
     for (const auto condition : conditions.facets)
         march.problem.add(static_cast<std::uint64_t>(condition));
+    for (const double coefficient : conditions.coefficients)
+        march.problem.add(coefficient);
     const Ran ran = run(march, arguments.time, mesh);
     const Cochain end = integrated ? integrated->form(0) : Cochain{side, degree, march.state[0]};
     tell(Cooled(heat, steps, ran, words, end, integrated.get()), log, arguments.mesh.tell);
@@ -314,6 +316,7 @@ void add_heat(CLI::App& app) {
              "the values at essential facets, at the time t as well\n(default: 0)")
         ->required(false);
     add_essential_on(*command, arguments->conditions);
+    add_robin(*command, arguments->conditions, "0");
     command->add_option("--engine", arguments->heat.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer(
@@ -322,6 +325,7 @@ void add_heat(CLI::App& app) {
         "  polydec heat bunny.off --side primal --initial 'x>0' --until .01 -o heat.html\n"
         "  polydec heat room.msh --side dual --initial 1 --until 2 --frames 100 -o heat.pvd \\\n"
         "      --checkpoint heat.checkpoint --resume\n"
+        "  polydec heat plate.off --side dual --initial 1 --robin 2.5 --until 1\n"
         "  polydec heat room.msh --side primal --initial 0 --source 'exp(-9*(x^2+y^2))*sin(t)' \\\n"
         "      --until 20 --tolerance-in-time 1e-4 -o heated.pvd");
     command->callback([arguments] { run_heat(*arguments); });

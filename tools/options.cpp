@@ -6,11 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace polydec::tools {
 
@@ -76,6 +78,23 @@ std::string check_not_negative(const std::string& text) {
     const auto value = number_of<double>(text);
     const bool good = value && std::isfinite(*value) && *value >= 0;
     return good ? "" : expected("a number of at least 0", text);
+}
+
+std::optional<Vector> vector_of(std::string_view text) {
+    std::vector<double> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const auto end = std::min(text.find(',', begin), text.size());
+        const auto number = number_of<double>(text.substr(begin, end - begin));
+        if (!number || !std::isfinite(*number))
+            return std::nullopt;
+        numbers.push_back(*number);
+        begin = end + 1;
+    }
+    return Eigen::Map<const Vector>(numbers.data(), std::ssize(numbers));
+}
+
+std::string check_vector(const std::string& text) {
+    return vector_of(text) ? "" : expected("numbers with commas between, such as 1,0", text);
 }
 
 void add_common_options(CLI::App& command, TellOptions& options) {

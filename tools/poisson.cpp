@@ -184,7 +184,7 @@ void add_poisson(CLI::App& app) {
                    "--flux (Neumann) at the others")
         ->excludes(boundary);
     add_essential_on(*command, arguments->conditions);
-    add_robin(*command, arguments->conditions);
+    add_robin(*command, arguments->conditions, "--flux");
     command->add_option("--flux", arguments->flux,
                         "outward derivative of u on the rest of the boundary (default 0:\n"
                         "no flow through it), times the conductivity where one is given");

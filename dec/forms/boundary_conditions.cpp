@@ -90,7 +90,7 @@ void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditio
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (complex.coface_counts(n - 1)[f] == 1 && conditions.at(f) == BoundaryCondition::robin)
             throw InvalidInput(fmt::format("facet {} has Robin's condition, which {} cannot have: "
-                                           "PoissonSolver and HodgeLaplaceSolver can",
+                                           "PoissonSolver, HodgeLaplaceSolver and Diffusion can",
                                            f, what),
                                {.degree = n - 1, .cells = {f}});
 }
@@ -147,6 +147,7 @@ BoundaryConditions essential_on(const std::vector<Index>& facet_tags,
             std::vector<Index> all = facet_tags;
             std::sort(all.begin(), all.end());
             all.erase(std::unique(all.begin(), all.end()), all.end());
+            std::erase(all, 0); // none
             throw InvalidInput(
                 fmt::format("no facet has the tag {}: {}", tag,
                             all.empty() ? "the mesh has no facets with tags"

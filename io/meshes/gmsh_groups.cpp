@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 namespace polydec {
 
@@ -49,6 +52,38 @@ void GmshGroups::read_entity(GmshSource& source, std::size_t dimension, bool is_
 
 Index GmshGroups::tag_of(std::size_t dimension, std::int64_t entity) const {
     return tags_[dimension].find(entity).value_or(0);
+}
+
+namespace {
+
+std::string quoted_name(Scanner& scanner) {
+    const auto rest = scanner.rest();
+    const auto end = rest.find_first_of("\"\n\r", 1);
+    if (rest.front() != '"' || end == std::string_view::npos || rest[end] != '"')
+        scanner.fail("a physical name without quotes; expected one such as \"wall\"; correct it or "
+                     "leave the section $PhysicalNames out");
+    return std::string(scanner.bytes(end + 1, "a physical name").substr(1, end - 1));
+}
+
+} // namespace
+
+std::vector<GroupName> read_gmsh_names(Scanner& scanner, const GmshFormat& format) {
+    std::vector<GroupName> names;
+    const Index count = scanner.count("physical names", 4);
+    for (Index i = 0; i < count; ++i) {
+        GroupName group;
+        auto number = scanner.integer("a physical name");
+        scanner.stay_on_line("a physical name");
+        if (!scanner.rest().starts_with('"')) {
+            group.dimension = static_cast<int>(std::clamp<std::int64_t>(number, -1, 4));
+            number = scanner.integer("the number of a physical group");
+            scanner.stay_on_line("a physical name");
+        }
+        group.tag = group_tag(number, GmshSource(scanner, format));
+        group.name = quoted_name(scanner);
+        names.push_back(std::move(group));
+    }
+    return names;
 }
 
 std::string gmsh_ambiguity(const GmshGroups& groups) {

@@ -3,11 +3,13 @@
 
 #include "io/meshes/cell_lists.h"
 #include "io/meshes/gmsh_source.h"
+#include "meshes/mesh.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace polydec {
 
@@ -33,6 +35,10 @@ private:
 
 /// The warning about those.
 std::string gmsh_ambiguity(const GmshGroups& groups);
+
+/// Reads the section PhysicalNames up to its end, which is text even where all else is bytes:
+/// dimension, which the oldest files lack, number, and name in quotes. Throws InvalidInput.
+std::vector<GroupName> read_gmsh_names(Scanner& scanner, const GmshFormat& format);
 
 /// The number of a physical group as a tag. A sign says that the group turns its cells around, not
 /// that it is another group. Throws InvalidInput for one that is too large.

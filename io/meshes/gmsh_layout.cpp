@@ -81,6 +81,9 @@ private:
             return true;
         else if (name == "Entities" || name == "PartitionedEntities")
             read_entities(name);
+        else if (name == "PhysicalNames")
+            read_section_of_any_length(
+                [&](Scanner& scanner) { read_gmsh_names(scanner, *format_); });
         else if (name == "Nodes" && layout_.points.count() == 0)
             format_->major_version == 4 ? read_nodes() : read_old_nodes();
         else if (name == "Elements" && layout_.points.count() > 0 && !has_elements_)
@@ -99,26 +102,33 @@ private:
         });
     }
 
-    /// How long they are shows when they are read.
-    void read_entities(const std::string& name) {
-        if (format_->major_version != 4)
-            refuse_layout(file_, "a section of another version");
-        open_section();
+    /// Of a section that shows how long it is when it is read: of ever more of the file.
+    template <class Work>
+    void read_section_of_any_length(Work work) {
         constexpr std::int64_t most = std::int64_t{1} << 28;
         for (std::int64_t bytes = longest_header;; bytes *= 4)
             try {
-                GmshGroups groups;
                 read(bytes, [&](Scanner& scanner) {
-                    GmshSource source(scanner, *format_);
-                    groups.read(source, name == "PartitionedEntities");
+                    work(scanner);
                     return 0;
                 });
-                groups_ = std::move(groups);
                 return;
             } catch (const InvalidInput&) {
                 if (bytes >= most || place_ + bytes >= file_.size)
                     throw;
             }
+    }
+
+    void read_entities(const std::string& name) {
+        if (format_->major_version != 4)
+            refuse_layout(file_, "a section of another version");
+        open_section();
+        read_section_of_any_length([&](Scanner& scanner) {
+            GmshGroups groups;
+            GmshSource source(scanner, *format_);
+            groups.read(source, name == "PartitionedEntities");
+            groups_ = std::move(groups);
+        });
     }
 
     /// What a skipped section holds may be bytes; its end is looked for at the beginning of a line.

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace polydec {
 
@@ -29,6 +30,7 @@ public:
                           "$Nodes and $Elements; export it again as MSH 2.2 or 4.1");
         }
         Mesh mesh = std::move(cells_).mesh(std::move(points_));
+        mesh.groups = std::move(names_);
         if (groups_.ambiguous() > 0)
             mesh.warnings.push_back(gmsh_ambiguity(groups_));
         return mesh;
@@ -48,6 +50,8 @@ private:
             require(place, !has_format_, "no other $MeshFormat");
             format_ = read_gmsh_format(scanner_);
             has_format_ = true;
+        } else if (name == "PhysicalNames") {
+            names_ = read_gmsh_names(scanner_, format_);
         } else if (name == "Entities" || name == "PartitionedEntities") {
             require(place, has_format_ && format_.major_version == 4, "$MeshFormat of version 4.1");
             auto source = open_section();
@@ -229,6 +233,7 @@ private:
     bool has_elements_ = false;
     bool has_nodes_ = false;
     GmshGroups groups_;
+    std::vector<GroupName> names_;
     Points points_;
     NumberTable nodes_;
     CellLists cells_;

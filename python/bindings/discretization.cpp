@@ -139,6 +139,13 @@ void add_parts(py::class_<Discretization>& type) {
                                [](const Discretization& mesh) { return array(mesh.tags()); })
         .def_property_readonly("facet_tags",
                                [](const Discretization& mesh) { return array(mesh.facet_tags()); })
+        .def("facets_in",
+             [](const Discretization& mesh, const std::vector<std::string>& groups) {
+                 std::vector<bool> marks;
+                 for (const auto condition : essential_on(mesh, groups).facets)
+                     marks.push_back(condition == BoundaryCondition::essential);
+                 return marks;
+             })
         .def_property_readonly("unit", &Discretization::unit)
         .def_property_readonly(
             "star_kind", [](const Discretization& mesh) { return name(mesh.chosen_stars().kind); })

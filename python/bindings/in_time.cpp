@@ -24,13 +24,13 @@ void add_heat(py::module_& module) {
     using Heat = Guarded<HeatSolver>;
     py::class_<Heat>(module, "HeatSolver")
         .def(py::init([](const Calculus& of, const std::vector<bool>& essential,
-                         const std::string& given_side, int degree, double time_step,
-                         const std::string& scheme, const std::string& engine) {
+                         const Numbers& robin, const std::string& given_side, int degree,
+                         double time_step, const std::string& scheme, const std::string& engine) {
             const HeatOptions options = heat_options(time_step, scheme, engine);
             const Side side = side_of(given_side);
             if (essential.empty())
                 return guarded<HeatSolver>(of.complex, of.stars, side, degree, options);
-            const auto conditions = conditions_of(essential);
+            const auto conditions = conditions_of(essential, vector(robin));
             return of.mesh ? guarded<HeatSolver>(*of.mesh, conditions, side, degree, options)
                            : guarded<HeatSolver>(of.complex, of.stars, conditions, side, degree,
                                                  options);
@@ -83,16 +83,17 @@ std::function<double(double, const std::vector<Cochain>&)> event_of(const py::ob
     };
 }
 
-/// An unknown as Python names it: side, degree, values, diffusion, marks of essential facets, and a
-/// function for the values there.
-using GivenUnknown = std::tuple<std::string, int, Numbers, double, std::vector<bool>, py::object>;
+/// An unknown as Python names it: side, degree, values, diffusion, marks of essential facets and
+/// coefficients of Robin's condition, and a function for the values on essential facets.
+using GivenUnknown =
+    std::tuple<std::string, int, Numbers, double, std::vector<bool>, Numbers, py::object>;
 
 std::vector<Unknown> unknowns_of(const std::vector<GivenUnknown>& given) {
     std::vector<Unknown> result;
-    for (const auto& [side, degree, values, diffusion, essential, boundary] : given) {
+    for (const auto& [side, degree, values, diffusion, essential, robin, boundary] : given) {
         Unknown unknown{.start = form(side, degree, values), .diffusion = diffusion};
         if (!essential.empty())
-            unknown.conditions = conditions_of(essential);
+            unknown.conditions = conditions_of(essential, vector(robin));
         unknown.boundary_values = values_in_time(boundary);
         result.push_back(std::move(unknown));
     }

@@ -32,6 +32,13 @@ py::array shown(const py::object& mesh,
     return view(rows.data(), {rows.rows(), rows.cols()}, mesh);
 }
 
+py::list names_of(const std::vector<GroupName>& groups) {
+    py::list result;
+    for (const auto& [dimension, tag, name] : groups)
+        result.append(py::make_tuple(dimension, tag, name));
+    return result;
+}
+
 void add_classes(py::module_& module) {
     py::class_<Mesh>(module, "Mesh")
         .def(py::init(&mesh_of))
@@ -47,6 +54,7 @@ void add_classes(py::module_& module) {
         .def_property_readonly("tags", [](const Mesh& mesh) { return array(mesh.tags); })
         .def_property_readonly("facet_tags",
                                [](const Mesh& mesh) { return array(mesh.facet_tags.tags); })
+        .def_property_readonly("groups", [](const Mesh& mesh) { return names_of(mesh.groups); })
         .def_readonly("warnings", &Mesh::warnings);
     py::class_<LengthMesh>(module, "LengthMesh")
         .def(py::init([](const Integers& simplices, Index vertices, const Integers& edges,

@@ -103,6 +103,17 @@ class Complex(Cells):
         """Of each (n-1)-cell the tag of its facets; or empty."""
         return self._mesh.facet_tags
 
+    def facets_in(self, *groups: str | int) -> npt.NDArray[np.bool_]:
+        """Of each (n-1)-cell whether it is in one of these groups of the file, which are given by
+        their names or tags; say ``essential=plate.facets_in("wall", "lid")``.
+
+        Raises
+        ------
+        InvalidInput
+            For a group that there is not, with the names of those there are.
+        """
+        return np.array(self._mesh.facets_in([str(group) for group in groups]), dtype=bool)
+
     @property
     def unit(self) -> float:
         """The length, in those of the input, that points and volumes are measured in: mostly 1."""

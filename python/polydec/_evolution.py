@@ -8,11 +8,11 @@ from typing import Any, Callable, Iterator, Sequence, Union
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, floats
+from ._arrays import Floats, Values, floats
 from ._cells import Cells, Form, as_form
 from ._checkpoint import Checkpoint, read_checkpoint, write_checkpoint
 from ._cochain import Cochain
-from ._complex import CellsLike, as_cells, facet_marks
+from ._complex import CellsLike, as_cells, facet_coefficients, facet_marks
 from ._errors import InvalidInput
 
 #: One form, or several that change together.
@@ -34,16 +34,19 @@ class HeatSolver:
         A name of `backends`.
     essential : bool or array of bool or callable, optional
         As for `spectrum`.
+    robin : float, array_like or callable, optional
+        Coefficients of Robin's condition where facets are not essential (by default none is then):
+        as much flows out as the coefficient times the trace. As for `PoissonSolver`.
     """
 
     def __init__(self, complex: CellsLike, time_step: float, *, degree: int = 0,
                  side: str = "primal", scheme: str = "backward_euler", essential: Any = None,
-                 engine: str = "auto") -> None:
+                 robin: Values | None = None, engine: str = "auto") -> None:
         complex = as_cells(complex)
-        marked = [] if essential is None else facet_marks(complex, essential)
+        marked, coefficients = _conditions(complex, essential, robin)
         self._kind = side, degree
-        self._solver = _core.HeatSolver(complex._calculus, marked, side, degree, time_step, scheme,
-                                        engine)
+        self._solver = _core.HeatSolver(complex._calculus, marked, coefficients, side, degree,
+                                        time_step, scheme, engine)
 
     def step(self, u: Form, steps: int = 1) -> Floats:
         """The values so many steps later. Ctrl-C ends it between two steps."""
@@ -53,7 +56,7 @@ class HeatSolver:
 
 def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degree: int = 0,
          side: str = "primal", scheme: str = "backward_euler", essential: Any = None,
-         engine: str = "auto") -> Floats:
+         robin: Values | None = None, engine: str = "auto") -> Floats:
     """The values of a form after so many steps of the heat equation.
 
     Parameters are those of `HeatSolver`; for several runs make one of these.
@@ -67,7 +70,7 @@ def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degre
     True
     """
     solver = HeatSolver(complex, time_step, degree=degree, side=side, scheme=scheme,
-                        essential=essential, engine=engine)
+                        essential=essential, robin=robin, engine=engine)
     return solver.step(u, steps)
 
 
@@ -91,6 +94,8 @@ class Evolution:
         no rate. A source depends on the time alone.
     essential : bool or array of bool or callable, optional
         As for `spectrum`, for all unknowns. Without, the built-in conditions hold.
+    robin : float, array_like or callable, optional
+        As for `HeatSolver`, for all unknowns.
     boundary : float, array_like or callable, optional
         Values on essential facets, by default 0: of primal k-forms for each k-cell, of dual 0-forms
         for each facet; or a function of the time that returns them. Of several unknowns a sequence
@@ -140,7 +145,8 @@ class Evolution:
     def __init__(self, complex: CellsLike, start: Forms, *, degree: int = 0, side: str = "primal",
                  diffusion: float | Sequence[float] = 0.0,
                  reaction: Callable[..., Any] | None = None, essential: Any = None,
-                 boundary: Any = None, event: Callable[..., Any] | None = None,
+                 robin: Values | None = None, boundary: Any = None,
+                 event: Callable[..., Any] | None = None,
                  time: float = 0.0, integrator: str = "runge-kutta",
                  relative_tolerance: float = 1e-5, absolute_tolerance: float = 1e-8,
                  first_step: float = 0.0, largest_step: float = 0.0, fixed_step: float = 0.0,
@@ -152,8 +158,9 @@ class Evolution:
         if len(coefficients) != len(unknowns):
             raise InvalidInput(f"{len(coefficients)} coefficients of diffusion are given: expected "
                                f"one, or one for each of {len(unknowns)} unknowns")
-        marked = [] if essential is None else facet_marks(complex, essential)
-        given = [(*form, float(nu), marked, _at_boundary(each, complex, form[0], form[1]))
+        marked, resisting = _conditions(complex, essential, robin)
+        given = [(*form, float(nu), marked, resisting,
+                  _at_boundary(each, complex, form[0], form[1]))
                  for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
         self._run = _core.Evolution(
             complex._calculus, given, _rates(reaction, len(unknowns)), _number(event), time,
@@ -263,6 +270,14 @@ def _number(event: Callable[..., Any] | None) -> Any:
         return None
     called = event
     return lambda time, forms: float(called(time, *forms))
+
+
+def _conditions(complex: Cells, essential: Any, robin: Values | None) -> tuple[list[bool], Floats]:
+    """Marks of essential facets, none for built-in conditions, and coefficients of Robin's."""
+    if essential is None and robin is None:
+        return [], facet_coefficients(complex, None)
+    return (facet_marks(complex, False if essential is None else essential),
+            facet_coefficients(complex, robin))
 
 
 def _each(boundary: Any, unknowns: int) -> Sequence[Any]:

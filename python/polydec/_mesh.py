@@ -32,6 +32,8 @@ class Mesh:
     ----------
     points, simplices, tags, facets, facet_tags : numpy.ndarray
         As above, read-only. Points and simplices are shared, not copied.
+    groups : list of (int, int, str)
+        Dimension (-1 where a file does not say), tag and name of physical groups with names.
     warnings : list of str
         What was untidy in a file.
 
@@ -87,6 +89,10 @@ class Mesh:
     @property
     def facet_tags(self) -> Integers:
         return self._mesh.facet_tags
+
+    @property
+    def groups(self) -> list[tuple[int, int, str]]:
+        return self._mesh.groups
 
     @property
     def warnings(self) -> list[str]:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/errors.h"
 #include "io/meshes/readers.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
@@ -198,6 +199,37 @@ TEST(Gmsh, TheFirstOfSeveralGroupsIsTheTagWhateverItsSign) {
     EXPECT_EQ(mesh.warnings,
               (std::vector<std::string>{"entities of the model in more than one physical group, of "
                                         "which the first is the tag: 1"}));
+}
+
+TEST(Gmsh, GroupsHaveNamesOfAnySigns) {
+    for (const auto& variant : variants) {
+        auto text = file_of(variant);
+        text.insert(text.find("$EndMeshFormat\n") + 15,
+                    "$PhysicalNames\n3\n2 40 \"a wall, $EndMeshFormat\"\n3 -11 \"\"\n 12 \"old\" \n"
+                    "$EndPhysicalNames\n");
+        const auto mesh = parse_mesh({"a.msh", text});
+        ASSERT_EQ(mesh.groups.size(), 3U);
+        EXPECT_EQ(mesh.groups[0].dimension, 2);
+        EXPECT_EQ(mesh.groups[0].tag, 40);
+        EXPECT_EQ(mesh.groups[0].name, "a wall, $EndMeshFormat");
+        EXPECT_EQ(mesh.groups[1].tag, 11); // as those of cells
+        EXPECT_EQ(mesh.groups[1].name, "");
+        EXPECT_EQ(mesh.groups[2].dimension, -1); // of files of version 2.0
+        EXPECT_EQ(group_tags(mesh.groups, 2, {"old", "40", "a wall, $EndMeshFormat"}),
+                  (std::vector<Index>{12, 40, 40}));
+        EXPECT_EQ(group_tags(mesh.groups, 3, {"", "old"}), (std::vector<Index>{11, 12}));
+        EXPECT_THROW(group_tags(mesh.groups, 1, {"a wall, $EndMeshFormat"}), InvalidInput);
+    }
+    const std::string start = old_start + "$PhysicalNames\n";
+    const std::string advice = "a physical name without quotes; expected one such as \"wall\"; "
+                               "correct it or leave the section $PhysicalNames out";
+    EXPECT_EQ(reading_error("a.msh", start + "1\n2 7 \"wall\n$EndPhysicalNames\n"),
+              "InvalidInput: a.msh:6: " + advice);
+    EXPECT_EQ(reading_error("a.msh", start + "1\n2 7 wall\n$EndPhysicalNames\n"),
+              "InvalidInput: a.msh:6: " + advice);
+    EXPECT_NE(reading_error("a.msh", start + "1\n2 7").find("a.msh:6: "), std::string::npos);
+    EXPECT_NE(reading_error("a.msh", start + "9000\n2 7 \"a\"\n").find("9000 physical names"),
+              std::string::npos);
 }
 
 TEST(Gmsh, WithoutGroupsThereAreNoTags) {

@@ -29,6 +29,27 @@ def square(n):
                       "Triangles", str(len(triangles)), *triangles, "End", ""])
 
 
+NAMES = {LEFT: "left wall", RIGHT: "outlet", BOTTOM: "7", TOP: "top"}
+
+
+def named_square(n):
+    """The same as a file of Gmsh with the names of its sides."""
+    points, edges, triangles = [], [], []
+    for line in square(n).splitlines():
+        numbers = line.split()
+        if len(numbers) == 3:
+            (edges if int(numbers[2]) in PLACES and len(points) == (n + 1) ** 2 else points).append(numbers)
+        elif len(numbers) == 4:
+            triangles.append(numbers)
+    elements = [f"{i} 1 2 {tag} {tag} {a} {b}" for i, (a, b, tag) in enumerate(edges, 1)]
+    elements += [f"{i} 2 2 1 1 {a} {b} {c}" for i, (a, b, c, _) in enumerate(triangles, len(edges) + 1)]
+    return "\n".join([
+        "$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(NAMES) + 1), '2 1 "plate"',
+        *(f'1 {tag} "{name}"' for tag, name in NAMES.items()), "$EndPhysicalNames",
+        "$Nodes", str(len(points)), *(f"{i} {' '.join(p)}" for i, p in enumerate(points, 1)), "$EndNodes",
+        "$Elements", str(len(elements)), *elements, "$EndElements", ""])
+
+
 class Conditions(TestCase):
     def setUp(self):
         super().setUp()
@@ -60,8 +81,24 @@ class Conditions(TestCase):
         self.assertNotEqual(self.ask(*ask, "--essential-on", LEFT)["max"],
                             self.ask(*ask, "--essential-on", RIGHT)["max"])
 
+    def test_groups_have_names(self):
+        named = self.write("named.msh", named_square(8))
+        for tags, names in (((LEFT,), ("left wall",)), ((LEFT, RIGHT), ("outlet", "left wall")),
+                            ((BOTTOM,), ("7",)), ((TOP, LEFT), ("top", LEFT))):
+            ask = ("--rhs", "1", "--side", "primal", "--essential-on")
+            self.assertEqual(self.ask("poisson", named, *ask, *names), self.ask("poisson", named, *ask, *tags))
+            self.assertEqual(self.ask("poisson", named, *ask, *names)["max"],
+                             self.ask("poisson", self.square, *ask, *tags)["max"])
+        for wrong in ("wall", "plate", "left"):
+            self.assertIn(f"no group of 1-cells is called {wrong}: there are left wall, outlet, 7, top",
+                          self.fail_with(2, "poisson", named, *ask, wrong))
+        self.assertIn("none has a name; give its number",
+                      self.fail_with(2, "poisson", self.square, *ask, "wall"))
+        self.assertIn("named.msh:6: a physical name without quotes", self.fail_with(
+            2, "info", self.write("named.msh", named_square(2).replace('"plate"', "plate"))))
+
     def test_groups_that_are_not_there_are_refused(self):
-        self.assertIn("no facet has the tag 7: the tags are 0, 11, 12, 13, 14", self.fail_with(
+        self.assertIn("no facet has the tag 7: the tags are 11, 12, 13, 14", self.fail_with(
             2, "poisson", self.square, "--rhs", "1", "--side", "primal", "--essential-on", 7))
         self.assertIn("the mesh has no facets with tags", self.fail_with(
             2, "poisson", golden("grid4.nsc"), "--rhs", "1", "--side", "primal", "--essential-on", 7))
@@ -88,6 +125,11 @@ class Conditions(TestCase):
                               f"({PLACES[BOTTOM]})*3*(1-.75*x)+({PLACES[TOP]})*3*(1-.75*x)",
                               "--exact", "1-.75*x")
             self.assertLess(answer["error"]["l2"], 1e-12 if side == "dual" else 2e-3)
+        answer = self.ask("heat", self.square, "--side", "primal", "--initial", "1-.75*x", "--until", .1,
+                          "--robin", 3)
+        self.assertLess(answer["max"], 0.95)
+        self.assertNotEqual(answer["max"], self.ask("heat", self.square, "--side", "primal", "--initial",
+                                                    "1-.75*x", "--until", .1, "--robin", 4)["max"])
         for bad in (0, -1, "nan"):
             self.fail_with(1, "poisson", self.square, "--rhs", "0", "--side", "dual", "--robin", bad)
 

@@ -30,6 +30,28 @@ class Lengths(TestCase):
     def refuse(self, *arguments):
         return self.fail_with(2, *arguments)
 
+    def test_boxes_glued_to_themselves_are_such_meshes(self):
+        square = self.write("square.nsc", "\n".join(
+            ["2 2 25 32", *(f"{x} {y}" for x in range(5) for y in range(5)),
+             *(f"{5 * x + y} {5 * x + y + 5} {5 * x + y + 6}" for x in range(4) for y in range(4)),
+             *(f"{5 * x + y} {5 * x + y + 6} {5 * x + y + 1}" for x in range(4) for y in range(4)), ""]))
+        glued = ("--periodic", "4,0", "--periodic", "0,4")
+        for ask in (("info",), ("spectrum", "--side", "primal", "--degree", 1, "--count", 6),
+                    ("spectrum", "--side", "dual", "--degree", 0, "--count", 5)):
+            answer = self.ask(ask[0], square, *ask[1:], *glued)
+            expected = self.ask(ask[0], self.torus, *ask[1:])
+            if ask[0] == "info":
+                self.assertEqual(answer["cells"], expected["cells"])
+                self.assertEqual(answer["betti"], expected["betti"])
+            else:
+                for one, other in zip(answer["eigenvalues"], expected["eigenvalues"]):
+                    self.assertAlmostEqual(one, other, delta=1e-9)
+        ribbon = self.ask("info", square, "--periodic", "4,0")
+        self.assertEqual(ribbon["betti"]["merged"], [1, 1, 0])
+        self.assertIn("takes no vertex", self.refuse("info", square, "--periodic", "3.5,0"))
+        self.assertIn("no places", self.refuse("info", self.torus, "--periodic", "4,0"))
+        self.assertIn("numbers with commas", self.fail_with(1, "info", square, "--periodic", "4;0"))
+
     def test_info_knows_all_but_coordinates(self):
         answer = self.ask("info", self.torus)
         self.assertIsNone(answer["ambient_dimension"])
