@@ -1,16 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The subcommand flow: what it keeps, conditions, series, and runs that are killed and gone on with."""
 import math
-import os
-import random
-import signal
-import subprocess
-import time
 
 import command
 from command import TestCase, golden
-
-KILLS = int(os.environ.get("POLYDEC_KILLS", "10"))
+from kills import ended_runs, kills, timed
 
 
 class Flow(TestCase):
@@ -99,31 +93,13 @@ class Flow(TestCase):
 
     def test_killed_runs_go_on_to_the_same_bits(self):
         sphere = self.make("icosphere", "--frequency", 12)
-        chance = random.Random(1)
         line = ("flow", sphere, "--vorticity", "exp(-9*((x-1)^2+y^2))", "--until", 4, "--frames",
                 20)
-        begin = time.monotonic()
-        whole = self.ask(*line, "-o", "whole.pvd")
-        took = time.monotonic() - begin
+        whole, took = timed(self, *line, "-o", "whole.pvd")
         wanted = [self.read(file) for file in self.steps_of("whole.pvd")]
-        part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume", "--json")
-        kills = 0
-        while kills < KILLS:
-            for left in ("part.pvd", "part.checkpoint"):
-                if os.path.exists(self.path(left)):
-                    os.remove(self.path(left))
-            while True:
-                run = subprocess.Popen([command.COMMAND, *map(str, part)], cwd=self.folder,
-                                       stdout=subprocess.PIPE)
-                try:
-                    out, _ = run.communicate(timeout=chance.uniform(0.2, 0.9) * took)
-                    break
-                except subprocess.TimeoutExpired:
-                    run.send_signal(signal.SIGKILL if kills % 3 else signal.SIGINT)
-                    run.communicate()
-                    kills += 1
-            self.assertEqual(run.returncode, 0)
-            answer = command.parse(out)
+        part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
+        for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(10),
+                                 (0.2 * took, 0.9 * took)):
             answer["resumed_at"] = whole["resumed_at"]
             self.assertEqual(answer, whole)
             self.assertEqual([self.read(file) for file in self.steps_of("part.pvd")], wanted)

@@ -3,14 +3,11 @@
 import math
 import os
 import random
-import signal
 import subprocess
-import time
 
 import command
 from command import TestCase, golden
-
-KILLS = int(os.environ.get("POLYDEC_KILLS", "30"))
+from kills import ended_runs, kills, timed
 
 
 class InTime(TestCase):
@@ -192,34 +189,14 @@ class InTime(TestCase):
 
     def test_killed_runs_go_on_to_the_same_bits(self):
         sphere = self.make("icosphere", "--frequency", 40)
-        chance = random.Random(1)
-        kills = 0
         for name, more in (("heat", ("--side", "dual", "--until", 0.1, "--frames", 40)),
                            ("wave", ("--until", 1, "--frames", 40))):
             line = (name, sphere, "--initial", "exp(-9*(x-1)^2)", *more)
-            begin = time.monotonic()
-            whole = self.ask(*line, "-o", "whole.pvd")
-            took = time.monotonic() - begin
+            whole, took = timed(self, *line, "-o", "whole.pvd")
             wanted = self.contents("whole.pvd")
-            wanted_kills = kills + KILLS // 2
-            while kills < wanted_kills:
-                for left in ("part.pvd", "part.checkpoint"):
-                    if os.path.exists(self.path(left)):
-                        os.remove(self.path(left))
-                line_of_part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint",
-                                "--resume", "--json")
-                while True:
-                    run = subprocess.Popen([command.COMMAND, *map(str, line_of_part)],
-                                           cwd=self.folder, stdout=subprocess.PIPE)
-                    try:
-                        out, _ = run.communicate(timeout=chance.uniform(0.2, 0.9) * took)
-                        break
-                    except subprocess.TimeoutExpired:
-                        run.send_signal(signal.SIGKILL if kills % 3 else signal.SIGINT)
-                        run.communicate()
-                        kills += 1
-                self.assertEqual(run.returncode, 0)
-                answer = command.parse(out)
+            part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
+            for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(30) // 2,
+                                     (0.2 * took, 0.9 * took)):
                 answer["resumed_at"] = whole["resumed_at"]
                 self.assertEqual(answer, whole)
                 self.assertEqual(self.contents("part.pvd"), wanted)

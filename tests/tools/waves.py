@@ -2,16 +2,11 @@
 """The subcommand maxwell, waves of dual forms, and runs and spectra that are stopped and gone on
 with."""
 import math
-import os
-import random
 import signal
-import subprocess
-import time
 
 import command
 from command import TestCase, golden
-
-KILLS = int(os.environ.get("POLYDEC_KILLS", "12"))
+from kills import ended_runs, kills, timed
 
 PULSE = ("--degree", 0, "--initial", "exp(-200*((x-.5)^2+(y-.5)^2))")
 
@@ -21,20 +16,6 @@ class Waves(TestCase):
         path = self.path(f"{kind}.off")
         self.succeed("generate", kind, *arguments, "-o", path)
         return path
-
-    def run_until(self, line, seconds, which):
-        """Of a run that a signal may have ended after that time: its answer, or none."""
-        run = subprocess.Popen([command.COMMAND, *map(str, line)], cwd=self.folder,
-                               stdout=subprocess.PIPE)
-        try:
-            out, _ = run.communicate(timeout=seconds)
-        except subprocess.TimeoutExpired:
-            run.send_signal(which)
-            out, _ = run.communicate()
-        if run.returncode == 0:
-            return command.parse(out)
-        self.assertEqual(run.returncode, -which)
-        return None
 
     def test_waves_of_both_sides_swing_back(self):
         square = self.make("grid", "--nx", 32, "--ny", 32)
@@ -98,24 +79,14 @@ class Waves(TestCase):
 
     def test_stopped_runs_go_on_to_the_same_bits(self):
         square = self.make("grid", "--nx", 60, "--ny", 60)
-        chance = random.Random(2)
         line = ("maxwell", square, *PULSE, "--current", "x", "--pulse", "sin(9*t)", "--absorb",
                 0.2, "--until", 40, "--frames", 4)
-        begin = time.monotonic()
-        whole = self.ask(*line, "-o", "whole.pvd")
-        took = time.monotonic() - begin
-        between = kills = 0
-        while kills < KILLS:
-            for left in ("part.pvd", "part.checkpoint"):
-                if os.path.exists(self.path(left)):
-                    os.remove(self.path(left))
-            answer = None
-            while answer is None:
-                answer = self.run_until(
-                    (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume",
-                     "--json"), chance.uniform(0.2, 0.9) * took,
-                    (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)[kills % 3])
-                kills += answer is None
+        whole, took = timed(self, *line, "-o", "whole.pvd")
+        part = (*line, "-o", "part.pvd", "--checkpoint", "part.checkpoint", "--resume")
+        between = 0
+        for answer in ended_runs(self, part, ("part.pvd", "part.checkpoint"), kills(12),
+                                 (0.2 * took, 0.9 * took),
+                                 (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)):
             between += 4 * answer["resumed_at"] % answer["steps"] != 0
             answer["resumed_at"] = whole["resumed_at"]
             self.assertEqual(answer, whole)
@@ -127,21 +98,12 @@ class Waves(TestCase):
     def test_spectra_go_on_with_what_was_found(self):
         sphere = self.make("icosphere", "--frequency", 16)
         line = ("spectrum", sphere, "--side", "primal", "--degree", 0, "--count", 150)
-        begin = time.monotonic()
-        whole = self.ask(*line)
-        took = time.monotonic() - begin
+        whole, took = timed(self, *line)
         self.assertNotIn("resumed_with", whole)
-        part = (*line, "--checkpoint", "part.checkpoint", "--resume", "--json")
-        chance = random.Random(3)
-        kills = resumed = 0
-        while kills < KILLS:
-            if os.path.exists(self.path("part.checkpoint")):
-                os.remove(self.path("part.checkpoint"))
-            answer = None
-            while answer is None:
-                answer = self.run_until(part, chance.uniform(0.3, 1.5) * took,
-                                        signal.SIGKILL if kills % 2 else signal.SIGINT)
-                kills += answer is None
+        part = (*line, "--checkpoint", "part.checkpoint", "--resume")
+        resumed = 0
+        for answer in ended_runs(self, part, ("part.checkpoint",), kills(12),
+                                 (0.3 * took, 1.5 * took), (signal.SIGINT, signal.SIGKILL)):
             resumed = max(resumed, answer["resumed_with"])
             self.assertTrue(answer["certificate"]["complete"])
             for one, other, radius in zip(answer["eigenvalues"], whole["eigenvalues"],

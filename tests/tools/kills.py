@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""Runs of the command that are ended at random times, and gone on with."""
+import os
+import random
+import signal
+import subprocess
+import time
+
+import command
+
+
+def kills(by_default):
+    """How often runs of a test are ended: as often as POLYDEC_KILLS says."""
+    return int(os.environ.get("POLYDEC_KILLS", by_default))
+
+
+def timed(case, *line):
+    """The answer of a run, and how many seconds it takes."""
+    begin = time.monotonic()
+    answer = case.ask(*line)
+    return answer, time.monotonic() - begin
+
+
+def ended_runs(case, line, files, count, seconds, signals=(signal.SIGINT, signal.SIGKILL, signal.SIGKILL)):
+    """Answers of runs, each of which begins without these files, is ended by signals after times
+    between two, and started again until it comes to its end; so many signals in all."""
+    chance = random.Random(1)
+    sent = 0
+    while sent < count:
+        for name in files:
+            if os.path.exists(case.path(name)):
+                os.remove(case.path(name))
+        answer = None
+        while answer is None:
+            run = subprocess.Popen([command.COMMAND, *map(str, line), "--json"], cwd=case.folder,
+                                   stdout=subprocess.PIPE)
+            which = signals[sent % len(signals)]
+            try:
+                out, _ = run.communicate(timeout=chance.uniform(*seconds))
+            except subprocess.TimeoutExpired:
+                run.send_signal(which)
+                out, _ = run.communicate()
+                sent += 1
+            case.assertIn(run.returncode, (0, -which))
+            answer = command.parse(out) if run.returncode == 0 else None
+        yield answer
