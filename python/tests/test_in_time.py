@@ -77,6 +77,21 @@ def test_values_on_the_boundary(square, side):
                           boundary=np.zeros(3)).march(1.0)
 
 
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_heat_leaves_through_robins_condition(square, side):
+    start = np.ones(square.size(0 if side == "primal" else 2))
+    cooled = polydec.heat(square, start, 0.01, 10, side=side, robin=2.0)
+    kept = polydec.heat(square, start, 0.01, 10, side=side, essential=False)
+    cold = polydec.heat(square, start, 0.01, 10, side=side, essential=True)
+    assert near(kept, start) and cooled.max() < 1 and (cooled > cold - 1e-12).all()
+    hardly = polydec.heat(square, start, 0.01, 10, side=side, robin=lambda at: 1e-9 + 0 * at[:, 0])
+    assert near(hardly, start, 1e-6)
+    run = polydec.Evolution(square, start, side=side, diffusion=1.0, robin=2.0,
+                            relative_tolerance=1e-6)
+    run.march(0.1)
+    assert np.abs(run.forms[0] - cooled).max() < 0.02
+
+
 def test_events_end_marches(square):
     run = polydec.Evolution(square, np.ones(square.size(0)), reaction=lambda t, u: -u,
                             event=lambda t, u: u[0] - 0.5, relative_tolerance=1e-9)

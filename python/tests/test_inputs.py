@@ -169,6 +169,40 @@ def test_words_of_messages():
     assert "::" not in str(caught.value) and caught.value.cells
 
 
+def test_groups_have_names(tmp_path):
+    path = tmp_path / "square.msh"
+    path.write_text("""$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 7 "the wall"
+2 1 "plate"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+3
+1 1 2 7 1 1 2
+2 2 2 1 1 1 2 3
+3 2 2 1 1 1 3 4
+$EndElements
+""")
+    mesh = polydec.read_mesh(path)
+    assert mesh.groups == [(1, 7, "the wall"), (2, 1, "plate")]
+    square = polydec.discretize(mesh)
+    wall = square.facets_in("the wall")
+    assert wall.sum() == 1 and (wall == square.facets_in(7)).all()
+    assert (wall == (square.facet_tags == 7)).all()
+    with pytest.raises(polydec.InvalidInput, match="called plate: there are the wall"):
+        square.facets_in("plate")
+
+
 def test_what_stands_for_a_mesh(tmp_path):
     path = tmp_path / "square.nsc"
     polydec.write_mesh(path, polydec.Mesh(POINTS, TRIANGLES))
