@@ -110,7 +110,9 @@ Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars,
                                        "finite one of at least 0",
                                        coefficient_));
     solver_ = make_linear_solver(options.linear_solver);
-    stiffness_ = symmetric_laplacian(complex, stars, k) + Operator::weights(robin_);
+    stiffness_ = symmetric_laplacian(complex, stars, k);
+    if (!robin_.isZero(0))
+        stiffness_ = stiffness_ + Operator::weights(robin_);
     facts_ = {.symmetry = Symmetry::symmetric,
               .domain_dimension = complex.dimension(),
               .many_solves = true};
