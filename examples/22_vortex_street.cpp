@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
                                      {.time_step = step, .scheme = polydec::FlowScheme::imex});
     polydec::Index behind = 0;
     const polydec::Points cells = polydec::cell_centroids(mesh, 2);
-    (cells.rowwise() - Eigen::RowVector2d(2, 0)).rowwise().norm().minCoeff(&behind);
+    (cells.rowwise() - Eigen::RowVector2d(2, 0.1)).rowwise().norm().minCoeff(&behind);
     std::vector<double> across;
     for (int i = 0; i < steps; ++i) {
         w = solver.step(w);
