@@ -54,6 +54,30 @@ Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
     return discretize(std::move(mesh), options, stage);
 }
 
+/// What a file holds, glued along the translations, or as it is.
+std::variant<Mesh, LengthMesh> read_glued(const MeshArguments& arguments) {
+    if (is_length_file(arguments.mesh)) {
+        if (!arguments.periods.empty())
+            throw InvalidInput(
+                "--periodic: a file of lengths has no places that a translation takes "
+                "to others; glue it by giving vertices on both sides one number");
+        return read_lengths(arguments.mesh);
+    }
+    Mesh mesh = read_mesh(arguments.mesh);
+    if (arguments.peel)
+        mesh = peeled(std::move(mesh));
+    if (arguments.periods.empty())
+        return mesh;
+    std::vector<Vector> translations;
+    for (const std::string& period : arguments.periods) {
+        translations.push_back(*vector_of(period));
+        const Index given = translations.back().size(), there = mesh.ambient_dimension();
+        if (given < there) // 1,0 of a plane in space
+            translations.back().conservativeResizeLike(Vector::Zero(there));
+    }
+    return periodic(std::move(mesh), translations).quotient;
+}
+
 } // namespace
 
 CLI::Option* add_merge_arguments(CLI::App& command, MeshArguments& arguments,
@@ -138,26 +162,6 @@ CLI::Option* add_side(CLI::App& command, Side& side) {
         ->transform(CLI::Validator(read, "primal|dual"));
 }
 
-/// What a file holds, glued along the translations, or as it is.
-std::variant<Mesh, LengthMesh> read(const MeshArguments& arguments) {
-    if (is_length_file(arguments.mesh)) {
-        if (!arguments.periods.empty())
-            throw InvalidInput(
-                "--periodic: a file of lengths has no places that a translation takes "
-                "to others; glue it by giving vertices on both sides one number");
-        return read_lengths(arguments.mesh);
-    }
-    Mesh mesh = read_mesh(arguments.mesh);
-    if (arguments.peel)
-        mesh = peeled(std::move(mesh));
-    if (arguments.periods.empty())
-        return mesh;
-    std::vector<Vector> translations;
-    for (const std::string& period : arguments.periods)
-        translations.push_back(*vector_of(period));
-    return periodic(std::move(mesh), translations).quotient;
-}
-
 Discretization load(const MeshArguments& arguments, Log& log) {
     const Progress progress;
     const auto stage = [&](std::string_view what) {
@@ -183,7 +187,7 @@ Discretization load(const MeshArguments& arguments, Log& log) {
             [&](auto given) {
                 return discretize_checked(arguments, std::move(given), options, stage);
             },
-            read(arguments));
+            read_glued(arguments));
     });
     log.timing.end();
     for (const auto& warning : result.warnings())

@@ -46,6 +46,10 @@ class Lengths(TestCase):
             else:
                 for one, other in zip(answer["eigenvalues"], expected["eigenvalues"]):
                     self.assertAlmostEqual(one, other, delta=1e-9)
+        in_space = self.path("square.off")
+        self.succeed("generate", "grid", "--nx", 4, "--ny", 4, "-o", in_space)
+        self.assertEqual(self.ask("info", in_space, "--periodic", "1,0")["cells"],
+                         self.ask("info", in_space, "--periodic", "1,0,0")["cells"])
         ribbon = self.ask("info", square, "--periodic", "4,0")
         self.assertEqual(ribbon["betti"]["merged"], [1, 1, 0])
         self.assertIn("takes no vertex", self.refuse("info", square, "--periodic", "3.5,0"))
