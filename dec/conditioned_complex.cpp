@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dec/conditioned_complex.h"
 
+#include "dec/boundary_star.h"
 #include "dec/facets_without_dual.h"
 #include "dec/forms/cochain.h"
+#include "dec/forms/operator.h"
 
 #include <algorithm>
 #include <utility>
@@ -73,6 +75,27 @@ ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& sta
     return {std::move(relative), std::move(restricted)};
 }
 
+/// star(k, weights) is that within the boundary.
+template <class BoundaryStar>
+RobinComplex add_robin(const CellComplex& complex, ConditionedComplex space, Side side, int degree,
+                       const BoundaryConditions& conditions, BoundaryStar star) {
+    const Vector robin = robin_coefficients(complex, conditions);
+    const int k = cell_degree(complex, side, degree);
+    RobinComplex result{std::move(space), {}};
+    auto& [relative, stars] = result.space;
+    if (robin.isZero(0))
+        return result;
+    if (side == Side::primal && k < complex.dimension())
+        result.weights = relative.restrict(k, star(k, robin));
+    if (side == Side::dual && k > 0) {
+        const Vector layer =
+            star(k - 1, (robin.array() > 0).select(robin.cwiseInverse(), 0.0 * robin));
+        stars = stars.with(k - 1, Operator::star(stars[k - 1]) +
+                                      Operator::weights(relative.restrict(k - 1, layer)));
+    }
+    return result;
+}
+
 } // namespace
 
 BoundaryConditions essential_on(const Discretization& mesh,
@@ -104,6 +127,21 @@ ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, in
                                        const BoundaryConditions& conditions) {
     refuse_robin(mesh.complex(), conditions, "this problem");
     return conditioned_but_for_robin(mesh, side, degree, conditions);
+}
+
+RobinComplex with_robin(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
+                        const BoundaryConditions& conditions) {
+    return add_robin(complex, conditioned_but_for_robin(complex, stars, side, degree, conditions),
+                     side, degree, conditions, [&](int k, const Vector& weights) {
+                         return boundary_star(complex, stars.volumes(), k, weights);
+                     });
+}
+
+RobinComplex with_robin(const Discretization& mesh, Side side, int degree,
+                        const BoundaryConditions& conditions) {
+    return add_robin(mesh.complex(), conditioned_but_for_robin(mesh, side, degree, conditions),
+                     side, degree, conditions,
+                     [&](int k, const Vector& weights) { return boundary_star(mesh, k, weights); });
 }
 
 } // namespace polydec

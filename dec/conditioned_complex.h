@@ -44,4 +44,18 @@ ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const H
 ConditionedComplex conditioned_but_for_robin(const Discretization& mesh, Side side, int degree,
                                              const BoundaryConditions& conditions);
 
+/// The same with Robin's condition, with data 0, for forms of one degree: dual ones are held back
+/// on its facets as by a layer, which belongs to the star below (boundary_star of 1 over the
+/// coefficients), a matrix then; for primal ones it adds weights to the stiffness star Delta.
+struct RobinComplex {
+    ConditionedComplex space;
+    Vector weights; ///< one for each kept cell of their degree; empty: none
+};
+
+/// Throws like conditioned_complex, robin_coefficients and boundary_star.
+RobinComplex with_robin(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
+                        const BoundaryConditions& conditions);
+RobinComplex with_robin(const Discretization& mesh, Side side, int degree,
+                        const BoundaryConditions& conditions);
+
 } // namespace polydec

@@ -4,7 +4,6 @@
 #include "backends/registry.h"
 #include "base/block_matrix.h"
 #include "base/errors.h"
-#include "dec/boundary_star.h"
 #include "dec/forms/laplacian.h"
 #include "solvers/spectra/positive_mass.h"
 
@@ -17,13 +16,14 @@ namespace polydec {
 
 namespace {
 
-/// M_k + t (d^T M_(k+1) d + weights), and beside it t times d^T M_k and, negative, M_(k-1): of a
-/// form and its codifferential. Quasi-definite, so that it has factors in every order.
+/// M_k + t (d^T M_(k+1) d + weights, if there are), and beside it t times d^T M_k and, negative,
+/// M_(k-1): of a form and its codifferential. Quasi-definite, so that it has factors in every
+/// order.
 SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars, const Vector& weights,
                         int k, double t) {
     const Operator mass = Operator::star(stars[k]);
     const Operator below = Operator::derivative(complex, k - 1).transposed();
-    Operator A = mass + t * Operator::weights(weights);
+    Operator A = weights.size() > 0 ? mass + t * Operator::weights(weights) : mass;
     if (k < complex.dimension()) {
         const Operator d = Operator::derivative(complex, k);
         A = A + t * (d.transposed() * Operator::star(stars[k + 1]) * d);
@@ -31,29 +31,13 @@ SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars, con
     return block_matrix(A, t * (below * mass), -t * Operator::star(stars[k - 1]));
 }
 
-ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Side side,
-                               int degree, const DiffusionOptions& options) {
+RobinComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
+                         const DiffusionOptions& options) {
     if (options.conditions)
-        return conditioned_but_for_robin(complex, stars, side, degree, *options.conditions);
-    return {relative_complex(complex, essential_cells(complex, built_in_conditions(Side::primal))),
-            stars};
-}
-
-/// What Robin's condition adds: to the stiffness of primal forms, and of dual ones, which its
-/// facets hold back like a layer, to the star below. Empty where there is none; star(k, weights) is
-/// that within the boundary.
-template <class BoundaryStar>
-Vector part_of_robin(const CellComplex& complex, Side side, int k,
-                     const std::optional<BoundaryConditions>& conditions, BoundaryStar star) {
-    if (!conditions)
-        return {};
-    const Vector robin = robin_coefficients(complex, *conditions);
-    const bool primal = side == Side::primal;
-    if (robin.isZero(0) || k == (primal ? complex.dimension() : 0))
-        return {};
-    if (primal)
-        return star(k, robin);
-    return star(k - 1, (robin.array() > 0).select(robin.cwiseInverse(), 0.0 * robin));
+        return with_robin(complex, stars, side, degree, *options.conditions);
+    return {{relative_complex(complex, essential_cells(complex, built_in_conditions(Side::primal))),
+             stars},
+            {}};
 }
 
 void check_size(const Vector& values, Index size) {
@@ -67,43 +51,28 @@ void check_size(const Vector& values, Index size) {
 
 Diffusion::Diffusion(const Discretization& mesh, Side side, int degree,
                      const DiffusionOptions& options)
-    : Diffusion(mesh.complex(), mesh.stars(),
-                conditioned_but_for_robin(mesh, side, degree,
-                                          options.conditions.value_or(built_in_conditions(side))),
-                part_of_robin(
-                    mesh.complex(), side, cell_degree(mesh.complex(), side, degree),
-                    options.conditions,
-                    [&](int k, const Vector& weights) { return boundary_star(mesh, k, weights); }),
-                side, degree, options) {}
+    : Diffusion(
+          mesh.complex(), mesh.stars(),
+          with_robin(mesh, side, degree, options.conditions.value_or(built_in_conditions(side))),
+          side, degree, options) {}
 
 Diffusion::Diffusion(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
                      const DiffusionOptions& options)
-    : Diffusion(complex, stars, conditioned(complex, stars, side, degree, options),
-                part_of_robin(complex, side, cell_degree(complex, side, degree), options.conditions,
-                              [&](int k, const Vector& weights) {
-                                  return boundary_star(complex, stars.volumes(), k, weights);
-                              }),
-                side, degree, options) {}
+    : Diffusion(complex, stars, conditioned(complex, stars, side, degree, options), side, degree,
+                options) {}
 
-Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars,
-                     ConditionedComplex space, const Vector& robin, Side side, int degree,
-                     const DiffusionOptions& options)
+Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars, RobinComplex given,
+                     Side side, int degree, const DiffusionOptions& options)
     : side_(side),
       degree_(degree),
       coefficient_(options.coefficient),
       stiffness_(Operator::zero(0, 0)),
-      mass_(space.stars[cell_degree(whole, side, degree)]) {
-    const CellComplex& complex = space.relative.complex;
+      mass_(given.space.stars[cell_degree(whole, side, degree)]),
+      robin_(std::move(given.weights)) {
+    const CellComplex& complex = given.space.relative.complex;
+    const HodgeStars& stars = given.space.stars;
     const int k = mass_.degree();
-    kept_ = space.relative.cells[k];
-    robin_ = Vector::Zero(size());
-    if (robin.size() > 0 && side == Side::primal)
-        robin_ = space.relative.restrict(k, robin);
-    else if (robin.size() > 0)
-        space.stars =
-            space.stars.with(k - 1, Operator::star(space.stars[k - 1]) +
-                                        Operator::weights(space.relative.restrict(k - 1, robin)));
-    const HodgeStars& stars = space.stars;
+    kept_ = given.space.relative.cells[k];
     check_positive_mass(mass_, side, degree);
     if (!(coefficient_ >= 0) || !std::isfinite(coefficient_))
         throw InvalidInput(fmt::format("a coefficient of diffusion of {} is given: expected a "
@@ -111,7 +80,7 @@ Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars,
                                        coefficient_));
     solver_ = make_linear_solver(options.linear_solver);
     stiffness_ = symmetric_laplacian(complex, stars, k);
-    if (!robin_.isZero(0))
+    if (robin_.size() > 0)
         stiffness_ = stiffness_ + Operator::weights(robin_);
     facts_ = {.symmetry = Symmetry::symmetric,
               .domain_dimension = complex.dimension(),
@@ -119,7 +88,7 @@ Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars,
     is_mixed_ = k > 0 && !(mass_.is_diagonal() && stars[k - 1].is_diagonal());
     if (!is_mixed_ && laplacian_definiteness(stars, k) == Definiteness::semidefinite)
         facts_.definiteness = Definiteness::positive;
-    space_ = Space{whole, all_stars, std::move(space)};
+    space_ = Space{whole, all_stars, std::move(given.space)};
 }
 
 Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side,

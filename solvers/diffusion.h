@@ -35,7 +35,7 @@ public:
     /// Throws InvalidInput if there is no such degree, the mass of these forms is not positive or a
     /// star that must be inverted has a zero (naming the cells), the coefficient is negative or not
     /// finite, or there are conditions but not one for each facet; for Robin's condition like
-    /// robin_coefficients and boundary_star.
+    /// with_robin.
     Diffusion(const Discretization& mesh, Side side, int degree, const DiffusionOptions& options);
     Diffusion(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
               const DiffusionOptions& options);
@@ -66,8 +66,8 @@ public:
     Vector solve(const Vector& values, double explicit_part = 0) const;
 
 private:
-    Diffusion(const CellComplex& whole, const HodgeStars& stars, ConditionedComplex space,
-              const Vector& robin, Side side, int degree, const DiffusionOptions& options);
+    Diffusion(const CellComplex& whole, const HodgeStars& stars, RobinComplex space, Side side,
+              int degree, const DiffusionOptions& options);
 
     SparseMatrix step_matrix(double gamma) const;
     Vector primal_load(const Vector& boundary_values) const;
@@ -78,8 +78,8 @@ private:
     int degree_;
     double coefficient_ = 1;
     Operator stiffness_;
-    Vector robin_; // what Robin's condition adds to the stiffness of primal forms
     HodgeStar mass_;
+    Vector robin_; // what Robin's condition adds to the stiffness of primal forms
     bool is_mixed_ = false;
     MatrixFacts facts_;
     std::shared_ptr<LinearSolver> solver_;

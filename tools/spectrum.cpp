@@ -48,6 +48,8 @@ public:
         problem.add(in_words(conditions, mesh.complex(), options.degree));
         for (const auto condition : conditions.facets)
             problem.add(static_cast<std::uint64_t>(condition));
+        for (const double coefficient : conditions.coefficients)
+            problem.add(coefficient);
         problem_ = problem.value();
     }
 
@@ -188,6 +190,7 @@ void add_spectrum(CLI::App& app) {
                    "forms of degree 1 .. n-1 the tangential part; no flow through\n"
                    "the others");
     add_essential_on(*command, arguments->conditions);
+    add_robin(*command, arguments->conditions, "0");
     add_picture(*command, arguments->picture, "the modes");
     auto* checkpoint =
         command->add_option("--checkpoint", arguments->checkpoint,
@@ -210,6 +213,7 @@ void add_spectrum(CLI::App& app) {
         "  polydec spectrum fandisk.off --side primal --degree 0 --count 20 -o modes.vtu\n"
         "  polydec spectrum sphere.obj --side dual --degree 1 --count 16 --json\n"
         "  polydec spectrum plate.msh --side dual --degree 0 --natural\n"
+        "  polydec spectrum plate.msh --side primal --degree 0 --robin 2.5\n"
         "  polydec spectrum engine.msh --side primal --degree 0 --count 1000 \\\n"
         "      --checkpoint engine.checkpoint --resume --json");
     command->callback([arguments] { run_spectrum(*arguments); });

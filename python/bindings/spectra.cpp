@@ -37,9 +37,13 @@ Certification certification_of(bool certified) {
 
 /// Under conditions, if marks are given, modes have values on all cells, 0 where these fix them.
 py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, Index count,
-                     const std::vector<bool>& essential, bool coexact, bool certified,
-                     const std::string& linear_solver, const std::string& eigen_solver,
-                     const py::object& progress) {
+                     const std::vector<bool>& essential, const Numbers& robin, bool coexact,
+                     bool certified, const std::string& linear_solver,
+                     const std::string& eigen_solver, const py::object& progress) {
+    const Vector coefficients = vector(robin);
+    if (coefficients.size() > 0 && (coexact || !of.mesh))
+        throw InvalidInput("spectra have Robin's condition on all forms of a mesh: neither on "
+                           "coexact ones alone nor on cells of one's own");
     const SpectrumOptions options{side_of(side),     degree,       count,
                                   linear_solver,     eigen_solver, certification_of(certified),
                                   listener(progress)};
@@ -48,6 +52,8 @@ py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, In
             return coexact_spectrum(of.complex, of.stars, options);
         if (essential.empty() && !of.mesh)
             return spectrum(of.complex, of.stars, options);
+        if (coefficients.size() > 0)
+            return spectrum(*of.mesh, conditions_of(essential, coefficients), options);
         const auto space = conditioned(of, options.side, degree, essential);
         const auto find =
             coexact ? &coexact_spectrum : static_cast<decltype(&coexact_spectrum)>(&spectrum);

@@ -365,6 +365,15 @@ def facet_coefficients(cells: Cells, robin: Any) -> Floats:
     return given
 
 
+def facet_conditions(complex: Cells, essential: Any,
+                     robin: Any) -> tuple[list[bool], Floats]:
+    """Marks of essential facets, none for built-in conditions, and coefficients of Robin's."""
+    if essential is None and robin is None:
+        return [], facet_coefficients(complex, None)
+    return (facet_marks(complex, False if essential is None else essential),
+            facet_coefficients(complex, robin))
+
+
 def mesh_of(complex: Complex) -> _core.Discretization:
     """What is behind a complex on which values are given; nothing else will do."""
     if not isinstance(complex, Complex):

@@ -348,7 +348,7 @@ class ParallelTransport:
                imaginary: Floats) -> tuple[Floats, Floats]: ...
 
 def spectrum(of: Calculus, side: str, degree: int, count: int, essential: list[bool],
-             coexact: bool, certified: bool, linear_solver: str, eigen_solver: str,
+             robin: Floats, coexact: bool, certified: bool, linear_solver: str, eigen_solver: str,
              progress: _Progress) -> dict[str, Any]: ...
 def smallest_eigenpairs(A: MatrixParts, M: Floats | MatrixParts, count: int, certified: bool,
                         linear_solver: str, eigen_solver: str,

@@ -12,7 +12,7 @@ from ._arrays import Floats, Values, floats
 from ._cells import Cells, Form, as_form
 from ._checkpoint import Checkpoint, read_checkpoint, write_checkpoint
 from ._cochain import Cochain
-from ._complex import CellsLike, as_cells, facet_coefficients, facet_marks
+from ._complex import CellsLike, as_cells, facet_conditions
 from ._errors import InvalidInput
 
 #: One form, or several that change together.
@@ -43,7 +43,7 @@ class HeatSolver:
                  side: str = "primal", scheme: str = "backward_euler", essential: Any = None,
                  robin: Values | None = None, engine: str = "auto") -> None:
         complex = as_cells(complex)
-        marked, coefficients = _conditions(complex, essential, robin)
+        marked, coefficients = facet_conditions(complex, essential, robin)
         self._kind = side, degree
         self._solver = _core.HeatSolver(complex._calculus, marked, coefficients, side, degree,
                                         time_step, scheme, engine)
@@ -158,7 +158,7 @@ class Evolution:
         if len(coefficients) != len(unknowns):
             raise InvalidInput(f"{len(coefficients)} coefficients of diffusion are given: expected "
                                f"one, or one for each of {len(unknowns)} unknowns")
-        marked, resisting = _conditions(complex, essential, robin)
+        marked, resisting = facet_conditions(complex, essential, robin)
         given = [(*form, float(nu), marked, resisting,
                   _at_boundary(each, complex, form[0], form[1]))
                  for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
@@ -270,14 +270,6 @@ def _number(event: Callable[..., Any] | None) -> Any:
         return None
     called = event
     return lambda time, forms: float(called(time, *forms))
-
-
-def _conditions(complex: Cells, essential: Any, robin: Values | None) -> tuple[list[bool], Floats]:
-    """Marks of essential facets, none for built-in conditions, and coefficients of Robin's."""
-    if essential is None and robin is None:
-        return [], facet_coefficients(complex, None)
-    return (facet_marks(complex, False if essential is None else essential),
-            facet_coefficients(complex, robin))
 
 
 def _each(boundary: Any, unknowns: int) -> Sequence[Any]:

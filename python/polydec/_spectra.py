@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, MatrixParts, floats, matrix_parts
-from ._complex import CellsLike, Progress, as_cells, facet_marks
+from ._arrays import Floats, MatrixParts, Values, floats, matrix_parts
+from ._complex import CellsLike, Progress, as_cells, facet_conditions
 
 
 @dataclass(frozen=True)
@@ -77,8 +77,8 @@ def _eigenpairs(parts: dict[str, Any]) -> dict[str, Any]:
 
 
 def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str = "primal",
-             essential: Any = None, coexact: bool = False, certified: bool = True,
-             linear_solver: str = "auto", eigen_solver: str = "auto",
+             essential: Any = None, robin: Values | None = None, coexact: bool = False,
+             certified: bool = True, linear_solver: str = "auto", eigen_solver: str = "auto",
              progress: Progress | None = None) -> Spectrum:
     """The smallest eigenpairs of the Laplacian of forms, proved complete.
 
@@ -93,6 +93,9 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
         Facets of the boundary where the forms are 0 (for 0-forms Dirichlet's condition); elsewhere
         nothing flows through (Neumann's). A callable takes all facet sites, (size(n-1), N), and
         marks them. Without it primal forms have no condition, dual ones are 0 on the boundary.
+    robin : float, array_like or callable, optional
+        Coefficients of Robin's condition where facets are not essential, as for `HeatSolver`; of a
+        mesh, and not of coexact forms alone.
     coexact : bool
         Whether only those of delta d on coexact forms are asked for.
     certified : bool
@@ -124,9 +127,9 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
     True
     """
     complex = as_cells(complex)
-    marked = [] if essential is None else facet_marks(complex, essential)
-    parts = _core.spectrum(complex._calculus, side, degree, count, marked, coexact, certified,
-                           linear_solver, eigen_solver, progress)
+    marked, coefficients = facet_conditions(complex, essential, robin)
+    parts = _core.spectrum(complex._calculus, side, degree, count, marked, coefficients, coexact,
+                           certified, linear_solver, eigen_solver, progress)
     return Spectrum(**_eigenpairs(parts), side=side, degree=degree)
 
 

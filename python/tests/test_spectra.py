@@ -99,3 +99,16 @@ def test_counts_that_are_refused(square):
             polydec.spectrum(square, count=count)
     with pytest.raises(polydec.InvalidInput, match="known|engine|nonsense"):
         polydec.spectrum(square, linear_solver="nonsense")
+
+
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_robins_condition(square, side):
+    free, held = (polydec.spectrum(square, side=side, count=3, essential=essential).eigenvalues
+                  for essential in (False, True))
+    some = polydec.spectrum(square, side=side, count=3, robin=2.0)
+    assert some.certificate.complete
+    assert (some.eigenvalues > free + 0.1).all() and (some.eigenvalues < held).all()
+    hardly = polydec.spectrum(square, side=side, count=3, robin=1e-9)
+    assert abs(hardly.eigenvalues - free).max() < 1e-6
+    with pytest.raises(polydec.InvalidInput, match="neither on coexact"):
+        polydec.spectrum(square, side=side, count=3, robin=2.0, coexact=True)

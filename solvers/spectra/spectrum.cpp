@@ -29,10 +29,21 @@ void check_count(const CellComplex& complex, const SpectrumOptions& options, int
                                        complex.size(k), k, complex.size(k)));
 }
 
-} // namespace
+/// The pencil of the Laplacian with these weights, if there are, added on the diagonal.
+Pencil pencil_of(const CellComplex& complex, const HodgeStars& stars, int k,
+                 const Vector& weights) {
+    Pencil pencil = laplacian_pencil(complex, stars, k);
+    if (weights.size() > 0) {
+        SparseMatrix identity(weights.size(), weights.size());
+        identity.setIdentity();
+        pencil.parts.push_back({std::move(identity), weights});
+    }
+    return pencil;
+}
 
-Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
-                  const SpectrumOptions& options) {
+/// Of a complex under conditions, of which Robin's adds weights.
+Spectrum spectrum_with(const CellComplex& complex, const HodgeStars& stars, const Vector& weights,
+                       const SpectrumOptions& options) {
     const int k = cell_degree(complex, options.side, options.degree);
     check_count(complex, options, k);
     check_fit(complex, stars);
@@ -40,13 +51,13 @@ Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
 
     const bool is_dual_function = k == complex.dimension() && stars[k].is_diagonal();
     CertifiedEigensolver solver(is_dual_function ? dual_function_pencil(complex, stars, k)
-                                                 : laplacian_pencil(complex, stars, k),
+                                                 : pencil_of(complex, stars, k, weights),
                                 {.linear_solver = options.linear_solver,
                                  .eigen_solver = options.eigen_solver,
                                  .certification = options.certification,
                                  .domain_dimension = complex.dimension(),
                                  .definiteness = laplacian_definiteness(stars, k),
-                                 .zeros = betti_numbers(complex)[k],
+                                 .zeros = weights.size() > 0 ? 0 : betti_numbers(complex)[k],
                                  .progress = options.progress,
                                  .found = options.found,
                                  .start = options.start});
@@ -67,15 +78,22 @@ Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
             std::move(pairs.rough)};
 }
 
+} // namespace
+
+Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
+                  const SpectrumOptions& options) {
+    return spectrum_with(complex, stars, {}, options);
+}
+
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {
     return spectrum(discretization, built_in_conditions(options.side), options);
 }
 
 Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
                   const SpectrumOptions& options) {
-    const auto space =
-        conditioned_complex(discretization, options.side, options.degree, conditions);
-    auto result = spectrum(space.relative.complex, space.stars, options);
+    const auto [space, weights] =
+        with_robin(discretization, options.side, options.degree, conditions);
+    auto result = spectrum_with(space.relative.complex, space.stars, weights, options);
     const int k = cell_degree(discretization.complex(), options.side, options.degree);
     result.modes = space.relative.extend(k, result.modes);
     return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/choose_stars.h"
+#include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
 #include "meshes/generate.h"
 #include "solvers/darcy.h"
@@ -156,14 +157,20 @@ TEST(Robin, of_a_ring_converges_to_the_closed_form) {
     }
 }
 
-/// The lowest wave of the square under Robin's condition, cos(w (x - 1/2)) cos(w (y - 1/2)) with
-/// w tan(w / 2) = alpha, fades as exp(-2 w^2 t).
-double fading_error(const Mesh& input, Side side, StarKind kind, double alpha, double solved_with) {
+/// w tan(w / 2) = alpha, 0 < w < pi, by bisection.
+double frequency(double alpha) {
     double w = 0, above = std::numbers::pi;
-    for (int i = 0; i < 60; ++i) { // bisection
+    for (int i = 0; i < 60; ++i) {
         const double middle = (w + above) / 2;
         (middle * std::tan(middle / 2) < alpha ? w : above) = middle;
     }
+    return w;
+}
+
+/// The lowest wave of the square under Robin's condition, cos(w (x - 1/2)) cos(w (y - 1/2)) with
+/// w tan(w / 2) = alpha, fades as exp(-2 w^2 t).
+double fading_error(const Mesh& input, Side side, StarKind kind, double alpha, double solved_with) {
+    const double w = frequency(alpha);
     const auto mesh = with(input, kind);
     const Points sites = side == Side::primal              ? mesh.points()
                          : kind == StarKind::circumcentric ? cell_centers(mesh, 2)
@@ -195,6 +202,53 @@ TEST(Robin, lets_heat_fade_as_its_closed_form) {
                     EXPECT_GE(order(alpha), 1.8) << name(side) << ' ' << alpha;
                     EXPECT_LT(order(1.5 * alpha), 1.0) << name(side) << ' ' << alpha;
                 }
+}
+
+/// w of the lowest wave above: w tan(w / 2) = alpha.
+TEST(Robin, has_the_spectrum_of_the_square) {
+    const std::function<Mesh(int)> families[] = {[](int m) { return grid(m, m); }, well_centered};
+    for (const auto& make : families)
+        for (const Side side : sides)
+            for (const StarKind kind : kinds)
+                for (const double alpha : {0.5, 4.0}) {
+                    const double exact = 2 * std::pow(frequency(alpha), 2);
+                    const auto error_of = [&](int m, double solved_with) {
+                        const auto found = spectrum(with(make(m), kind), robin(solved_with),
+                                                    {.side = side, .count = 3});
+                        EXPECT_TRUE(found.certificate.complete);
+                        return std::abs(found.eigenvalues[0] - exact);
+                    };
+                    const double fine = error_of(24, alpha);
+                    EXPECT_LE(fine, 0.01 * exact) << name(side) << ' ' << alpha;
+                    EXPECT_GE(std::log2(error_of(12, alpha) / fine), 1.8)
+                        << name(side) << ' ' << alpha;
+                    EXPECT_GT(error_of(24, 1.5 * alpha), 0.1 * exact);
+                }
+}
+
+/// Of forms of every degree: heat under the same condition fades at the rates of the spectrum.
+TEST(Robin, has_spectra_by_which_heat_fades) {
+    for (const char* name_of : {"grid4", "kuhn3", "wellcentred4"}) {
+        const auto mesh = discretize(mesh_named(name_of));
+        for (const Side side : sides)
+            for (int k = 0; k <= mesh.dimension(); ++k) {
+                const auto found =
+                    spectrum(mesh, robin(1.5), {.side = side, .degree = k, .count = 4});
+                const Diffusion diffusion(mesh, side, k, {.conditions = robin(1.5)});
+                const auto other = robin(3);
+                const Diffusion twin(mesh, side, k, {.conditions = other});
+                double off = 0;
+                for (Index i = 0; i < 4; ++i) {
+                    const Vector mode = found.modes.col(i)(diffusion.kept());
+                    const Vector expected = -found.eigenvalues[i] * mode;
+                    const double size = mode.norm() * (1 + found.eigenvalues[3]);
+                    EXPECT_LE((diffusion.rate(mode) - expected).norm(), 1e-7 * size)
+                        << name_of << name(side) << k;
+                    off = std::max(off, (twin.rate(mode) - expected).norm() / size);
+                }
+                EXPECT_TRUE(off > 1e-3 || k == mesh.dimension()) << name_of << name(side) << k;
+            }
+    }
 }
 
 /// It takes more than no flow does from primal forms, and less than held values from dual ones.
@@ -255,12 +309,12 @@ TEST(Robin, is_refused_where_it_and_a_negative_half_dual_leave_no_resistance) {
 
 TEST(Robin, is_refused_by_name_where_it_is_not_known) {
     const auto mesh = discretize(grid(2, 2));
-    const std::string expected = "facet 0 has Robin's condition, which this problem cannot have: "
-                                 "PoissonSolver, HodgeLaplaceSolver and Diffusion can";
-    EXPECT_EQ(refusal([&] { spectrum(mesh, robin(1), {.count = 1}); }), expected);
+    EXPECT_EQ(refusal([&] { conditioned_complex(mesh, Side::primal, 0, robin(1)); }),
+              "facet 0 has Robin's condition, which this problem cannot have: PoissonSolver, "
+              "HodgeLaplaceSolver, Diffusion and spectrum can");
     EXPECT_EQ(refusal([&] { DarcySolver(mesh, {.boundary = robin(1)}); }),
               "facet 0 has Robin's condition, which Darcy's problem cannot have: PoissonSolver, "
-              "HodgeLaplaceSolver and Diffusion can");
+              "HodgeLaplaceSolver, Diffusion and spectrum can");
     EXPECT_EQ(refusal([&] { PoissonSolver(mesh, {.boundary = robin(-1)}); }),
               "the coefficient of Robin's condition at 1-cell 0 is -1: expected a positive number; "
               "0 is the natural condition");

@@ -130,6 +130,10 @@ class Conditions(TestCase):
         self.assertLess(answer["max"], 0.95)
         self.assertNotEqual(answer["max"], self.ask("heat", self.square, "--side", "primal", "--initial",
                                                     "1-.75*x", "--until", .1, "--robin", 4)["max"])
+        some = self.ask("spectrum", self.square, "--side", "dual", "--degree", 0, "--count", 3, "--robin", 3)
+        self.assertTrue(some["certificate"]["complete"])
+        self.assertGreater(some["eigenvalues"][0], 1)
+        self.assertLess(some["eigenvalues"][0], 19) # of held values 2 pi^2
         for bad in (0, -1, "nan"):
             self.fail_with(1, "poisson", self.square, "--rhs", "0", "--side", "dual", "--robin", bad)
 
