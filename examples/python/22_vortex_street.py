@@ -20,10 +20,10 @@ mesh = polydec.discretize(polydec.Mesh(points, simplices.reshape(-1, 3)))
 
 x, y = mesh.points.T
 inflow = mesh.d(0) @ np.where(x * x + y * y > 1, y, 0) # the cylinder lets nothing through
-at_cylinder = lambda at: np.hypot(*at.T) < 0.6
 flow = polydec.IncompressibleFlow(
-    mesh, viscosity=1 / reynolds, boundary_flux=inflow, no_slip=at_cylinder,
-    open=lambda at: (at[:, 0] > 0) & ~at_cylinder(at))
+    mesh, viscosity=1 / reynolds, boundary_flux=inflow,
+    no_slip=lambda at: np.hypot(*at.T) < 0.6,
+    open=lambda at: (at[:, 0] > 0) & (np.hypot(*at.T) > 0.6))
 w = flow.project(mesh.d(0) @ (y + np.exp(-4 * ((x - 1) ** 2 + (y - 0.5) ** 2)))) # a first push
 
 steps = int(np.ceil(until / (0.6 * flow.exchange_time(w))))
