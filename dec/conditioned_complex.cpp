@@ -77,23 +77,27 @@ ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& sta
 
 /// star(k, weights) is that within the boundary.
 template <class BoundaryStar>
-RobinComplex add_robin(const CellComplex& complex, ConditionedComplex space, Side side, int degree,
-                       const BoundaryConditions& conditions, BoundaryStar star) {
+RobinParts parts_of_robin(const CellComplex& complex, Side side, int degree,
+                          const BoundaryConditions& conditions, BoundaryStar star) {
     const Vector robin = robin_coefficients(complex, conditions);
     const int k = cell_degree(complex, side, degree);
-    RobinComplex result{std::move(space), {}};
-    auto& [relative, stars] = result.space;
-    if (robin.isZero(0))
-        return result;
-    if (side == Side::primal && k < complex.dimension())
-        result.weights = relative.restrict(k, star(k, robin));
-    if (side == Side::dual && k > 0) {
-        const Vector layer =
-            star(k - 1, (robin.array() > 0).select(robin.cwiseInverse(), 0.0 * robin));
+    RobinParts parts;
+    if (!robin.isZero(0) && side == Side::primal && k < complex.dimension())
+        parts.weights = star(k, robin);
+    if (!robin.isZero(0) && side == Side::dual && k > 0)
+        parts.layer = star(k - 1, (robin.array() > 0).select(robin.cwiseInverse(), 0.0 * robin));
+    return parts;
+}
+
+RobinComplex with(const RobinParts& parts, ConditionedComplex space, int k) {
+    auto& [relative, stars] = space;
+    if (parts.layer.size() > 0)
         stars = stars.with(k - 1, Operator::star(stars[k - 1]) +
-                                      Operator::weights(relative.restrict(k - 1, layer)));
-    }
-    return result;
+                                      Operator::weights(relative.restrict(k - 1, parts.layer)));
+    Vector weights;
+    if (parts.weights.size() > 0)
+        weights = relative.restrict(k, parts.weights);
+    return {std::move(space), std::move(weights)};
 }
 
 } // namespace
@@ -129,19 +133,32 @@ ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, in
     return conditioned_but_for_robin(mesh, side, degree, conditions);
 }
 
+RobinParts robin_parts(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
+                       const BoundaryConditions& conditions) {
+    return parts_of_robin(complex, side, degree, conditions, [&](int k, const Vector& weights) {
+        return boundary_star(complex, stars.volumes(), k, weights);
+    });
+}
+
+RobinParts robin_parts(const Discretization& mesh, Side side, int degree,
+                       const BoundaryConditions& conditions) {
+    return parts_of_robin(
+        mesh.complex(), side, degree, conditions,
+        [&](int k, const Vector& weights) { return boundary_star(mesh, k, weights); });
+}
+
 RobinComplex with_robin(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
                         const BoundaryConditions& conditions) {
-    return add_robin(complex, conditioned_but_for_robin(complex, stars, side, degree, conditions),
-                     side, degree, conditions, [&](int k, const Vector& weights) {
-                         return boundary_star(complex, stars.volumes(), k, weights);
-                     });
+    return with(robin_parts(complex, stars, side, degree, conditions),
+                conditioned_but_for_robin(complex, stars, side, degree, conditions),
+                cell_degree(complex, side, degree));
 }
 
 RobinComplex with_robin(const Discretization& mesh, Side side, int degree,
                         const BoundaryConditions& conditions) {
-    return add_robin(mesh.complex(), conditioned_but_for_robin(mesh, side, degree, conditions),
-                     side, degree, conditions,
-                     [&](int k, const Vector& weights) { return boundary_star(mesh, k, weights); });
+    return with(robin_parts(mesh, side, degree, conditions),
+                conditioned_but_for_robin(mesh, side, degree, conditions),
+                cell_degree(mesh.complex(), side, degree));
 }
 
 } // namespace polydec

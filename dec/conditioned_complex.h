@@ -44,15 +44,26 @@ ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const H
 ConditionedComplex conditioned_but_for_robin(const Discretization& mesh, Side side, int degree,
                                              const BoundaryConditions& conditions);
 
-/// The same with Robin's condition, with data 0, for forms of one degree: dual ones are held back
-/// on its facets as by a layer, which belongs to the star below (boundary_star of 1 over the
-/// coefficients), a matrix then; for primal ones it adds weights to the stiffness star Delta.
-struct RobinComplex {
-    ConditionedComplex space;
-    Vector weights; ///< one for each kept cell of their degree; empty: none
+/// What Robin's condition adds for forms of one side and degree, on k-cells, or on those below:
+/// boundary stars, 0 off its facets; empty where it adds nothing.
+struct RobinParts {
+    Vector weights; ///< of primal forms, to the diagonal of star Delta: size(k)
+    Vector layer; ///< of dual ones, which it holds back as by a layer, to the star below: size(k-1)
 };
 
-/// Throws like conditioned_complex, robin_coefficients and boundary_star.
+/// Throws like robin_coefficients and boundary_star.
+RobinParts robin_parts(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
+                       const BoundaryConditions& conditions);
+RobinParts robin_parts(const Discretization& mesh, Side side, int degree,
+                       const BoundaryConditions& conditions);
+
+/// The conditioned complex with these parts: with a layer the star below is a matrix.
+struct RobinComplex {
+    ConditionedComplex space;
+    Vector weights; ///< of the kept k-cells; empty: none
+};
+
+/// Throws like conditioned_but_for_robin and robin_parts.
 RobinComplex with_robin(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
                         const BoundaryConditions& conditions);
 RobinComplex with_robin(const Discretization& mesh, Side side, int degree,

@@ -5,7 +5,6 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "complex/homology.h"
-#include "dec/boundary_star.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/operator.h"
 #include "solvers/hodge.h"
@@ -210,23 +209,19 @@ HodgeLaplaceSolver::HodgeLaplaceSolver(const Discretization& mesh,
                                        const HodgeLaplaceOptions& options)
     : HodgeLaplaceSolver(
           mesh.complex(), mesh.stars(),
-          conditioned_but_for_robin(mesh, options.side, options.degree, options.boundary), options,
-          [&](int k, const Vector& weights) { return boundary_star(mesh, k, weights); }) {}
+          conditioned_but_for_robin(mesh, options.side, options.degree, options.boundary),
+          robin_parts(mesh, options.side, options.degree, options.boundary), options) {}
 
 HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
                                        const HodgeLaplaceOptions& options)
     : HodgeLaplaceSolver(
           complex, stars,
           conditioned_but_for_robin(complex, stars, options.side, options.degree, options.boundary),
-          options, [&](int k, const Vector& weights) {
-              return boundary_star(complex, stars.volumes(), k, weights);
-          }) {}
+          robin_parts(complex, stars, options.side, options.degree, options.boundary), options) {}
 
-template <class BoundaryStar>
 HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
-                                       const ConditionedComplex& space,
-                                       const HodgeLaplaceOptions& options,
-                                       BoundaryStar boundary_star)
+                                       const ConditionedComplex& space, const RobinParts& robin,
+                                       const HodgeLaplaceOptions& options)
     : complex_(complex),
       side_(options.side),
       degree_(options.degree),
@@ -235,12 +230,10 @@ HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeSt
     const auto fixed = essential_cells(
         complex, side_ == Side::primal ? options.boundary : exchanged(options.boundary));
     auto system = std::make_unique<System>(complex, stars, space, fixed, k_);
-    const Vector robin = robin_coefficients(complex, options.boundary);
-    if (!robin.isZero(0) && side_ == Side::primal && k_ < complex.dimension())
-        system->robin = boundary_star(k_, robin);
-    if (!robin.isZero(0) && side_ == Side::dual && k_ > 0)
-        system->robin_below = boundary_star(
-            k_ - 1, (robin.array() > 0).select(robin.cwiseInverse(), Vector::Zero(robin.size())));
+    if (robin.weights.size() > 0)
+        system->robin = robin.weights;
+    if (robin.layer.size() > 0)
+        system->robin_below = robin.layer;
     system->prepare(space, k_, options.linear_solver);
     system_ = std::move(system);
 }

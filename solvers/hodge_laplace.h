@@ -81,10 +81,9 @@ public:
 
 private:
     struct System;
-    template <class BoundaryStar>
     HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
-                       const ConditionedComplex& space, const HodgeLaplaceOptions& options,
-                       BoundaryStar boundary_star);
+                       const ConditionedComplex& space, const RobinParts& robin,
+                       const HodgeLaplaceOptions& options);
 
     CellComplex complex_;
     Side side_;

@@ -142,8 +142,11 @@ void add_forms(py::class_<Calculus>& calculus) {
 /// The cells on which forms obey conditions, and their numbers in the whole.
 py::tuple conditioned_cells(const Calculus& of, const std::string& side, int degree,
                             const std::vector<bool>& essential) {
-    ConditionedComplex space =
-        unlocked([&, side = side_of(side)] { return conditioned(of, side, degree, essential); });
+    ConditionedComplex space = unlocked([&, side = side_of(side)] {
+        return conditioned(of, side, degree,
+                           essential.empty() ? built_in_conditions(side)
+                                             : conditions_of(essential));
+    });
     py::list cells;
     for (auto& numbers : space.relative.cells)
         cells.append(array(std::move(numbers)));
@@ -169,9 +172,7 @@ BoundaryConditions conditions_of(const std::vector<bool>& essential, const Vecto
 }
 
 ConditionedComplex conditioned(const Calculus& of, Side side, int degree,
-                               const std::vector<bool>& essential) {
-    const auto conditions =
-        essential.empty() ? built_in_conditions(side) : conditions_of(essential);
+                               const BoundaryConditions& conditions) {
     return of.mesh ? conditioned_complex(*of.mesh, side, degree, conditions)
                    : conditioned_complex(of.complex, of.stars, side, degree, conditions);
 }

@@ -20,8 +20,8 @@ struct Calculus {
 /// essential have Robin's condition where their coefficient, if there are any, is not 0.
 BoundaryConditions conditions_of(const std::vector<bool>& essential, const Vector& robin = {});
 
-/// The cells on which forms obey conditions; those that are built in, without marks.
+/// The cells on which forms obey conditions.
 ConditionedComplex conditioned(const Calculus& of, Side side, int degree,
-                               const std::vector<bool>& essential);
+                               const BoundaryConditions& conditions);
 
 } // namespace polydec::python

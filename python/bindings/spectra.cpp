@@ -40,24 +40,21 @@ py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, In
                      const std::vector<bool>& essential, const Numbers& robin, bool coexact,
                      bool certified, const std::string& linear_solver,
                      const std::string& eigen_solver, const py::object& progress) {
-    const Vector coefficients = vector(robin);
-    if (coefficients.size() > 0 && (coexact || !of.mesh))
-        throw InvalidInput("spectra have Robin's condition on all forms of a mesh: neither on "
-                           "coexact ones alone nor on cells of one's own");
     const SpectrumOptions options{side_of(side),     degree,       count,
                                   linear_solver,     eigen_solver, certification_of(certified),
                                   listener(progress)};
+    const Vector coefficients = vector(robin);
     Spectrum found = unlocked([&] {
-        if (essential.empty() && coexact)
-            return coexact_spectrum(of.complex, of.stars, options);
-        if (essential.empty() && !of.mesh)
-            return spectrum(of.complex, of.stars, options);
-        if (coefficients.size() > 0)
-            return spectrum(*of.mesh, conditions_of(essential, coefficients), options);
-        const auto space = conditioned(of, options.side, degree, essential);
-        const auto find =
-            coexact ? &coexact_spectrum : static_cast<decltype(&coexact_spectrum)>(&spectrum);
-        Spectrum on_space = find(space.relative.complex, space.stars, options);
+        if (essential.empty())
+            return coexact   ? coexact_spectrum(of.complex, of.stars, options)
+                   : of.mesh ? spectrum(*of.mesh, options)
+                             : spectrum(of.complex, of.stars, options);
+        const auto conditions = conditions_of(essential, coefficients);
+        if (!coexact)
+            return of.mesh ? spectrum(*of.mesh, conditions, options)
+                           : spectrum(of.complex, of.stars, conditions, options);
+        const auto space = conditioned(of, options.side, degree, conditions);
+        Spectrum on_space = coexact_spectrum(space.relative.complex, space.stars, options);
         on_space.modes =
             space.relative.extend(cell_degree(of.complex, options.side, degree), on_space.modes);
         return on_space;

@@ -94,8 +94,8 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
         nothing flows through (Neumann's). A callable takes all facet sites, (size(n-1), N), and
         marks them. Without it primal forms have no condition, dual ones are 0 on the boundary.
     robin : float, array_like or callable, optional
-        Coefficients of Robin's condition where facets are not essential, as for `HeatSolver`; of a
-        mesh, and not of coexact forms alone.
+        Coefficients of Robin's condition where facets are not essential, as for `HeatSolver`; not
+        for coexact forms alone.
     coexact : bool
         Whether only those of delta d on coexact forms are asked for.
     certified : bool

@@ -78,6 +78,16 @@ Spectrum spectrum_with(const CellComplex& complex, const HodgeStars& stars, cons
             std::move(pairs.rough)};
 }
 
+/// With modes that have values on all cells of the whole.
+Spectrum spectrum_in(const CellComplex& whole, const RobinComplex& given,
+                     const SpectrumOptions& options) {
+    const auto& [space, weights] = given;
+    auto result = spectrum_with(space.relative.complex, space.stars, weights, options);
+    result.modes =
+        space.relative.extend(cell_degree(whole, options.side, options.degree), result.modes);
+    return result;
+}
+
 } // namespace
 
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
@@ -91,12 +101,15 @@ Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& o
 
 Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
                   const SpectrumOptions& options) {
-    const auto [space, weights] =
-        with_robin(discretization, options.side, options.degree, conditions);
-    auto result = spectrum_with(space.relative.complex, space.stars, weights, options);
-    const int k = cell_degree(discretization.complex(), options.side, options.degree);
-    result.modes = space.relative.extend(k, result.modes);
-    return result;
+    return spectrum_in(discretization.complex(),
+                       with_robin(discretization, options.side, options.degree, conditions),
+                       options);
+}
+
+Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
+                  const BoundaryConditions& conditions, const SpectrumOptions& options) {
+    return spectrum_in(
+        complex, with_robin(complex, stars, options.side, options.degree, conditions), options);
 }
 
 } // namespace polydec

@@ -64,5 +64,7 @@ Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& o
 /// facet.
 Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
                   const SpectrumOptions& options = {});
+Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
+                  const BoundaryConditions& conditions, const SpectrumOptions& options = {});
 
 } // namespace polydec
