@@ -107,6 +107,7 @@
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/absorbing_layer.h"
+#include "solvers/boundary_forms.h"
 #include "solvers/constrained_system.h"
 #include "solvers/darcy.h"
 #include "solvers/diffusion.h"

@@ -89,7 +89,7 @@ RobinParts parts_of_robin(const CellComplex& complex, Side side, int degree,
     return parts;
 }
 
-RobinComplex with(const RobinParts& parts, ConditionedComplex space, int k) {
+RobinComplex with(RobinParts parts, ConditionedComplex space, int k) {
     auto& [relative, stars] = space;
     if (parts.layer.size() > 0)
         stars = stars.with(k - 1, Operator::star(stars[k - 1]) +
@@ -97,7 +97,7 @@ RobinComplex with(const RobinParts& parts, ConditionedComplex space, int k) {
     Vector weights;
     if (parts.weights.size() > 0)
         weights = relative.restrict(k, parts.weights);
-    return {std::move(space), std::move(weights)};
+    return {std::move(space), std::move(weights), std::move(parts)};
 }
 
 } // namespace

@@ -60,7 +60,8 @@ RobinParts robin_parts(const Discretization& mesh, Side side, int degree,
 /// The conditioned complex with these parts: with a layer the star below is a matrix.
 struct RobinComplex {
     ConditionedComplex space;
-    Vector weights; ///< of the kept k-cells; empty: none
+    Vector weights;   ///< of the kept k-cells; empty: none
+    RobinParts parts; ///< of all cells
 };
 
 /// Throws like conditioned_but_for_robin and robin_parts.

@@ -4,7 +4,9 @@
 #include "backends/registry.h"
 #include "base/block_matrix.h"
 #include "base/errors.h"
+#include "base/lazy.h"
 #include "dec/forms/laplacian.h"
+#include "solvers/hodge_laplace_equations.h"
 #include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
@@ -37,17 +39,24 @@ RobinComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Si
         return with_robin(complex, stars, side, degree, *options.conditions);
     return {{relative_complex(complex, essential_cells(complex, built_in_conditions(Side::primal))),
              stars},
+            {},
             {}};
 }
 
-void check_size(const Vector& values, Index size) {
-    if (values.size() != size)
-        throw InvalidInput(fmt::format("{} boundary values are given: expected {}, one for each "
-                                       "cell of their degree",
-                                       values.size(), size));
+bool has_any(const BoundaryForms& data) {
+    return data.values.size() > 0 || data.codifferential.size() > 0 || data.flow.size() > 0 ||
+           data.derivative_flow.size() > 0;
 }
 
 } // namespace
+
+struct Diffusion::Space {
+    CellComplex whole;
+    HodgeStars stars;
+    RobinComplex kept;
+    BoundaryConditions conditions;
+    Lazy<HodgeLaplaceEquations> equations; // which data need alone
+};
 
 Diffusion::Diffusion(const Discretization& mesh, Side side, int degree,
                      const DiffusionOptions& options)
@@ -68,7 +77,7 @@ Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars, Robi
       coefficient_(options.coefficient),
       stiffness_(Operator::zero(0, 0)),
       mass_(given.space.stars[cell_degree(whole, side, degree)]),
-      robin_(std::move(given.weights)) {
+      robin_(given.weights) {
     const CellComplex& complex = given.space.relative.complex;
     const HodgeStars& stars = given.space.stars;
     const int k = mass_.degree();
@@ -88,7 +97,11 @@ Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars, Robi
     is_mixed_ = k > 0 && !(mass_.is_diagonal() && stars[k - 1].is_diagonal());
     if (!is_mixed_ && laplacian_definiteness(stars, k) == Definiteness::semidefinite)
         facts_.definiteness = Definiteness::positive;
-    space_ = Space{whole, all_stars, std::move(given.space)};
+    space_.reset(new Space{whole,
+                           all_stars,
+                           std::move(given),
+                           options.conditions.value_or(built_in_conditions(side)),
+                           {}});
 }
 
 Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side,
@@ -114,8 +127,8 @@ Diffusion::Diffusion(const HodgeStar& mass, const Operator& stiffness, Side side
 SparseMatrix Diffusion::step_matrix(double gamma) const {
     const double t = gamma * coefficient_;
     if (is_mixed_)
-        return mixed_step(space_->kept.relative.complex, space_->kept.stars, robin_, mass_.degree(),
-                          t);
+        return mixed_step(space_->kept.space.relative.complex, space_->kept.space.stars, robin_,
+                          mass_.degree(), t);
     return Operator::star(mass_) + t * stiffness_;
 }
 
@@ -143,56 +156,72 @@ Vector Diffusion::rate(const Vector& values) const {
     return -coefficient_ * mass_.solve(stiffness_ * values);
 }
 
-Vector Diffusion::boundary_rate(const Vector& boundary_values) const {
-    const int k = mass_.degree();
+const HodgeLaplaceEquations& Diffusion::equations() const {
     if (!space_)
         throw InvalidInput("a diffusion by a stiffness knows no boundary: add what it brings to "
                            "the rate");
-    if (!mass_.is_diagonal() || (k > 0 && !space_->kept.stars[k - 1].is_diagonal()))
-        throw InvalidInput(fmt::format("the star of {}-forms or that below is no diagonal: "
-                                       "boundary values other than 0 need diagonal stars",
-                                       k));
-    if (side_ == Side::dual)
-        return -coefficient_ * dual_load(boundary_values);
-    return -coefficient_ * mass_.solve(primal_load(boundary_values));
+    return space_->equations.get([&] {
+        return HodgeLaplaceEquations(space_->whole, space_->stars, space_->kept.space,
+                                     space_->kept.parts, side_, degree_, space_->conditions);
+    });
 }
 
-/// What the stiffness of the whole makes of the fixed values, at the kept cells.
-Vector Diffusion::primal_load(const Vector& boundary_values) const {
-    const int k = mass_.degree();
-    const RelativeComplex& kept = space_->kept.relative;
-    check_size(boundary_values, space_->whole.size(k));
-    const Vector fixed =
-        boundary_values - kept.extend(k, Vector(kept.restrict(k, boundary_values)));
-    Vector load = Vector::Zero(size());
-    if (k < kept.complex.dimension()) {
-        const Vector rise = Operator::derivative(space_->whole, k) * fixed;
-        load += Operator::derivative(kept.complex, k).transposed() *
-                Vector(space_->kept.stars[k + 1] * Vector(kept.restrict(k + 1, rise)));
-    }
-    if (k > 0) {
-        const Vector flow = Operator::derivative(space_->whole, k - 1).transposed() *
-                            Vector(space_->stars[k] * fixed);
-        const Vector below = space_->kept.stars[k - 1].solve(Vector(kept.restrict(k - 1, flow)));
-        load += mass_ * Vector(Operator::derivative(kept.complex, k - 1) * below);
-    }
-    return load;
-}
-
-/// What the boundary adds to the derivative of the dual form, and that to its codifferential.
-Vector Diffusion::dual_load(const Vector& boundary_values) const {
-    const int k = mass_.degree(), n = space_->whole.dimension();
-    const RelativeComplex& kept = space_->kept.relative;
-    if (k == 0)
+/// What the mass makes of fixed values, as values of the kept cells.
+Vector Diffusion::moved(const Vector& fixed) const {
+    if (!space_ || mass_.is_diagonal())
         return Vector::Zero(size());
-    if (kept.complex.size(n) < space_->whole.size(n))
-        throw InvalidInput("an essential facet of the boundary has no dual: boundary values of "
-                           "dual forms other than 0 need one at each");
-    check_size(boundary_values, space_->whole.size(k - 1));
-    const Vector added =
-        (k % 2 == 0 ? 1 : -1) * (dual_boundary_derivative(space_->whole, n - k) * boundary_values);
-    const Vector below = space_->kept.stars[k - 1].solve(Vector(kept.restrict(k - 1, added)));
-    return mass_ * Vector(Operator::derivative(kept.complex, k - 1) * below);
+    const int k = mass_.degree();
+    const Vector moments = space_->stars[k] * fixed;
+    return mass_.solve(Vector(space_->kept.space.relative.restrict(k, moments)));
+}
+
+Vector Diffusion::boundary_rate(const BoundaryForms& data) const {
+    const HodgeLaplaceEquations& of = equations();
+    auto [w, below, b, g] = of.loads(data);
+    const Vector shift = of.kept * moved(w);
+    b += of.upper * shift + of.robin.cwiseProduct(shift);
+    g += of.down * shift;
+    if (of.k > 0) {
+        const HodgeStar& star = space_->kept.space.stars[of.k - 1];
+        const Vector s = star.solve(Vector(of.kept_below.transpose() * g));
+        b += of.down.transpose() * Vector(of.kept_below * s);
+    }
+    const Vector load = coefficient_ * (of.kept.transpose() * b);
+    return side_ == Side::dual ? load : mass_.solve(load);
+}
+
+Vector Diffusion::form_of(const Vector& values, const BoundaryForms& data) const {
+    if (!space_)
+        return values;
+    const int k = mass_.degree();
+    const HodgeStar& star = space_->stars[k];
+    Vector w = Vector::Zero(star.size());
+    if (has_any(data))
+        w = equations().loads(data).w;
+    if (side_ == Side::dual && mass_.is_diagonal()) {
+        w = star * w;
+        w(kept_) = values;
+        return w;
+    }
+    const Vector shift = moved(w);
+    w(kept_) = (side_ == Side::primal ? values : mass_.solve(values)) - shift;
+    return side_ == Side::primal ? w : star * w;
+}
+
+Vector Diffusion::values_of(const Vector& form) const {
+    if (side_ == Side::dual || mass_.is_diagonal())
+        return form(kept_);
+    Vector fixed = form;
+    fixed(kept_).setZero();
+    return form(kept_) + moved(fixed);
+}
+
+Vector Diffusion::values_of(const Vector& form, const BoundaryForms& data) const {
+    if (side_ == Side::dual || mass_.is_diagonal())
+        return form(kept_);
+    Vector whole = has_any(data) ? equations().loads(data).w : Vector::Zero(form.size());
+    whole(kept_) = form(kept_);
+    return values_of(whole);
 }
 
 } // namespace polydec

@@ -5,6 +5,7 @@
 #include "dec/conditioned_complex.h"
 #include "dec/forms/cochain.h"
 #include "dec/forms/operator.h"
+#include "solvers/boundary_forms.h"
 
 #include <memory>
 #include <optional>
@@ -12,6 +13,8 @@
 #include <vector>
 
 namespace polydec {
+
+struct HodgeLaplaceEquations;
 
 struct DiffusionOptions {
     double coefficient = 1; ///< nu, at least 0; length squared over time
@@ -53,11 +56,19 @@ public:
     /// -nu Delta u.
     Vector rate(const Vector& values) const;
 
-    /// What values other than 0 on essential facets add to the rate. They are given as
-    /// boundary_values of an Unknown are. Throws InvalidInput for another number of values, for
-    /// stars that are no diagonals, as where dual forms have Robin's condition too, and for dual
-    /// forms if an essential facet has no dual.
-    Vector boundary_rate(const Vector& boundary_values) const;
+    /// What data on the boundary add to the rate, those of HodgeLaplaceSolver. Throws InvalidInput
+    /// for other numbers of them, for what is not finite, and for a stiffness of one's own.
+    Vector boundary_rate(const BoundaryForms& data) const;
+
+    /// The form at all cells: what data fix, beside its values at the kept ones.
+    Vector form_of(const Vector& values, const BoundaryForms& data = {}) const;
+
+    /// The values of a form, with what data fix in place of its own at the other cells. Where the
+    /// mass M of a primal form is a matrix, they are those x that M takes to what the form's
+    /// moments are at the kept cells, M_kk x = (M u)_k, so that fixed values may change in time.
+    Vector values_of(const Vector& form, const BoundaryForms& data) const;
+    /// Of a form, or a rate, that is known at all cells.
+    Vector values_of(const Vector& form) const;
 
     /// Gets ready for solving with this gamma > 0. Throws SolverFailure if the engine fails.
     void prepare(double gamma);
@@ -70,8 +81,8 @@ private:
               int degree, const DiffusionOptions& options);
 
     SparseMatrix step_matrix(double gamma) const;
-    Vector primal_load(const Vector& boundary_values) const;
-    Vector dual_load(const Vector& boundary_values) const;
+    const HodgeLaplaceEquations& equations() const;
+    Vector moved(const Vector& fixed) const;
 
     std::vector<Index> kept_;
     Side side_;
@@ -85,13 +96,8 @@ private:
     std::shared_ptr<LinearSolver> solver_;
     Index unknowns_ = 0; // solved for in a step
 
-    // of forms under conditions
-    struct Space {
-        CellComplex whole;
-        HodgeStars stars;
-        ConditionedComplex kept;
-    };
-    std::optional<Space> space_;
+    struct Space;
+    std::shared_ptr<const Space> space_; // of forms under conditions
 };
 
 } // namespace polydec

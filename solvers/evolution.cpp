@@ -50,6 +50,9 @@ struct Evolution::Equation {
 
         Index size() const { return static_cast<Index>(kept.size()); }
         Vector of(const Vector& values) const { return values.segment(first, size()); }
+        BoundaryForms boundary(double time) const {
+            return unknown.boundary ? unknown.boundary(time) : BoundaryForms{};
+        }
     };
 
     std::vector<Part> parts;
@@ -77,9 +80,9 @@ void Evolution::Equation::add(const CellComplex& whole, const HodgeStars& stars,
                                        "{} {}-form",
                                        number, name(stiff->side()), stiff->degree(), name(side),
                                        degree));
-    if (unknown.boundary_values && !stiff)
-        throw InvalidInput(fmt::format("unknown {}: boundary values are given, and no diffusion "
-                                       "that would take them in",
+    if (unknown.boundary && !stiff)
+        throw InvalidInput(fmt::format("unknown {}: data on the boundary are given, and no "
+                                       "diffusion that would take them in",
                                        number));
     std::vector<Index> kept(values.size());
     std::iota(kept.begin(), kept.end(), 0);
@@ -89,20 +92,20 @@ void Evolution::Equation::add(const CellComplex& whole, const HodgeStars& stars,
     const auto first = static_cast<Index>(start.size());
     start.conservativeResize(first + kept.size());
     scale.conservativeResize(first + kept.size());
-    start.tail(kept.size()) = values(kept);
     scale.tail(kept.size()) = sizes(kept);
     parts.push_back({unknown, std::move(stiff), std::move(kept), first});
+    const Part& part = parts.back();
+    start.tail(part.size()) =
+        part.stiff ? part.stiff->values_of(values, part.boundary(options.time)) : values;
 }
 
 std::vector<Cochain> Evolution::Equation::forms(double time, const Vector& values) const {
     std::vector<Cochain> result;
     for (const Part& part : parts) {
-        const Cochain& start_form = part.unknown.start;
-        Vector all = Vector::Zero(start_form.values.size());
-        if (part.unknown.boundary_values && start_form.side == Side::primal)
-            all = part.unknown.boundary_values(time);
-        all(part.kept) = part.of(values);
-        result.push_back({start_form.side, start_form.degree, std::move(all)});
+        const auto& [side, degree, start_values] = part.unknown.start;
+        const Vector now = part.of(values);
+        result.push_back(
+            {side, degree, part.stiff ? part.stiff->form_of(now, part.boundary(time)) : now});
     }
     return result;
 }
@@ -121,7 +124,8 @@ Vector Evolution::Equation::rate(double time, const Vector& values) const {
                                            "{}, one for each cell, or none",
                                            rates[i].size(), i, expected));
         if (rates[i].size() != 0)
-            result.segment(part.first, part.size()) = rates[i](part.kept);
+            result.segment(part.first, part.size()) =
+                part.stiff ? part.stiff->values_of(rates[i]) : rates[i];
     }
     return result;
 }
@@ -133,8 +137,8 @@ Vector Evolution::Equation::stiff_rate(double time, const Vector& values) const 
             continue;
         auto mine = result.segment(part.first, part.size());
         mine = part.stiff->rate(part.of(values));
-        if (part.unknown.boundary_values)
-            mine += part.stiff->boundary_rate(part.unknown.boundary_values(time));
+        if (part.unknown.boundary)
+            mine += part.stiff->boundary_rate(part.boundary(time));
     }
     return result;
 }

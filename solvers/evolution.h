@@ -19,10 +19,8 @@ struct Unknown {
     /// Under these conditions; without, the built-in ones. Without diffusion they fix nothing.
     std::optional<BoundaryConditions> conditions = {};
 
-    /// The values on essential facets at a time. Of primal k-forms a value for each k-cell of the
-    /// mesh, of which those at fixed cells count; of dual j-forms what dual_boundary_derivative
-    /// takes, for j = 0 a value for each facet. Empty: 0.
-    std::function<Vector(double time)> boundary_values = {};
+    /// What is known on the boundary at a time, as HodgeLaplaceSolver takes it; none: 0.
+    std::function<BoundaryForms(double time)> boundary = {};
 
     /// Another stiff part, in place of diffusion and its conditions.
     std::shared_ptr<Diffusion> stiff = {};

@@ -3,6 +3,7 @@
 
 #include "dec/conditioned_complex.h"
 #include "dec/forms/cochain.h"
+#include "solvers/boundary_forms.h"
 #include "solvers/constrained_system.h"
 
 #include <memory>
@@ -17,25 +18,6 @@ struct HodgeLaplaceOptions {
     int degree = 0;
     BoundaryConditions boundary = {};
     std::string linear_solver = "auto";
-};
-
-/// What is known of a form u of one degree on the boundary, integrated over the cells there; what
-/// is empty is 0. On essential facets the traces (tangential parts) of u and of its codifferential
-/// are given, on natural ones those of star u and of star du (the normal parts of u and du). Of
-/// 0-forms these are u and the normal derivative, of n-forms the density and its derivative. On
-/// Robin's facets star du plus the coefficient times the star, within the boundary, of the trace of
-/// u is given as derivative_flow, the impedance condition, for primal forms star u as well; values
-/// of dual forms are then over the duals within essential facets alone.
-///
-/// With k the degree of the cells that carry the forms (k, or n-k of dual ones) there is a value
-/// for every k-cell or for every (k-1)-cell; those at other cells do not matter. They are integrals
-/// over these cells, of which de_rham makes values, or over the duals within the boundary of these
-/// cells, which are as dual_boundary_derivative has them and as boundary_de_rham makes them.
-struct BoundaryForms {
-    Vector values = {};          ///< u: over k-cells; of dual forms over duals of (k-1)-cells
-    Vector codifferential = {};  ///< delta u: over (k-1)-cells; of dual forms over duals of k-cells
-    Vector flow = {};            ///< star u: over duals of (k-1)-cells; of dual forms over k-cells
-    Vector derivative_flow = {}; ///< star du: over duals of k-cells; of dual forms over (k-1)-cells
 };
 
 /// A solution and what is found beside it.

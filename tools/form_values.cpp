@@ -4,6 +4,8 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
+#include "solvers/boundary_forms.h"
+#include "tools/common.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
@@ -102,6 +104,17 @@ Vector FormValues::on_boundary(const Discretization& mesh, Side side, int degree
                                        option_, degree));
     check_count(mesh, degree);
     return coefficients_.front().at(mesh.unit() * cell_centers(mesh, mesh.dimension() - 1), time);
+}
+
+Vector FormValues::through_boundary(const Discretization& mesh, Side side, int degree,
+                                    double time) const {
+    if (degree > 0)
+        throw InvalidInput(fmt::format(
+            "{} of a {}-form: expected a 0-form, whose outward derivative it is", option_, degree));
+    check_count(mesh, degree);
+    const Points sites = mesh.unit() * facet_sites(mesh);
+    const Vector derivatives = coefficients_.front().at(sites, time);
+    return outward_flow(mesh, side, in_input_units(derivatives, mesh.unit(), 1, option_));
 }
 
 bool FormValues::uses_time() const {

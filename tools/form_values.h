@@ -35,6 +35,10 @@ public:
     /// dual forms of a degree above 0.
     Vector on_boundary(const Discretization& mesh, Side side, int degree, double time) const;
 
+    /// The outward derivatives of a 0-form as an Unknown takes them, its derivative_flow. Throws
+    /// likewise; InvalidInput for forms of a degree above 0.
+    Vector through_boundary(const Discretization& mesh, Side side, int degree, double time) const;
+
     bool uses_time() const;
 
     /// All files that are read: those of the mesh, of this form, and the others that are there.

@@ -31,13 +31,14 @@ struct HeatArguments {
     ConditionArguments conditions;
     Side side = Side::primal;
     int degree = 0;
-    std::string initial, source, boundary;
+    std::string initial, source, boundary, flux;
     HeatOptions heat;
     std::string integrator = "runge-kutta";
     double tolerance = 0; ///< 0: none is asked for
 
     bool needs_integrator() const {
-        return tolerance > 0 || !source.empty() || !boundary.empty() || integrator != "runge-kutta";
+        return tolerance > 0 || !source.empty() || !boundary.empty() || !flux.empty() ||
+               integrator != "runge-kutta";
     }
 };
 
@@ -51,7 +52,7 @@ struct Heat {
     const Discretization& mesh;
     Cochain start;
     std::optional<BoundaryConditions> conditions;
-    std::optional<FormValues> source, boundary;
+    std::optional<FormValues> source, boundary, flux;
 
     double time_unit() const { return mesh.unit() * mesh.unit(); }
 };
@@ -140,11 +141,12 @@ void take_equal_steps(March& march, const Heat& heat) {
     march.problem.add(static_cast<std::uint64_t>(options.scheme));
 }
 
-/// A value at each time; the same one where an expression does not use the time.
-std::function<Vector(double)> in_time(const FormValues& values, std::function<Vector(double)> at) {
-    if (values.uses_time())
+/// A value at each time; the same one where an expression does not use the time, none without one.
+std::function<Vector(double)> in_time(const std::optional<FormValues>& values,
+                                      std::function<Vector(double)> at) {
+    if (values && values->uses_time())
         return at;
-    return [value = at(0)](double) { return value; };
+    return [value = values ? at(0) : Vector()](double) { return value; };
 }
 
 std::shared_ptr<Evolution> evolution(const Heat& heat) {
@@ -152,13 +154,20 @@ std::shared_ptr<Evolution> evolution(const Heat& heat) {
     const Discretization& mesh = heat.mesh;
     const double unit = heat.time_unit();
     Unknown unknown{.start = heat.start, .diffusion = 1, .conditions = heat.conditions};
-    if (heat.boundary)
-        unknown.boundary_values = in_time(*heat.boundary, [&, unit](double t) {
-            return heat.boundary->on_boundary(mesh, side, degree, unit * t);
-        });
+    if (heat.boundary || heat.flux)
+        unknown.boundary =
+            [values = in_time(heat.boundary,
+                              [&, unit](double t) {
+                                  return heat.boundary->on_boundary(mesh, side, degree, unit * t);
+                              }),
+             flow = in_time(heat.flux, [&, unit](double t) {
+                 return heat.flux->through_boundary(mesh, side, degree, unit * t);
+             })](double t) {
+                return BoundaryForms{.values = values(t), .derivative_flow = flow(t)};
+            };
     Reaction reaction;
     if (heat.source)
-        reaction = [rate = in_time(*heat.source, [&, unit](double t) {
+        reaction = [rate = in_time(heat.source, [&, unit](double t) {
                         return Vector(unit * heat.source->on(mesh, side, degree, unit * t).values);
                     })](double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
     const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;
@@ -197,6 +206,7 @@ std::shared_ptr<Evolution> integrate(March& march, const Heat& heat) {
         return std::vector{NamedForm("u", run->form(0), "the heat")};
     };
     march.problem.add(heat.arguments.source).add(heat.arguments.boundary);
+    march.problem.add(heat.arguments.flux);
     march.problem.add(heat.arguments.integrator).add(heat.arguments.tolerance);
     march.problem.add(heat.arguments.time.time_step);
     return run;
@@ -222,10 +232,11 @@ void run_heat(const HeatArguments& arguments) {
     const FormValues initial("--initial", arguments.initial);
     auto source = if_given("--source", arguments.source);
     auto boundary = if_given("--boundary-values", arguments.boundary);
+    auto flux = if_given("--flux", arguments.flux);
     const ConditionValues asked(arguments.conditions);
     check_boundary(arguments);
     auto inputs = initial.inputs(arguments.mesh.mesh, {asked.file()});
-    for (const auto* form : {&source, &boundary})
+    for (const auto* form : {&source, &boundary, &flux})
         if (*form)
             inputs = (*form)->inputs(arguments.mesh.mesh, {inputs.begin(), inputs.end()});
     check_time(arguments.time, inputs);
@@ -240,12 +251,17 @@ void run_heat(const HeatArguments& arguments) {
         check_drawable(mesh);
     const auto given = asked.on(mesh);
     const auto conditions = given.value_or(built_in_conditions(side));
-    const Heat heat{
-        arguments,          mesh, initial.on(mesh, side, degree), given, std::move(source),
-        std::move(boundary)};
+    const Heat heat{arguments,
+                    mesh,
+                    initial.on(mesh, side, degree),
+                    given,
+                    std::move(source),
+                    std::move(boundary),
+                    std::move(flux)};
     log.timing.begin("solve");
     const std::string words =
-        in_words(conditions, mesh.complex(), degree, {.values = !arguments.boundary.empty()});
+        in_words(conditions, mesh.complex(), degree,
+                 {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
     PageText text;
     text.title = fmt::format("{}: heat", arguments.mesh.mesh.filename().string());
     text.facts = {fmt::format("du/dt = -Delta u{} of a {} {}-form, u = {} at the time 0",
@@ -315,8 +331,12 @@ void add_heat(CLI::App& app) {
     add_form(*command, "--boundary-values", arguments->boundary,
              "the values at essential facets, at the time t as well\n(default: 0)")
         ->required(false);
+    add_form(*command, "--flux", arguments->flux,
+             "the outward derivative of a 0-form on the rest of the boundary,\nat the time t as "
+             "well (default: 0)")
+        ->required(false);
     add_essential_on(*command, arguments->conditions);
-    add_robin(*command, arguments->conditions, "0");
+    add_robin(*command, arguments->conditions, "--flux");
     command->add_option("--engine", arguments->heat.linear_solver, "linear solver")
         ->capture_default_str();
     command->footer(
@@ -325,7 +345,8 @@ void add_heat(CLI::App& app) {
         "  polydec heat bunny.off --side primal --initial 'x>0' --until .01 -o heat.html\n"
         "  polydec heat room.msh --side dual --initial 1 --until 2 --frames 100 -o heat.pvd \\\n"
         "      --checkpoint heat.checkpoint --resume\n"
-        "  polydec heat plate.off --side dual --initial 1 --robin 2.5 --until 1\n"
+        "  polydec heat plate.off --side dual --initial 1 --robin 2.5 --flux '50+10*sin(t)' \\\n"
+        "      --until 1\n"
         "  polydec heat room.msh --side primal --initial 0 --source 'exp(-9*(x^2+y^2))*sin(t)' \\\n"
         "      --until 20 --tolerance-in-time 1e-4 -o heated.pvd");
     command->callback([arguments] { run_heat(*arguments); });

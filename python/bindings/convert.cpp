@@ -135,6 +135,11 @@ py::tuple parts(Cochain form) {
     return py::make_tuple(name(form.side), form.degree, array(std::move(form.values)));
 }
 
+BoundaryForms boundary_forms(const GivenBoundary& given) {
+    const auto& [values, codifferential, flow, derivative_flow] = given;
+    return {vector(values), vector(codifferential), vector(flow), vector(derivative_flow)};
+}
+
 py::dict report_of(const SolveReport& report) {
     return py::dict(py::arg("engine") = report.engine, py::arg("iterations") = report.iterations,
                     py::arg("residual") = report.residual,

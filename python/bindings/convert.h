@@ -4,6 +4,7 @@
 #include "base/solve_report.h"
 #include "base/types.h"
 #include "dec/forms/cochain.h"
+#include "solvers/boundary_forms.h"
 
 #include <functional>
 #include <memory>
@@ -113,6 +114,10 @@ Sampling sampling_of(const std::string& name);
 /// A form, by its side, degree and values; and the other way round.
 Cochain form(const std::string& side, int degree, const Numbers& values);
 py::tuple parts(Cochain form);
+
+/// Data on the boundary as Python names them: values, codifferential, flow, derivative_flow.
+using GivenBoundary = std::tuple<Numbers, Numbers, Numbers, Numbers>;
+BoundaryForms boundary_forms(const GivenBoundary& given);
 
 py::dict report_of(const SolveReport& report);
 

@@ -48,14 +48,21 @@ void add_heat(py::module_& module) {
         });
 }
 
-/// Values that a function of Python's gives for a time; without one none.
+/// What a function of Python's gives for a time, an As, made into something of polydec's; without
+/// one nothing.
+template <class As, class Make>
+auto in_time(const py::object& function, Make make) {
+    std::function<decltype(make(std::declval<As>()))(double)> result;
+    if (!function.is_none())
+        result = [kept = shared(function), make](double time) {
+            const py::gil_scoped_acquire lock;
+            return make((*kept)(time).template cast<As>());
+        };
+    return result;
+}
+
 std::function<Vector(double)> values_in_time(const py::object& function) {
-    if (function.is_none())
-        return {};
-    return [kept = shared(function)](double time) {
-        const py::gil_scoped_acquire lock;
-        return vector((*kept)(time).cast<Numbers>());
-    };
+    return in_time<Numbers>(function, [](const Numbers& given) { return vector(given); });
 }
 
 py::list arrays_of(const std::vector<Cochain>& forms) {
@@ -84,7 +91,7 @@ std::function<double(double, const std::vector<Cochain>&)> event_of(const py::ob
 }
 
 /// An unknown as Python names it: side, degree, values, diffusion, marks of essential facets and
-/// coefficients of Robin's condition, and a function for the values on essential facets.
+/// coefficients of Robin's condition, and a function for the data on the boundary.
 using GivenUnknown =
     std::tuple<std::string, int, Numbers, double, std::vector<bool>, Numbers, py::object>;
 
@@ -94,7 +101,7 @@ std::vector<Unknown> unknowns_of(const std::vector<GivenUnknown>& given) {
         Unknown unknown{.start = form(side, degree, values), .diffusion = diffusion};
         if (!essential.empty())
             unknown.conditions = conditions_of(essential, vector(robin));
-        unknown.boundary_values = values_in_time(boundary);
+        unknown.boundary = in_time<GivenBoundary>(boundary, boundary_forms);
         result.push_back(std::move(unknown));
     }
     return result;

@@ -27,21 +27,13 @@ std::unique_ptr<Guarded<FormSolver>> form_solver(const Calculus& of, const std::
     });
 }
 
-/// Data on the boundary as Python names them: values, codifferential, flow, derivative_flow.
-using GivenData = std::tuple<Numbers, Numbers, Numbers, Numbers>;
-
-BoundaryForms boundary_forms(const GivenData& given) {
-    const auto& [values, codifferential, flow, derivative_flow] = given;
-    return {vector(values), vector(codifferential), vector(flow), vector(derivative_flow)};
-}
-
 void add_forms_with_sources(py::module_& module) {
     using Solver = Guarded<FormSolver>;
     py::class_<Solver>(module, "HodgeLaplaceSolver")
         .def(py::init(&form_solver))
         .def("solve",
              [](Solver& self, const std::string& side, int degree, const Numbers& f,
-                const GivenData& data, const Numbers& harmonic) {
+                const GivenBoundary& data, const Numbers& harmonic) {
                  FormSolution found =
                      self.use([&, given = form(side, degree, f), known = boundary_forms(data),
                                part = vector(harmonic)](const FormSolver& of) {
@@ -52,7 +44,7 @@ void add_forms_with_sources(py::module_& module) {
              })
         .def("solve_curl_curl",
              [](Solver& self, const std::string& side, int degree, const Numbers& current,
-                const GivenData& data) {
+                const GivenBoundary& data) {
                  CurlCurlSolution found =
                      self.use([&, given = form(side, degree, current),
                                known = boundary_forms(data)](const FormSolver& of) {
@@ -90,6 +82,12 @@ void add_stokes(py::module_& module) {
 
 void add_sources(py::module_& module) {
     add_forms_with_sources(module);
+    module.def("outward_flow",
+               [](const Discretization& mesh, const std::string& side, const Numbers& derivatives) {
+                   return array(unlocked([&, on = side_of(side), given = vector(derivatives)] {
+                       return outward_flow(mesh, on, given);
+                   }));
+               });
     add_stokes(module);
 }
 

@@ -35,7 +35,7 @@ from ._plot import plot, to_meshio, to_pyvista
 from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonSolver, darcy,
                        harmonic_forms, hodge_decomposition, poisson)
 from ._sources import (CurlCurlSolution, FormSolution, HodgeLaplaceSolver, StokesFlow, StokesSolver,
-                       hodge_laplace)
+                       hodge_laplace, outward_flow)
 from ._spectra import Certificate, Eigenpairs, Spectrum, smallest_eigenpairs, spectrum
 from ._view import Page, Series, view, write_vtu
 from ._waves import AbsorbingLayer, Leapfrog, WaveState, stable_step, wave
@@ -52,8 +52,8 @@ __all__ = [
     "backends", "boundary_de_rham", "darcy", "de_rham", "discretize", "fingerprint", "flat",
     "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
     "geodesic_distance", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
-    "hodge_laplace", "inflow", "interior_product", "lie_derivative", "load_engine", "periodic",
-    "plot", "poisson", "primal_dual_wedge", "read_checkpoint", "read_lengths", "read_mesh",
+    "hodge_laplace", "inflow", "interior_product", "lie_derivative", "load_engine", "outward_flow",
+    "periodic", "plot", "poisson", "primal_dual_wedge", "read_checkpoint", "read_lengths", "read_mesh",
     "register_eigen_solver", "register_linear_solver", "set_memory_limit", "sharp_pd", "sharp_pp",
     "smallest_eigenpairs", "solve", "spectrum", "split_polygons", "stable_step", "to_meshio",
     "to_pyvista", "view", "wave", "wedge", "whitney_at_centroids", "whitney_form",

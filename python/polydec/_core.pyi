@@ -14,7 +14,8 @@ _Form = tuple[str, int, Floats]
 _NamedForm = tuple[str, str, int, Floats, str]
 _BoundaryForms = tuple[Floats, Floats, Floats, Floats]
 _InTime = Callable[[float], Floats] | None
-_Unknown = tuple[str, int, Floats, float, list[bool], Floats, _InTime]
+_Unknown = tuple[str, int, Floats, float, list[bool], Floats,
+                 Callable[[float], _BoundaryForms] | None]
 _Progress = Callable[[str], object] | None
 
 class Mesh:
@@ -287,6 +288,7 @@ class IncompressibleFlow:
 
 def flow_of_vorticity(mesh: Discretization, vorticity: Floats) -> Floats: ...
 def flow_of_velocity(mesh: Discretization, velocity: Floats) -> Floats: ...
+def outward_flow(mesh: Discretization, side: str, derivatives: Floats) -> Floats: ...
 def flux_through_boundary(mesh: Discretization, velocity: Floats) -> Floats: ...
 
 class FlowSolver:

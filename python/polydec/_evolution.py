@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Iterator, Sequence, Union
+from typing import Any, Callable, Iterator, Mapping, Sequence, Union
 
 import numpy as np
 
@@ -14,6 +14,10 @@ from ._checkpoint import Checkpoint, read_checkpoint, write_checkpoint
 from ._cochain import Cochain
 from ._complex import CellsLike, as_cells, facet_conditions
 from ._errors import InvalidInput
+from ._sources import boundary_data
+
+_Data = tuple[Floats, Floats, Floats, Floats]
+_names = {"values", "codifferential", "flow", "derivative_flow"}
 
 #: One form, or several that change together.
 Forms = Union[Form, Sequence[Form]]
@@ -96,10 +100,11 @@ class Evolution:
         As for `spectrum`, for all unknowns. Without, the built-in conditions hold.
     robin : float, array_like or callable, optional
         As for `HeatSolver`, for all unknowns.
-    boundary : float, array_like or callable, optional
+    boundary : float, array_like, dict or callable, optional
         Values on essential facets, by default 0: of primal k-forms for each k-cell, of dual 0-forms
-        for each facet; or a function of the time that returns them. Of several unknowns a sequence
-        of these, or None.
+        for each facet; or a dict of all data as `HodgeLaplaceSolver.solve` takes them, like
+        ``{"derivative_flow": outward_flow(complex, 1.0)}``; or a function of the time that returns
+        one of these. Of several unknowns a sequence of these, or None.
     event : callable, optional
         ``event(t, u_1, u_2, ..)``: a march stops where this goes through 0.
     time : float
@@ -283,19 +288,25 @@ def _each(boundary: Any, unknowns: int) -> Sequence[Any]:
 
 
 def _at_boundary(boundary: Any, cells: Cells, side: str,
-                 degree: int) -> Callable[[float], Floats] | None:
-    """Values on the boundary as a function of the time: of primal forms for all cells, of dual ones
-    for all those whose duals within the boundary have their degree."""
+                 degree: int) -> Callable[[float], _Data] | None:
+    """Data on the boundary as a function of the time. Values are of primal forms those of all
+    cells, of dual ones of all those whose duals within the boundary have their degree."""
     if boundary is None:
         return None
     size = cells.size(degree if side == "primal" else cells.dim - degree - 1)
 
-    def values(time: float) -> Floats:
+    def data(time: float) -> _Data:
         given = boundary(time) if callable(boundary) else boundary
+        if isinstance(given, Mapping):
+            unknown = set(given) - _names
+            if unknown:
+                raise InvalidInput(f"data on the boundary named {min(unknown)!r} are given: expected "
+                                   + ", ".join(sorted(_names)))
+            return boundary_data(**given)
         made = floats(np.full(size, given) if np.ndim(given) == 0 else given,
                       "values on the boundary")
         if len(made) != size:
             raise InvalidInput(f"{len(made)} values on the boundary are given: expected {size}")
-        return made
+        return boundary_data(values=made)
 
-    return values
+    return data

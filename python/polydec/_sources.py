@@ -9,10 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Values, floats
+from ._arrays import Floats, Values, at_places, floats
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
-from ._complex import CellsLike, as_cells, facet_coefficients, facet_marks
+from ._complex import CellsLike, Complex, as_cells, facet_coefficients, facet_marks, mesh_of
 
 
 def _made(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:
@@ -22,6 +22,41 @@ def _made(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:
 
 def _or_none(values: npt.ArrayLike | None, name: str) -> Floats:
     return np.zeros(0) if values is None else floats(np.asarray(values), name)
+
+
+def boundary_data(*, values: npt.ArrayLike | None = None,
+                  codifferential: npt.ArrayLike | None = None, flow: npt.ArrayLike | None = None,
+                  derivative_flow: npt.ArrayLike | None = None
+                  ) -> tuple[Floats, Floats, Floats, Floats]:
+    """What is known on the boundary, as the module takes it."""
+    return (_or_none(values, "values on the boundary"),
+            _or_none(codifferential, "values of the codifferential on the boundary"),
+            _or_none(flow, "values of the flow"),
+            _or_none(derivative_flow, "values of the flow of the derivative"))
+
+
+def outward_flow(complex: Complex, derivatives: Values, side: str = "primal") -> Floats:
+    """The `derivative_flow` of 0-forms with these outward normal derivatives on the boundary.
+
+    Parameters
+    ----------
+    complex : Complex
+    derivatives : float, array_like or callable
+        At `Complex.facet_sites`, of which those on the boundary matter.
+    side : str
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
+    >>> solver = polydec.HodgeLaplaceSolver(square, degree=0, essential=lambda p: p[:, 0] < 0.01)
+    >>> pulled = polydec.outward_flow(square, lambda p: p[:, 0] > 0.99)     # u = x
+    >>> u = solver.solve(np.zeros(25), derivative_flow=pulled).form
+    >>> bool(abs(u.values - square.points[:, 0]).max() < 1e-12)
+    True
+    """
+    return _core.outward_flow(mesh_of(complex), side,
+                              at_places(derivatives, complex.facet_sites(), "outward derivatives"))
 
 
 @dataclass(frozen=True)
@@ -109,10 +144,8 @@ class HodgeLaplaceSolver:
             Coefficients of u at `harmonic_forms`.
         """
         side, degree = self._kind
-        data = (_or_none(values, "values on the boundary"),
-                _or_none(codifferential, "values of the codifferential on the boundary"),
-                _or_none(flow, "values of the flow"),
-                _or_none(derivative_flow, "values of the flow of the derivative"))
+        data = boundary_data(values=values, codifferential=codifferential, flow=flow,
+                             derivative_flow=derivative_flow)
         form, beside, removed, report = self._solver.solve(
             *as_form(f, degree, side), data, _or_none(harmonic, "coefficients of harmonic forms"))
         return FormSolution(_made(form, self._complex), _made(beside, self._complex),

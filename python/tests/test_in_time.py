@@ -78,6 +78,21 @@ def test_values_on_the_boundary(square, side):
 
 
 @pytest.mark.parametrize("side", ["primal", "dual"])
+def test_what_flows_through_the_boundary(square, side):
+    """u = (1 + t) (1 + x), by its outward derivatives alone."""
+    x = polydec.PoissonSolver(square, side=side).sites[:, 0]
+    outward = polydec.outward_flow(square, lambda p: (p[:, 0] > 1 - 1e-9) * 1.0 - (p[:, 0] < 1e-9),
+                                   side)
+    run = polydec.Evolution(square, 1 + x, side=side, diffusion=1.0, essential=False,
+                            boundary=lambda t: {"derivative_flow": (1 + t) * outward},
+                            reaction=lambda t, u: 1 + x)
+    run.march(0.5)
+    assert near(run.forms[0], 1.5 * (1 + x), 1e-4)
+    with pytest.raises(polydec.InvalidInput, match="data on the boundary named 'flux' are given"):
+        polydec.Evolution(square, x, side=side, diffusion=1.0, boundary={"flux": outward}).march(1)
+
+
+@pytest.mark.parametrize("side", ["primal", "dual"])
 def test_heat_leaves_through_robins_condition(square, side):
     start = np.ones(square.size(0 if side == "primal" else 2))
     cooled = polydec.heat(square, start, 0.01, 10, side=side, robin=2.0)

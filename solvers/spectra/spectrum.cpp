@@ -81,8 +81,8 @@ Spectrum spectrum_with(const CellComplex& complex, const HodgeStars& stars, cons
 /// With modes that have values on all cells of the whole.
 Spectrum spectrum_in(const CellComplex& whole, const RobinComplex& given,
                      const SpectrumOptions& options) {
-    const auto& [space, weights] = given;
-    auto result = spectrum_with(space.relative.complex, space.stars, weights, options);
+    const ConditionedComplex& space = given.space;
+    auto result = spectrum_with(space.relative.complex, space.stars, given.weights, options);
     result.modes =
         space.relative.extend(cell_degree(whole, options.side, options.degree), result.modes);
     return result;

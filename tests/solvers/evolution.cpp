@@ -163,7 +163,9 @@ TEST(evolution, constant_forms_grow_with_their_values_on_the_boundary) {
                 const auto defect = [&](bool has_data) {
                     Unknown unknown{.start = u, .diffusion = 1, .conditions = essential};
                     if (has_data)
-                        unknown.boundary_values = [&](double t) { return growth(t) * data; };
+                        unknown.boundary = [&](double t) {
+                            return BoundaryForms{.values = growth(t) * data};
+                        };
                     Evolution run(mesh, {unknown}, [&](double t, const std::vector<Cochain>&) {
                         return std::vector{Vector(2 * t * u.values)};
                     });
@@ -304,9 +306,10 @@ TEST(evolution, what_does_not_fit_is_refused_by_its_number) {
     EXPECT_THROW(Evolution(mesh, {{.start = {Side::primal, 0, Vector::Ones(8)}}}), InvalidInput);
     EXPECT_THROW(Evolution(mesh, {{.start = u, .diffusion = -1}}), InvalidInput);
     std::vector<Unknown> unknowns(2, {.start = u});
-    unknowns[1].boundary_values = [](double) { return Vector(); };
-    EXPECT_EQ(refusal([&] { Evolution(mesh, unknowns); }),
-              "unknown 1: boundary values are given, and no diffusion that would take them in");
+    unknowns[1].boundary = [](double) { return BoundaryForms{}; };
+    EXPECT_EQ(
+        refusal([&] { Evolution(mesh, unknowns); }),
+        "unknown 1: data on the boundary are given, and no diffusion that would take them in");
     const auto other = std::make_shared<Diffusion>(mesh, Side::dual, 0, DiffusionOptions{});
     EXPECT_EQ(refusal([&] { Evolution(mesh, {{.start = u, .stiff = other}}); }),
               "unknown 0: its stiff part is for dual 0-forms, and it is a primal 0-form");

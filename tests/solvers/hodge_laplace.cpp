@@ -8,7 +8,7 @@
 #include "dec/operators.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "tests/solvers/smooth_waves.h"
+#include "tests/solvers/wave_problems.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
@@ -25,59 +25,6 @@ namespace polydec::test {
 namespace {
 
 constexpr Side sides[] = {Side::primal, Side::dual};
-
-enum class Where { essential, natural, mixed, robin };
-
-constexpr Where everywhere[] = {Where::essential, Where::natural, Where::mixed, Where::robin};
-constexpr double coefficient = 1.7;
-
-bool on_the_left(const Vector& site) {
-    return site[0] < 1e-9;
-}
-
-/// Robin's condition opposite to essential facets.
-BoundaryConditions conditions_of(const Discretization& mesh, Where where) {
-    if (where == Where::essential)
-        return {BoundaryCondition::essential};
-    if (where == Where::natural)
-        return {BoundaryCondition::natural};
-    const auto mixed = essential_where(cell_centers(mesh, mesh.dimension() - 1), on_the_left);
-    return where == Where::mixed ? mixed : robin_elsewhere(mixed, coefficient);
-}
-
-/// The smooth form among discrete ones. Where stars are matrices a dual form is what they make of
-/// a primal one.
-Cochain exact_form(const Discretization& mesh, Side side, const WaveForm& wave) {
-    const int n = mesh.dimension();
-    if (side == Side::primal || mesh.stars()[n - wave.degree()].is_diagonal())
-        return wave.on(mesh, side);
-    const double twice = wave.degree() * (n - wave.degree()) % 2 == 0 ? 1 : -1;
-    return twice * star(mesh, de_rham(mesh, n - wave.degree(), wave.star()));
-}
-
-/// Values in the inner product of the form's side, but of cells without dual.
-double size_of(const Discretization& mesh, const Cochain& form) {
-    const int n = mesh.dimension(), k = form.side == Side::primal ? form.degree : n - form.degree;
-    const HodgeStar star = mesh.stars()[k];
-    if (!star.is_diagonal())
-        return norm(mesh, form);
-    const Vector weights = star.diagonal().cwiseAbs();
-    const Vector inverse = (weights.array() > 1e-9).select(weights.cwiseInverse(), 0);
-    return std::sqrt((form.side == Side::primal ? weights : inverse).dot(form.values.cwiseAbs2()));
-}
-
-/// The conditions' data for the smooth form; of Robin's, the trace's part is added by its star.
-BoundaryForms data_of(const Discretization& mesh, Side side, const WaveForm& wave, Where where) {
-    BoundaryForms data = wave.boundary(mesh, side);
-    if (where != Where::robin || data.derivative_flow.size() == 0)
-        return data;
-    data.derivative_flow += coefficient * wave.boundary_star(mesh, side);
-    if (side == Side::dual && data.values.size() > 0)
-        data.values = boundary_de_rham(mesh, wave.degree(), [=](const Vector& x) -> Vector {
-            return (on_the_left(x) ? 1 : 0) * wave.form()(x);
-        });
-    return data;
-}
 
 /// Norm of the error over that of the solution; the source is `factor` times that of the solution.
 double error(const Discretization& mesh, Side side, int degree, Where where, double factor = 1) {

@@ -61,6 +61,20 @@ class InTime(TestCase):
                                "--until", 1, *(conditions or ("--essential-where", "1")))
             self.assertLess(without["relative_norm"], 0.5)
 
+    def test_heat_takes_a_flux_in_time(self):
+        """(1 + t) (1 + x + 2 y) again, with Robin's condition or without."""
+        grid = golden("grid4.nsc")
+        u, slope = "(1+x+2*y)", "((x>.99)-(x<.01)+2*(y>.99)-2*(y<.01))"
+        for side in ("primal", "dual"):
+            for robin, data in (((), f"(1+t)*{slope}"),
+                                (("--robin", 0.5), f"(1+t)*({slope}+.5*{u})")):
+                line = ("heat", grid, "--side", side, "--initial", u, "--source", u, "--until", 1,
+                        "--tolerance-in-time", 1e-7, *(robin or ("--natural",)))
+                answer = self.ask(*line, "--flux", data)
+                at_corners = 2e-3 if robin and side == "primal" else 1e-5 # values beside, not there
+                self.assertAlmostEqual(answer["relative_norm"], 2, delta=at_corners)
+                self.assertNotAlmostEqual(self.ask(*line)["relative_norm"], 2, delta=1e-2)
+
     def test_a_tolerance_in_time_is_kept(self):
         sphere = self.make("icosphere", "--frequency", 8)
         ends = [self.ask("heat", sphere, "--side", "primal", "--initial", "z", "--until", 1,

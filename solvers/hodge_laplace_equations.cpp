@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/hodge_laplace_equations.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+#include "dec/forms/derivative.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace polydec {
+
+namespace {
+
+double sign(int exponent) {
+    return exponent % 2 == 0 ? 1 : -1;
+}
+
+/// The columns of some cells: their values to those of all.
+SparseMatrix inclusion(const RelativeComplex& relative, int k) {
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (const Index cell : relative.cells[k])
+        entries.emplace_back(cell, static_cast<Index>(entries.size()), 1.0);
+    SparseMatrix result(relative.whole_sizes[k], static_cast<Index>(entries.size()));
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+SparseMatrix transpose_of(const SparseMatrix& A) {
+    return A.transpose();
+}
+
+/// Where the center of an n-cell lies on the boundary and the cell is left out for it: from values
+/// at facets to that of the cell.
+SparseMatrix centers_on_the_boundary(const CellComplex& complex, const RelativeComplex& relative,
+                                     const CellMarks& fixed) {
+    const int n = complex.dimension();
+    const auto left_out = [&](int k) {
+        std::vector<bool> marks(complex.size(k), true);
+        for (const Index cell : relative.cells[k])
+            marks[cell] = false;
+        return marks;
+    };
+    const auto cells = left_out(n), facets = left_out(n - 1);
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (Index t = 0; t < complex.size(n); ++t) {
+        if (!cells[t])
+            continue;
+        std::vector<Index> touched;
+        for (const SignedFace& f : complex.incidences(n - 1)[t])
+            if (facets[f.face] && !fixed[n - 1][f.face])
+                touched.push_back(f.face);
+        for (const Index f : touched)
+            entries.emplace_back(t, f, 1.0 / static_cast<double>(touched.size()));
+    }
+    SparseMatrix result(complex.size(n), complex.size(n - 1));
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+/// What is known of a primal k-form w on the boundary: w, delta w, and over the duals there star w
+/// and star dw. Dual forms are stars of primal ones.
+struct PrimalData {
+    Vector w, below, star_w, star_dw;
+};
+
+PrimalData primal_data(const BoundaryForms& data, const HodgeLaplaceEquations& of) {
+    const int n = of.dimension, k = of.k;
+    const auto values = [&](const Vector& given, int degree, const char* what, double factor) {
+        const auto size = degree == k ? of.M.rows() : of.M_below.rows();
+        if (given.size() == 0)
+            return Vector(Vector::Zero(size));
+        check_as_many(what, given.size(), size);
+        if (!given.allFinite())
+            throw InvalidInput(fmt::format("{} are not finite", what));
+        return Vector(factor * given);
+    };
+    constexpr auto trace = "boundary values of the form",
+                   below = "boundary values of the codifferential",
+                   flow = "boundary values of the star of the form",
+                   derivative_flow = "boundary values of the star of the derivative";
+    if (of.side == Side::primal)
+        return {values(data.values, k, trace, 1), values(data.codifferential, k - 1, below, 1),
+                values(data.flow, k - 1, flow, 1),
+                values(data.derivative_flow, k, derivative_flow, 1)};
+    return {values(data.flow, k, flow, sign(k * (n - k))),
+            values(data.derivative_flow, k - 1, derivative_flow, sign(k + (k - 1) * (n - k + 1))),
+            values(data.values, k - 1, trace, 1),
+            values(data.codifferential, k, below, sign(k + 1))};
+}
+
+Vector ones_at(const CellMarks& marks, int k) {
+    if (k < 0)
+        return {};
+    Vector result(static_cast<Index>(marks[k].size()));
+    for (Index s = 0; s < result.size(); ++s)
+        result[s] = marks[k][s] ? 1 : 0;
+    return result;
+}
+
+/// What data at the duals within the boundary add to d^T of what a k-form has over the duals.
+SparseMatrix boundary_part(const CellComplex& complex, int k) {
+    const int n = complex.dimension();
+    if (k < 0 || k == n)
+        return SparseMatrix(k < 0 ? 0 : complex.size(n), k < 0 ? 0 : complex.size(n));
+    return sign(k) * dual_boundary_derivative(complex, n - 1 - k);
+}
+
+Vector or_zeros(const Vector& values, Eigen::Index size) {
+    return values.size() > 0 ? values : Vector(Vector::Zero(size));
+}
+
+} // namespace
+
+HodgeLaplaceEquations::HodgeLaplaceEquations(const CellComplex& complex, const HodgeStars& stars,
+                                             const ConditionedComplex& space,
+                                             const RobinParts& robin_parts, Side of_side,
+                                             int degree, const BoundaryConditions& conditions)
+    : side(of_side),
+      dimension(complex.dimension()),
+      k(cell_degree(complex, side, degree)),
+      kept(inclusion(space.relative, k)),
+      kept_below(k > 0 ? inclusion(space.relative, k - 1) : SparseMatrix(0, 0)),
+      M(stars[k].matrix()),
+      M_below(k > 0 ? stars[k - 1].matrix() : SparseMatrix(0, 0)),
+      upper(M.rows(), M.rows()),
+      down(transpose_of(derivative(complex, k - 1)) * M),
+      B(boundary_part(complex, k)),
+      B_below(boundary_part(complex, k - 1)),
+      fix(M.rows(), B_below.cols()),
+      load(M.rows(), M.rows()),
+      robin(or_zeros(robin_parts.weights, M.rows())),
+      robin_below(or_zeros(robin_parts.layer, M_below.rows())) {
+    const auto fixed =
+        essential_cells(complex, side == Side::primal ? conditions : exchanged(conditions));
+    given = ones_at(fixed, k);
+    given_below = ones_at(fixed, k - 1);
+    const SparseMatrix centers = centers_on_the_boundary(complex, space.relative, fixed);
+    if (k == dimension) {
+        fix = centers;
+        return;
+    }
+    const SparseMatrix d = derivative(complex, k), above = inclusion(space.relative, k + 1);
+    const SparseMatrix free = transpose_of(above) * d;
+    upper = transpose_of(free) * SparseMatrix(transpose_of(above) * stars[k + 1].matrix() * above) *
+            free;
+    if (k == dimension - 1)
+        load = transpose_of(d) * centers;
+}
+
+BoundaryLoads HodgeLaplaceEquations::loads(const BoundaryForms& data) const {
+    const PrimalData known = primal_data(data, *this);
+    BoundaryLoads result{
+        known.w.cwiseProduct(given), known.below.cwiseProduct(given_below), {}, {}};
+    auto& [w, below, b, g] = result;
+    if (fix.nonZeros() > 0)
+        w += (fix * known.star_w).cwiseQuotient(M.diagonal());
+    b = B * known.star_dw - load * known.star_dw - upper * w - down.transpose() * below;
+    g = M_below * below - down * w + B_below * known.star_w - robin_below.cwiseProduct(known.below);
+    return result;
+}
+
+} // namespace polydec

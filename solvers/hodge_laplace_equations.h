@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/conditioned_complex.h"
+#include "solvers/boundary_forms.h"
+
+namespace polydec {
+
+/// What data on the boundary make of the equations: the values that they fix, 0 elsewhere, and the
+/// right sides with these values taken to them. All have an entry for every cell.
+struct BoundaryLoads {
+    Vector w, below, b, g;
+};
+
+/// The equations of a primal k-form w, of which a dual form is the star, and of s = delta w, with M
+/// the stars:
+///     d^T M_(k+1) d w + M_k d s = B star_dw,    d^T M_k w - M_(k-1) s = B_below star_w,
+/// star_w and star_dw over the duals within the boundary. Under conditions these are the rows of
+/// the kept cells, and the values at all others are known.
+struct HodgeLaplaceEquations {
+    HodgeLaplaceEquations(const CellComplex& complex, const HodgeStars& stars,
+                          const ConditionedComplex& space, const RobinParts& robin, Side side,
+                          int degree, const BoundaryConditions& conditions);
+
+    /// Throws InvalidInput for other numbers of values than there are cells, and what is not
+    /// finite.
+    BoundaryLoads loads(const BoundaryForms& data) const;
+
+    Side side;
+    int dimension, k;
+    SparseMatrix kept, kept_below; // from the values that are free to all
+    Vector given, given_below;     // 1 at cells whose values data fix, else 0
+    SparseMatrix M, M_below;       // of all cells, as are those behind
+    SparseMatrix upper;            // d^T M_(k+1) d, without what is given
+    SparseMatrix down;             // d^T M_k
+    SparseMatrix B, B_below;
+    SparseMatrix fix, load;    // where n-cells have their centers on the boundary: star w, star dw
+    Vector robin, robin_below; // what Robin's condition adds to upper, and to M_below
+};
+
+} // namespace polydec

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Forms that change in time with what is known of them on the boundary.
+#include "dec/choose_stars.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/operators.h"
+#include "meshes/generate.h"
+#include "solvers/evolution.h"
+#include "solvers/poisson.h"
+#include "tests/solvers/wave_problems.h"
+#include "tests/support/families.h"
+#include "tests/support/matrices.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace polydec::test {
+namespace {
+
+constexpr Side sides[] = {Side::primal, Side::dual};
+constexpr StarKind kinds[] = {StarKind::circumcentric, StarKind::galerkin};
+
+Discretization with(const Mesh& input, StarKind kind) {
+    const auto mesh = discretize(input);
+    return kind == StarKind::circumcentric ? mesh : mesh.with_stars(choose_stars(mesh, kind));
+}
+
+/// All that can be given of a form, at random.
+BoundaryForms random_data(const CellComplex& complex, Side side, int degree) {
+    const int k = cell_degree(complex, side, degree);
+    const auto values = [&](int on, unsigned seed) {
+        return on < 0 ? Vector() : random_vector(complex.size(on), seed);
+    };
+    if (side == Side::primal)
+        return {values(k, 1), values(k - 1, 2), values(k - 1, 3), values(k, 4)};
+    return {values(k - 1, 1), values(k, 2), values(k, 3), values(k - 1, 4)};
+}
+
+struct Stationary {
+    double rate = 0;    ///< what is left of it at the solution of Delta u = f, relative
+    double no_data = 0; ///< the same without what the data add
+    double form = 0;    ///< from values to the form and back, relative
+};
+
+Stationary stationary(const Discretization& mesh, Side side, int degree, Where where) {
+    const auto conditions = conditions_of(mesh, where);
+    const HodgeLaplaceSolver solver(mesh, {side, degree, conditions});
+    const int k = cell_degree(mesh.complex(), side, degree);
+    const Cochain f{side, degree, random_vector(mesh.complex().size(k), 5)};
+    const auto data = random_data(mesh.complex(), side, degree);
+    const auto solution = solver.solve(f, data);
+
+    const Diffusion diffusion(mesh, side, degree, {.conditions = conditions});
+    const Vector values = diffusion.values_of(solution.form.values, data);
+    const Vector source = diffusion.values_of((f - solution.removed).values);
+    const Vector spreads = diffusion.rate(values), given = diffusion.boundary_rate(data);
+    const double size = spreads.norm() + given.norm() + source.norm();
+    return {(spreads + given + source).norm() / size, (spreads + source).norm() / size,
+            relative_difference(diffusion.form_of(values, data), solution.form.values)};
+}
+
+// The twin: without what the data add something is left.
+TEST(BoundaryInTime, solutions_of_source_problems_stand_still) {
+    int seen = 0;
+    for (const Mesh& input : {kuhn(1, 5), grid(4, 4), hexagons(4), well_centered(4), kuhn(3, 2)})
+        for (const StarKind kind : kinds)
+            for (const Side side : sides)
+                for (int degree = 0; degree <= input.dimension(); ++degree)
+                    for (const Where where : everywhere) {
+                        const auto mesh = with(input, kind);
+                        Stationary found;
+                        const auto refused =
+                            refusal([&] { found = stationary(mesh, side, degree, where); });
+                        if (refused.find("is not positive: the duals of") != std::string::npos)
+                            continue; // where Delta u = f is refused as well
+                        ASSERT_EQ(refused, "accepted");
+                        ++seen;
+                        EXPECT_LE(found.rate, 1e-7) << name(side) << degree << int(where);
+                        EXPECT_GT(found.no_data, 1e-3) << name(side) << degree << int(where);
+                        EXPECT_LE(found.form, 1e-9) << name(side) << degree << int(where);
+                    }
+    EXPECT_GE(seen, 200);
+}
+
+/// cos(4 t) times a smooth form, with the data and the source that it has: the error at the time
+/// 1/4 in the norm of the form.
+double error_in_time(const Discretization& mesh, Side side, int degree, Where where, bool moves) {
+    const WaveForm wave(mesh.dimension(), degree, 1.5);
+    const Cochain exact = exact_form(mesh, side, wave);
+    const auto data = data_of(mesh, side, wave, where);
+    const auto at = [](double t, const Vector& values) { return Vector(std::cos(4 * t) * values); };
+    Unknown unknown{
+        .start = exact, .diffusion = 1, .conditions = conditions_of(mesh, where), .boundary = {}};
+    unknown.boundary = [=](double t) {
+        const double now = moves ? t : 0;
+        return BoundaryForms{at(now, data.values), at(now, data.codifferential), at(now, data.flow),
+                             at(now, data.derivative_flow)};
+    };
+    const double eigenvalue = wave.eigenvalue();
+    Evolution run(mesh, {unknown},
+                  [=](double t, const std::vector<Cochain>&) {
+                      const double factor = eigenvalue * std::cos(4 * t) - 4 * std::sin(4 * t);
+                      return std::vector{Vector(factor * exact.values)};
+                  },
+                  {.steps = {.fixed_step = 1.0 / 64}});
+    run.march(0.25);
+    return size_of(mesh, run.form(0) - std::cos(1) * exact) / size_of(mesh, exact);
+}
+
+// Orders as without time: see hodge_laplace.cpp. The twin: data that stay as they were.
+TEST(BoundaryInTime, forms_with_data_that_change_converge) {
+    struct Family {
+        std::function<Mesh(int)> make;
+        int coarse, fine;
+        StarKind kind;
+        double primal_order, dual_order;
+    };
+    const Family families[] = {
+        {[](int m) { return grid(m, m); }, 8, 16, StarKind::circumcentric, 1.7, 1.4},
+        {well_centered, 8, 16, StarKind::galerkin, 1.3, 1.0},
+        {[](int m) { return kuhn(3, m); }, 3, 5, StarKind::circumcentric, 1.5, 1.3}};
+    for (const auto& [make, coarse, fine, kind, primal_order, dual_order] : families) {
+        const auto first = with(make(coarse), kind), second = with(make(fine), kind);
+        const double finer = std::log(static_cast<double>(fine) / coarse);
+        for (const Side side : sides)
+            for (int degree = 0; degree <= first.dimension(); ++degree)
+                for (const Where where : everywhere) {
+                    const auto error = [&](const Discretization& mesh, bool moves) {
+                        return error_in_time(mesh, side, degree, where, moves);
+                    };
+                    EXPECT_GE(std::log(error(first, true) / error(second, true)) / finer,
+                              side == Side::primal ? primal_order : dual_order)
+                        << first.dimension() << name(side) << degree << int(where);
+                    EXPECT_GT(error(first, false), 0.05);
+                }
+    }
+}
+
+// The twin: what flows in in place of out.
+TEST(OutwardFlow, of_0_forms_is_the_normal_derivative_of_poisson_problems) {
+    for (const Mesh& input : {kuhn(1, 5), grid(4, 4), hexagons(4), well_centered(3), kuhn(3, 2)})
+        for (const Side side : sides) {
+            const auto mesh = discretize(input);
+            const Points sites = facet_sites(mesh);
+            const BoundaryConditions mixed =
+                essential_where(sites, [](const Vector& x) { return x[0] < 1e-9; });
+            const Vector slopes = (sites.rowwise().sum().array() + 1).matrix();
+            const PoissonSolver poisson(mesh, {.side = side, .boundary = mixed});
+            const Vector f = random_vector(poisson.sites().rows(), 1);
+            const Vector u =
+                poisson.solve(f, Vector::Zero(poisson.boundary_sites().rows()), slopes).values;
+            const HodgeLaplaceSolver solver(mesh, {side, 0, mixed});
+            const auto with_flow = [&](double sign) {
+                return solver
+                    .solve({side, 0, f},
+                           {.derivative_flow = sign * outward_flow(mesh, side, slopes)})
+                    .form.values;
+            };
+            EXPECT_LE(relative_difference(with_flow(1), u), 1e-9) << name(side);
+            EXPECT_GT(relative_difference(with_flow(-1), u), 0.1) << name(side);
+        }
+}
+
+} // namespace
+} // namespace polydec::test
