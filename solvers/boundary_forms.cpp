@@ -3,7 +3,7 @@
 
 #include "base/checks.h"
 #include "dec/boundary_star.h"
-#include "dec/forms/derivative.h"
+#include "dec/forms/boundary_conditions.h"
 
 namespace polydec {
 

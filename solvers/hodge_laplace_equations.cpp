@@ -3,6 +3,8 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/forms/boundary_conditions.h"
+#include "dec/forms/cochain.h"
 #include "dec/forms/derivative.h"
 
 #include <fmt/format.h>

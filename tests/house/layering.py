@@ -28,6 +28,13 @@ ENGINE = re.compile(
 OVER_RANKS = re.compile(r"(petsc|slepc|mpi)\w*\.h$")
 PETSC_HEADER = "distributed/petsc.h"  # for who works with its matrices
 
+# What precompiled headers bring to the library, where a file that leaves an include out compiles.
+PRECOMPILED = {
+    "fmt/format.h": re.compile(r"\bfmt::"),
+    "base/errors.h": re.compile(r"\b(?:InvalidInput|SolverFailure|BackendUnavailable|IoError)\b"),
+    "base/types.h": re.compile(r"\b(?:Vector|DenseMatrix|SparseMatrix)\b"),
+}
+
 DIMENSION = r"\b(?:\w*_)?dim(?:ension)?(?:\(\))?"
 BRANCH = re.compile(
     rf"{DIMENSION}\s*==\s*\d|\b\d+\s*==\s*(?:\w+(?:\.|->))*{DIMENSION}"
@@ -154,6 +161,30 @@ def included(root, path):
             if match and match.group(1) == '"']
 
 
+def unsaid(root, library):
+    """Files that use what only a precompiled header gives them, as none of their includes does."""
+    known = {}
+
+    def reach(path):
+        if path not in known:
+            known[path] = set()  # also ends a circle
+            lines = sources.text(root, path).splitlines()
+            for _, target in (match.groups() for match in map(INCLUDE.match, lines) if match):
+                known[path].add(target)
+                if place(target) in LIBRARY and (Path(root) / target).is_file():
+                    known[path] |= reach(Path(target))
+        return known[path]
+
+    for path in library:
+        code = without_comments(sources.text(root, path))
+        for header, use in PRECOMPILED.items():
+            brings = {header} if header != "fmt/format.h" else {header, "fmt/ranges.h"}
+            used = use.search(code)
+            if used and not brings & (reach(path) | {path.as_posix()}):
+                number = code.count("\n", 0, used.start()) + 1
+                yield f"{path}:{number}: uses {used.group()} and includes no {header}"
+
+
 def not_reached(root, public):
     """Installed headers that who includes the umbrella does not see."""
     found, ahead = {UMBRELLA}, [UMBRELLA]
@@ -170,7 +201,8 @@ def check(root, public, components=frozenset()):
     which those of components are included one by one."""
     library = [path for path in sources.files(root)
                if sources.is_cpp(path) and place(path) in LIBRARY]
-    complaints = [*circles(root, library), *not_reached(root, public - components)]
+    complaints = [*circles(root, library), *unsaid(root, library),
+                  *not_reached(root, public - components)]
     for path in filter(sources.is_source, sources.files(root)):
         code = sources.text(root, path)
         complaints += check_source(path, code)
