@@ -174,13 +174,11 @@ Leapfrog::Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Si
         const HodgeStar& star = space.stars[k];
         if (field.loss.size() == 0 || star.is_diagonal())
             return;
-        if (side == Side::dual)
-            throw InvalidInput(fmt::format("losses of dual forms are asked for where star_{} is a "
-                                           "matrix, whose inverse is dense: take a diagonal star",
-                                           k));
         field.lost = loss_matrix(star, field.loss);
         field.mid = std::make_shared<HodgeStar>(
             space.stars.volumes(), k, SparseMatrix(star.matrix() + time_step_ / 2 * field.lost));
+        if (side == Side::dual)
+            field.star_of = std::make_shared<HodgeStar>(star);
     };
     lose(E_, options.loss, parts.E_loss, on.E, "E");
     lose(B_, options.upper_loss, parts.B_loss, on.B, "B");
@@ -205,9 +203,12 @@ void Leapfrog::Field::put_back(Vector&& of_kept, Vector& values) const {
     values(kept) = of_kept;
 }
 
-/// By the midpoint rule: the loss is that of the mean of the values before and after.
+/// By the midpoint rule: the loss is that of the mean of the values before and after. Dual values
+/// are stars of primal ones, which lose as primal ones do.
 void Leapfrog::Field::advance(Vector& values, Vector rate, double time_step) const {
-    if (mid)
+    if (star_of)
+        values += *star_of * mid->solve(time_step * (rate - lost * Vector(mass * values)));
+    else if (mid)
         values += mid->solve(time_step * (mass * rate - lost * values));
     else if (loss.size() > 0)
         values.array() += time_step * (rate.array() - loss.array() * values.array()) /

@@ -49,7 +49,7 @@ public:
     /// Throws InvalidInput if there are no degrees j and j+1; if star_j is not positive or
     /// star_(j+1) has a negative entry; of dual forms unless the stars of both are positive; for a
     /// time step that is not positive and below stable_step; for losses that are negative or not as
-    /// many as values, and those of forms whose mass is the inverse of a matrix; for a layer.
+    /// many as values; for a layer.
     Leapfrog(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
              const LeapfrogOptions& options);
     Leapfrog(const CellComplex& complex, const HodgeStars& stars, int degree, double time_step)
@@ -86,9 +86,10 @@ private:
         std::vector<Index> kept; ///< the cells whose values are not fixed at 0
         Index whole;             ///< how many cells there are
         Operator mass;
-        Vector loss = {};                    ///< rates; or none
-        SparseMatrix lost = {};              ///< mass times loss, where the mass is a matrix
-        std::shared_ptr<HodgeStar> mid = {}; ///< with half a step's loss in it, there
+        Vector loss = {};                        ///< rates; or none
+        SparseMatrix lost = {};                  ///< mass times loss, where the mass is a matrix
+        std::shared_ptr<HodgeStar> mid = {};     ///< with half a step's loss in it, there
+        std::shared_ptr<HodgeStar> star_of = {}; ///< that dual values are stars by, there
         LayerMemory layer = {};
 
         Vector restricted(const Vector& values, const char* what) const;

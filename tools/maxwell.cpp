@@ -25,6 +25,7 @@ struct MaxwellArguments {
     MeshArguments mesh;
     TimeArguments time;
     ConditionArguments conditions;
+    Side side = Side::primal;
     int degree = 1;
     std::string initial, current, pulse = "1";
     std::string permittivity, permeability, conductivity;
@@ -56,46 +57,76 @@ Vector at_cells(const Discretization& mesh, const SiteValues& values) {
     return values.at(Points(mesh.unit() * cell_centroids(mesh, mesh.dimension())), mesh.tags());
 }
 
-/// The stars of the permittivity and of the permeability in place of those of empty space.
-Discretization filled(const Discretization& mesh, int degree, const Material& material) {
-    Discretization result = mesh;
-    const auto put = [&](const HodgeStars& stars) {
-        const ChosenStars& now = mesh.chosen_stars();
-        result = result.with_stars(ChosenStars(stars, now.kind, now.galerkin));
-    };
-    if (material.permittivity)
-        put(weighted_stars(result, degree, at_cells(mesh, *material.permittivity)));
-    if (material.permeability) {
-        const Vector mu = at_cells(mesh, *material.permeability);
-        check_cell_weights("permeability", mu, mesh.dimension());
-        put(weighted_stars(result, degree + 1, mu.cwiseInverse()));
+/// What materials make of a field of one side and degree: energies are of permittivity |E|^2 and
+/// |B|^2 / permeability, and dual forms are stars of primal ones by what is between them, 1 over
+/// it.
+class Filling {
+public:
+    Filling(const Discretization& empty, const MaxwellArguments& arguments,
+            const Material& material)
+        : empty_(empty),
+          is_primal_(arguments.side == Side::primal),
+          k_(cell_degree(empty.complex(), arguments.side, arguments.degree)) {
+        const auto at = [&](const char* name, const std::optional<SiteValues>& values,
+                            double none) {
+            Vector result = values
+                                ? at_cells(empty, *values)
+                                : Vector::Constant(empty.complex().size(empty.dimension()), none);
+            if (none > 0)
+                check_cell_weights(name, result, empty.dimension());
+            return result;
+        };
+        permittivity_ = at("permittivity", material.permittivity, 1);
+        permeability_ = at("permeability", material.permeability, 1);
+        conductivity_ = at("conductivity", material.conductivity, 0);
     }
-    return result;
-}
 
-/// Conductivity over permittivity.
-Vector loss(const Discretization& mesh, int degree, const Material& material) {
-    if (!material.conductivity)
-        return {};
-    Vector rates = cell_means(mesh, degree, at_cells(mesh, *material.conductivity));
-    if (material.permittivity)
-        rates =
-            rates.cwiseQuotient(cell_means(mesh, degree, at_cells(mesh, *material.permittivity)));
-    return rates;
-}
+    Discretization filled() const {
+        Discretization result = empty_;
+        const ChosenStars& now = empty_.chosen_stars();
+        const auto put = [&](int k, const Vector& weights) {
+            if (!weights.isOnes(0))
+                result = result.with_stars(
+                    ChosenStars(weighted_stars(result, k, weights), now.kind, now.galerkin));
+        };
+        put(k_, is_primal_ ? permittivity_ : Vector(permittivity_.cwiseInverse()));
+        put(is_primal_ ? k_ + 1 : k_ - 1,
+            is_primal_ ? Vector(permeability_.cwiseInverse()) : permeability_);
+        return result;
+    }
 
-/// What a current adds to the rate of the field.
-Vector source(const Discretization& mesh, int degree, const Material& material, Vector current) {
-    if (material.permittivity)
-        current =
-            current.cwiseQuotient(cell_means(mesh, degree, at_cells(mesh, *material.permittivity)));
-    return -current;
-}
+    /// Conductivity over permittivity; none where nothing conducts.
+    Vector loss() const {
+        return conductivity_.isZero(0) ? Vector() : over_permittivity(conductivity_);
+    }
+
+    /// What a current adds to the rate of the field.
+    Vector source(const Vector& current) const {
+        if (permittivity_.isOnes(0))
+            return -current;
+        return -current.cwiseProduct(over_permittivity(Vector::Ones(permittivity_.size())));
+    }
+
+private:
+    /// Means around cells: of primal fields, which neighbors share, of each; of dual ones, of which
+    /// neighbors share the flux, of the quotient.
+    Vector over_permittivity(const Vector& values) const {
+        if (!is_primal_)
+            return cell_means(empty_, k_, values.cwiseQuotient(permittivity_));
+        return cell_means(empty_, k_, values).cwiseQuotient(cell_means(empty_, k_, permittivity_));
+    }
+
+    const Discretization& empty_;
+    bool is_primal_;
+    int k_;
+    Vector permittivity_, permeability_, conductivity_;
+};
 
 WaveProblem described(const MaxwellArguments& arguments) {
     WaveProblem problem{.what = "maxwell",
                         .form = "E",
                         .form_words = "the electric field",
+                        .side = arguments.side,
                         .degree = arguments.degree};
     problem.title = fmt::format("{}: Maxwell's equations", arguments.mesh.mesh.filename().string());
     problem.equation = "dB/dt = -d E, dE/dt = (delta B - conductivity E - J) / permittivity";
@@ -131,19 +162,19 @@ void run_maxwell(const MaxwellArguments& arguments) {
     const Discretization empty = load(arguments.mesh, log);
     if (!arguments.time.out.empty())
         check_drawable(empty);
-    const int degree = arguments.degree;
+    const Filling filling(empty, arguments, material);
     WaveProblem problem = described(arguments);
     problem.conditions = asked.on(empty).value_or(BoundaryConditions{BoundaryCondition::essential});
-    problem.start = initial ? initial->on(empty, Side::primal, degree).values
-                            : Vector::Zero(empty.complex().size(degree));
+    const auto on_cells = [&](const FormValues& values) {
+        return values.on(empty, arguments.side, arguments.degree).values;
+    };
+    problem.start = initial ? on_cells(*initial) : 0 * on_cells(*current);
     if (current)
-        problem.source =
-            source(empty, degree, material, current->on(empty, Side::primal, degree).values);
+        problem.source = filling.source(on_cells(*current));
     problem.pulse = [&](double t) { return pulse.of_label(t); };
     problem.pulse_text = arguments.pulse;
-    problem.options.loss = loss(empty, degree, material);
-    march_waves(std::move(problem), filled(empty, degree, material), arguments.mesh, arguments.time,
-                log);
+    problem.options.loss = filling.loss();
+    march_waves(std::move(problem), filling.filled(), arguments.mesh, arguments.time, log);
 }
 
 void add_materials(CLI::App& command, MaxwellArguments& arguments) {
@@ -166,10 +197,11 @@ void add_maxwell(CLI::App& app) {
     const auto arguments = std::make_shared<MaxwellArguments>();
     add_mesh_arguments(*command, arguments->mesh);
     add_star(*command, arguments->mesh, StarKind::automatic);
+    add_side(*command, arguments->side)->default_str("primal");
     command
         ->add_option("--degree", arguments->degree,
-                     "of the electric field: 1 along edges; in the plane 0 for one\n"
-                     "that stands upright on it")
+                     "of the electric field: 1 along edges, or those of the dual; in the\n"
+                     "plane 0 for one that stands upright on it")
         ->check(CLI::Range(0, 1))
         ->capture_default_str();
     add_form(*command, "--initial", arguments->initial, "the electric field at time 0")

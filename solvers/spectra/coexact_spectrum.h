@@ -13,7 +13,8 @@ namespace polydec {
 /// Neumann's condition); on that relative to the boundary the tangential part is 0 (Dirichlet).
 /// The certificate is that of the Laplacian: it counts the exact and harmonic forms too.
 ///
-/// Of the options the side must be primal; count is that of coexact pairs.
+/// Of the options the side must be primal; count is that of coexact pairs; found is told of vectors
+/// of the Laplacian, of which start goes on.
 /// Throws like spectrum, and InvalidInput, before any work, if there are fewer coexact forms than
 /// asked for; of degree n there are none.
 Spectrum coexact_spectrum(const CellComplex& complex, const HodgeStars& stars,

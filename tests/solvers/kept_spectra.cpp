@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/generate.h"
+#include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,26 @@ TEST(KeptSpectra, go_on_to_the_same_eigenvalues_on_both_sides_in_every_degree) {
                     expect_same(spectrum(mesh, options), whole);
                 }
             }
+    }
+}
+
+TEST(KeptSpectra, of_coexact_forms_go_on_as_well) {
+    for (const Mesh& input : {icosphere(6), torus(12, 8), kuhn(3, 3)}) {
+        const auto mesh = discretize(input);
+        SpectrumOptions options{.degree = 1, .count = 8};
+        const auto of = [&] { return coexact_spectrum(mesh.complex(), mesh.stars(), options); };
+        const auto whole = of();
+        std::vector<DenseMatrix> all;
+        options.found = [&](const DenseMatrix& vectors) { all.push_back(vectors); };
+        int anew = 0, steps = 0;
+        options.progress = [&](std::string_view) { ++anew; };
+        of();
+        ASSERT_FALSE(all.empty());
+        options.found = {};
+        options.start = all.back();
+        options.progress = [&](std::string_view) { ++steps; };
+        expect_same(of(), whole);
+        EXPECT_LT(steps, anew);
     }
 }
 

@@ -45,14 +45,22 @@ class Waves(TestCase):
 
     def test_conductors_and_materials(self):
         square = self.make("grid", "--nx", 16, "--ny", 16)
-        line = ("maxwell", square, *PULSE, "--until", 1)
-        empty = self.ask(*line)
-        lossy = self.ask(*line, "--conductivity", 3)
-        self.assertLess(lossy["relative_energy"], 0.2)
-        dense = self.ask(*line, "--permittivity", "4", "--permeability", "1")
-        self.assertAlmostEqual(dense["stable_step"], 2 * empty["stable_step"], delta=1e-6)
-        self.assertIn("expected a positive number",
-                      self.fail_with(2, *line, "--permittivity", "-1"))
+        for side in ("primal", "dual"):
+            line = ("maxwell", square, *PULSE, "--until", 1, "--side", side)
+            empty = self.ask(*line)
+            self.assertEqual(empty["side"], side)
+            lossy = self.ask(*line, "--conductivity", 3)
+            self.assertLess(lossy["relative_energy"], 0.2)
+            for material in ("--permittivity", "--permeability"):
+                dense = self.ask(*line, material, "4")
+                self.assertAlmostEqual(dense["stable_step"], 2 * empty["stable_step"], delta=1e-6)
+                self.assertIn("expected a positive number", self.fail_with(2, *line, material, "-1"))
+            # what conducts and is dense as well loses a quarter as fast
+            slow = self.ask(*line[:-4], "--until", 4, *line[-2:], "--conductivity", 3,
+                            "--permittivity", 4)
+            even = self.ask(*line[:-4], "--until", 4, *line[-2:], "--conductivity", 0.75)
+            self.assertAlmostEqual(math.log(slow["relative_energy"]),
+                                   math.log(even["relative_energy"]), delta=0.3)
 
     def test_currents_drive_a_resonator(self):
         # from nothing, J = -sin(pi x) sin(pi y) cos(w t) with w the frequency makes E of the size t / 2
@@ -61,8 +69,13 @@ class Waves(TestCase):
         end = 4 * math.pi / frequency
         line = ("maxwell", square, "--degree", 0, "--current", "-sin(pi*x)*sin(pi*y)", "--until",
                 end)
-        answer = self.ask(*line, "--pulse", f"cos({frequency!r}*t)")
-        self.assertAlmostEqual(answer["max"], end / 2, delta=0.02 * end)
+        for side in ("dual", "primal"):
+            answer = self.ask(*line, "--pulse", f"cos({frequency!r}*t)", "--side", side)
+            self.assertAlmostEqual(answer["max"], end / 2, delta=0.02 * end)
+            # in a material four times as dense, half as often and a quarter as much at a time
+            dense = self.ask(*line, "--pulse", f"cos({frequency / 2!r}*t)", "--side", side,
+                             "--permittivity", 4)
+            self.assertAlmostEqual(dense["max"], end / 8, delta=0.02 * end)
         other = self.ask(*line, "--pulse", f"cos({2 * frequency!r}*t)")
         self.assertLess(other["max"], 0.2 * end)
         self.assertIn("depends on the place", self.fail_with(2, *line, "--pulse", "x*t"))
@@ -71,9 +84,12 @@ class Waves(TestCase):
         box = self.path("box.mesh")
         self.succeed("generate", "kuhn", "--cells", 6, "-o", box)
         field = ("--initial", "0; 0; sin(pi*x)*sin(pi*y)")
-        answer = self.ask("maxwell", box, *field, "--until", math.sqrt(2) / 2)
-        edge = 1 / 6
-        self.assertAlmostEqual(answer["min"], -edge, delta=0.03 * edge)
+        for side, nearest in (("primal", 0.5), ("dual", 5 / 12)): # an edge to the middle
+            answer = self.ask("maxwell", box, *field, "--until", math.sqrt(2) / 2, "--side", side)
+            ends = answer["min"], answer["max"] # dual edges may point down
+            peak = math.sin(math.pi * nearest) ** 2 / 6
+            self.assertAlmostEqual(max(map(abs, ends)), peak, delta=0.03 * peak)
+            self.assertLess(min(map(abs, ends)), 1e-9)
         self.assertIn("perfect conductor", self.succeed("maxwell", "--help").out)
         self.fail_with(1, "maxwell", box, "--until", 1)
 
