@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
 #include "solvers/flow/flow_data.h"
 #include "solvers/flow/flow_solver.h"
 #include "solvers/flow/flux_transport.h"
 #include "solvers/flow/shallow_water.h"
+#include "solvers/flow/stokes.h"
+
+#include <array>
 
 namespace polydec::python {
 
@@ -175,6 +179,32 @@ void add_shallow_water(py::module_& module) {
         });
 }
 
+void add_stokes(py::module_& module) {
+    using Solver = Guarded<StokesSolver>;
+    py::class_<Solver>(module, "StokesSolver")
+        .def(py::init([](const Calculus& of, double viscosity, const std::vector<bool>& no_slip,
+                         const std::vector<bool>& open, const std::string& engine) {
+            const StokesOptions options{
+                .viscosity = viscosity,
+                .facets = boundary_of(no_slip, open, of.complex.size(of.complex.dimension() - 1)),
+                .linear_solver = engine};
+            return of.mesh ? guarded<StokesSolver>(*of.mesh, options)
+                           : guarded<StokesSolver>(of.complex, of.stars, options);
+        }))
+        .def("solve", [](Solver& self, int degree, const Numbers& force,
+                         const std::array<Numbers, 4>& known) {
+            const auto& [through, along, vorticity, pressure] = known;
+            StokesFlow found =
+                self.use([&, given = form("primal", degree, force),
+                          data = StokesData{vector(through), vector(along), vector(vorticity),
+                                            vector(pressure)}](const StokesSolver& solver) {
+                    return solver.solve(given, data);
+                });
+            return py::make_tuple(parts(std::move(found.flux)), parts(std::move(found.vorticity)),
+                                  parts(std::move(found.pressure)), report_of(found.report));
+        });
+}
+
 } // namespace
 
 void add_flows(py::module_& module) {
@@ -193,6 +223,7 @@ void add_flows(py::module_& module) {
     add_flow(module);
     add_shallow_water(module);
     add_flux_transport(module);
+    add_stokes(module);
 }
 
 } // namespace polydec::python

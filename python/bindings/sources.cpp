@@ -3,7 +3,6 @@
 #include "python/bindings/convert.h"
 #include "python/bindings/guarded.h"
 #include "solvers/hodge_laplace.h"
-#include "solvers/stokes.h"
 
 namespace polydec::python {
 
@@ -58,26 +57,6 @@ void add_forms_with_sources(py::module_& module) {
         });
 }
 
-void add_stokes(py::module_& module) {
-    using Solver = Guarded<StokesSolver>;
-    py::class_<Solver>(module, "StokesSolver")
-        .def(py::init([](const Calculus& of, double viscosity, const std::string& engine) {
-            const StokesOptions options{viscosity, engine};
-            return of.mesh ? guarded<StokesSolver>(*of.mesh, options)
-                           : guarded<StokesSolver>(of.complex, of.stars, options);
-        }))
-        .def("solve", [](Solver& self, int degree, const Numbers& force, const Numbers& through,
-                         const Numbers& along) {
-            StokesFlow found =
-                self.use([&, given = form("primal", degree, force), fluxes = vector(through),
-                          tangential = vector(along)](const StokesSolver& solver) {
-                    return solver.solve(given, fluxes, tangential);
-                });
-            return py::make_tuple(parts(std::move(found.flux)), parts(std::move(found.vorticity)),
-                                  parts(std::move(found.pressure)), report_of(found.report));
-        });
-}
-
 } // namespace
 
 void add_sources(py::module_& module) {
@@ -88,7 +67,6 @@ void add_sources(py::module_& module) {
                        return outward_flow(mesh, on, given);
                    }));
                });
-    add_stokes(module);
 }
 
 } // namespace polydec::python

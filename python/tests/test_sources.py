@@ -92,3 +92,15 @@ def test_slow_flows(name):
     assert abs(c.d(1) @ force.flux.values).max() < 1e-12 and force.flux.norm() > 0
     with pytest.raises(polydec.InvalidInput):
         polydec.StokesSolver(c).solve(through=np.where(c.facet_sites()[:, 0] < 1e-9, 1.0, 0.0))
+
+
+@pytest.mark.parametrize("mesh", [polydec.meshes.grid(6, 6), polydec.meshes.well_centered(3)])
+def test_slow_flows_between_open_ends(mesh):
+    c = polydec.discretize(mesh)
+    x = c.facet_sites()[:, 0]
+    ends = c.boundary_facets() & (abs(x - 0.5) > 0.49)
+    flow = polydec.StokesSolver(c, open=ends).solve(pressure=2 * (1 - x))
+    assert abs(abs(flow.flux.values[ends]).sum() - 1 / 3) < 0.03
+    assert abs(flow.pressure.values.mean() - 1) < 0.01
+    with pytest.raises(polydec.InvalidInput, match="held back by nothing"):
+        polydec.StokesSolver(c, no_slip=False, open=ends)

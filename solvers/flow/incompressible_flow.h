@@ -3,6 +3,7 @@
 
 #include "dec/discretization.h"
 #include "solvers/flow/advection.h"
+#include "solvers/flow/flow_boundary.h"
 #include "solvers/flow/flow_projection.h"
 
 #include <memory>
@@ -11,15 +12,9 @@
 
 namespace polydec {
 
-/// What is known of a flow at a facet of the boundary.
-enum class FlowBoundary {
-    free_slip, ///< the flux; the wall holds nothing back: no vorticity on it
-    no_slip,   ///< the flux and the velocity along the wall
-    open,      ///< the total pressure, which is 0: the flow goes in and out as it likes
-};
-
 struct FlowOptions {
     double viscosity = 0; ///< nu, length^2 over time
+    /// Where it is open the total pressure is 0, and there is no vorticity.
     FlowBoundary everywhere = FlowBoundary::free_slip;
     std::vector<FlowBoundary> facets = {}; ///< empty, or one for each (n-1)-cell
     /// Through the boundary, a primal (n-1)-form of which the values at boundary facets that are
