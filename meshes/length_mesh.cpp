@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "meshes/distance.h"
+#include "meshes/edges.h"
 
 #include <fmt/format.h>
 
@@ -14,24 +15,8 @@ namespace polydec {
 
 namespace {
 
-using Edge = std::pair<Index, Index>;
-
 Edge edge(const Simplices& edges, Index row) {
     return std::minmax(Index{edges(row, 0)}, Index{edges(row, 1)});
-}
-
-/// The edges of all simplices, ascending, each once.
-std::vector<Edge> edges_of(const Simplices& simplices) {
-    std::vector<Edge> result;
-    for (Index s = 0; s < simplices.rows(); ++s)
-        for (Index i = 0; i < simplices.cols(); ++i)
-            for (Index j = i + 1; j < simplices.cols(); ++j)
-                if (simplices(s, i) != simplices(s, j)) // a repeated corner is the complex's matter
-                    result.emplace_back(
-                        std::minmax(Index{simplices(s, i)}, Index{simplices(s, j)}));
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
 }
 
 void check_range(const Simplices& rows, Index vertices, const char* what) {

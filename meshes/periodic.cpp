@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/periodic.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
+#include "meshes/edges.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace polydec {
@@ -73,72 +76,52 @@ private:
     std::map<Key, std::vector<Index>> vertices_;
 };
 
-Index first_of(std::vector<Index>& leaders, Index v) {
-    while (leaders[v] != v)
-        v = leaders[v] = leaders[leaders[v]];
-    return v;
-}
-
-/// Of each vertex the first one that translations lead to.
-std::vector<Index> glued(const Points& points, const std::vector<Vector>& translations) {
-    const Places places(points);
-    std::vector<Index> leaders(points.rows());
-    for (Index v = 0; v < points.rows(); ++v)
-        leaders[v] = v;
-    for (const Vector& translation : translations) {
-        Index pairs = 0;
-        if (translation.size() == points.cols() && translation.allFinite())
-            for (Index v = 0; v < points.rows(); ++v) {
-                const Index w = places.at(points.row(v) + translation.transpose());
-                if (w < 0 || w == v)
-                    continue;
-                ++pairs;
-                const Index a = first_of(leaders, v), b = first_of(leaders, w);
-                leaders[std::max(a, b)] = std::min(a, b);
-            }
-        if (pairs == 0)
-            throw InvalidInput(fmt::format("the translation ({}) takes no vertex to another: "
-                                           "expected one of {} coordinates along which both ends "
-                                           "of the box have the same vertices",
-                                           fmt::join(translation, ", "), points.cols()));
+/// Things in classes, each led by the least one in it.
+class Classes {
+public:
+    explicit Classes(std::size_t count) : leaders_(count) {
+        std::iota(leaders_.begin(), leaders_.end(), 0);
     }
-    for (Index v = 0; v < points.rows(); ++v)
-        leaders[v] = first_of(leaders, v);
-    return leaders;
+
+    Index leader(Index v) {
+        while (leaders_[v] != v)
+            v = leaders_[v] = leaders_[leaders_[v]];
+        return v;
+    }
+
+    void join(Index v, Index w) {
+        v = leader(v);
+        w = leader(w);
+        leaders_[std::max(v, w)] = std::min(v, w);
+    }
+
+private:
+    std::vector<Index> leaders_;
+};
+
+/// Of each vertex the one where it is taken to, or -1.
+std::vector<Index> numbers(const Places& places, const Points& points, const Points& images,
+                           const std::string& name) {
+    std::vector<Index> result(static_cast<std::size_t>(points.rows()), -1);
+    bool moves = false;
+    if (images.rows() == points.rows() && images.cols() == points.cols())
+        for (Index v = 0; v < points.rows(); ++v) {
+            if (images.row(v).allFinite())
+                result[v] = places.at(images.row(v));
+            moves = moves || (result[v] >= 0 && result[v] != v);
+        }
+    if (!moves)
+        throw InvalidInput(fmt::format("the {} takes no vertex to another: expected one of {} "
+                                       "coordinates along which both ends of the box have the same "
+                                       "vertices",
+                                       name, points.cols()));
+    return result;
 }
 
 [[noreturn]] void refuse(Index cell, const char* what) {
     throw InvalidInput(fmt::format("cell {} {} once the box is glued: expected a simplicial "
                                    "complex; take three cells or more along every translation",
                                    cell, what));
-}
-
-/// The edges of the quotient, each with its length; those of the box that become one must be one
-/// vector.
-void set_edges(PeriodicMesh& mesh) {
-    const Mesh& box = mesh.box;
-    std::map<std::array<Index, 2>, Eigen::RowVectorXd> vectors;
-    const double tolerance =
-        1e-8 * (box.points.colwise().maxCoeff() - box.points.colwise().minCoeff()).norm();
-    for (Index t = 0; t < box.simplices.rows(); ++t)
-        for (Index i = 0; i < box.simplices.cols(); ++i)
-            for (Index j = 0; j < box.simplices.cols(); ++j) {
-                const Index a = mesh.quotient.simplices(t, i), b = mesh.quotient.simplices(t, j);
-                if (a >= b)
-                    continue;
-                const Eigen::RowVectorXd vector =
-                    box.points.row(box.simplices(t, j)) - box.points.row(box.simplices(t, i));
-                const auto [place, is_new] = vectors.try_emplace({a, b}, vector);
-                if (!is_new && (place->second - vector).norm() > tolerance)
-                    refuse(t, "has an edge with the ends of another");
-            }
-    mesh.quotient.edges.resize(static_cast<Index>(vectors.size()), 2);
-    mesh.quotient.lengths.resize(static_cast<Index>(vectors.size()));
-    Index row = 0;
-    for (const auto& [ends, vector] : vectors) {
-        mesh.quotient.edges.row(row) << ends[0], ends[1];
-        mesh.quotient.lengths[row++] = vector.norm();
-    }
 }
 
 void check_simplices(const Simplices& simplices) {
@@ -153,29 +136,134 @@ void check_simplices(const Simplices& simplices) {
     }
 }
 
+/// The vertices and edges of a box that are glued, and the edges of the quotient with their
+/// lengths, which are those of one class each.
+class Gluing {
+public:
+    explicit Gluing(const Mesh& box)
+        : box_(box),
+          places_(box.points),
+          edges_(edges_of(box.simplices)),
+          vertex_classes_(static_cast<std::size_t>(box.points.rows())),
+          edge_classes_(edges_.size()) {}
+
+    void add(const Points& images, const std::string& name) {
+        const auto to = numbers(places_, box_.points, images, name);
+        for (Index v = 0; v < std::ssize(to); ++v)
+            if (to[v] >= 0)
+                vertex_classes_.join(v, to[v]);
+        for (Index e = 0; e < std::ssize(edges_); ++e) {
+            const auto [v, w] = edges_[e];
+            if (to[v] < 0 || to[w] < 0)
+                continue;
+            const Edge image = std::minmax(to[v], to[w]);
+            if (std::abs(length(image) - length({v, w})) > 1e-8 * length({v, w}))
+                throw InvalidInput(fmt::format(
+                    "the {} takes the edge between the vertices {} and {} to {} and {}, which are "
+                    "not as far apart: expected an isometry",
+                    name, v, w, to[v], to[w]));
+            const auto found = std::lower_bound(edges_.begin(), edges_.end(), image);
+            if (found == edges_.end() || *found != image)
+                throw InvalidInput(fmt::format(
+                    "the {} takes the edge between the vertices {} and {} to {} and {}, between "
+                    "which there is none: expected cells that fit to each other",
+                    name, v, w, to[v], to[w]));
+            const auto other = static_cast<Index>(found - edges_.begin());
+            edge_classes_.join(e, other);
+        }
+    }
+
+    PeriodicMesh made() {
+        PeriodicMesh result;
+        std::vector<Index> kept;
+        for (Index v = 0; v < box_.points.rows(); ++v) {
+            const Index leader = vertex_classes_.leader(v); // which comes before
+            if (leader == v)
+                kept.push_back(v);
+            result.vertices.push_back(leader == v ? static_cast<Index>(kept.size()) - 1
+                                                  : result.vertices[leader]);
+        }
+        result.points = box_.points(kept, Eigen::all);
+        result.quotient.vertices = static_cast<Index>(kept.size());
+        result.quotient.simplices = box_.simplices.unaryExpr(
+            [&](Index v) { return result.vertices[static_cast<std::size_t>(v)]; });
+        check_simplices(result.quotient.simplices);
+        set_edges(result);
+        return result;
+    }
+
+private:
+    double length(const Edge& edge) const {
+        return (box_.points.row(edge.first) - box_.points.row(edge.second)).norm();
+    }
+
+    void set_edges(PeriodicMesh& mesh) {
+        std::vector<std::pair<Edge, Index>> of; // by ends in the quotient, each with its class
+        for (Index e = 0; e < std::ssize(edges_); ++e)
+            if (edge_classes_.leader(e) == e)
+                of.emplace_back(
+                    std::minmax(mesh.vertices[edges_[e].first], mesh.vertices[edges_[e].second]),
+                    e);
+        std::sort(of.begin(), of.end());
+        LengthMesh& quotient = mesh.quotient;
+        quotient.edges.resize(std::ssize(of), 2);
+        quotient.lengths.resize(std::ssize(of));
+        for (Index row = 0; row < std::ssize(of); ++row) {
+            const auto& [pair, edge] = of[row];
+            if (row > 0 && pair == of[row - 1].first)
+                throw InvalidInput(fmt::format(
+                    "the edges between the vertices {} and {} and between {} and {} get the same "
+                    "ends once the box is glued: expected a simplicial complex; take three cells "
+                    "or more along every translation",
+                    edges_[of[row - 1].second].first, edges_[of[row - 1].second].second,
+                    edges_[edge].first, edges_[edge].second));
+            quotient.edges.row(row) << pair.first, pair.second;
+            quotient.lengths[row] = length(edges_[edge]);
+        }
+    }
+
+    const Mesh& box_;
+    Places places_;
+    std::vector<Edge> edges_;
+    Classes vertex_classes_, edge_classes_;
+};
+
 } // namespace
 
 PeriodicMesh periodic(Mesh box, const std::vector<Vector>& translations) {
-    PeriodicMesh result;
-    const auto leaders = glued(box.points, translations);
-    result.vertices.resize(leaders.size());
-    std::vector<Index> kept;
-    for (Index v = 0; v < static_cast<Index>(leaders.size()); ++v) {
-        if (leaders[v] == v) {
-            result.vertices[v] = static_cast<Index>(kept.size());
-            kept.push_back(v);
-        } else {
-            result.vertices[v] = result.vertices[leaders[v]]; // which comes before
-        }
+    Gluing parts(box);
+    for (const Vector& by : translations) {
+        Points images; // none if it has other coordinates, which is told
+        if (by.size() == box.points.cols())
+            images = box.points.rowwise() + by.transpose();
+        parts.add(images, fmt::format("translation ({})", fmt::join(by, ", ")));
     }
-    result.points = box.points(kept, Eigen::all);
-    result.quotient.vertices = static_cast<Index>(kept.size());
-    result.quotient.simplices = box.simplices.unaryExpr(
-        [&](Index v) { return result.vertices[static_cast<std::size_t>(v)]; });
-    check_simplices(result.quotient.simplices);
+    auto result = parts.made();
     result.box = std::move(box);
-    set_edges(result);
     return result;
+}
+
+PeriodicMesh glue_by_images(Mesh box, const std::vector<Points>& images) {
+    Gluing parts(box);
+    for (std::size_t i = 0; i < images.size(); ++i)
+        parts.add(images[i], fmt::format("isometry {}", i));
+    auto result = parts.made();
+    result.box = std::move(box);
+    return result;
+}
+
+PeriodicMesh glue(Mesh box, const std::vector<Isometry>& isometries) {
+    std::vector<Points> images;
+    for (const Isometry& isometry : isometries) {
+        Points image(box.points.rows(), box.points.cols());
+        for (Index v = 0; v < image.rows(); ++v) {
+            const Vector to = isometry(box.points.row(v).transpose());
+            check_as_many("coordinates of an image", to.size(), image.cols());
+            image.row(v) = to.transpose();
+        }
+        images.push_back(std::move(image));
+    }
+    return glue_by_images(std::move(box), images);
 }
 
 } // namespace polydec

@@ -9,6 +9,7 @@
 #include "io/meshes/read_mesh.h"
 #include "meshes/peel.h"
 #include "meshes/periodic.h"
+#include "tools/component_values.h"
 #include "tools/messages.h"
 #include "tools/options.h"
 
@@ -54,27 +55,57 @@ Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
     return discretize(std::move(mesh), options, stage);
 }
 
-/// What a file holds, glued along the translations, or as it is.
+/// With zeros for coordinates that are left out, as 1,0 of a plane in space.
+Vector translation(const std::string& text, Index coordinates) {
+    Vector result = *vector_of(text);
+    if (result.size() < coordinates)
+        result.conservativeResizeLike(Vector::Zero(coordinates));
+    return result;
+}
+
+/// Where the translations and other isometries take the vertices.
+std::vector<Points> images(const Mesh& mesh, const MeshArguments& arguments) {
+    std::vector<Points> result;
+    const Index coordinates = mesh.ambient_dimension();
+    for (const std::string& text : arguments.glue) {
+        const ComponentValues map("--glue", text);
+        result.push_back(mesh.points);
+        if (map.size() + 1 == coordinates) // x+1; 1-y of a plane in space
+            result.back().leftCols(map.size()) = map.at(mesh.points, map.size());
+        else
+            result.back() = map.at(mesh.points, coordinates);
+    }
+    for (const std::string& period : arguments.periods) {
+        const Vector by = translation(period, coordinates);
+        result.emplace_back(); // nowhere, if it has more coordinates, which is told
+        if (by.size() == coordinates)
+            result.back() = mesh.points.rowwise() + by.transpose();
+    }
+    return result;
+}
+
+/// What a file holds, glued along translations and isometries, or as it is.
 std::variant<Mesh, LengthMesh> read_glued(const MeshArguments& arguments) {
     if (is_length_file(arguments.mesh)) {
-        if (!arguments.periods.empty())
+        if (!arguments.periods.empty() || !arguments.glue.empty())
             throw InvalidInput(
-                "--periodic: a file of lengths has no places that a translation takes "
-                "to others; glue it by giving vertices on both sides one number");
+                fmt::format("{}: a file of lengths has no places that are taken to others; glue it "
+                            "by giving vertices on both sides one number",
+                            arguments.glue.empty() ? "--periodic" : "--glue"));
         return read_lengths(arguments.mesh);
     }
     Mesh mesh = read_mesh(arguments.mesh);
     if (arguments.peel)
         mesh = peeled(std::move(mesh));
+    if (!arguments.glue.empty()) {
+        const auto taken = images(mesh, arguments);
+        return glue_by_images(std::move(mesh), taken).quotient;
+    }
     if (arguments.periods.empty())
         return mesh;
     std::vector<Vector> translations;
-    for (const std::string& period : arguments.periods) {
-        translations.push_back(*vector_of(period));
-        const Index given = translations.back().size(), there = mesh.ambient_dimension();
-        if (given < there) // 1,0 of a plane in space
-            translations.back().conservativeResizeLike(Vector::Zero(there));
-    }
+    for (const std::string& period : arguments.periods)
+        translations.push_back(translation(period, mesh.ambient_dimension()));
     return periodic(std::move(mesh), translations).quotient;
 }
 
@@ -122,6 +153,9 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
                     "glue the mesh to itself along this translation, such as 1,0; may be\n"
                     "given again. What comes of it has lengths, and no places")
         ->check(check_vector);
+    command.add_option("--glue", arguments.glue,
+                       "glue it along an isometry as well, given by where it takes a point,\n"
+                       "such as 'x+1; 1-y'");
     command.add_flag("--peel", arguments.peel,
                      "leave out flat cells on the boundary of a solid first");
     command

@@ -24,6 +24,7 @@ struct MeshArguments {
     bool keep_groups = false;
     bool peel = false;
     std::vector<std::string> periods; ///< translations, "1,0"
+    std::vector<std::string> glue;    ///< isometries, "x+1; 1-y"
     std::string centers = "circumcenters";
     std::string delaunay;                             ///< empty, flips or split-boundary
     std::string star = name(StarKind::circumcentric); ///< see add_star

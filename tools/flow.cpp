@@ -6,6 +6,7 @@
 #include "solvers/flow/flow_solver.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/component_values.h"
 #include "tools/form_values.h"
 #include "tools/in_time.h"
 #include "tools/messages.h"
@@ -30,41 +31,8 @@ struct FlowArguments {
     FlowScheme scheme = FlowScheme::implicit_midpoint;
 };
 
-/// Values of one or several expressions, or none.
-class Values {
-public:
-    Values(const std::string& option, const std::string& text) : option_(option) {
-        for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
-            const std::size_t end = std::min(text.find(';', begin), text.size());
-            components_.emplace_back(option, text.substr(begin, end - begin));
-            begin = end + 1;
-        }
-    }
-
-    bool given() const { return !components_.empty(); }
-
-    /// A column each; as many as wanted. Throws InvalidInput for another number.
-    Points at(const Points& sites, Eigen::Index wanted) const {
-        if (std::ssize(components_) != wanted)
-            throw InvalidInput(fmt::format("{} has {} component{}: expected {}, with ; between "
-                                           "them",
-                                           option_, components_.size(),
-                                           components_.size() == 1 ? "" : "s", wanted));
-        Points result(sites.rows(), wanted);
-        for (Eigen::Index i = 0; i < wanted; ++i)
-            result.col(i) = components_[static_cast<std::size_t>(i)].at(sites);
-        return result;
-    }
-
-    Vector at(const Points& sites) const { return at(sites, 1).col(0); }
-
-private:
-    std::string option_;
-    std::vector<SiteValues> components_;
-};
-
 struct Given {
-    Values vorticity, velocity, boundary, no_slip, open, rotation;
+    ComponentValues vorticity, velocity, boundary, no_slip, open, rotation;
 
     explicit Given(const FlowArguments& arguments)
         : vorticity("--vorticity", arguments.vorticity),
@@ -80,7 +48,7 @@ struct Given {
         options.viscosity /= unit * unit;
         const Points facets = unit * facet_sites(mesh);
         options.facets.assign(static_cast<std::size_t>(facets.rows()), FlowBoundary::free_slip);
-        const auto mark = [&](const Values& where, FlowBoundary kind) {
+        const auto mark = [&](const ComponentValues& where, FlowBoundary kind) {
             if (!where.given())
                 return;
             const Vector marks = where.at(facets);

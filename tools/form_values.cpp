@@ -6,6 +6,7 @@
 #include "dec/fields/de_rham.h"
 #include "solvers/boundary_forms.h"
 #include "tools/common.h"
+#include "tools/component_values.h"
 #include "tools/outputs.h"
 
 #include <fmt/format.h>
@@ -61,11 +62,8 @@ FormValues::FormValues(const std::string& option, const std::string& text, const
         coefficients_.emplace_back(option, text);
         return;
     }
-    for (std::size_t begin = 0; begin <= text.size();) { // a last one may be empty, which is told
-        const std::size_t end = std::min(text.find(';', begin), text.size());
-        coefficients_.emplace_back(option, text.substr(begin, end - begin), time);
-        begin = end + 1;
-    }
+    for (const std::string& part : divided(text))
+        coefficients_.emplace_back(option, part, time);
 }
 
 void FormValues::check_count(const Discretization& mesh, int degree) const {

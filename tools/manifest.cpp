@@ -73,6 +73,8 @@ void write_options(JsonWriter& json, const MeshArguments& options) {
     json.member("centers", options.centers);
     if (!options.periods.empty())
         json.member("periodic", options.periods);
+    if (!options.glue.empty())
+        json.member("glue", options.glue);
 }
 
 std::string hash_of_options(const MeshArguments& options) {

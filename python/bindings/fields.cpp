@@ -87,10 +87,16 @@ py::array periodic_de_rham_of(const PeriodicMesh& box, const Discretization& mes
 }
 
 void add_periodic(py::module_& module) {
+    module.def("periodic", [](const Mesh& box, const std::vector<Numbers>& translations) {
+        return unlocked([&, given = vectors(translations)] { return periodic(box, given); });
+    });
+    module.def("glue", [](const Mesh& box, const std::vector<Numbers>& images) {
+        std::vector<Points> given;
+        for (const Numbers& each : images)
+            given.push_back(rows(each));
+        return unlocked([&] { return glue_by_images(box, given); });
+    });
     py::class_<PeriodicMesh>(module, "PeriodicMesh")
-        .def(py::init([](const Mesh& box, const std::vector<Numbers>& translations) {
-            return unlocked([&, given = vectors(translations)] { return periodic(box, given); });
-        }))
         .def_readonly("quotient", &PeriodicMesh::quotient)
         .def_property_readonly("vertices",
                                [](const PeriodicMesh& self) { return array(self.vertices); })

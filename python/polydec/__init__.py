@@ -30,7 +30,7 @@ from ._flow import (FlowSolver, FluxTransport, IncompressibleFlow, ShallowWater,
                     flow_of_vorticity, flux_through_boundary)
 from ._given import as_mesh, split_polygons
 from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
-from ._periodic import PeriodicMesh, periodic
+from ._periodic import PeriodicMesh, glue, periodic
 from ._plot import plot, to_meshio, to_pyvista
 from ._solvers import (DarcyFlow, DarcySolver, HodgeParts, HodgeSolver, PoissonSolver, darcy,
                        harmonic_forms, hodge_decomposition, poisson)
@@ -51,7 +51,7 @@ __all__ = [
     "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "WaveState", "as_mesh",
     "backends", "boundary_de_rham", "darcy", "de_rham", "discretize", "fingerprint", "flat",
     "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
-    "geodesic_distance", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
+    "geodesic_distance", "glue", "gradient", "harmonic_forms", "heat", "hodge_decomposition",
     "hodge_laplace", "inflow", "interior_product", "lie_derivative", "load_engine", "outward_flow",
     "periodic", "plot", "poisson", "primal_dual_wedge", "read_checkpoint", "read_lengths", "read_mesh",
     "register_eigen_solver", "register_linear_solver", "set_memory_limit", "sharp_pd", "sharp_pp",

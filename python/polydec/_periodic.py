@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Boxes without walls."""
+"""Boxes without walls, and other meshes glued to themselves."""
 from __future__ import annotations
 
 from typing import Any, Callable, Sequence
@@ -16,7 +16,7 @@ from ._mesh import LengthMesh, Mesh
 
 
 class PeriodicMesh(LengthMesh):
-    """A mesh glued to itself along translations, as `periodic` makes it, by the lengths of its edges.
+    """A mesh glued to itself, as `periodic` and `glue` make it, by the lengths of its edges.
 
     `discretize` takes it as every mesh.
 
@@ -30,9 +30,8 @@ class PeriodicMesh(LengthMesh):
 
     __slots__ = ("_box", "points", "numbers")
 
-    def __init__(self, box: Mesh, translations: Sequence[npt.ArrayLike]) -> None:
-        self._box = _core.PeriodicMesh(
-            box._mesh, [floats(each, "a translation") for each in translations])
+    def __init__(self, glued: _core.PeriodicMesh) -> None:
+        self._box = glued
         self._mesh = self._box.quotient
         self.points: Floats = self._box.points
         self.numbers: Integers = self._box.vertices
@@ -67,8 +66,42 @@ def periodic(mesh: MeshLike, translations: Sequence[npt.ArrayLike]) -> PeriodicM
     >>> mesh.shape, mesh.betti_numbers()
     ((16, 32, 16), [1, 2, 1])
     """
+    box = _with_points(mesh)
+    return PeriodicMesh(_core.periodic(
+        box._mesh, [floats(each, "a translation") for each in translations]))
+
+
+def glue(mesh: MeshLike, isometries: Sequence[Callable[[Floats], Any]]) -> PeriodicMesh:
+    """Glues vertices of a mesh that isometries take to each other: a Klein bottle, say, or a cone.
+
+    Parameters
+    ----------
+    mesh : Mesh, or what `as_mesh` makes one of
+    isometries : sequence of callable
+        Each takes points, a row each, to where it takes them.
+
+    Raises
+    ------
+    InvalidInput
+        If one takes no vertex to another, an edge to one of another length or to none, or there are
+        fewer than three cells along it.
+
+    Examples
+    --------
+    >>> import numpy as np, polydec
+    >>> up, twist = lambda p: p + [0, 1], lambda p: np.column_stack([p[:, 0] + 1, 1 - p[:, 1]])
+    >>> bottle = polydec.discretize(polydec.glue(polydec.meshes.grid(6, 6), [up, twist]))
+    >>> bottle.shape, bottle.betti_numbers()
+    ((36, 72, 36), [1, 1, 0])
+    """
+    box = _with_points(mesh)
+    return PeriodicMesh(_core.glue(
+        box._mesh, [floats(each(box.points), "places", 2) for each in isometries]))
+
+
+def _with_points(mesh: MeshLike) -> Mesh:
     given = as_mesh(mesh)
     if not isinstance(given, Mesh):
         raise InvalidInput("a mesh without points is given: expected one with points, which "
-                           "translations move")
-    return PeriodicMesh(given, translations)
+                           "are taken to others")
+    return given

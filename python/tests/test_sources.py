@@ -73,6 +73,16 @@ def test_boxes_without_walls(mesh, n):
         polydec.periodic(mesh, [np.full(n, 0.3)])
 
 
+def test_boxes_with_a_twist():
+    box = polydec.meshes.kuhn([4, 4, 4])
+    moves = [lambda p: p + [1, 0, 0], lambda p: p + [0, 1, 0],
+             lambda p: np.column_stack([1 - p[:, 0], 1 - p[:, 1], p[:, 2] + 1])]
+    space = polydec.discretize(polydec.glue(box, moves))
+    assert space.shape == (64, 192, 192, 64) and space.betti_numbers() == [1, 1, 1, 1]
+    with pytest.raises(polydec.InvalidInput, match="isometry 0 takes the edge"):
+        polydec.glue(box, [lambda p: np.column_stack([p[:, 0] + 1, 1 - p[:, 1], p[:, 2]])])
+
+
 def test_materials_weight_stars(square):
     weights = np.linspace(1, 2, square.size(2))
     assert near(square.with_material(1, weights).star(1),

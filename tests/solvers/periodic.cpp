@@ -136,6 +136,98 @@ TEST(PeriodicDeRham, commutes_with_d_across_the_seams) {
     }
 }
 
+/// (x + 1, 1 - y) with (x, y + 1), and in space a half turn with each step up.
+std::vector<Isometry> with_a_twist(int n) {
+    std::vector<Isometry> result;
+    for (int axis = n == 2 ? 1 : 0; axis < (n == 2 ? 2 : n - 1); ++axis)
+        result.push_back([=](const Vector& x) -> Vector { return x + Vector::Unit(n, axis); });
+    result.push_back([n](const Vector& x) -> Vector {
+        Vector image = Vector::Ones(n) - x;
+        const int along = n == 2 ? 0 : n - 1;
+        image[along] = x[along] + 1;
+        return image;
+    });
+    return result;
+}
+
+TEST(Glue, makes_a_klein_bottle_with_the_eigenvalues_of_its_lattice) {
+    const int cells = 12;
+    const auto bottle = discretize(glue(grid(cells, cells), with_a_twist(2)).quotient);
+    EXPECT_EQ(bottle.complex().size(0), cells * cells);
+    EXPECT_EQ(bottle.complex().size(1), 2 * cells * cells);
+    EXPECT_EQ(betti_numbers(bottle.complex()), (std::vector<Index>{1, 1, 0}));
+    // exp(i pi m x) goes with cosines of 2 pi k y for even m, with sines for odd
+    const auto eigenvalue = [&](double m, double k) {
+        const auto part = [&](double half) { return std::pow(2 * cells * std::sin(half), 2); };
+        return part(pi * m / 2 / cells) + part(pi * k / cells);
+    };
+    std::vector<double> expected;
+    for (int m = -4; m <= 4; ++m)
+        for (int k = m % 2 == 0 ? 0 : 1; k <= 3; ++k)
+            expected.push_back(eigenvalue(m, k));
+    std::sort(expected.begin(), expected.end());
+    const auto found = spectrum(bottle, {.count = 10});
+    for (Index i = 0; i < 10; ++i)
+        EXPECT_NEAR(found.eigenvalues[i], expected[i], 1e-8 * expected[3]) << i;
+    const auto torus = spectrum(discretize(periodic_box(2, cells).quotient), {.count = 5});
+    EXPECT_GT(std::abs(torus.eigenvalues[4] - expected[4]), 0.1) << "that of a torus";
+}
+
+TEST(Glue, makes_the_half_turn_space) {
+    const int cells = 4;
+    const auto space = discretize(glue(kuhn(3, cells), with_a_twist(3)).quotient);
+    EXPECT_EQ(space.complex().size(0), cells * cells * cells);
+    EXPECT_EQ(space.complex().size(3), cells * cells * cells);
+    EXPECT_EQ(betti_numbers(space.complex()), (std::vector<Index>{1, 1, 1, 1}));
+    for (int k = 0; k <= 3; ++k) {
+        const auto found = spectrum(space, {.degree = k, .count = 3});
+        EXPECT_NEAR(found.eigenvalues[0], 0, 1e-9);
+        EXPECT_GT(found.eigenvalues[1], 1);
+    }
+}
+
+/// Regular triangles in a sixth of a plane, `rows` of them from `first` edges off the tip.
+Mesh sixth(int first, int rows) {
+    Mesh mesh;
+    std::vector<Eigen::RowVector2d> points;
+    std::vector<Index> row_begin;
+    for (int i = first; i <= first + rows; ++i) {
+        row_begin.push_back(static_cast<Index>(points.size()));
+        for (int j = 0; j <= i; ++j)
+            points.emplace_back(i - 0.5 * j, std::sqrt(0.75) * j);
+    }
+    std::vector<Eigen::Matrix<Index, 1, 3>> triangles;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j <= first + i; ++j) {
+            const Index low = row_begin[i] + j, high = row_begin[i + 1] + j;
+            triangles.emplace_back(low, high, high + 1);
+            if (j < first + i)
+                triangles.emplace_back(low, high + 1, low + 1);
+        }
+    mesh.points.resize(std::ssize(points), 2);
+    mesh.simplices.resize(std::ssize(triangles), 3);
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        mesh.points.row(v) = points[v];
+    for (Index t = 0; t < mesh.simplices.rows(); ++t)
+        mesh.simplices.row(t) = triangles[t];
+    return mesh;
+}
+
+TEST(Glue, makes_a_cone_of_a_wedge) {
+    const Isometry turn = [](const Vector& x) -> Vector {
+        return Vector{{x[0] / 2 - std::sqrt(0.75) * x[1], std::sqrt(0.75) * x[0] + x[1] / 2}};
+    };
+    const auto blunt = discretize(glue(sixth(3, 4), {turn}).quotient);
+    EXPECT_EQ(betti_numbers(blunt.complex()), (std::vector<Index>{1, 1, 0}));
+    EXPECT_EQ(blunt.complex().size(0), 3 + 4 + 5 + 6 + 7);
+    // every vertex inside is a regular one
+    const Vector star = blunt.stars()[0].diagonal();
+    EXPECT_EQ(((star.array() - std::sqrt(0.75)).abs() < 1e-12).count(), 4 + 5 + 6);
+    // around the tip itself there would be one triangle
+    EXPECT_NE(refusal([&] { glue(sixth(0, 4), {turn}); }).find("cell 0 has a vertex twice"),
+              std::string::npos);
+}
+
 TEST(PeriodicErrors, name_the_cell_or_the_translation) {
     EXPECT_EQ(refusal([] { periodic(grid(2, 2), unit_translations(2)); }),
               "cell 4 has the corners of another once the box is glued: expected a simplicial "
@@ -145,6 +237,22 @@ TEST(PeriodicErrors, name_the_cell_or_the_translation) {
               }),
               "cell 0 has a vertex twice once the box is glued: expected a simplicial complex; "
               "take three cells or more along every translation");
+    EXPECT_EQ(refusal([] {
+                  glue(grid(3, 3), {[](const Vector& x) -> Vector { return x.array() + 9; }});
+              }),
+              "the isometry 0 takes no vertex to another: expected one of 2 coordinates along "
+              "which both ends of the box have the same vertices");
+    EXPECT_EQ(
+        refusal([] { glue(grid(3, 3), {[](const Vector& x) -> Vector { return 2 * x; }}); }),
+        "the isometry 0 takes the edge between the vertices 0 and 1 to 0 and 2, which are not "
+        "as far apart: expected an isometry");
+    // diagonals of the sides that do not fit to each other
+    EXPECT_NE(refusal([] {
+                  glue(kuhn(3, 3), {[](const Vector& x) -> Vector {
+                           return Vector{{x[0] + 1, 1 - x[1], x[2]}};
+                       }});
+              }).find("between which there is none: expected cells that fit to each other"),
+              std::string::npos);
     EXPECT_EQ(refusal([] {
                   periodic(grid(3, 3), {Vector{{2, 0}}});
               }),

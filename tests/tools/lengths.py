@@ -56,6 +56,25 @@ class Lengths(TestCase):
         self.assertIn("no places", self.refuse("info", self.torus, "--periodic", "4,0"))
         self.assertIn("numbers with commas", self.fail_with(1, "info", square, "--periodic", "4;0"))
 
+    def test_sides_may_be_glued_with_a_twist(self):
+        square = self.path("square.off")
+        self.succeed("generate", "grid", "--nx", 6, "--ny", 6, "-o", square)
+        twist = ("--glue", "x+1; 1-y")
+        for more, betti in (((), [1, 1, 0]), (("--periodic", "0,1"), [1, 1, 0])):
+            answer = self.ask("info", square, *twist, *more)
+            self.assertEqual(answer["betti"]["merged"], betti)
+        klein = self.ask("spectrum", square, "--side", "primal", "--degree", 0, "--count", 5, *twist,
+                         "--periodic", "0,1")
+        torus = self.ask("spectrum", square, "--side", "primal", "--degree", 0, "--count", 5,
+                         "--periodic", "1,0", "--periodic", "0,1")
+        self.assertAlmostEqual(klein["eigenvalues"][1], torus["eigenvalues"][1], delta=1e-9)
+        self.assertGreater(klein["eigenvalues"][4], torus["eigenvalues"][4] + 1)
+        self.assertEqual(self.ask("info", square, "--glue", "x+1; 1-y; z")["cells"],
+                         self.ask("info", square, *twist)["cells"])
+        self.assertIn("expected an isometry", self.refuse("info", square, "--glue", "2*x; 2*y"))
+        self.assertIn("has 1 component", self.refuse("info", square, "--glue", "x+1"))
+        self.assertIn("no places", self.refuse("info", self.torus, *twist))
+
     def test_info_knows_all_but_coordinates(self):
         answer = self.ask("info", self.torus)
         self.assertIsNone(answer["ambient_dimension"])
