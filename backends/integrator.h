@@ -39,6 +39,9 @@ struct InitialValueProblem {
     /// A march stops where this goes through 0.
     std::function<double(double time, const Vector& state)> event = {};
 
+    /// Told of the time whenever a rate is asked for; what it throws ends a march.
+    std::function<void(double time)> progress = {};
+
     /// What an entry of the state is measured in: the absolute tolerance is multiplied by it, as
     /// values of forms are by the volumes of cells. Empty: 1.
     Vector scale = {};

@@ -169,6 +169,7 @@ InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>
                             part.stiff->prepare(gamma);
                 },
             .solve = [self](const Vector& b) { return self->solve(b); }};
+    result.progress = options.progress;
     if (options.event)
         result.event = [self](double t, const Vector& y) {
             return self->options.event(t, self->forms(t, y));

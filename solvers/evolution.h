@@ -37,6 +37,9 @@ struct EvolutionOptions {
     std::string linear_solver = "auto";
     /// A march stops where this goes through 0.
     std::function<double(double time, const std::vector<Cochain>& forms)> event = {};
+    /// Told of the time at each evaluation on the way; what it throws ends a march, behind its last
+    /// good step.
+    std::function<void(double time)> progress = {};
 };
 
 /// Forms that change in time: u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual

@@ -149,7 +149,7 @@ std::function<Vector(double)> in_time(const std::optional<FormValues>& values,
     return [value = values ? at(0) : Vector()](double) { return value; };
 }
 
-std::shared_ptr<Evolution> evolution(const Heat& heat) {
+std::shared_ptr<Evolution> evolution(const Heat& heat, std::function<void(double)> progress) {
     const auto& [side, degree, values] = heat.start;
     const Discretization& mesh = heat.mesh;
     const double unit = heat.time_unit();
@@ -173,7 +173,8 @@ std::shared_ptr<Evolution> evolution(const Heat& heat) {
     const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;
     const double largest = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
     EvolutionOptions options{.integrator = heat.arguments.integrator,
-                             .linear_solver = heat.arguments.heat.linear_solver};
+                             .linear_solver = heat.arguments.heat.linear_solver,
+                             .progress = std::move(progress)};
     options.steps = {.relative_tolerance = tolerance,
                      .absolute_tolerance = 1e-3 * tolerance * (largest > 0 ? largest : 1),
                      .fixed_step = heat.arguments.time.time_step / unit};
@@ -184,14 +185,19 @@ std::shared_ptr<Evolution> evolution(const Heat& heat) {
 /// evolution, and the time behind it.
 std::shared_ptr<Evolution> integrate(March& march, const Heat& heat) {
     const auto file = heat.arguments.mesh.mesh;
-    const auto run = computed_on(file, [&] { return evolution(heat); });
+    const double length = march.steps.length / heat.time_unit();
+    const auto progress = [&march, length](double time) {
+        const double frames = time / length;
+        if (march.within)
+            march.within(frames - std::floor(frames));
+    };
+    const auto run = computed_on(file, [&] { return evolution(heat, progress); });
     const auto state_now = [run] {
         auto state = run->state();
         state.push_back(Vector{{run->time()}});
         return state;
     };
     march.state = state_now();
-    const double length = march.steps.length / heat.time_unit();
     march.step = [=](std::vector<Vector>& state) {
         computed_on(file, [&] {
             const double now = state[2][0];

@@ -28,7 +28,7 @@ public:
     Remaining(std::string title, Index first, Index last)
         : title_(std::move(title)), first_(first), last_(last) {}
 
-    void operator()(Index done) {
+    void operator()(double done) {
         const auto now = Clock::now();
         if (now - told_ < std::chrono::milliseconds(200) || done == first_)
             return;
@@ -88,6 +88,12 @@ public:
             kept_ = now;
         }
         if (ends)
+            signals_->end();
+    }
+
+    /// Ends within a step: what was kept last stays.
+    void within() const {
+        if (signals_ && signals_->asked())
             signals_->end();
     }
 
@@ -191,6 +197,10 @@ Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh
         keep(march, step, time_after(step), at_frame);
         if (step == steps)
             break;
+        march.within = [&, step](double part) {
+            keep.within();
+            remaining(step + part);
+        };
         march.step(march.state);
         remaining(step + 1);
     }

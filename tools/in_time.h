@@ -50,6 +50,9 @@ struct March {
     std::function<void(std::vector<Vector>&)> step;
     std::function<std::vector<NamedForm>(const std::vector<Vector>&)> shown;
     Fingerprint problem; ///< of all that makes the numbers, but for the steps
+
+    /// Is told by a long step on its way how much of it is done, of 1; may end the program.
+    std::function<void(double part)> within = {};
 };
 
 /// Where a run began: at a checkpoint, or at step 0.

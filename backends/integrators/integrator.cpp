@@ -93,11 +93,15 @@ Vector Integrator::sized(Vector rate, const char* what) const {
 
 Vector Integrator::rate(double time, const Vector& state) {
     ++report_.evaluations;
+    if (problem_.progress)
+        problem_.progress(time);
     return sized(problem_.rate(time, state), "the rate");
 }
 
 Vector Integrator::stiff_rate(double time, const Vector& state) {
     ++report_.stiff_evaluations;
+    if (problem_.progress)
+        problem_.progress(time);
     return sized(problem_.stiff->rate(time, state), "the stiff rate");
 }
 

@@ -140,7 +140,8 @@ void add_evolution(py::module_& module) {
                                            .integrator = integrator,
                                            .steps = steps_of(steps),
                                            .linear_solver = linear_solver,
-                                           .event = event_of(event)};
+                                           .event = event_of(event),
+                                           .progress = [](double) { check_signals(); }};
             const auto given = unknowns_of(unknowns);
             const auto rate = reaction_of(reaction);
             return of.mesh ? guarded<Evolution>(*of.mesh, given, rate, options)

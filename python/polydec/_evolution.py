@@ -189,7 +189,7 @@ class Evolution:
     def march(self, until: float) -> bool:
         """Marches to this time, or to the first event; whether it was one.
 
-        Ctrl-C ends it where it calls the reaction or the event.
+        Ctrl-C ends it behind its last good step.
         """
         return self._run.march(until)
 

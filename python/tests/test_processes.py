@@ -166,6 +166,13 @@ def test_interrupted_steps(square):
         lambda: waves.step(square.points[:, 0], np.zeros(square.size(1)), 10 ** 9), 0.2)
 
 
+def test_interrupted_march(square):
+    run = polydec.Evolution(square, square.points[:, 0], diffusion=1.0, fixed_step=1e-6,
+                            most_steps=10 ** 9)
+    assert is_interrupted(lambda: run.march(100.0), 0.2)
+    assert 0 < run.time < 100
+
+
 def test_interrupted_stage():
     mesh = polydec.meshes.grid(200, 200)
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 
 namespace polydec::test {
 namespace {
@@ -323,6 +324,24 @@ TEST_P(IntegratorContract, what_makes_no_sense_is_refused) {
         begun({.rate = [](double, const Vector&) { return Vector{{1}}; }}, swung(0));
     EXPECT_EQ(message_of<InvalidInput>([&] { short_rate->advance(1); }),
               GetParam() + ": the rate has 1 entries, the state 2");
+}
+
+TEST_P(IntegratorContract, tells_of_the_time_and_ends_where_that_throws) {
+    double limit = 1.5;
+    int told = 0;
+    auto problem = swinging();
+    problem.progress = [&](double t) {
+        ++told;
+        if (t > limit)
+            throw std::runtime_error("enough");
+    };
+    const auto run = begun(problem, swung(0), {.relative_tolerance = 1e-8});
+    EXPECT_THROW(run->advance(3), std::runtime_error);
+    EXPECT_LE(run->time(), limit);
+    EXPECT_GT(told, 5);
+    limit = 9;
+    run->advance(3);
+    EXPECT_NEAR((run->state() - swung(3)).norm(), 0, 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(engines, IntegratorContract, testing::ValuesIn(integrator_engine_names()),

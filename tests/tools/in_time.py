@@ -3,6 +3,7 @@
 import math
 import os
 import random
+import signal
 import subprocess
 
 import command
@@ -98,6 +99,19 @@ class InTime(TestCase):
         self.assertIn("there is no integrator called `foo`",
                       self.fail_with(2, *heat, "--integrator", "foo"))
         self.assertIn("Unexpected token", self.fail_with(1, *heat, "--source", "q"))
+
+    def test_a_long_frame_is_ended_on_its_way(self):
+        """The tolerance asks for more steps to the first frame than anybody waits for."""
+        sphere = self.make("icosphere", "--frequency", 30)
+        run = subprocess.Popen(
+            [command.COMMAND, "heat", sphere, "--side", "primal", "--initial", "z", "--source",
+             "sin(1e5*t)*z", "--until", "9", "--frames", "1", "--tolerance-in-time", "1e-13",
+             "--checkpoint", "long.checkpoint"], cwd=self.folder, stdout=subprocess.DEVNULL)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            run.wait(timeout=2)
+        run.send_signal(signal.SIGINT)
+        self.assertEqual(run.wait(timeout=100), -signal.SIGINT)
+        self.assertTrue(os.path.exists(self.path("long.checkpoint"))) # of the beginning
 
     def test_killed_runs_with_a_source_go_on_to_the_same_bits(self):
         sphere = self.make("icosphere", "--frequency", 24)
