@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
+#include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
 #include "io/diagnosis_json.h"
 #include "solvers/flow/flow_data.h"
@@ -27,12 +28,14 @@ struct FlowArguments {
     MeshArguments mesh;
     TimeArguments time;
     std::string vorticity, velocity, boundary_velocity, no_slip_where, open_where, rotation;
+    std::vector<std::string> no_slip_on, open_on; ///< physical groups
     FlowOptions flow;
     FlowScheme scheme = FlowScheme::implicit_midpoint;
 };
 
 struct Given {
     ComponentValues vorticity, velocity, boundary, no_slip, open, rotation;
+    std::vector<std::string> no_slip_on, open_on;
 
     explicit Given(const FlowArguments& arguments)
         : vorticity("--vorticity", arguments.vorticity),
@@ -40,7 +43,9 @@ struct Given {
           boundary("--boundary-velocity", arguments.boundary_velocity),
           no_slip("--no-slip-where", arguments.no_slip_where),
           open("--open-where", arguments.open_where),
-          rotation("--rotation", arguments.rotation) {}
+          rotation("--rotation", arguments.rotation),
+          no_slip_on(arguments.no_slip_on),
+          open_on(arguments.open_on) {}
 
     /// Lengths are measured in the units of the mesh.
     FlowOptions options(const Discretization& mesh, FlowOptions options) const {
@@ -48,16 +53,20 @@ struct Given {
         options.viscosity /= unit * unit;
         const Points facets = unit * facet_sites(mesh);
         options.facets.assign(static_cast<std::size_t>(facets.rows()), FlowBoundary::free_slip);
-        const auto mark = [&](const ComponentValues& where, FlowBoundary kind) {
-            if (!where.given())
-                return;
-            const Vector marks = where.at(facets);
+        const auto mark = [&](const ComponentValues& where, const std::vector<std::string>& groups,
+                              FlowBoundary kind) {
+            Vector marks = Vector::Zero(facets.rows());
+            if (where.given())
+                marks = where.at(facets);
+            BoundaryConditions in_groups{BoundaryCondition::natural};
+            if (!groups.empty())
+                in_groups = essential_on(mesh, groups);
             for (Index f = 0; f < marks.size(); ++f)
-                if (marks[f] != 0)
+                if (marks[f] != 0 || in_groups.at(f) == BoundaryCondition::essential)
                     options.facets[f] = kind;
         };
-        mark(no_slip, FlowBoundary::no_slip);
-        mark(open, FlowBoundary::open);
+        mark(no_slip, no_slip_on, FlowBoundary::no_slip);
+        mark(open, open_on, FlowBoundary::open);
         if (boundary.given()) {
             options.wall_velocity = boundary.at(facets, facets.cols()) / unit;
             options.boundary_flux = flux_through_boundary(mesh, options.wall_velocity);
@@ -233,6 +242,10 @@ void add_flow(CLI::App& app) {
     command->add_option("--open-where", arguments->open_where,
                         "facets where the flow goes in and out as it likes, at the total\npressure "
                         "0");
+    command->add_option("--no-slip-on", arguments->no_slip_on,
+                        "walls without slip in these physical groups of the file, by name or\n"
+                        "number; with --keep-groups merging joins none of them");
+    command->add_option("--open-on", arguments->open_on, "open facets likewise");
     command->add_option("--rotation", arguments->rotation,
                         "of surfaces, the vorticity of the frame, like '2*z' on a planet");
     add_time(*command, arguments->time,

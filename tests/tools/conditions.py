@@ -60,6 +60,19 @@ class Conditions(TestCase):
         return (("--essential-on", *tags),
                 ("--essential-where", " + ".join(f"({PLACES[tag]})" for tag in tags)))
 
+
+    def test_walls_and_open_ends_of_flows_by_groups(self):
+        line = ("flow", self.write("square.msh", named_square(6)), "--viscosity", 0.05, "--velocity",
+                "1; 0; 0", "--boundary-velocity", "(x<.01)*y*(1-y); 0; 0", "--until", 1, "--keep-groups")
+        groups = self.ask(*line, "--no-slip-on", "left wall", "top", BOTTOM, "--open-on", "outlet")
+        places = self.ask(*line, "--no-slip-where", f"({PLACES[LEFT]})+({PLACES[TOP]})+({PLACES[BOTTOM]})",
+                          "--open-where", PLACES[RIGHT])
+        self.assertEqual(groups, places)
+        self.assertIn("6 open", groups["conditions"])
+        self.assertNotEqual(self.ask(*line, "--no-slip-on", "top", "--open-on", "outlet"), places)
+        self.assertIn("no group of 1-cells is called floor",
+                      self.fail_with(2, *line, "--no-slip-on", "floor"))
+
     def test_groups_of_facets_are_those_at_their_places(self):
         asked = (
             ("poisson", "--rhs", "1+x", "--boundary", "y", "--side", "primal"),
