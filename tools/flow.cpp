@@ -103,16 +103,17 @@ struct Flowed : Answer {
     TimeSteps steps;
     Ran ran;
     std::string conditions;
-    double viscosity, exchange_time, energy, relative_energy, circulation, divergence, enstrophy;
+    double viscosity, exchange_time, energy, circulation, divergence, enstrophy;
+    std::optional<double> relative_energy;
     double most = 0, least = 0;
     ChosenStars stars;
 
     Flowed(const IncompressibleFlow& flow, const Vector& start, const Vector& w, double nu)
         : viscosity(nu),
           exchange_time(flow.exchange_time(w)),
-          relative_energy(flow.energy(start) > 0 ? flow.energy(w) / flow.energy(start) : 0),
           circulation(flow.total_circulation(w)),
           divergence(flow.divergence(w)),
+          relative_energy(part_of(flow.energy(w), flow.energy(start))),
           stars(flow.mesh().chosen_stars()) {
         const double unit = flow.mesh().unit();
         const int n = flow.mesh().dimension();
@@ -142,8 +143,8 @@ struct Flowed : Answer {
     void write(Text& text) const override {
         text("incompressible flow of viscosity {:.6g}, {}\n", viscosity, in_words(steps, ran));
         text("  {}\n  {}\n", conditions, in_words(stars));
-        text("  energy {:.10g}, {:.12g} of that at the beginning; enstrophy {:.10g}\n", energy,
-             relative_energy, enstrophy);
+        text("  energy {:.10g}{}; enstrophy {:.10g}\n", energy, in_words(relative_energy),
+             enstrophy);
         text("  circulation {:.3g} in all; divergence {:.2g}; vorticity from {:.6g} to {:.6g}\n",
              circulation, divergence, least, most);
     }

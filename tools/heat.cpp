@@ -42,8 +42,10 @@ struct HeatArguments {
     }
 };
 
+/// In the units of the file, as the values are.
 double norm(const Discretization& mesh, const Cochain& form) {
-    return std::sqrt(std::max(0.0, inner_product(mesh.complex(), mesh.stars(), form, form)));
+    return std::pow(mesh.unit(), mesh.dimension() / 2.0 - form.degree) *
+           std::sqrt(std::max(0.0, inner_product(mesh.complex(), mesh.stars(), form, form)));
 }
 
 /// What heat is marched with: the mesh, and what was asked for on it.
@@ -57,18 +59,14 @@ struct Heat {
     double time_unit() const { return mesh.unit() * mesh.unit(); }
 };
 
-double relative_norm(const Heat& heat, const Cochain& end) {
-    const double before = norm(heat.mesh, heat.start);
-    return before > 0 ? norm(heat.mesh, end) / before : 0;
-}
-
 struct Cooled : Answer {
     Side side;
     int degree;
     TimeSteps steps;
     Ran ran;
     std::string conditions;
-    double min, max, norm; // the last one as a part of that at the beginning
+    double min, max, norm;
+    std::optional<double> relative_norm;
     ChosenStars stars;
     std::optional<IntegratorReport> integrated;
 
@@ -81,7 +79,8 @@ struct Cooled : Answer {
           conditions(std::move(words)),
           min(end.values.minCoeff()),
           max(end.values.maxCoeff()),
-          norm(relative_norm(heat, end)),
+          norm(tools::norm(heat.mesh, end)),
+          relative_norm(part_of(norm, tools::norm(heat.mesh, heat.start))),
           stars(heat.mesh.chosen_stars()) {
         if (!run)
             return;
@@ -101,7 +100,7 @@ struct Cooled : Answer {
         }
         json.member("min", min);
         json.member("max", max);
-        json.member("relative_norm", norm);
+        json.member("relative_norm", relative_norm);
         json.member("conditions", conditions);
         write_stars(json, stars);
     }
@@ -113,8 +112,8 @@ struct Cooled : Answer {
                  integrated->engine, integrated->steps, integrated->rejected,
                  integrated->last_step);
         text("  {}\n  {}\n", conditions, in_words(stars));
-        text("  values from {:.10g} to {:.10g}; L2 norm {:.6g} of that at the beginning\n", min,
-             max, norm);
+        text("  values from {:.10g} to {:.10g}; L2 norm {:.10g}{}\n", min, max, norm,
+             in_words(relative_norm));
     }
 };
 

@@ -209,6 +209,14 @@ Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh
     return {first, frames + 1};
 }
 
+std::optional<double> part_of(double now, double before) {
+    return before > 0 ? std::optional(now / before) : std::nullopt;
+}
+
+std::string in_words(const std::optional<double>& part) {
+    return part ? fmt::format(", {:.12g} of that at the beginning", *part) : std::string();
+}
+
 void write_time(JsonWriter& json, const TimeSteps& steps, const Ran& ran) {
     json.member("time", steps.length * steps.count);
     json.member("time_step", steps.length);

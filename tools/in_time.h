@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,10 @@ struct Ran {
 /// checkpoint after each. A run that goes on from a checkpoint ends in the same bits. Throws
 /// SolverFailure, naming the step, for what is no number.
 Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh);
+
+/// A number as a part of that at the beginning; none if there was nothing.
+std::optional<double> part_of(double now, double before);
+std::string in_words(const std::optional<double>& part);
 
 /// Of the JSON object of an answer, and of its text.
 void write_time(JsonWriter& json, const TimeSteps& steps, const Ran& ran);

@@ -28,8 +28,8 @@ struct Swung : Answer {
     double layer_width = 0;
     double stable_step = 0; // in the units of the file
     double min = 0, max = 0;
-    double energy = 0;          // at the end, in the units of the file
-    double relative_energy = 0; // as a part of that at the beginning
+    double energy = 0; // at the end, in the units of the file
+    std::optional<double> relative_energy;
     ChosenStars stars;
 
     Swung(const WaveProblem& problem, const ChosenStars& chosen)
@@ -60,10 +60,8 @@ struct Swung : Answer {
         if (layer_width > 0)
             text("  an absorbing layer of the width {:.6g}, {}\n", layer_width, name(layer));
         text("  steps are stable below {:.6g}\n", stable_step);
-        text("  values from {:.10g} to {:.10g}; energy {:.10g}", min, max, energy);
-        if (relative_energy > 0)
-            text(", {:.12g} of that at the beginning", relative_energy);
-        text("\n");
+        text("  values from {:.10g} to {:.10g}; energy {:.10g}{}\n", min, max, energy,
+             in_words(relative_energy));
     }
 };
 
@@ -154,7 +152,7 @@ void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArgu
     const int power = (side == Side::primal ? 1 : -1) *
                       (mesh.dimension() - 2 * cell_degree(mesh.complex(), side, degree));
     answer.energy = after * std::pow(mesh.unit(), power);
-    answer.relative_energy = before > 0 ? after / before : 0;
+    answer.relative_energy = part_of(after, before);
     tell(answer, log, arguments.tell);
 }
 

@@ -76,6 +76,18 @@ class InTime(TestCase):
                 self.assertAlmostEqual(answer["relative_norm"], 2, delta=at_corners)
                 self.assertNotAlmostEqual(self.ask(*line)["relative_norm"], 2, delta=1e-2)
 
+    def test_what_begins_with_nothing_has_no_part_of_it(self):
+        grid = golden("grid4.nsc")
+        line = ("heat", grid, "--side", "primal", "--initial", "0", "--source", "1", "--until", 1)
+        self.assertIsNone(self.ask(*line)["relative_norm"])
+        self.assertIn("L2 norm 1\n", self.succeed(*line).out)
+        driven = ("maxwell", grid, "--degree", 0, "--current", "1", "--until", 1)
+        self.assertIsNone(self.ask(*driven)["relative_energy"])
+        still = ("flow", grid, "--viscosity", 1, "--no-slip-where", "1", "--boundary-velocity",
+                 "(y>.99)*1; 0", "--until", 0.1)
+        self.assertIsNone(self.ask(*still)["relative_energy"])
+        self.assertNotIn("beginning", self.succeed(*still).out)
+
     def test_a_tolerance_in_time_is_kept(self):
         sphere = self.make("icosphere", "--frequency", 8)
         ends = [self.ask("heat", sphere, "--side", "primal", "--initial", "z", "--until", 1,
