@@ -19,7 +19,7 @@ struct HodgeLaplaceEquations;
 struct DiffusionOptions {
     double coefficient = 1; ///< nu, at least 0; length squared over time
     /// Without, those that hold where nothing is done about the boundary (built_in_conditions).
-    /// Robin's as well, of which the data are 0: what flows out is the coefficient times the trace.
+    /// Robin's as well: what flows out is the coefficient times the trace, but for data.
     std::optional<BoundaryConditions> conditions = {};
     std::string linear_solver = "auto";
 };
