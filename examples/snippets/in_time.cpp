@@ -2,6 +2,7 @@
 //
 // docs/in_time.md: heat that is stopped in the middle and gone on with; heat with a source, and
 // one's own equation.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -67,6 +68,27 @@ double speed_of_front() {
     return (amount() - before) / 2 / (2 * std::sqrt(nu * r));
 }
 
+/// By how much the ground swings at the depth 1, where its surface swings by 1.
+double swing_below() {
+    auto depth = polydec::kuhn(1, 60);
+    depth.points *= 6;
+    const auto ground = polydec::discretize(depth);
+    const polydec::Cochain cold{polydec::Side::primal, 0, polydec::Vector::Zero(61)};
+    const auto surface = polydec::essential_where(polydec::facet_sites(ground),
+                                                  [](const auto& x) { return x[0] < 1e-9; });
+    const auto weather = [](double t) {
+        return polydec::BoundaryForms{.values = polydec::Vector::Constant(61, std::cos(t))};
+    };
+    polydec::Evolution heat(
+        ground, {{.start = cold, .diffusion = 1, .conditions = surface, .boundary = weather}});
+    double most = 0;
+    for (double t = 40; t < 40 + 2 * std::numbers::pi; t += 0.05) {
+        heat.march(t);
+        most = std::max(most, heat.form(0).values[10]);
+    }
+    return most;
+}
+
 } // namespace
 
 int main() {
@@ -83,5 +105,7 @@ int main() {
     std::filesystem::remove("heat.checkpoint");
     const double coarse = error_with_source(8, 1e-8), fine = error_with_source(16, 1e-8);
     std::cout << "with a source, order in space " << std::log2(coarse / fine) << '\n'
-              << "speed of the front " << speed_of_front() << " of that of an infinite one\n";
+              << "speed of the front " << speed_of_front() << " of that of an infinite one\n"
+              << "the ground swings by " << swing_below() << ", exp(-1 / sqrt 2) = "
+              << std::exp(-std::sqrt(0.5)) << '\n';
 }
