@@ -106,6 +106,6 @@ int main() {
     const double coarse = error_with_source(8, 1e-8), fine = error_with_source(16, 1e-8);
     std::cout << "with a source, order in space " << std::log2(coarse / fine) << '\n'
               << "speed of the front " << speed_of_front() << " of that of an infinite one\n"
-              << "the ground swings by " << swing_below() << ", exp(-1 / sqrt 2) = "
-              << std::exp(-std::sqrt(0.5)) << '\n';
+              << "the ground swings by " << swing_below()
+              << ", exp(-1 / sqrt 2) = " << std::exp(-std::sqrt(0.5)) << '\n';
 }
