@@ -6,7 +6,6 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/derivative.h"
-#include "solvers/flow/flow_balance.h"
 #include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
@@ -99,6 +98,31 @@ Vector along_walls(const Discretization& mesh, const FlowOptions& options) {
     return result;
 }
 
+/// Throws InvalidInput where more is to flow in than out and nothing is open.
+void check_balance(const CellComplex& complex, const Vector& flux, const std::vector<bool>& tied) {
+    const int n = complex.dimension();
+    const Components parts = components(complex);
+    Vector sums = Vector::Zero(parts.count), sizes = sums;
+    std::vector<bool> open(static_cast<std::size_t>(parts.count), false);
+    const Vector excess = derivative(complex, n - 1) * flux;
+    const Vector through = derivative(complex, n - 1).cwiseAbs() * flux.cwiseAbs();
+    for (Index cell = 0; cell < excess.size(); ++cell) {
+        Index corner = cell;
+        for (int k = n; k > 0; --k)
+            corner = complex.incidences(k - 1)[corner][0].face;
+        const Index part = parts.of_vertex[corner];
+        sums[part] += excess[cell];
+        sizes[part] += through[cell];
+        open[part] = open[part] || tied[cell];
+    }
+    constexpr double rounding = 1e-8;
+    for (Index part = 0; part < parts.count; ++part)
+        if (!open[part] && std::abs(sums[part]) > rounding * sizes[part])
+            throw InvalidInput(fmt::format("through the boundary {:.6g} more flows out than in, of "
+                                           "{:.6g}: expected a balance, or an open boundary",
+                                           sums[part], sizes[part]));
+}
+
 Vector given_flux(const CellComplex& complex, const FlowOptions& options, const CellMarks& given) {
     Vector result = Vector::Zero(complex.size(complex.dimension() - 1));
     for (Index f = 0; f < result.size() && options.boundary_flux.size() > 0; ++f)
@@ -138,8 +162,7 @@ FlowOperators::FlowOperators(const Discretization& on, const FlowOptions& how)
     for (const Index f : unknown)
         if (mesh.complex().coface_counts(n - 1)[f] == 1)
             tied[SparseMatrix::InnerIterator(cells, f).col()] = true;
-    constexpr double rounding = 1e-8;
-    check_balance(mesh.complex(), boundary_flux, tied, rounding);
+    check_balance(mesh.complex(), boundary_flux, tied);
 }
 
 Vector FlowOperators::vorticity(const Vector& w, double along) const {

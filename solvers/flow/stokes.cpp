@@ -7,13 +7,11 @@
 #include "complex/homology.h"
 #include "dec/conditioned_complex.h"
 #include "dec/forms/derivative.h"
-#include "solvers/flow/flow_balance.h"
 #include "solvers/saddle_solver.h"
 #include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -59,27 +57,24 @@ struct Walls {
 };
 
 /// Throws InvalidInput if there are flows without vorticity, divergence and pressure: those around
-/// holes and between open facets, which a wall without slip holds back.
-void check_held_back(const CellComplex& complex, const Walls& walls) {
+/// holes and between open facets, which a wall without slip holds back. The graph is that of
+/// n-cells.
+void check_held_back(const CellComplex& complex, const Walls& walls, const SparseMatrix& graph) {
     const int n = complex.dimension();
-    const Components parts = components(complex);
-    std::vector<bool> sticks(static_cast<std::size_t>(parts.count), false);
-    CellMarks left_out = walls.closed;
-    std::vector<std::vector<Index>> part{{parts.of_vertex.begin(), parts.of_vertex.end()}};
-    for (int k = 1; k <= n; ++k) {
-        std::vector<Index> of(complex.size(k));
-        for (Index s = 0; s < complex.size(k); ++s)
-            of[s] = part.back()[complex.incidences(k - 1)[s][0].face];
-        part.push_back(std::move(of));
-    }
-    for (Index f = 0; f < complex.size(n - 1); ++f)
-        if (walls.closed[n - 1][f] && !walls.slipping[n - 1][f])
-            sticks[part[n - 1][f]] = true;
-    if (std::find(sticks.begin(), sticks.end(), false) == sticks.end())
+    const Index cells = complex.size(n);
+    std::vector<bool> sticks(static_cast<std::size_t>(cells), false);
+    for (Index t = 0; t < cells; ++t)
+        for (const SignedFace& f : complex.incidences(n - 1)[t])
+            if (walls.closed[n - 1][f.face] && !walls.slipping[n - 1][f.face])
+                sticks[t] = true;
+    const FreeComponents loose(graph, std::vector<bool>(sticks.size(), false), sticks,
+                               Vector::Ones(cells));
+    if (loose.count() == 0)
         return;
-    for (int k = 0; k <= n; ++k)
-        for (Index s = 0; s < complex.size(k); ++s)
-            left_out[k][s] = left_out[k][s] || sticks[part[k][s]];
+    CellMarks left_out = walls.closed;
+    for (Index t = 0; t < cells; ++t)
+        left_out[n][t] = loose.of(t) < 0;
+    mark_faces(complex, left_out);
     const Index free = betti_numbers(relative_complex(complex, left_out).complex)[n - 1];
     if (free > 0)
         throw InvalidInput(fmt::format("{} flows around holes or between open facets are held back "
@@ -145,8 +140,7 @@ struct StokesSolver::System {
     std::vector<Index> swirling; // (n-2)-cells of unknown vorticity
     SparseMatrix divergence, turn, M, M_below, boundary;
     Vector volumes;
-    std::vector<bool> tied; // n-cells at open facets
-    FreeComponents free;    // of the pressure
+    FreeComponents free; // of the pressure
     std::unique_ptr<SaddleSolver> solver;
 
     System(const CellComplex& cells, const HodgeStars& stars, const StokesOptions& options)
@@ -161,9 +155,8 @@ struct StokesSolver::System {
           M(stars[n - 1].matrix()),
           M_below(stars[n - 2].matrix()),
           boundary(dual_boundary_derivative(cells, 1)),
-          volumes(stars.volumes().primal(n)),
-          tied(static_cast<std::size_t>(cells.size(n)), false) {
-        check_held_back(complex, walls);
+          volumes(stars.volumes().primal(n)) {
+        check_held_back(complex, walls, divergence * SparseMatrix(divergence.transpose()));
         const auto star_without = [&](const CellMarks& marks, int k) {
             return relative_stars(relative_complex(complex, marks), stars)[k];
         };
@@ -178,6 +171,7 @@ struct StokesSolver::System {
         const SparseMatrix Q = columns_of(swirling, complex.size(n - 2));
         const SparseMatrix d = divergence * P, Q_transposed = Q.transpose();
         const SparseMatrix cells_of = divergence.transpose();
+        std::vector<bool> tied(static_cast<std::size_t>(cells.size(n)), false);
         for (const Index f : walls.open)
             tied[SparseMatrix::InnerIterator(cells_of, f).col()] = true;
         free = FreeComponents(SparseMatrix(d * SparseMatrix(d.transpose())),
@@ -225,11 +219,14 @@ StokesFlow StokesSolver::solve(const Cochain& force, const StokesData& data) con
     const Vector pressure = or_zeros("pressures", data.pressure, of.M.rows());
     flux(of.inside).setZero();
     vorticity(of.swirling).setZero();
-    constexpr double rounding = 1e-10;
-    check_balance(of.complex, flux, of.tied, rounding);
-
     const double nu = of.viscosity;
-    const Vector out = of.divergence * flux;
+    Vector out = of.divergence * flux;
+    constexpr double rounding = 1e-10;
+    const double excess = of.free.balance(out).worst;
+    if (excess > rounding)
+        throw InvalidInput(fmt::format("of what flows through the boundary of a component {:.3g} "
+                                       "more flows in or out: expected a balance, or an open facet",
+                                       excess));
     const Vector b = of.M * force.values - of.beyond(pressure) -
                      nu * (of.divergence.transpose() * out.cwiseQuotient(of.volumes)) -
                      nu * (of.turn.transpose() * vorticity);

@@ -196,6 +196,35 @@ TEST(Channel, whose_walls_hold_nothing_back_is_refused) {
               std::string::npos);
 }
 
+// The twin: the same where the other half of the flow is let out.
+TEST(StokesErrors, tell_what_does_not_balance_in_one_of_two_components) {
+    Mesh two = grid(4, 4), other = grid(3, 3);
+    const Index shift = two.points.rows();
+    other.points.col(0).array() += 5;
+    two.points.conservativeResize(shift + other.points.rows(), 2);
+    two.points.bottomRows(other.points.rows()) = other.points;
+    const Index cells = two.simplices.rows();
+    two.simplices.conservativeResize(cells + other.simplices.rows(), 3);
+    two.simplices.bottomRows(other.simplices.rows()) = other.simplices.array() + shift;
+    const auto mesh = discretize(two);
+    const StokesSolver solver(mesh);
+    const Cochain still{Side::primal, 1, Vector::Zero(mesh.complex().size(1))};
+    const auto fluxes = [&](double left, double right) {
+        return de_rham(mesh, 1, flux_form([=](const Vector& x) -> Vector {
+                           return Vector{{x[0] < 0.01 ? left : x[0] > 3 ? 0 : right, 0}};
+                       }))
+            .values;
+    };
+    EXPECT_NE(refusal([&] {
+                  solver.solve(still, {.through = fluxes(1, 0)});
+              }).find("1 more flows in or out: expected a balance, or an open facet"),
+              std::string::npos);
+    const auto flow = solver.solve(still, {.through = fluxes(1, 1)});
+    EXPECT_LE(d(mesh, flow.flux).values.cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_NEAR(flow.pressure.values.tail(9).norm(), 0, 1e-12) << "where nothing flows";
+    EXPECT_NEAR(flow.pressure.values.head(16).sum(), 0, 1e-10) << "its mean is 0 by itself";
+}
+
 TEST(StokesErrors, name_what_does_not_fit) {
     const auto mesh = discretize(grid(2, 2));
     const Cochain still{Side::primal, 1, Vector::Zero(mesh.complex().size(1))};
