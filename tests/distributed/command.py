@@ -210,11 +210,13 @@ def with_little_memory(commands, kilobytes, words, timeout):
 
 
 def least_memory(commands):
-    """Kilobytes with which MPI starts; with less it waits in vain, before polydec has a say."""
-    for kilobytes in range(230000, 2000000, 30000):
+    """Kilobytes with which MPI and PETSc start; with less they wait in vain, before polydec has a say.
+    One step more than the first that will do: there they start only most of the time."""
+    step = 30000
+    for kilobytes in range(230000, 2000000, step):
         try:
             if with_little_memory(commands, kilobytes, ["--help"], 5).returncode == 0:
-                return kilobytes
+                return kilobytes + step
         except subprocess.TimeoutExpired:
             continue
     return 2000000
