@@ -25,9 +25,10 @@ struct BoundaryForms {
     Vector derivative_flow = {}; ///< star du: over duals of k-cells; of dual forms over (k-1)-cells
 };
 
-/// The derivative_flow of 0-forms with these outward normal derivatives at facets, of which those
-/// on the boundary matter. Throws InvalidInput for another number of them than there are
-/// (n-1)-cells.
+/// The derivative_flow of 0-forms with these outward normal derivatives, one for each (n-1)-cell,
+/// of which those of the boundary matter: each times the area of its facet, as that is oriented.
+/// Size size(0) for primal forms, size(n-1) for dual ones; units those of the derivatives times
+/// length^(n-1). Throws InvalidInput for another number of them.
 Vector outward_flow(const Discretization& mesh, Side side, const Vector& derivatives);
 
 } // namespace polydec

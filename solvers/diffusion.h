@@ -60,7 +60,8 @@ public:
     /// for other numbers of them, for what is not finite, and for a stiffness of one's own.
     Vector boundary_rate(const BoundaryForms& data) const;
 
-    /// The form at all cells: what data fix, beside its values at the kept ones.
+    /// The form at all cells: what data fix, beside its values at the kept ones. Where there are
+    /// data this and the next throw like boundary_rate.
     Vector form_of(const Vector& values, const BoundaryForms& data = {}) const;
 
     /// The values of a form, with what data fix in place of its own at the other cells. Where the
