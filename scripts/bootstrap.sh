@@ -11,14 +11,9 @@ fail() {
     exit "$code"
 }
 
-# Names in packages.txt: those above its line `# optional` (required), those below it (optional), or
-# those below its line `# for ./test alone` (tests).
+# The names of a set of packages.txt, which follow its line `# SET:`.
 listed_packages() {
-    case $1 in
-        required) sed '/^# optional/,$d' packages.txt ;;
-        optional) sed -e '1,/^# optional/d' -e '/^# for .\/test alone/,$d' packages.txt ;;
-        tests) sed '1,/^# for .\/test alone/d' packages.txt ;;
-    esac | sed -e '/^#/d' -e '/^[[:space:]]*$/d'
+    awk -v wanted="$1:" '/^#/ { inside = $2 == wanted; next } inside && NF' packages.txt
 }
 
 # Of the names on stdin, those that are not installed.
@@ -59,8 +54,8 @@ apt_install() {
 }
 lists_fetched=
 
-# install_packages PART ..: installs what is missing of the required packages and of these parts;
-# ends with code 4 if a required one cannot be had.
+# install_packages SET ..: installs what is missing of the required packages and of these sets; ends
+# with code 4 if a required one cannot be had.
 install_packages() {
     if [ "${POLYDEC_PACKAGES:-}" = skip ]; then
         say "POLYDEC_PACKAGES=skip: trusting that what packages.txt lists is there."
@@ -71,23 +66,25 @@ install_packages() {
         return 0
     fi
 
-    missing=$(listed_packages required | missing_packages)
-    if [ -n "$missing" ]; then
-        say "Installing:" $missing
-        apt_install $missing || true
-        missing=$(listed_packages required | missing_packages)
-        [ -z "$missing" ] || fail 4 \
-            "These packages are needed and could not be installed:" $missing "
-Install them by hand, or set POLYDEC_PACKAGES=skip if you have them from elsewhere."
-    fi
-
-    for part; do
-        missing=$(listed_packages "$part" | missing_packages)
-        [ -z "$missing" ] || say "Installing ($part):" $missing
-        for name in $missing; do
+    for set in required "$@"; do
+        missing=$(listed_packages "$set" | missing_packages)
+        [ -n "$missing" ] || continue
+        say "Installing ($set):" $missing
+        say_what_it_takes $missing
+        apt_install $missing || for name in $missing; do
             apt_install "$name" || say "Notice: going on without $name."
         done
     done
+    missing=$(listed_packages required | missing_packages)
+    [ -z "$missing" ] || fail 4 \
+        "These packages are needed and could not be installed:" $missing "
+Install them by hand, or set POLYDEC_PACKAGES=skip if you have them from elsewhere."
+}
+
+# How much is downloaded and how much room it takes, where apt-get knows.
+say_what_it_takes() {
+    apt-get --assume-no --no-install-recommends -o Debug::NoLocking=1 install "$@" 2>/dev/null |
+        grep -E '^(Need to get|After this)' || true
 }
 
 # How many compilers at once: POLYDEC_JOBS, or the number of processors but at most 2, since a

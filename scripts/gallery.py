@@ -29,25 +29,25 @@ them are made, and bound into `demo-output/gallery/gallery.html`, by
 """
 
 
-def run(line, build, folder):
+def run(line, programs, folder):
     """A line of an entry: the command `polydec`, or an example by its name."""
     words = shlex.split(line)
-    program = build / ("tools" if words[0] == "polydec" else "examples") / words[0]
+    program = programs["polydec" if words[0] == "polydec" else "examples"] / words[0]
     done = subprocess.run([program, *words[1:]], cwd=folder, capture_output=True, text=True,
                           check=False)
     if done.returncode != 0:
         sys.exit(f"gallery: `{line}` ended with {done.returncode}\n{done.stderr}")
 
 
-def make_pages(build, folder):
+def make_pages(programs, folder):
     folder.mkdir(parents=True, exist_ok=True)
     for entry in ENTRIES:
         for line in entry.lines:
-            run(line, build, folder)
+            run(line, programs, folder)
         if not (folder / entry.page).is_file():
             sys.exit(f"gallery: {entry.page} was not made by {'; '.join(entry.lines)}")
     pages = " ".join(entry.page for entry in ENTRIES)
-    run(f"polydec view {pages} -o gallery.html", build, folder)
+    run(f"polydec view {pages} -o gallery.html", programs, folder)
 
 
 def browser():
@@ -126,6 +126,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", nargs="?", type=Path, help="folder that polydec was built in")
+    parser.add_argument("--examples", type=Path, help="folder of the examples, if it is another")
     parser.add_argument("--out", type=Path, default=ROOT / "demo-output/gallery")
     parser.add_argument("--pictures", action="store_true", help="take docs/images/gallery anew")
     parser.add_argument("--docs", action="store_true", help="write docs/gallery.md anew")
@@ -136,7 +137,9 @@ def main():
     if arguments.docs:
         (ROOT / "docs/gallery.md").write_text(docs(), encoding="utf-8")
     if arguments.build:
-        make_pages(arguments.build.resolve(), arguments.out)
+        build = arguments.build.resolve()
+        examples = (arguments.examples or build / "examples").resolve()
+        make_pages({"polydec": build / "tools", "examples": examples}, arguments.out)
         if arguments.pictures:
             take_pictures(arguments.out, ROOT / "docs/images/gallery")
         print(arguments.out / "gallery.html")

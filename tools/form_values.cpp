@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/boundary_forms.h"
 #include "tools/common.h"
 #include "tools/component_values.h"

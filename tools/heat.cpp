@@ -149,24 +149,26 @@ std::function<Vector(double)> in_time(const std::optional<FormValues>& values,
 }
 
 std::shared_ptr<Evolution> evolution(const Heat& heat, std::function<void(double)> progress) {
-    const auto& [side, degree, values] = heat.start;
+    const Side side = heat.start.side;
+    const int degree = heat.start.degree;
+    const Vector& values = heat.start.values;
     const Discretization& mesh = heat.mesh;
     const double unit = heat.time_unit();
     Unknown unknown{.start = heat.start, .diffusion = 1, .conditions = heat.conditions};
     if (heat.boundary || heat.flux)
         unknown.boundary =
             [values = in_time(heat.boundary,
-                              [&, unit](double t) {
+                              [&, side, degree, unit](double t) {
                                   return heat.boundary->on_boundary(mesh, side, degree, unit * t);
                               }),
-             flow = in_time(heat.flux, [&, unit](double t) {
+             flow = in_time(heat.flux, [&, side, degree, unit](double t) {
                  return heat.flux->through_boundary(mesh, side, degree, unit * t);
              })](double t) {
                 return BoundaryForms{.values = values(t), .derivative_flow = flow(t)};
             };
     Reaction reaction;
     if (heat.source)
-        reaction = [rate = in_time(heat.source, [&, unit](double t) {
+        reaction = [rate = in_time(heat.source, [&, side, degree, unit](double t) {
                         return Vector(unit * heat.source->on(mesh, side, degree, unit * t).values);
                     })](double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
     const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;

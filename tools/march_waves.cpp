@@ -119,7 +119,8 @@ LeapfrogOptions in_units_of(const Discretization& mesh, LeapfrogOptions options,
 
 void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArguments& arguments,
                  const TimeArguments& time, Log& log) {
-    const auto [side, degree] = std::pair{problem.side, problem.degree};
+    const Side side = problem.side;
+    const int degree = problem.degree;
     log.timing.begin("solve");
     Swung answer(problem, mesh.chosen_stars());
     answer.stable_step = mesh.unit() * computed_on(arguments.mesh, [&] {

@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The meshes that the laws are swept over."""
+"""The meshes that the laws are swept over, what errors say, and how long a test may take."""
+import faulthandler
+import os
+import re
+import signal
+
 import numpy as np
 import pytest
 
@@ -48,6 +53,31 @@ def near(a, b, tolerance=1e-12):
     difference = a - b
     size = max(abs(a).max() if a.size else 0, abs(b).max() if b.size else 0, 1e-300)
     return (abs(difference).max() if difference.size else 0) <= tolerance * size
+
+
+def said(*words):
+    """The pattern of messages that have all the words or numbers, as a whole and in this order:
+    place, kind and what is wrong, by which a message is known however its sentence is put."""
+    return "(?s)" + ".*?".join(
+        (r"(?<![\w.-])" if word[:1].isdigit() else r"(?<!\w)" if word[:1].isalpha() else "")
+        + re.escape(word)
+        + (r"(?!\w|\.\d)" if word[-1:].isdigit() else r"(?!\w)" if word[-1:].isalpha() else "")
+        for word in map(str, words))
+
+
+def pytest_configure(config):
+    config.real_stderr = os.dup(2) # where no test catches what is written
+    # in the background of a script SIGINT is ignored, and Ctrl-C could not be tested
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture(autouse=True)
+def watchdog(request):
+    """Ends all where a test hangs, and tells where every thread is."""
+    seconds = 300 * float(os.environ.get("POLYDEC_TEST_PATIENCE", 1))
+    faulthandler.dump_traceback_later(seconds, exit=True, file=request.config.real_stderr)
+    yield
+    faulthandler.cancel_dump_traceback_later()
 
 
 @pytest.fixture

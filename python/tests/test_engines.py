@@ -62,7 +62,7 @@ def test_without_modules():
             "try: polydec.load_engine('cholmod')\n"
             "except polydec.BackendUnavailable as error: print(isinstance(error, ImportError))")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True,
-                          env={**os.environ, "POLYDEC_ENGINES": ""})
+                          timeout=60, env={**os.environ, "POLYDEC_ENGINES": ""})
     assert done.stdout == "eigen.ldlt\nTrue\n"
 
 
@@ -113,4 +113,4 @@ def test_memory_limit():
             "try: polydec.discretize(polydec.meshes.grid(300, 300))\n"
             "except polydec.IoError as error: print('memory' in str(error))")
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
-                          check=True).stdout == "True\n"
+                          check=True, timeout=60).stdout == "True\n"

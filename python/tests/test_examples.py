@@ -20,7 +20,7 @@ COMPILED = pathlib.Path(os.environ.get("POLYDEC_EXAMPLES",
 def run(*words, cwd):
     home = str(pathlib.Path(polydec.__file__).parents[1])
     done = subprocess.run([str(word) for word in words], cwd=cwd, text=True, capture_output=True,
-                          env={**os.environ, "PYTHONPATH": home})
+                          env={**os.environ, "PYTHONPATH": home}, timeout=200)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

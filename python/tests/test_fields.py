@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of
+from conftest import complex_of, said
 
 FLAT = ["grid", "hexagons", "well_centered", "kuhn", "bcc", "tesseract"]
 
@@ -131,5 +131,5 @@ def test_arithmetic_of_cochains(square):
     assert np.isclose(square.inner_product(a.delta(), square.cochain(square.points[:, 0], 0)),
                       square.inner_product(a, square.cochain(square.points[:, 0], 0).d()))
     assert np.allclose(a.star().star(), -a)
-    with pytest.raises(polydec.InvalidInput, match="on which complex"):
+    with pytest.raises(polydec.InvalidInput, match=said("complex")):
         polydec.Cochain([1.0], 0).d()

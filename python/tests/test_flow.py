@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of, near
+from conftest import complex_of, near, said
 
 SURFACES = ["goldberg", "torus", "hexagons", "well_centered", "kuhn"]
 
@@ -59,7 +59,7 @@ def test_open_boundary_lets_through(square):
     flow = polydec.IncompressibleFlow(square, open=right, boundary_flux=through)
     assert near(flow.project(0 * through), through)
     assert abs(flow.pressure(through)).max() < 1 and left(square.facet_sites()).any()
-    with pytest.raises(polydec.InvalidInput, match="flows out than in"):
+    with pytest.raises(polydec.InvalidInput, match=said("flows", "out", "in")):
         polydec.IncompressibleFlow(square, boundary_flux=np.where(
             left(square.facet_sites()), through, 0))
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of, near
+from conftest import complex_of, near, said
 
 INTEGRATORS = [engine.name for engine in polydec.backends()
                if engine.kind == "integrator" and engine.available]
@@ -72,7 +72,7 @@ def test_values_on_the_boundary(square, side):
                               essential=True, boundary=2.0)
     still.march(0.5)
     assert near(still.forms[0], np.full(len(sites), 2.0), 1e-9)
-    with pytest.raises(polydec.InvalidInput, match="3 values on the boundary are given"):
+    with pytest.raises(polydec.InvalidInput, match=said("3 values", "boundary")):
         polydec.Evolution(square, np.zeros(len(sites)), side=side, diffusion=1.0, essential=True,
                           boundary=np.zeros(3)).march(1.0)
 
@@ -88,7 +88,7 @@ def test_what_flows_through_the_boundary(square, side):
                             reaction=lambda t, u: 1 + x)
     run.march(0.5)
     assert near(run.forms[0], 1.5 * (1 + x), 1e-4)
-    with pytest.raises(polydec.InvalidInput, match="data on the boundary named 'flux' are given"):
+    with pytest.raises(polydec.InvalidInput, match=said("boundary", "'flux'")):
         polydec.Evolution(square, x, side=side, diffusion=1.0, boundary={"flux": outward}).march(1)
 
 
@@ -125,17 +125,17 @@ def test_errors_of_functions_come_through(square):
                                                           "essential": True}):
         with pytest.raises(KeyError, match="mine"):
             polydec.Evolution(square, ones, **words).march(1.0)
-    with pytest.raises(polydec.InvalidInput, match="3 rates of unknown 0"):
+    with pytest.raises(polydec.InvalidInput, match=said("3 rates", "unknown 0")):
         polydec.Evolution(square, ones, reaction=lambda t, u: np.zeros(3)).march(1.0)
-    with pytest.raises(polydec.InvalidInput, match="rates of 3 unknowns: expected 2"):
+    with pytest.raises(polydec.InvalidInput, match=said("rates", "3 unknowns", "expected 2")):
         polydec.Evolution(square, [ones, ones],
                           reaction=lambda t, u, v: (u, v, u)).march(1.0)
-    with pytest.raises(polydec.SolverFailure, match="at the time 0.5"):
+    with pytest.raises(polydec.SolverFailure, match=said("time 0.5")):
         polydec.Evolution(square, ones,
                           reaction=lambda t, u: np.nan * u if t > 0.5 else u).march(1.0)
     with pytest.raises(polydec.InvalidInput, match="runge-kutta"):
         polydec.Evolution(square, ones, integrator="nonsense")
-    with pytest.raises(polydec.InvalidInput, match="2 coefficients of diffusion"):
+    with pytest.raises(polydec.InvalidInput, match=said("2 coefficients", "diffusion")):
         polydec.Evolution(square, ones, diffusion=[1.0, 2.0])
 
 
@@ -153,7 +153,7 @@ def test_ctrl_c_ends_a_march(square):
 
 def test_a_reaction_cannot_use_the_run_itself(square):
     run = polydec.Evolution(square, np.ones(square.size(0)), reaction=lambda t, u: run.time * u)
-    with pytest.raises(polydec.InvalidInput, match="uses the same solver"):
+    with pytest.raises(polydec.InvalidInput, match=said("same solver")):
         run.march(1.0)
     assert run.time == 0.0
 
@@ -173,7 +173,7 @@ def test_runs_go_on_in_the_same_bits(sphere, integrator, tmp_path):
     resumed.resume(kept.time, kept.state)
     resumed.march(1.0)
     assert np.array_equal(whole.forms[0], resumed.forms[0])
-    with pytest.raises(polydec.InvalidInput, match="belongs to"):
+    with pytest.raises(polydec.InvalidInput, match=said("another")):
         polydec.read_checkpoint(path, polydec.fingerprint(sphere, 0.2, "heat"))
     with pytest.raises(polydec.IoError):
         polydec.write_checkpoint(tmp_path / "none" / "such", [])
@@ -192,10 +192,10 @@ def test_frames_are_gone_on_with(sphere, tmp_path):
     times = [frame[0] for frame in frames(problem=3)]
     assert times[:1] == [0.4] and 0.4 < times[1] < 10
     assert list(frames(problem=3)) == []
-    with pytest.raises(polydec.InvalidInput, match="belongs to"):
+    with pytest.raises(polydec.InvalidInput, match=said("another")):
         next(frames(problem=4))
     polydec.write_checkpoint(tmp_path / "a", [[1.0, 2.0]], problem=3)
-    with pytest.raises(polydec.InvalidInput, match="none that frames wrote"):
+    with pytest.raises(polydec.InvalidInput, match=said("frames")):
         next(frames(problem=3))
 
 
@@ -273,7 +273,7 @@ def test_absorbing_layers():
     assert waves.layer == "stretched"
     state = polydec.WaveState(pulse, np.zeros(200))
     assert np.array_equal(waves.march(state, 300).E, waves.march(waves.march(state, 150), 150).E)
-    with pytest.raises(polydec.InvalidInput, match="expected the Complex"):
+    with pytest.raises(polydec.InvalidInput, match=said("expected", "Complex")):
         polydec.Leapfrog(line.conditioned(), 0, 0.01, layer=2.0)
     with pytest.raises(polydec.InvalidInput, match="layer"):
         waves.step(pulse, np.zeros(200))

@@ -5,6 +5,7 @@ import pytest
 import scipy.sparse as sp
 
 import polydec
+from conftest import said
 
 POINTS = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
 TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
@@ -29,38 +30,38 @@ def test_simplices_of_any_type(kind):
     assert np.array_equal(polydec.Mesh(POINTS, wide[:, ::2]).simplices, TRIANGLES)
 
 
-@pytest.mark.parametrize("points, simplices, message", [
-    (POINTS[0], TRIANGLES, r"points have the shape \(2,\): expected a row for each, 2 axes"),
-    (POINTS, TRIANGLES[0], r"simplices have the shape \(3,\): expected a row for each, 2 axes"),
-    (POINTS * 1j, TRIANGLES, "points are of the type complex128: expected real numbers"),
-    (POINTS, TRIANGLES + 0.5, "simplices are of the type float64: expected whole numbers"),
-    ([["a", "b"]], TRIANGLES, "points are of the type <U1: expected real numbers"),
-    ([[0, 0], [1]], TRIANGLES, "points are no array"),
-    (POINTS, [[0, 1, 2 ** 40]], "1099511627776 in row 0 does not fit into 32 bits"),
-    (POINTS, np.array([[0, 1, 2 ** 63]], dtype=np.uint64), "does not fit into 32 bits"),
+@pytest.mark.parametrize("points, simplices, words", [
+    (POINTS[0], TRIANGLES, ("points", "(2,)", "expected", "2 axes")),
+    (POINTS, TRIANGLES[0], ("simplices", "(3,)", "expected", "2 axes")),
+    (POINTS * 1j, TRIANGLES, ("points", "complex128", "expected real numbers")),
+    (POINTS, TRIANGLES + 0.5, ("simplices", "float64", "expected whole numbers")),
+    ([["a", "b"]], TRIANGLES, ("points", "<U1", "expected real numbers")),
+    ([[0, 0], [1]], TRIANGLES, ("points", "array")),
+    (POINTS, [[0, 1, 2 ** 40]], (2 ** 40, "row 0", "32 bits")),
+    (POINTS, np.array([[0, 1, 2 ** 63]], dtype=np.uint64), ("32 bits",)),
 ])
-def test_arrays_that_are_refused(points, simplices, message):
-    with pytest.raises(polydec.InvalidInput, match=message):
+def test_arrays_that_are_refused(points, simplices, words):
+    with pytest.raises(polydec.InvalidInput, match=said(*words)):
         polydec.Mesh(points, simplices)
 
 
-def refused(mesh, **options):
-    with pytest.raises(polydec.InvalidInput) as caught:
+def refused(mesh, *words, **options):
+    """The error, whose message has the words."""
+    with pytest.raises(polydec.InvalidInput, match=said(*words)) as caught:
         polydec.discretize(mesh, **options)
     return caught.value
 
 
 def test_meshes_that_are_refused_say_where():
-    outside = refused(polydec.Mesh(POINTS, [[0, 1, 2], [0, 2, 9]]))
-    assert "9" in str(outside) and isinstance(outside, ValueError)
-    negative = refused(polydec.Mesh(POINTS, [[0, 1, 2], [0, 2, -3]]))
-    assert "-3" in str(negative)
+    outside = refused(polydec.Mesh(POINTS, [[0, 1, 2], [0, 2, 9]]), 9)
+    assert isinstance(outside, ValueError)
+    refused(polydec.Mesh(POINTS, [[0, 1, 2], [0, 2, -3]]), "-3")
     nan = POINTS.copy()
     nan[3, 1] = np.nan
-    assert "3" in str(refused(polydec.Mesh(nan, TRIANGLES)))
+    refused(polydec.Mesh(nan, TRIANGLES), 3)
     inf = POINTS.copy()
     inf[2, 0] = np.inf
-    assert "2" in str(refused(polydec.Mesh(inf, TRIANGLES)))
+    refused(polydec.Mesh(inf, TRIANGLES), 2)
     assert refused(polydec.Mesh(np.zeros((0, 2)), np.zeros((0, 3), int)))
     assert refused(polydec.Mesh([], []))
     assert refused(polydec.Mesh(POINTS, TRIANGLES, tags=[1, 2, 3]))
@@ -76,10 +77,9 @@ def test_places_of_errors():
 
 def test_options_that_there_are_not():
     mesh = polydec.Mesh(POINTS, TRIANGLES)
-    assert 'delaunay is "always": expected one of "off", "flips"' in str(
-        refused(mesh, delaunay="always"))
-    assert 'star is "own": expected one of "circumcentric"' in str(refused(mesh, star="own"))
-    assert "tolerance" in str(refused(mesh, tolerance=-1.0))
+    refused(mesh, "delaunay", '"always"', "expected", '"off", "flips"', delaunay="always")
+    refused(mesh, "star", '"own"', "expected", '"circumcentric"', star="own")
+    refused(mesh, "tolerance", tolerance=-1.0)
     with pytest.raises(TypeError):
         polydec.discretize(mesh, 1e-4) # by name alone
 
@@ -141,21 +141,21 @@ def test_matrices_of_any_format():
 
 
 def test_forms_that_do_not_fit(square):
-    with pytest.raises(polydec.InvalidInput, match="a primal 1-form of 59 values is given"):
+    with pytest.raises(polydec.InvalidInput, match=said("primal 1-form", "59 values")):
         square.cochain(square.points[:, 0], 1)
-    with pytest.raises(polydec.InvalidInput, match="without its degree"):
+    with pytest.raises(polydec.InvalidInput, match=said("degree")):
         square.norm(square.points[:, 0])
-    with pytest.raises(polydec.InvalidInput, match="not of one kind"):
+    with pytest.raises(polydec.InvalidInput, match=said("kind")):
         square.cochain(square.points[:, 0], 0) + square.cochain(square.volumes(2), 2)
     with pytest.raises(polydec.InvalidInput):
         square.norm(np.full(square.size(0), np.nan), 0)
-    with pytest.raises(polydec.InvalidInput, match="3 values of f are given: expected 59"):
+    with pytest.raises(polydec.InvalidInput, match=said("3 values", "f", "expected 59")):
         polydec.poisson(square, [1, 2, 3])
-    with pytest.raises(polydec.InvalidInput, match="essential is of the type int64"):
+    with pytest.raises(polydec.InvalidInput, match=said("essential", "int64")):
         polydec.poisson(square, 1.0, essential=[0, 1])
-    with pytest.raises(polydec.InvalidInput, match="essential has the shape"):
+    with pytest.raises(polydec.InvalidInput, match=said("essential", "shape")):
         polydec.poisson(square, 1.0, essential=[True, False])
-    with pytest.raises(polydec.InvalidInput, match="the form gives an array of shape"):
+    with pytest.raises(polydec.InvalidInput, match=said("form", "shape")):
         polydec.de_rham(square, 1, lambda x: x[:, 0])
 
 
@@ -199,7 +199,7 @@ $EndElements
     wall = square.facets_in("the wall")
     assert wall.sum() == 1 and (wall == square.facets_in(7)).all()
     assert (wall == (square.facet_tags == 7)).all()
-    with pytest.raises(polydec.InvalidInput, match="called plate: there are the wall"):
+    with pytest.raises(polydec.InvalidInput, match=said("plate", "the wall")):
         square.facets_in("plate")
 
 
@@ -217,22 +217,22 @@ def test_what_stands_for_a_mesh(tmp_path):
     assert polydec.geodesic_distance(path, 0)[0] == 0
 
 
-@pytest.mark.parametrize("given, message", [
-    (POINTS, r"an array of shape \(4, 2\) is given for a mesh: expected a Mesh, the path of a file"),
-    (None, "something of the type NoneType is given for a mesh"),
-    ((POINTS, TRIANGLES, 1), "something of the type tuple is given for a mesh"),
-    ((POINTS, TRIANGLES + 0.5), "simplices are of the type float64"),
-    ((TRIANGLES, POINTS), "simplices are of the type float64")])
-def test_what_stands_for_no_mesh(given, message):
+@pytest.mark.parametrize("given, words", [
+    (POINTS, ("array", "(4, 2)", "mesh", "expected", "Mesh", "path")),
+    (None, ("NoneType", "mesh")),
+    ((POINTS, TRIANGLES, 1), ("tuple", "mesh")),
+    ((POINTS, TRIANGLES + 0.5), ("simplices", "float64")),
+    ((TRIANGLES, POINTS), ("simplices", "float64"))])
+def test_what_stands_for_no_mesh(given, words):
     for taken in (polydec.discretize, polydec.spectrum, polydec.plot):
-        with pytest.raises(polydec.InvalidInput, match=message):
+        with pytest.raises(polydec.InvalidInput, match=said(*words)):
             taken(given)
 
 
 def test_where_cells_alone_do_not_suffice(square):
-    with pytest.raises(polydec.InvalidInput, match="alone are given: expected the Complex"):
+    with pytest.raises(polydec.InvalidInput, match=said("expected", "Complex")):
         polydec.geodesic_distance(square.input, 0)
-    with pytest.raises(polydec.InvalidInput, match="of the type Mesh is given: expected the Complex"):
+    with pytest.raises(polydec.InvalidInput, match=said("Mesh", "expected", "Complex")):
         polydec.de_rham(polydec.Mesh(POINTS, TRIANGLES), 1, lambda x: x)
 
 
@@ -247,9 +247,9 @@ def test_polygons(square):
     points = hexagon + [[2, 0], [2, 1]]
     c = polydec.discretize(polydec.split_polygons(points, [range(6), [0, 6, 7]], [3, 4]))
     assert c.shape == (8, 9, 2) and sorted(c.tags) == [3, 4]
-    with pytest.raises(polydec.InvalidInput, match="9"):
+    with pytest.raises(polydec.InvalidInput, match=said(9)):
         polydec.split_polygons(points, [[0, 1, 9]])
-    with pytest.raises(polydec.InvalidInput, match="corners of polygon 1 are of the type float64"):
+    with pytest.raises(polydec.InvalidInput, match=said("corners", "polygon 1", "float64")):
         polydec.split_polygons(points, [[0, 1, 2], [0.5, 1, 2]])
 
 
@@ -267,7 +267,7 @@ def test_meshes_of_meshio():
     assert len(polydec.as_mesh(meshio.Mesh(points, quads, cell_data=rough)).tags) == 0
     cube = polydec.discretize(polydec.meshes.kuhn([1, 1, 1]), merge=False)
     assert polydec.discretize(polydec.to_meshio(cube)).shape == (8, 12, 6, 1)
-    with pytest.raises(polydec.InvalidInput, match="cells of the type hexahedron: expected tetra"):
+    with pytest.raises(polydec.InvalidInput, match=said("cells", "hexahedron", "expected tetra")):
         polydec.discretize(meshio.Mesh(np.zeros((8, 3)), [("hexahedron", [list(range(8))])]))
-    with pytest.raises(polydec.InvalidInput, match="the mesh has no cells"):
+    with pytest.raises(polydec.InvalidInput, match=said("mesh", "no cells")):
         polydec.discretize(meshio.Mesh(points, [("vertex", [[0]])]))

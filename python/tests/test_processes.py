@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of
+from conftest import complex_of, said
 
 
 @pytest.mark.parametrize("protocol", [2, pickle.HIGHEST_PROTOCOL])
@@ -45,7 +45,7 @@ def test_complexes_are_pickled_to_the_last_bit(options):
 
 
 def test_what_cannot_be_pickled(square):
-    with pytest.raises(polydec.InvalidInput, match="stars of its own"):
+    with pytest.raises(polydec.InvalidInput, match=said("stars")):
         pickle.dumps(square.with_star(1, square[1].star))
 
 
@@ -198,4 +198,4 @@ def test_import_is_light():
     code = ("import sys, polydec; print(sorted(m for m in sys.modules if m in ("
             "'matplotlib', 'meshio', 'pyvista', 'IPython')))")
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
-                          check=True).stdout == "[]\n"
+                          check=True, timeout=60).stdout == "[]\n"

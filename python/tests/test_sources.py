@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polydec
-from conftest import complex_of, near
+from conftest import complex_of, near, said
 
 
 @pytest.mark.parametrize("name, k", [("torus", 0), ("torus", 1), ("torus", 2), ("goldberg", 1),
@@ -79,7 +79,7 @@ def test_boxes_with_a_twist():
              lambda p: np.column_stack([1 - p[:, 0], 1 - p[:, 1], p[:, 2] + 1])]
     space = polydec.discretize(polydec.glue(box, moves))
     assert space.shape == (64, 192, 192, 64) and space.betti_numbers() == [1, 1, 1, 1]
-    with pytest.raises(polydec.InvalidInput, match="isometry 0 takes the edge"):
+    with pytest.raises(polydec.InvalidInput, match=said("isometry 0", "edge")):
         polydec.glue(box, [lambda p: np.column_stack([p[:, 0] + 1, 1 - p[:, 1], p[:, 2]])])
 
 
@@ -112,5 +112,5 @@ def test_slow_flows_between_open_ends(mesh):
     flow = polydec.StokesSolver(c, open=ends).solve(pressure=2 * (1 - x))
     assert abs(abs(flow.flux.values[ends]).sum() - 1 / 3) < 0.03
     assert abs(flow.pressure.values.mean() - 1) < 0.01
-    with pytest.raises(polydec.InvalidInput, match="held back by nothing"):
+    with pytest.raises(polydec.InvalidInput, match=said(1, "flows", "held back")):
         polydec.StokesSolver(c, no_slip=False, open=ends)

@@ -6,7 +6,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg
 
 import polydec
-from conftest import complex_of
+from conftest import complex_of, said
 
 
 @pytest.mark.parametrize("name", ["well_centered", "goldberg", "flange", "kuhn"])
@@ -82,14 +82,14 @@ def test_smallest_eigenpairs():
     assert not waived.certificate.complete or waived.certificate.below_shift >= 2
 
 
-@pytest.mark.parametrize("A, M, message", [
-    (np.triu(np.ones((4, 4))), None, "symmetric"),
-    (np.eye(4), -np.ones(4), "mass|positive"),
-    (np.eye(4), np.ones(3), "3|4"),
-    (np.eye(4) * np.nan, None, "not finite|NaN|nan|number"),
+@pytest.mark.parametrize("A, M, words", [
+    (np.triu(np.ones((4, 4))), None, ("symmetric",)),
+    (np.eye(4), -np.ones(4), ("positive",)),
+    (np.eye(4), np.ones(3), (4, 3)),
+    (np.eye(4) * np.nan, None, ("finite",)),
 ])
-def test_matrices_that_are_refused(A, M, message):
-    with pytest.raises(polydec.InvalidInput, match=message):
+def test_matrices_that_are_refused(A, M, words):
+    with pytest.raises(polydec.InvalidInput, match=said(*words)):
         polydec.smallest_eigenpairs(A, M, 2)
 
 
@@ -97,7 +97,7 @@ def test_counts_that_are_refused(square):
     for count in (0, -1, square.size(0) + 1):
         with pytest.raises(polydec.InvalidInput):
             polydec.spectrum(square, count=count)
-    with pytest.raises(polydec.InvalidInput, match="known|engine|nonsense"):
+    with pytest.raises(polydec.InvalidInput, match=said("nonsense")):
         polydec.spectrum(square, linear_solver="nonsense")
 
 
@@ -110,5 +110,5 @@ def test_robins_condition(square, side):
     assert (some.eigenvalues > free + 0.1).all() and (some.eigenvalues < held).all()
     hardly = polydec.spectrum(square, side=side, count=3, robin=1e-9)
     assert abs(hardly.eigenvalues - free).max() < 1e-6
-    with pytest.raises(polydec.InvalidInput, match="has Robin's condition, which this problem"):
+    with pytest.raises(polydec.InvalidInput, match=said("facet 0", "Robin")):
         polydec.spectrum(square, side=side, count=3, robin=2.0, coexact=True)

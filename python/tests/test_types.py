@@ -27,7 +27,7 @@ def run(tmp_path_factory):
         home = pathlib.Path(polydec.__file__).parents[1]
         return subprocess.run(
             [sys.executable, *map(str, arguments)], cwd=folder, text=True, capture_output=True,
-            env={**os.environ, "MYPYPATH": str(path), "PYTHONPATH": str(home)}).stdout
+            env={**os.environ, "MYPYPATH": str(path), "PYTHONPATH": str(home)}, timeout=200).stdout
 
     return runs
 

@@ -4,11 +4,12 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/says.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_adapt {
 namespace {
 
 /// As little as an engine can be: no info(), no matrix type.
@@ -44,8 +45,7 @@ TEST(adapt, wrong_solutions_are_caught) {
     const auto solver = adapt<WrongLu>("wrong")({});
     solver->factorize(A, positive());
     const auto message = message_of<SolverFailure>([&] { solver->solve(b); });
-    EXPECT_EQ(message.find("wrong: the solution is not to be trusted: |b - A x| / |b| = "), 0u)
-        << message;
+    EXPECT_TRUE(says(message, {"wrong", "solution", "|b - A x| / |b|"}));
 }
 
 TEST(adapt, one_step_of_refinement_mends_sloppy_solutions) {
@@ -72,8 +72,8 @@ TEST(adapt, failures_of_the_engine_are_ours) {
         "cg", {.method = Method::iterative, .symmetry = Symmetry::symmetric},
         [](auto& cg) { cg.setMaxIterations(2); })({});
     solver->factorize(grid_laplacian(9), positive());
-    EXPECT_EQ(message_of<SolverFailure>([&] { solver->solve(random_matrix(81, 1, 5)); }),
-              "cg: the solution did not converge within its limit of iterations");
+    EXPECT_TRUE(says(message_of<SolverFailure>([&] { solver->solve(random_matrix(81, 1, 5)); }),
+                     {"cg", "converge", "iterations"}));
 }
 
 TEST(adapt, adapted_engines_can_be_registered) {
@@ -83,4 +83,4 @@ TEST(adapt, adapted_engines_can_be_registered) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_adapt

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_additive_table {
 namespace {
 
 /// The largest defect of the conditions of order 1 .. 4 for weights, with each of the parts in
@@ -68,4 +68,4 @@ TEST(additive_table, a_wrong_coefficient_is_seen) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_additive_table

@@ -3,12 +3,13 @@
 
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace polydec::test {
+namespace polydec::test::in_auto_solver {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -103,7 +104,7 @@ TEST(auto_solver, it_goes_on_to_the_next_engine_and_says_so) {
     EXPECT_EQ(solver.report().engine, "eigen.lu");
     ASSERT_GE(solver.report().tried.size(), 2u);
     const auto& failure = solver.report().tried[solver.report().tried.size() - 2];
-    EXPECT_EQ(failure, "eigen.ldlt: zero pivot: the matrix, or a leading block of it, is singular");
+    EXPECT_TRUE(says(failure, {"eigen.ldlt", "pivot", "singular"}));
     EXPECT_EQ(solver.report().tried.back(), "eigen.lu");
 }
 
@@ -119,9 +120,9 @@ TEST(auto_solver, when_no_engine_is_left_the_error_tells_of_all) {
     SparseMatrix A(3, 3);
     A.insert(0, 0) = 1.0;
     const auto message = message_of<SolverFailure>([&] { solver.factorize(A, indefinite()); });
-    EXPECT_EQ(message.find("auto: no engine solves this 3 x 3 system: "), 0u) << message;
-    EXPECT_NE(message.find("eigen.ldlt: zero pivot"), std::string::npos) << message;
-    EXPECT_NE(message.find("eigen.lu: the matrix is singular: row 1 is zero"), std::string::npos);
+    EXPECT_TRUE(says(message, {"auto", "no engine", "3 x 3"}));
+    EXPECT_TRUE(says(message, {"eigen.ldlt", "pivot"}));
+    EXPECT_TRUE(says(message, {"eigen.lu", "singular", "row 1"}));
     EXPECT_THROW(solver.solve(Vector::Ones(3)), InvalidInput);
 }
 
@@ -145,4 +146,4 @@ TEST(auto_solver, it_counts_negative_eigenvalues_where_asked) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_auto_solver

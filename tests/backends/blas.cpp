@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace polydec::test {
+namespace polydec::test::in_blas {
 namespace {
 
 TEST(blas, products_are_those_of_eigen_also_of_blocks_and_of_nothing) {
@@ -58,4 +58,4 @@ TEST(blas, one_that_is_loaded_says_what_it_is) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_blas

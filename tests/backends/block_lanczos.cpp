@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_block_lanczos {
 namespace {
 
 constexpr Index copies = 7;
@@ -119,4 +119,4 @@ TEST(BlockLanczos, refuses_columns_that_are_no_numbers_and_lets_errors_pass) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_block_lanczos

@@ -4,13 +4,14 @@
 #include "base/decompositions.h"
 #include "base/memory.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <new>
 
-namespace polydec::test {
+namespace polydec::test::in_checked_solver {
 namespace {
 
 /// Tells whether it was told that the pattern is the same; and leaves a trace of what it was given.
@@ -84,14 +85,13 @@ private:
 
 TEST(checked_solver, want_of_memory_names_the_engine_and_what_it_was_for) {
     Greedy direct(true, Method::direct), iterative(false, Method::iterative);
-    EXPECT_EQ(message_of<OutOfMemory>([&] { direct.factorize(grid_laplacian(4), positive()); }),
-              "greedy: memory does not suffice to factorize a 16 x 16 matrix\n"
-              "Take an iterative engine, or allow more memory.");
+    EXPECT_TRUE(
+        says(message_of<OutOfMemory>([&] { direct.factorize(grid_laplacian(4), positive()); }),
+             {"greedy", "memory", "factorize", "16 x 16", "iterative"}));
     EXPECT_THROW(direct.solve(Vector::Ones(16)), InvalidInput);
     iterative.factorize(grid_laplacian(4), positive());
-    EXPECT_EQ(message_of<OutOfMemory>([&] { iterative.solve(Vector::Ones(16)); }),
-              "greedy: memory does not suffice to solve with a 16 x 16 matrix\n"
-              "Allow more memory.");
+    EXPECT_TRUE(says(message_of<OutOfMemory>([&] { iterative.solve(Vector::Ones(16)); }),
+                     {"greedy", "memory", "solve", "16 x 16"}));
 }
 
 /// Any sparse matrix: rows and columns may be empty, entries repeat, scales differ.
@@ -144,4 +144,4 @@ RC_GTEST_PROP(checked_solver, regular_symmetric_systems_are_solved_by_every_engi
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_checked_solver

@@ -4,6 +4,8 @@
 #include "backends/mesher/held_signals.h"
 #include "backends/mesher/temporary_folder.h"
 #include "base/errors.h"
+#include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +16,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace polydec {
+namespace polydec::test::in_child_process {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,12 +53,7 @@ private:
 };
 
 std::string start_failure(const fs::path& program, const fs::path& folder) {
-    try {
-        run_child(program, {}, folder);
-    } catch (const IoError& error) {
-        return error.what();
-    }
-    return {};
+    return message_of<IoError>([&] { run_child(program, {}, folder); });
 }
 
 TEST_F(ChildProcess, exit_code_and_both_outputs_come_back) {
@@ -136,13 +133,11 @@ TEST_F(ChildProcess, output_may_end_long_before_the_program) {
 }
 
 TEST_F(ChildProcess, what_cannot_be_started_is_an_error_that_says_why) {
-    EXPECT_EQ(start_failure("/no/program", folder()),
-              "cannot run /no/program: No such file or directory");
-    EXPECT_EQ(start_failure("/bin/sh", folder() / "none"),
-              "cannot run /bin/sh: No such file or directory");
+    EXPECT_TRUE(says(start_failure("/no/program", folder()), {"/no/program", "No such file"}));
+    EXPECT_TRUE(says(start_failure("/bin/sh", folder() / "none"), {"/bin/sh", "No such file"}));
     std::ofstream(folder() / "plain") << "text";
-    EXPECT_EQ(start_failure(folder() / "plain", folder()),
-              "cannot run " + (folder() / "plain").string() + ": Permission denied");
+    EXPECT_TRUE(says(start_failure(folder() / "plain", folder()),
+                     {(folder() / "plain").string(), "Permission"}));
 }
 
 TEST_F(ChildProcess, a_signal_to_end_stops_it_and_is_delivered_afterwards) {
@@ -202,4 +197,4 @@ TEST(TemporaryFolder, it_is_private_and_goes_with_all_that_is_in_it) {
 }
 
 } // namespace
-} // namespace polydec
+} // namespace polydec::test::in_child_process

@@ -2,13 +2,14 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_eigen_contract {
 namespace {
 
 SymmetricOperator by_matrix(const SparseMatrix& A) {
@@ -157,8 +158,8 @@ TEST_P(EigenContract, the_same_question_has_the_same_answer) {
 TEST_P(EigenContract, impossible_questions_are_refused) {
     const auto A = grid_laplacian(3);
     const auto solver = make_eigen_solver(GetParam());
-    EXPECT_EQ(message_of<InvalidInput>([&] { largest(A, 10); }),
-              GetParam() + ": asked for 10 eigenpairs of an operator of size 9");
+    EXPECT_TRUE(says(message_of<InvalidInput>([&] { largest(A, 10); }),
+                     {GetParam(), "10 eigenpairs", "9"}));
     EXPECT_THROW(largest(A, -1), InvalidInput);
     EXPECT_THROW(largest(A, 1, {.tolerance = 0.0}), InvalidInput);
     EXPECT_THROW(largest(A, 1, {.krylov_dimension = -1}), InvalidInput);
@@ -198,4 +199,4 @@ RC_GTEST_PROP(eigen_solver, diagonal_operators_with_repeated_values_give_true_pa
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_eigen_contract

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace polydec::test {
+namespace polydec::test::in_engine_module {
 namespace {
 
 TEST(engine_module, a_module_registers_its_engines_once) {
@@ -40,9 +41,8 @@ TEST(engine_module, errors_cross_the_border_of_a_module) {
 
 TEST(engine_module, a_module_for_another_version_is_refused_before_it_runs) {
     const std::string path = POLYDEC_TEST_OLD_MODULE;
-    EXPECT_EQ(message_of<BackendUnavailable>([&] { load_engine_module(path); }),
-              path + ": is an engine module of version 0, and this polydec takes version 2\n"
-                     "Build it against the headers of this polydec.");
+    EXPECT_TRUE(says(message_of<BackendUnavailable>([&] { load_engine_module(path); }),
+                     {path, "version 0", "2"}));
 }
 
 TEST(engine_module, what_is_no_module_is_refused) {
@@ -88,9 +88,8 @@ TEST(engine_module, why_a_module_cannot_be_loaded_is_told_when_its_engine_is_ask
     EXPECT_FALSE(has_linear_solver("broken.solver"));
     const auto message =
         message_of<BackendUnavailable>([] { make_linear_solver("broken.solver"); });
-    EXPECT_EQ(message.find("the linear solver `broken.solver` is not there: "), 0u) << message;
-    EXPECT_NE(message.find("broken.so: cannot be loaded as an engine module"), std::string::npos)
-        << message;
+    EXPECT_TRUE(says(message, {"linear solver", "broken.solver"}));
+    EXPECT_TRUE(says(message, {"broken.so", "module"}));
     EXPECT_THROW(make_linear_solver("unbroken.solver"), InvalidInput);
 }
 
@@ -122,4 +121,4 @@ TEST(engine_module, no_module_is_loaded_where_address_space_is_short) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_engine_module

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_engine_threads {
 namespace {
 
 int level_limit() {
@@ -25,4 +25,4 @@ TEST(EngineThreads, one_is_one_for_openmp_too_and_what_was_comes_back) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_engine_threads

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_inertia {
 namespace {
 
 MatrixFacts counted() {
@@ -121,4 +121,4 @@ RC_GTEST_PROP(inertia, sylvester_counts_what_a_dense_eigensolver_counts, ()) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_inertia

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace polydec::test {
+namespace polydec::test::in_linear_contract {
 namespace {
 
 /// What every linear engine promises, whichever it is.
@@ -128,9 +129,7 @@ TEST_P(LinearContract, right_hand_sides_outside_the_image_are_refused) {
     const auto solver = make();
     solver->factorize(A, semidefinite(Vector::Ones(36)));
     const auto message = message_of<InvalidInput>([&] { solver->solve(Vector::Ones(36)); });
-    EXPECT_EQ(message.substr(message.find(':')),
-              ": right-hand side 0 has a part in the kernel of the matrix, 1 of its norm\n"
-              "No solution exists; take that part away (for Neumann data: make the mean 0).");
+    EXPECT_TRUE(says(message, {"right-hand side 0", "kernel", "1"}));
 }
 
 TEST_P(LinearContract, unknown_kernels_give_a_solution_or_an_error_but_no_garbage) {
@@ -237,7 +236,7 @@ TEST_P(LinearContract, matrices_that_are_not_square_are_refused) {
     const auto solver = make();
     const SparseMatrix A(3, 4);
     const auto message = message_of<InvalidInput>([&] { solver->factorize(A, positive()); });
-    EXPECT_NE(message.find(": a 3 x 4 matrix is not square"), std::string::npos) << message;
+    EXPECT_TRUE(says(message, {"3 x 4", "square"}));
 }
 
 TEST_P(LinearContract, nan_and_infinity_are_refused_by_name) {
@@ -245,24 +244,22 @@ TEST_P(LinearContract, nan_and_infinity_are_refused_by_name) {
     SparseMatrix A = grid_laplacian(3);
     A.coeffRef(2, 5) = std::nan("");
     const auto in_matrix = message_of<InvalidInput>([&] { solver->factorize(A, positive()); });
-    EXPECT_NE(in_matrix.find(": entry (2, 5) of the matrix is nan"), std::string::npos)
-        << in_matrix;
+    EXPECT_TRUE(says(in_matrix, {"(2, 5)", "matrix", "nan"}));
 
     solver->factorize(grid_laplacian(3), positive());
     DenseMatrix B = DenseMatrix::Ones(9, 2);
     B(7, 1) = -std::numeric_limits<double>::infinity();
     const auto in_vector = message_of<InvalidInput>([&] { solver->solve(B); });
-    EXPECT_NE(in_vector.find(": entry 7 of right-hand side 1 is -inf"), std::string::npos)
-        << in_vector;
+    EXPECT_TRUE(says(in_vector, {"entry 7", "right-hand side 1", "-inf"}));
 }
 
 TEST_P(LinearContract, solving_needs_a_factorization_and_the_right_size) {
     const auto solver = make();
-    EXPECT_EQ(message_of<InvalidInput>([&] { solver->solve(Vector::Ones(3)); }),
-              GetParam() + ": solve() needs a successful factorize() before");
+    EXPECT_TRUE(says(message_of<InvalidInput>([&] { solver->solve(Vector::Ones(3)); }),
+                     {GetParam(), "solve", "factorize"}));
     solver->factorize(grid_laplacian(3), positive());
     const auto message = message_of<InvalidInput>([&] { solver->solve(Vector::Ones(3)); });
-    EXPECT_NE(message.find(": a right-hand side of 3 rows for a 9 x 9 matrix"), std::string::npos);
+    EXPECT_TRUE(says(message, {"right-hand side", "3 rows", "9 x 9"}));
 
     EXPECT_THROW(solver->factorize(SparseMatrix(2, 3), positive()), InvalidInput);
     EXPECT_THROW(solver->solve(Vector::Ones(9)), InvalidInput);
@@ -342,4 +339,4 @@ INSTANTIATE_TEST_SUITE_P(engines, LinearContract, testing::ValuesIn(linear_engin
                          [](const auto& test) { return test_name(test.param); });
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_linear_contract

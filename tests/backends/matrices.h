@@ -3,6 +3,7 @@
 
 #include "backends/linear_solver.h"
 #include "backends/registry.h"
+#include "tests/support/refusal.h"
 
 #include <memory>
 #include <random>
@@ -46,18 +47,5 @@ bool solves(const SparseMatrix& A, const DenseMatrix& X, const DenseMatrix& B);
 
 /// Number of negative eigenvalues by a dense eigensolver.
 Index negative_eigenvalues(const SparseMatrix& A);
-
-/// The message of the Error that `action` throws; "no error" or "another error" if it does not.
-template <typename Error, typename Action>
-std::string message_of(Action&& action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    } catch (const std::exception& error) {
-        return std::string("another error: ") + error.what();
-    }
-    return "no error";
-}
 
 } // namespace polydec::test

@@ -3,6 +3,7 @@
 
 #include "base/decompositions.h"
 #include "tests/backends/mesher_support.h"
+#include "tests/support/says.h"
 
 #include <Eigen/Geometry>
 
@@ -10,7 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace polydec {
+namespace polydec::test::in_mesher {
 namespace {
 
 namespace fs = std::filesystem;
@@ -163,11 +164,9 @@ TEST_F(MesherTest, facets_that_cross_are_named) {
             spike.corners.push_back(corner);
         for (const Index offset : {27, 30, 33, 36})
             spike.offsets.push_back(offset);
-        EXPECT_EQ(refusal_of(spike),
-                  "mesher: 3 pairs of facets cross or overlap: 1 (4 5 7 6) and 7 (8 9 11), "
-                  "1 (4 5 7 6) and 8 (8 11 10), 1 (4 5 7 6) and 9 (9 10 11)\nThe facets must meet "
-                  "in common corners and edges only: take the surface apart there and join it "
-                  "anew.");
+        EXPECT_TRUE(
+            says(refusal_of(spike), {"mesher", "3 pairs", "facets", "1 (4 5 7 6)", "7 (8 9 11)",
+                                     "1 (4 5 7 6)", "8 (8 11 10)", "1 (4 5 7 6)", "9 (9 10 11)"}));
     });
 }
 
@@ -175,17 +174,17 @@ TEST_F(MesherTest, points_that_tetgen_would_take_for_one_are_named) {
     with_tetgen([] {
         auto thin = cube();
         thin.points.col(2) *= 1e-10;
-        EXPECT_EQ(message_of<SolverFailure>([&] { tetrahedralize(thin); }).substr(0, 22),
-                  "tetgen left out point ");
+        EXPECT_TRUE(says(message_of<SolverFailure>([&] { tetrahedralize(thin); }),
+                         {"tetgen", "left out", "point"}));
     });
 }
 
 TEST_F(MesherTest, it_is_stopped_after_the_time_given) {
     with_tetgen([] {
-        EXPECT_EQ(message_of<SolverFailure>(
-                      [] { tetrahedralize(cube(), {.largest_volume = 1e-9, .seconds = 0.01}); }),
-                  "tetgen was stopped, as it was not done within 0.01 seconds\nAllow more time, or "
-                  "ask for larger tetrahedra or less quality.");
+        EXPECT_TRUE(says(message_of<SolverFailure>([] {
+                             tetrahedralize(cube(), {.largest_volume = 1e-9, .seconds = 0.01});
+                         }),
+                         {"tetgen", "stopped", "0.01"}));
     });
 }
 
@@ -202,18 +201,16 @@ TEST_F(MesherTest, holes_that_take_everything_are_told) {
     with_tetgen([] {
         auto input = cube();
         input.holes = Points::Constant(1, 3, 0.5);
-        EXPECT_EQ(message_of<SolverFailure>([&] { tetrahedralize(input); }),
-                  "tetgen made no tetrahedra\nProbable cause: the holes take everything away.");
+        EXPECT_TRUE(says(message_of<SolverFailure>([&] { tetrahedralize(input); }),
+                         {"tetgen", "no tetrahedra", "holes"}));
     });
 }
 
 TEST_F(MesherTest, without_the_program_it_is_told_how_to_get_it) {
     const Variable path("PATH", "/nowhere");
     EXPECT_FALSE(is_available());
-    EXPECT_EQ(message_of<BackendUnavailable>([] { tetrahedralize(cube()); }), missing);
+    EXPECT_TRUE(says(message_of<BackendUnavailable>([] { tetrahedralize(cube()); }), missing));
 }
-
-const std::string no_file = "it cannot be read: No such file or directory";
 
 /// Another program of that name, which does what the script says.
 std::string failure_of(const std::string& script) {
@@ -226,9 +223,9 @@ std::string failure_of(const std::string& script) {
 }
 
 TEST_F(MesherTest, a_crash_is_decoded) {
-    EXPECT_EQ(failure_of("echo broken; kill -SEGV $$").substr(0, 66),
-              "tetgen was ended by a signal, Segmentation fault, saying: broken\nP");
-    EXPECT_EQ(failure_of("exit 3").substr(0, 30), "tetgen ended with exit code 3\n");
+    EXPECT_TRUE(says(failure_of("echo broken; kill -SEGV $$"),
+                     {"tetgen", "signal", "Segmentation fault", "broken"}));
+    EXPECT_TRUE(says(failure_of("exit 3"), {"tetgen", "exit code 3"}));
 }
 
 TEST_F(MesherTest, output_that_is_none_is_refused) {
@@ -236,51 +233,43 @@ TEST_F(MesherTest, output_that_is_none_is_refused) {
         return failure_of("echo '" + points + "' > mesh.1.node; echo '" + cells + "' > mesh.1.ele");
     };
     const std::string tetrahedron = "4 3 0 0 0 0 0 0 1 1 0 0 2 0 1 0 3 0 0 1";
-    const auto lacks = [](const std::string& file, const std::string& what) {
-        return "tetgen wrote a file mesh.1." + file + " that makes no sense: " + what +
-               "\nIs the program of that name on PATH the mesher?";
-    };
-    EXPECT_EQ(failure_of("exit 0"),
-              "tetgen made no tetrahedra\nProbable cause: the points are almost in one plane.");
-    EXPECT_EQ(wrote("", ""), lacks("node", "a number is missing after 1 bytes"));
-    EXPECT_EQ(wrote("2000000000 3 0 0", ""),
-              lacks("node", "it promises 2000000000 rows in 17 bytes"));
-    EXPECT_EQ(wrote("1 3 2147483647 1 0 0 0 0", ""),
-              lacks("node", "it promises 2147483647 numbers more in a row"));
-    EXPECT_EQ(wrote(tetrahedron, "1 4 -1 0 0 1 2 3"),
-              lacks("ele", "it promises -1 numbers more in a row"));
-    EXPECT_EQ(wrote("1 3 0 0 0 nan 0 0", ""), lacks("node", "point 0 is not finite"));
-    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1 2 4"),
-              lacks("ele", "tetrahedron 0 has the corner 4"));
-    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1"),
-              lacks("ele", "a number is missing after 12 bytes"));
-    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1 2 3 4"),
-              lacks("ele", "it does not end after 15 bytes, with its last row"));
-    EXPECT_EQ(wrote(tetrahedron, "1 4 0 0 0 1 2 3"), lacks("face", no_file));
+    EXPECT_TRUE(says(failure_of("exit 0"), {"tetgen", "no tetrahedra", "plane"}));
+    EXPECT_TRUE(says(wrote("", ""), {"tetgen", "mesh.1.node", "missing", "1 bytes"}));
+    EXPECT_TRUE(says(wrote("2000000000 3 0 0", ""),
+                     {"tetgen", "mesh.1.node", "2000000000 rows", "17 bytes"}));
+    EXPECT_TRUE(says(wrote("1 3 2147483647 1 0 0 0 0", ""),
+                     {"tetgen", "mesh.1.node", "2147483647 numbers", "row"}));
+    EXPECT_TRUE(says(wrote(tetrahedron, "1 4 -1 0 0 1 2 3"),
+                     {"tetgen", "mesh.1.ele", "-1 numbers", "row"}));
+    EXPECT_TRUE(
+        says(wrote("1 3 0 0 0 nan 0 0", ""), {"tetgen", "mesh.1.node", "point 0", "finite"}));
+    EXPECT_TRUE(says(wrote(tetrahedron, "1 4 0 0 0 1 2 4"),
+                     {"tetgen", "mesh.1.ele", "tetrahedron 0", "corner 4"}));
+    EXPECT_TRUE(
+        says(wrote(tetrahedron, "1 4 0 0 0 1"), {"tetgen", "mesh.1.ele", "missing", "12 bytes"}));
+    EXPECT_TRUE(
+        says(wrote(tetrahedron, "1 4 0 0 0 1 2 3 4"), {"tetgen", "mesh.1.ele", "end", "15 bytes"}));
+    EXPECT_TRUE(
+        says(wrote(tetrahedron, "1 4 0 0 0 1 2 3"), {"tetgen", "mesh.1.face", "No such file"}));
     const std::string face = "; echo '1 1 0 0 1 2 1' > mesh.1.face";
-    EXPECT_EQ(failure_of("echo '" + tetrahedron +
-                         "' > mesh.1.node; echo '1 4 0 0 0 1 2 3' > "
-                         "mesh.1.ele" +
-                         face)
-                  .substr(0, 25),
-              "tetgen left out point 3 a");
+    EXPECT_TRUE(says(failure_of("echo '" + tetrahedron +
+                                "' > mesh.1.node; echo '1 4 0 0 0 1 2 3' > "
+                                "mesh.1.ele" +
+                                face),
+                     {"tetgen", "left out", "point 3"}));
 }
 
 TEST_F(MesherTest, only_regular_files_that_are_whole_are_read) {
-    const auto lacks = [](const std::string& what) {
-        return "tetgen wrote a file mesh.1.node that makes no sense: " + what +
-               "\nIs the program of that name on PATH the mesher?";
-    };
     const auto wrote = [](const std::string& script) {
         return failure_of("echo > mesh.1.ele; " + script);
     };
-    EXPECT_EQ(wrote("mkfifo mesh.1.node"), lacks("it is no regular file"));
-    EXPECT_EQ(wrote("mkdir mesh.1.node"), lacks("it is no regular file"));
-    EXPECT_EQ(wrote("ln -s mesh.1.ele mesh.1.node"),
-              lacks("it cannot be read: Too many levels of symbolic links"));
-    EXPECT_EQ(wrote("true"), lacks(no_file));
-    EXPECT_EQ(wrote("printf '1 3 0 0 0 1.2 3.4 5.6' > mesh.1.node"),
-              lacks("it does not end after 21 bytes, with its last row"));
+    EXPECT_TRUE(says(wrote("mkfifo mesh.1.node"), {"tetgen", "mesh.1.node", "regular file"}));
+    EXPECT_TRUE(says(wrote("mkdir mesh.1.node"), {"tetgen", "mesh.1.node", "regular file"}));
+    EXPECT_TRUE(
+        says(wrote("ln -s mesh.1.ele mesh.1.node"), {"tetgen", "mesh.1.node", "symbolic links"}));
+    EXPECT_TRUE(says(wrote("true"), {"tetgen", "mesh.1.node", "No such file"}));
+    EXPECT_TRUE(says(wrote("printf '1 3 0 0 0 1.2 3.4 5.6' > mesh.1.node"),
+                     {"tetgen", "mesh.1.node", "end", "21 bytes"}));
 }
 
 TEST_F(MesherTest, a_mesher_of_ones_own_can_be_registered) {
@@ -297,4 +286,4 @@ TEST_F(MesherTest, a_mesher_of_ones_own_can_be_registered) {
 }
 
 } // namespace
-} // namespace polydec
+} // namespace polydec::test::in_mesher

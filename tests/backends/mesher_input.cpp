@@ -3,6 +3,7 @@
 
 #include "backends/mesher.h"
 #include "tests/backends/mesher_support.h"
+#include "tests/support/says.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace polydec {
+namespace polydec::test::in_mesher_input {
 namespace {
 
 // All this is found before the program is run, so it holds where there is none.
@@ -19,13 +20,12 @@ namespace {
 TEST_F(MesherTest, coordinates_must_be_finite) {
     auto input = cube();
     input.points(3, 1) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(refusal_of(input), "mesher: point 3 is at (1, nan, 0): coordinates must be finite");
+    EXPECT_TRUE(says(refusal_of(input), {"mesher", "point 3", "(1, nan, 0)"}));
     input = cube();
     input.holes = Points::Constant(1, 3, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(refusal_of(input),
-              "mesher: hole 0 is at (inf, inf, inf): coordinates must be finite");
-    EXPECT_EQ(refusal_of({.points = Points::Zero(5, 2)}),
-              "mesher: a point has 2 coordinates; tetrahedra are made in three");
+    EXPECT_TRUE(says(refusal_of(input), {"mesher", "hole 0", "(inf, inf, inf)"}));
+    EXPECT_TRUE(
+        says(refusal_of({.points = Points::Zero(5, 2)}), {"mesher", "point", "2 coordinates"}));
 }
 
 TEST_F(MesherTest, holes_are_inside_of_a_surface) {
@@ -36,19 +36,18 @@ TEST_F(MesherTest, holes_are_inside_of_a_surface) {
         input.holes.row(1) << x, y, z;
         return refusal_of(input);
     };
-    const char* on_facet = "mesher: hole 1 is on a facet: move it to the inside";
-    EXPECT_EQ(refusal(0.5, 0.25, 2.0), on_facet);
-    EXPECT_EQ(refusal(0.5, 2.0, 2.0), on_facet) << "on an edge";
-    EXPECT_EQ(refusal(2.0, 2.0, 2.0), on_facet) << "at a corner";
-    const char* outside = "mesher: hole 1 is outside of all surfaces: move it to the inside of the "
-                          "part that is to stay empty, or take it away";
+    const Words on_facet{"mesher", "hole 1", "on a facet"};
+    EXPECT_TRUE(says(refusal(0.5, 0.25, 2.0), on_facet));
+    EXPECT_TRUE(says(refusal(0.5, 2.0, 2.0), on_facet)) << "on an edge";
+    EXPECT_TRUE(says(refusal(2.0, 2.0, 2.0), on_facet)) << "at a corner";
+    const Words outside{"mesher", "hole 1", "outside"};
     for (const double far : {2.001, 40.0, 1e300})
-        EXPECT_EQ(refusal(0.5, 0.25, far), outside);
+        EXPECT_TRUE(says(refusal(0.5, 0.25, far), outside));
     input = cube(1e-200);
     input.holes.resize(2, 3);
     input.holes.row(0).setConstant(5e-201);
-    EXPECT_EQ(refusal(0.0, 0.0, 2e-200), outside);
-    EXPECT_EQ(refusal(0.0, 5e-201, 5e-201), on_facet);
+    EXPECT_TRUE(says(refusal(0.0, 0.0, 2e-200), outside));
+    EXPECT_TRUE(says(refusal(0.0, 5e-201, 5e-201), on_facet));
 }
 
 TEST(PlanePatches, take_time_in_proportion_to_the_corners) {
@@ -86,24 +85,20 @@ TEST_F(MesherTest, surfaces_have_two_sides) {
                      1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3};
     for (Index i = 0; i <= 30; i += 3)
         input.offsets.push_back(i);
-    EXPECT_NE(refusal_of(input).find("has one side only and encloses nothing"), std::string::npos);
+    EXPECT_TRUE(says(refusal_of(input), {"mesher", "one side"}));
 }
 
 TEST_F(MesherTest, points_must_span_a_volume) {
-    EXPECT_EQ(refusal_of({.points = cloud(3)}),
-              "mesher: there are 3 points; a tetrahedron needs four");
+    EXPECT_TRUE(says(refusal_of({.points = cloud(3)}), {"mesher", "3 points"}));
     Points points = cloud(20);
     points.col(2) = 0.3 * points.col(0) - 0.7 * points.col(1);
-    EXPECT_EQ(refusal_of({.points = points}).substr(0, 51),
-              "mesher: all 20 points lie in the plane through poin");
+    EXPECT_TRUE(says(refusal_of({.points = points}), {"mesher", "20 points", "plane"}));
     points.col(1) = 0.1 * points.col(0);
     points.col(2) = 0.2 * points.col(0);
-    EXPECT_EQ(refusal_of({.points = points}).substr(0, 50),
-              "mesher: all 20 points lie on the line through poin");
+    EXPECT_TRUE(says(refusal_of({.points = points}), {"mesher", "20 points", "line"}));
     points = cloud(20);
     points.row(17) = points.row(4);
-    EXPECT_EQ(refusal_of({.points = points}).substr(0, 38),
-              "mesher: points 4 and 17 are both at (0");
+    EXPECT_TRUE(says(refusal_of({.points = points}), {"mesher", "points 4", "17"}));
 }
 
 TEST_F(MesherTest, facets_must_be_plane_polygons) {
@@ -112,21 +107,19 @@ TEST_F(MesherTest, facets_must_be_plane_polygons) {
         input.corners[place] = corner;
         return refusal_of(input);
     };
-    EXPECT_EQ(broken(5, 8), "mesher: facet 1 has the corner 8, but the points are 0 to 7");
-    EXPECT_EQ(broken(5, 4), "mesher: facet 1 (4 4 7 6) has the corner 4 twice");
+    EXPECT_TRUE(says(broken(5, 8), {"mesher", "facet 1", "corner 8", "0", "7"}));
+    EXPECT_TRUE(says(broken(5, 4), {"mesher", "facet 1 (4 4 7 6)", "corner 4", "twice"}));
 
     auto input = cube();
     input.offsets[1] = 2;
-    EXPECT_EQ(refusal_of(input), "mesher: facet 0 has 2 corners; a facet needs three");
+    EXPECT_TRUE(says(refusal_of(input), {"mesher", "facet 0", "2 corners"}));
     input.offsets[1] = 9;
-    EXPECT_EQ(refusal_of(input),
-              "mesher: the offsets of the facets must ascend from 0 to the number of corners, 24");
+    EXPECT_TRUE(says(refusal_of(input), {"mesher", "offsets", "facets", "24"}));
 
     input = cube();
     input.points(7, 2) = 1.25;
-    EXPECT_EQ(refusal_of(input),
-              "mesher: facet 1 (4 5 7 6) is not plane: its corner 5 is off by 0.086 of its size\n"
-              "Split it into triangles.");
+    EXPECT_TRUE(
+        says(refusal_of(input), {"mesher", "facet 1 (4 5 7 6)", "plane", "corner 5", "0.086"}));
 }
 
 TEST_F(MesherTest, facets_must_have_area) {
@@ -135,29 +128,24 @@ TEST_F(MesherTest, facets_must_have_area) {
     input.points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1;
     input.corners = {0, 1, 2, 0, 3, 4};
     input.offsets = {0, 3, 6};
-    EXPECT_EQ(refusal_of(input),
-              "mesher: facet 0 (0 1 2) has no area: its corners lie on one line");
+    EXPECT_TRUE(says(refusal_of(input), {"mesher", "facet 0 (0 1 2)", "area"}));
 }
 
 TEST_F(MesherTest, a_surface_must_be_closed) {
     auto input = cube();
     input.corners.resize(20);
     input.offsets.resize(6);
-    EXPECT_EQ(refusal_of(input),
-              "mesher: the surface is not closed: each edge must be in two facets, but 4 of them "
-              "are not\nedge 1 3 in 1 (facet 0), edge 1 5 in 1 (facet 2), edge 3 7 in 1 (facet 3) "
-              "..\nClose the gaps, and take away facets that hang on or come twice.");
+    EXPECT_TRUE(says(refusal_of(input), {"mesher", "closed", "4", "edge 1 3", "facet 0", "edge 1 5",
+                                         "facet 2", "edge 3 7", "facet 3"}));
 }
 
 TEST_F(MesherTest, options_must_make_sense) {
-    EXPECT_EQ(refusal_of(cube(), {.quality = 0.5}).substr(0, 57),
-              "mesher: no tetrahedron has a circumradius of 0.5 shortest");
-    EXPECT_EQ(refusal_of(cube(), {.largest_volume = -1.0}),
-              "mesher: the largest volume -1 is not positive; 0 means no bound");
-    EXPECT_EQ(refusal_of(cube(), {.seconds = 0.0}).substr(0, 17), "mesher: 0 seconds");
-    EXPECT_EQ(message_of<InvalidInput>([] { tetrahedralize(cube(), {}, "netgen"); }).substr(0, 34),
-              "there is no mesher called `netgen`");
+    EXPECT_TRUE(says(refusal_of(cube(), {.quality = 0.5}), {"mesher", "circumradius", "0.5"}));
+    EXPECT_TRUE(says(refusal_of(cube(), {.largest_volume = -1.0}), {"mesher", "volume", "-1"}));
+    EXPECT_TRUE(says(refusal_of(cube(), {.seconds = 0.0}), {"mesher", "0 seconds"}));
+    EXPECT_TRUE(says(message_of<InvalidInput>([] { tetrahedralize(cube(), {}, "netgen"); }),
+                     {"mesher", "netgen"}));
 }
 
 } // namespace
-} // namespace polydec
+} // namespace polydec::test::in_mesher_input

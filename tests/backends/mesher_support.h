@@ -5,6 +5,8 @@
 #include "backends/mesher/temporary_folder.h"
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +17,8 @@
 
 namespace polydec {
 
-inline constexpr const char* missing =
-    "the mesher `tetgen` needs the program tetgen, which is not on "
-    "PATH\nTo get it: apt-get install tetgen (Debian package tetgen).";
+/// What is said where the program is not there.
+inline const test::Words missing{"tetgen", "PATH", "apt-get install tetgen"};
 
 /// A variable of the environment, for a while.
 class Variable {
@@ -45,16 +46,6 @@ inline bool is_available() {
     return false;
 }
 
-template <typename Expected, typename F>
-std::string message_of(F f) {
-    try {
-        f();
-    } catch (const Expected& error) {
-        return error.what();
-    }
-    return "no such error";
-}
-
 /// Every test gets a folder for temporary files of its own, and must leave it empty. Where the
 /// program is not there, each proposition about meshes becomes: this is told.
 class MesherTest : public testing::Test {
@@ -66,7 +57,7 @@ protected:
         if (is_available())
             proposition();
         else
-            EXPECT_EQ(message_of<BackendUnavailable>(proposition), missing);
+            EXPECT_TRUE(test::says(test::message_of<BackendUnavailable>(proposition), missing));
     }
 
 private:
@@ -96,7 +87,7 @@ inline Points cloud(Index count) {
 }
 
 inline std::string refusal_of(const MesherInput& input, const MesherOptions& options = {}) {
-    return message_of<InvalidInput>([&] { tetrahedralize(input, options); });
+    return test::refusal([&] { tetrahedralize(input, options); });
 }
 
 } // namespace polydec

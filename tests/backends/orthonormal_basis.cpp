@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_orthonormal_basis {
 namespace {
 
 double defect(const DenseMatrix& Q) {
@@ -111,4 +111,4 @@ TEST(OrthonormalBasis, refuses_what_has_no_room_or_is_no_number) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_orthonormal_basis

@@ -2,13 +2,14 @@
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 #include <thread>
 
-namespace polydec::test {
+namespace polydec::test::in_petsc {
 namespace {
 
 /// What the engines of PETSc promise beyond the contract of all linear engines.
@@ -52,19 +53,18 @@ TEST_P(Petsc, options_concern_one_solver_alone) {
 
 TEST_P(Petsc, options_that_nobody_reads_are_refused) {
     const auto solver = make("-ksp_type fcg -ksp_rtoll 1e-9");
-    EXPECT_EQ(message_of<InvalidInput>([&] { solver->factorize(grid_laplacian(4), positive()); }),
-              GetParam() + ": nobody reads the engine option -ksp_rtoll\n"
-                           "It is misspelt, or belongs to another method of PETSc.");
-    EXPECT_EQ(message_of<InvalidInput>([] { make("ksp_type cg"); }),
-              GetParam() + ": the engine options `ksp_type cg` must begin with a minus sign, such "
-                           "as -ksp_type fcg");
+    EXPECT_TRUE(
+        says(message_of<InvalidInput>([&] { solver->factorize(grid_laplacian(4), positive()); }),
+             {GetParam(), "option", "-ksp_rtoll"}));
+    EXPECT_TRUE(says(message_of<InvalidInput>([] { make("ksp_type cg"); }),
+                     {GetParam(), "ksp_type cg", "minus"}));
 }
 
 TEST_P(Petsc, options_with_values_that_do_not_exist_are_a_failure_with_the_reason_of_petsc) {
     const auto solver = make("-ksp_type abacus");
     const auto message =
         message_of<SolverFailure>([&] { solver->factorize(grid_laplacian(4), positive()); });
-    EXPECT_EQ(message.find(GetParam() + ": reading the options failed in PETSc: "), 0u) << message;
+    EXPECT_TRUE(says(message, {GetParam(), "options", "PETSc"}));
     EXPECT_NE(message.find("abacus"), std::string::npos) << message;
 }
 
@@ -74,7 +74,7 @@ TEST_P(Petsc, a_loose_tolerance_among_the_options_does_not_pass_the_check) {
     solver->factorize(A, positive());
     const auto message =
         message_of<SolverFailure>([&] { solver->solve(random_matrix(900, 1, 22)); });
-    EXPECT_NE(message.find("the solution is not to be trusted"), std::string::npos) << message;
+    EXPECT_TRUE(says(message, {"solution", "trusted"}));
 }
 
 TEST_P(Petsc, failures_say_what_petsc_says) {
@@ -82,8 +82,7 @@ TEST_P(Petsc, failures_say_what_petsc_says) {
     solver->factorize(grid_laplacian(40), positive());
     const auto message =
         message_of<SolverFailure>([&] { solver->solve(random_matrix(1600, 1, 23)); });
-    EXPECT_EQ(message.find(GetParam() + ": no convergence after 2 iterations (DIVERGED_ITS), "), 0u)
-        << message;
+    EXPECT_TRUE(says(message, {GetParam(), "convergence", "2 iterations", "DIVERGED_ITS"}));
 }
 
 TEST_P(Petsc, a_kernel_costs_few_iterations_more) {
@@ -130,8 +129,7 @@ TEST_P(Petsc, unknowns_without_any_entries_are_in_the_kernel) {
 TEST_P(Petsc, a_negative_diagonal_is_named) {
     const auto message = message_of<SolverFailure>(
         [] { make()->factorize(shifted(grid_laplacian(4), 5.0), positive()); });
-    EXPECT_EQ(message, GetParam() + ": the matrix is not positive definite, as its facts say: "
-                                    "entry (0, 0) is -1");
+    EXPECT_TRUE(says(message, {GetParam(), "positive definite", "(0, 0)", "-1"}));
 }
 
 TEST_P(Petsc, solvers_of_several_threads_do_not_meet) {
@@ -171,4 +169,4 @@ INSTANTIATE_TEST_SUITE_P(engines, Petsc, testing::ValuesIn(petsc_engine_names())
                          [](const auto& test) { return test_name(test.param); });
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_petsc

@@ -4,6 +4,7 @@
 #include "backends/linear/adapt.h"
 #include "base/errors.h"
 #include "tests/backends/matrices.h"
+#include "tests/support/says.h"
 
 #include <Eigen/SparseLU>
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 #include <thread>
 #include <tuple>
 
-namespace polydec::test {
+namespace polydec::test::in_registry {
 namespace {
 
 using ColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
@@ -66,27 +67,24 @@ TEST(registry, missing_engines_are_listed_with_how_to_get_them) {
             continue;
         const auto message = message_of<BackendUnavailable>(
             [&, called = std::string(name)] { make(info.kind, called); });
-        EXPECT_NE(message.find(fmt::format("`{}` is not part of this program\nTo get it: ", name)),
-                  std::string::npos)
-            << message;
+        EXPECT_TRUE(says(message, {name, "program", package}));
     }
 }
 
 TEST(registry, unknown_names_are_answered_with_the_known_ones) {
     const auto message = message_of<InvalidInput>([] { make_linear_solver("eigen.llt"); });
-    EXPECT_EQ(message.find("there is no linear solver called `eigen.llt`\nKnown are: auto, "), 0u)
-        << message;
+    EXPECT_TRUE(says(message, {"linear solver", "eigen.llt", "auto"}));
     const std::string with_slepc = info_of("slepc").available ? "slepc, " : "";
-    EXPECT_EQ(message_of<InvalidInput>([] { make_eigen_solver("arpack"); }),
-              "there is no eigensolver called `arpack`\nKnown are: block-lanczos, " + with_slepc +
-                  "spectra.");
+    EXPECT_TRUE(says(message_of<InvalidInput>([] { make_eigen_solver("arpack"); }),
+                     {"eigensolver", "arpack", "block-lanczos, " + with_slepc + "spectra"}));
 }
 
 TEST(registry, names_are_taken_once) {
     const auto factory = adapt<Eigen::SparseLU<ColumnMatrix>>("registry.lu");
     register_linear_solver("registry.lu", factory);
-    EXPECT_EQ(message_of<InvalidInput>([&] { register_linear_solver("registry.lu", factory); }),
-              "an engine called `registry.lu` is registered already");
+    EXPECT_TRUE(
+        says(message_of<InvalidInput>([&] { register_linear_solver("registry.lu", factory); }),
+             {"engine", "registry.lu", "registered"}));
     EXPECT_THROW(register_linear_solver("auto", factory), InvalidInput);
     EXPECT_THROW(register_linear_solver("", factory), InvalidInput);
     EXPECT_THROW(register_linear_solver("registry.empty", {}), InvalidInput);
@@ -120,4 +118,4 @@ TEST(registry, threads_may_register_and_make_at_once) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_registry

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_slepc {
 namespace {
 
 /// The smallest eigenvalues of A: the largest of the inverse, which is a solve with that engine.
@@ -49,4 +49,4 @@ TEST(slepc, an_engine_that_fails_within_is_heard_and_leaves_slepc_usable) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_slepc

@@ -2,6 +2,7 @@
 #include "base/atomic_file.h"
 
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace polydec::tests {
+namespace polydec::test::in_atomic_file {
 
 namespace {
 
@@ -103,19 +104,16 @@ TEST(AtomicFile, NamesWithManyLettersFit) {
 TEST(AtomicFile, SaysThatTheFolderIsMissing) {
     const TemporaryFolder folder;
     const auto missing = folder.path("out");
-    EXPECT_EQ(error_of([&missing] { AtomicFile(missing / "a.txt"); }),
-              "IoError: cannot write " + (missing / "a.txt").string() +
-                  ": No such file or directory; make the folder " + missing.string() + " first");
+    EXPECT_TRUE(says(error_of([&missing] { AtomicFile(missing / "a.txt"); }),
+                     {"IoError", (missing / "a.txt").string(), "No such file", missing.string()}));
 }
 
 TEST(AtomicFile, RefusesFoldersAndDevices) {
     const TemporaryFolder folder;
-    EXPECT_EQ(error_of([&folder] { AtomicFile(folder.path()); }),
-              "IoError: cannot write " + folder.path().string() +
-                  ": it is a folder, pipe or device; name a regular file");
-    EXPECT_EQ(error_of([] { AtomicFile("/dev/null"); }),
-              "IoError: cannot write /dev/null: it is a folder, pipe or device; name a regular "
-              "file");
+    EXPECT_TRUE(says(error_of([&folder] { AtomicFile(folder.path()); }),
+                     {"IoError", folder.path().string(), "regular file"}));
+    EXPECT_TRUE(
+        says(error_of([] { AtomicFile("/dev/null"); }), {"IoError", "/dev/null", "regular file"}));
 }
 
 TEST(AtomicFile, AReadOnlyFileStays) {
@@ -124,9 +122,8 @@ TEST(AtomicFile, AReadOnlyFileStays) {
     std::filesystem::create_symlink("a.txt", folder.path("link.txt"));
     ::chmod(path.c_str(), 0444);
     for (const auto& name : {path, folder.path("link.txt")})
-        EXPECT_EQ(error_of([&name] { AtomicFile(name).commit(); }),
-                  "IoError: cannot write " + name.string() +
-                      ": it is read-only; name another file, or make it writable");
+        EXPECT_TRUE(says(error_of([&name] { AtomicFile(name).commit(); }),
+                         {"IoError", name.string(), "read-only"}));
     EXPECT_EQ(read_text(path), "precious");
     EXPECT_EQ(folder.names(), (Names{"a.txt", "link.txt"}));
     ::chmod(path.c_str(), 0644);
@@ -138,12 +135,12 @@ TEST(AtomicFile, SaysThatThereIsNoRoom) {
     const TemporaryFolder folder;
     const auto path = folder.path("a.txt");
     const FileSizeLimit limit(1000);
-    EXPECT_EQ(error_of([&path] {
-                  AtomicFile file(path);
-                  file.write(std::string(2000, 'x'));
-                  file.commit();
-              }),
-              "IoError: cannot write " + path.string() + ": File too large");
+    EXPECT_TRUE(says(error_of([&path] {
+                         AtomicFile file(path);
+                         file.write(std::string(2000, 'x'));
+                         file.commit();
+                     }),
+                     {"IoError", path.string(), "File too large"}));
     EXPECT_TRUE(folder.names().empty());
 }
 
@@ -167,12 +164,11 @@ TEST(AtomicFile, RefusesMoreThanItCanRemove) {
         files.push_back(std::make_unique<AtomicFile>(folder.path(std::to_string(i))));
     }
     const auto path = folder.path("a.txt");
-    EXPECT_EQ(error_of([&path] { AtomicFile file(path); }),
-              "IoError: cannot write " + path.string() +
-                  ": 64 files are being written already; write fewer at a time");
+    EXPECT_TRUE(
+        says(error_of([&path] { AtomicFile file(path); }), {"IoError", path.string(), "64 files"}));
     files.clear();
     EXPECT_TRUE(folder.names().empty());
     AtomicFile(path).commit();
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_atomic_file

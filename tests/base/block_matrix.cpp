@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace polydec::test {
+namespace polydec::test::in_block_matrix {
 namespace {
 
 /// A matrix with about half of its entries 0.
@@ -45,4 +45,4 @@ TEST(block_matrix, has_its_blocks_with_the_entries_of_rows_in_order) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_block_matrix

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_parallel {
 namespace {
 
 TEST(parallel, parts_make_up_the_whole_once) {
@@ -54,4 +54,4 @@ TEST(parallel, parts_may_have_parts) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_parallel

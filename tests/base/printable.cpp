@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec {
+namespace polydec::test::in_printable {
 
 TEST(Printable, what_can_be_shown_stays) {
     for (const std::string text : {"", "mesh.off", "größe 3 m²", "網格.obj", "🙂", "a\\b"})
@@ -43,4 +43,4 @@ TEST(Printable, messages_keep_their_lines_and_end) {
     EXPECT_EQ(printable_message("1234é", 5), "1234 ..");
 }
 
-} // namespace polydec
+} // namespace polydec::test::in_printable

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace polydec {
+namespace polydec::test::in_random {
 
 namespace {
 
@@ -33,4 +33,4 @@ TEST(random, columns_are_filled_one_behind_the_other) {
 
 } // namespace
 
-} // namespace polydec
+} // namespace polydec::test::in_random

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace polydec {
+namespace polydec::test::in_row_sum_norm {
 
 namespace {
 
@@ -44,4 +44,4 @@ TEST(row_sum_norm, of_the_transposed_matrix_is_another_one) {
 
 } // namespace
 
-} // namespace polydec
+} // namespace polydec::test::in_row_sum_norm

@@ -14,7 +14,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_unfinished {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ TEST_F(unfinished, a_path_that_is_too_long_is_not_noted) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_unfinished

@@ -14,7 +14,7 @@
 
 #include <algorithm>
 
-namespace polydec::test {
+namespace polydec::test::in_blocks {
 namespace {
 
 const Straightness always = [](int, Index, Index, Index) { return true; };
@@ -187,4 +187,4 @@ TEST(Unmerged, leaves_every_simplex_a_cell) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_blocks

@@ -16,7 +16,7 @@
 #include <ostream>
 #include <set>
 
-namespace polydec::test {
+namespace polydec::test::in_cubes {
 namespace {
 
 using Box = std::vector<std::pair<Index, Index>>; // by axis: least and largest coordinate
@@ -166,4 +166,4 @@ TEST(CubicalTori, have_as_many_cubes_of_each_degree_as_binomials_say) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_cubes

@@ -8,13 +8,14 @@
 #include "tests/support/merged.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-namespace polydec::test {
+namespace polydec::test::in_glued_surface {
 namespace {
 
 using Betti = std::vector<Index>;
@@ -184,28 +185,25 @@ TEST(GluedTriangles, without_being_told_of_a_flip_coordinates_lose_strands) {
 }
 
 TEST(GluedTriangles, are_refused_by_number) {
-    EXPECT_EQ(refusal([] { simplices(square_torus()); }),
-              "edge 0 is a loop at vertex 0: the surface is no simplicial complex");
-    EXPECT_EQ(refusal([] {
-                  GluedSurface(Triangles{{{{0, 1}, {1, 1}, {2, 1}}}, {{{0, 1}, {0, 1}, {3, 1}}}});
-              }),
-              "three triangles meet at edge 0 (triangles 0, 1 and 1): only surfaces with two at "
-              "most can be glued");
-    EXPECT_EQ(refusal([] {
-                  GluedSurface(Triangles{{{{0, 1}, {2, 1}, {2, 1}}}});
-              }),
-              "no triangle has edge 1: number the edges from 0 without a gap");
-    EXPECT_EQ(refusal([] {
-                  GluedSurface(Triangles{{{{0, 1}, {1, 3}, {2, 1}}}});
-              }),
-              "triangle 0 has a side on edge 1 with sign 3: expected edges from 0 without a gap "
-              "and 1 or -1");
-    EXPECT_EQ(refusal([] { GluedSurface(merged("kuhn3").K()); }),
-              "a complex of dimension 3 is given: only surfaces can be glued from triangles");
-    EXPECT_EQ(refusal([] { GluedSurface(merged("branching").K()); }),
-              "3 triangles meet at the edge from vertex 0 to 1: only surfaces with two at most can "
-              "be glued");
+    EXPECT_TRUE(says(refusal([] { simplices(square_torus()); }), {"edge 0", "loop", "vertex 0"}));
+    EXPECT_TRUE(
+        says(refusal([] {
+                 GluedSurface(Triangles{{{{0, 1}, {1, 1}, {2, 1}}}, {{{0, 1}, {0, 1}, {3, 1}}}});
+             }),
+             {"triangles", "edge 0", "0, 1 and 1"}));
+    EXPECT_TRUE(says(refusal([] {
+                         GluedSurface(Triangles{{{{0, 1}, {2, 1}, {2, 1}}}});
+                     }),
+                     {"no triangle", "edge 1"}));
+    EXPECT_TRUE(says(refusal([] {
+                         GluedSurface(Triangles{{{{0, 1}, {1, 3}, {2, 1}}}});
+                     }),
+                     {"triangle 0", "edge 1", "sign 3"}));
+    EXPECT_TRUE(
+        says(refusal([] { GluedSurface(merged("kuhn3").K()); }), {"dimension 3", "surfaces"}));
+    EXPECT_TRUE(says(refusal([] { GluedSurface(merged("branching").K()); }),
+                     {"3 triangles", "edge", "vertex 0", "1"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_glued_surface

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <set>
 
-namespace polydec::test {
+namespace polydec::test::in_laws {
 namespace {
 
 class Complexes : public OverMeshes {};
@@ -209,4 +209,4 @@ TEST_P(Complexes, boundary_is_the_transposed_coboundary) {
 POLYDEC_OVER_MESHES(Complexes);
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_laws

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace polydec::test {
+namespace polydec::test::in_orientation {
 namespace {
 
 /// Turns cell s.
@@ -127,4 +127,4 @@ TEST(Orientation, knows_the_rows_of_the_input) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_orientation

@@ -9,13 +9,14 @@
 #include "tests/support/merged.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <random>
 
-namespace polydec::test {
+namespace polydec::test::in_pieces {
 namespace {
 
 std::vector<Index> ascending(Index size) {
@@ -144,20 +145,19 @@ TEST(PiecesAre, refused_by_name_where_their_tables_do_not_fit) {
         return refusal([&] { Pieces({edges, triangles}, signs, {0, 1, 2}); });
     };
     EXPECT_EQ(glue(ends, Simplices{{1, 2, 0}}, {1}), "accepted");
-    EXPECT_EQ(glue(ends, Simplices{{1, 0, 2}}, {1}),
-              "the faces of 2-simplex 0 that lack its corners 0 and 1 do not meet: expected faces "
-              "whose corners are in the simplex's order");
-    EXPECT_EQ(glue(ends, Simplices{{1, 2, 3}}, {1}),
-              "face 2 of 2-simplex 0 is 3: expected a number from 0 to 2");
-    EXPECT_EQ(glue(ends, Simplices{{1, 2}}, {1}), "2 faces of a 2-simplex are given: expected 3");
-    EXPECT_EQ(glue(ends, Simplices{{1, 2, 0}}, {2}),
-              "the orientation of simplex 0 is 2: expected 1 or -1");
-    EXPECT_EQ(refusal([&] {
-                  Pieces({ends, Simplices{{1, 2, 0}}}, {1}, {0, 1, -2});
-              }),
-              "vertex 2 is to be called -2: expected a number from 0");
-    EXPECT_EQ(glue(ends, Simplices{{1, 2, 0}}, {}), "0 orientations are given: expected 1");
+    EXPECT_TRUE(
+        says(glue(ends, Simplices{{1, 0, 2}}, {1}), {"faces", "2-simplex 0", "corners 0", "1"}));
+    EXPECT_TRUE(
+        says(glue(ends, Simplices{{1, 2, 3}}, {1}), {"face 2", "2-simplex 0", "3", "0", "2"}));
+    EXPECT_TRUE(says(glue(ends, Simplices{{1, 2}}, {1}), {"2 faces", "2-simplex", "3"}));
+    EXPECT_TRUE(
+        says(glue(ends, Simplices{{1, 2, 0}}, {2}), {"orientation", "simplex 0", "2", "1", "-1"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         Pieces({ends, Simplices{{1, 2, 0}}}, {1}, {0, 1, -2});
+                     }),
+                     {"vertex 2", "-2", "0"}));
+    EXPECT_TRUE(says(glue(ends, Simplices{{1, 2, 0}}, {}), {"0 orientations", "1"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_pieces

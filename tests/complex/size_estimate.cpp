@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_size_estimate {
 
 namespace {
 
@@ -71,4 +71,4 @@ TEST(SizeEstimate, is_looked_at_before_a_complex_is_built) {
     set_memory_limit(machine_memory());
 }
 
-} // namespace polydec::test
+} // namespace polydec::test::in_size_estimate

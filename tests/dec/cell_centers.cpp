@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_cell_centers {
 namespace {
 
 class CellCenters : public OverMeshes {
@@ -87,4 +87,4 @@ TEST(CellCentersBroken, means_of_vertices_are_no_circumcenters) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_cell_centers

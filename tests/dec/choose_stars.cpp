@@ -14,6 +14,7 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@
 #include <array>
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_choose_stars {
 namespace {
 
 constexpr double rounding = 1e-10;
@@ -205,8 +206,7 @@ TEST_P(StarsOf, codifferentials_are_adjoint_and_laplacians_are_those_of_the_mass
                 EXPECT_NEAR(b.dot(stars[k - 1] * delta), there,
                             1e-9 * std::sqrt(a.dot(stars[k] * a) * b.dot(stars[k - 1] * b)) /
                                 mesh.volumes().primal(1).minCoeff());
-                EXPECT_NE(refusal([&] { A.matrix(); }).find("apply the operator"),
-                          std::string::npos);
+                EXPECT_TRUE(says(refusal([&] { A.matrix(); }), {"matrix", "star", "dense"}));
             }
         }
     }
@@ -224,8 +224,7 @@ TEST(ChosenStars, are_an_option_of_discretize) {
         EXPECT_EQ(dense(mesh.stars()[k]), dense(expected.stars[k]));
     EXPECT_EQ(discretize(input).chosen_stars().kind, StarKind::circumcentric);
     EXPECT_EQ(mesh.with_stars(mesh.volumes()).chosen_stars().kind, StarKind::own);
-    EXPECT_NE(refusal([&] { choose_stars(mesh, StarKind::own); }).find("hand over your own"),
-              std::string::npos);
+    EXPECT_TRUE(says(refusal([&] { choose_stars(mesh, StarKind::own); }), {"hand over", "own"}));
 }
 
 /// Smallest and largest eigenvalue of star_1: an independent reference in numpy.
@@ -334,4 +333,4 @@ TEST(ChosenStars, automatic_ones_are_circumcentric_where_these_are_positive) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_choose_stars

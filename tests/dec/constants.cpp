@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_constants {
 namespace {
 
 /// Constant forms on flat meshes, obtuse ones included: the star takes the exact integrals over
@@ -76,4 +76,4 @@ TEST(ConstantFormsBroken, stars_without_sign_give_them_a_codifferential) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_constants

@@ -7,6 +7,7 @@
 #include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
+#include "tests/support/says.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@
 #include <numeric>
 #include <set>
 
-namespace polydec::test {
+namespace polydec::test::in_diagnosis {
 namespace {
 
 FacetKinds kinds(const Mesh& mesh) {
@@ -162,11 +163,10 @@ TEST(Table1, in_space_is_cured_down_to_the_edges) {
 TEST(Verdicts, tell_their_reason) {
     for (const auto& verdict : operator_verdicts(discretize(grid(4, 4)), Stage::input)) {
         if (verdict.name == "star" && verdict.side == Side::dual && verdict.degree == 1) {
-            EXPECT_EQ(reason(verdict),
-                      "16 of the 1-cells have a dual without extent, by which it divides");
+            EXPECT_TRUE(says(reason(verdict), {"16", "1-cells", "dual", "extent"}));
         }
         if (verdict.name == "star" && verdict.side == Side::primal && verdict.degree == 2) {
-            EXPECT_EQ(reason(verdict), "32 of the 2-cells have the dual of another one");
+            EXPECT_TRUE(says(reason(verdict), {"32", "2-cells", "dual"}));
         }
         if (verdict.name == "d") {
             EXPECT_EQ(reason(verdict), "");
@@ -180,10 +180,9 @@ TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
     ASSERT_EQ(before.size(), 3U);
     EXPECT_TRUE(before[0].exists);
     EXPECT_FALSE(before[1].exists);
-    EXPECT_EQ(before[1].reason, "the mass is not positive: 16 1-cells have a dual without volume");
+    EXPECT_TRUE(says(before[1].reason, {"mass", "16 1-cells", "dual", "volume"}));
     EXPECT_FALSE(before[2].exists);
-    EXPECT_EQ(before[2].reason,
-              "an inverse star divides by zero: 16 1-cells have a dual without volume");
+    EXPECT_TRUE(says(before[2].reason, {"inverse star", "zero", "16 1-cells", "volume"}));
     for (const auto& verdict : spectrum_verdicts(mesh.volumes())) {
         EXPECT_TRUE(verdict.exists);
         EXPECT_EQ(verdict.reason, "");
@@ -192,9 +191,9 @@ TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
         discretize(made_of({{-1, 0}, {1, 0}, {0, 0.5}, {0, -0.5}}, {{0, 1, 2}, {0, 3, 1}}));
     const auto verdicts = spectrum_verdicts(flat.volumes());
     EXPECT_FALSE(verdicts[1].exists);
-    EXPECT_EQ(verdicts[1].reason, "the mass is not positive: 1 1-cell has a negative dual");
+    EXPECT_TRUE(says(verdicts[1].reason, {"mass", "1 1-cell", "negative"}));
     EXPECT_TRUE(verdicts[2].exists);
-    EXPECT_EQ(verdicts[2].reason, "1 negative dual makes about one spurious negative eigenvalue");
+    EXPECT_TRUE(says(verdicts[2].reason, {"1 negative", "eigenvalue"}));
 }
 
 /// The sets of k+1 vertices that are faces of a simplex: counted without a complex.
@@ -355,34 +354,33 @@ TEST_P(DiagnosisOf, finds_nothing_spoiled_by_stars_that_are_positive) {
 
 POLYDEC_OVER_MESHES(DiagnosisOf);
 
-std::vector<std::string> words(const Mesh& mesh, const DiscretizeOptions& options = {}) {
+std::vector<std::string> advice(const Mesh& mesh, const DiscretizeOptions& options = {}) {
     const auto told = diagnose(discretize(mesh, options));
     std::vector<std::string> list;
-    for (const auto& advice : told.advice)
-        list.push_back(in_words(advice, told.dimension));
+    for (const auto& one : told.advice)
+        list.push_back(in_words(one, told.dimension));
     return list;
 }
 
 TEST(Advice, names_the_option_for_edges_inside_and_on_the_boundary_and_for_what_cannot_flip) {
-    using Words = std::vector<std::string>;
     const auto obtuse = kite(0.8, 0.9); // both sides of the edge, and none of the boundary
-    EXPECT_EQ(words(obtuse), Words{"1 negative dual edge: add DiscretizeOptions::delaunay"});
-    EXPECT_EQ(words(obtuse, {.delaunay = Delaunay::flips}), Words{});
+    EXPECT_TRUE(each_says(advice(obtuse), {{"1 negative", "edge", "DiscretizeOptions::delaunay"}}));
+    EXPECT_EQ(advice(obtuse, {.delaunay = Delaunay::flips}), Words{});
     const auto triangle = made_of({{0, 0}, {2, 0}, {1, 0.5}}, {{0, 1, 2}});
-    EXPECT_EQ(words(triangle),
-              Words{"1 negative dual edge on the boundary: add Delaunay::flips_and_splits"});
-    EXPECT_EQ(words(triangle, {.delaunay = Delaunay::flips}), words(triangle));
-    EXPECT_EQ(words(triangle, {.delaunay = Delaunay::flips_and_splits}), Words{});
+    EXPECT_TRUE(each_says(advice(triangle),
+                          {{"1 negative", "edge", "boundary", "Delaunay::flips_and_splits"}}));
+    EXPECT_EQ(advice(triangle, {.delaunay = Delaunay::flips}), advice(triangle));
+    EXPECT_EQ(advice(triangle, {.delaunay = Delaunay::flips_and_splits}), Words{});
     const auto three = made_of({{0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}, {1, 0, 0.5}, {1, 0, -0.5}},
                                {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
-    EXPECT_EQ(words(three), Words{"1 negative dual edge: add StarKind::automatic"});
-    EXPECT_EQ(words(three, {.star = StarKind::automatic}), Words{});
+    EXPECT_TRUE(each_says(advice(three), {{"1 negative", "edge", "StarKind::automatic"}}));
+    EXPECT_EQ(advice(three, {.star = StarKind::automatic}), Words{});
     const auto right = made_of({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
-    EXPECT_EQ(words(right), Words{"1 dual edge without volume: add StarKind::automatic"});
-    EXPECT_EQ(words(right, {.star = StarKind::automatic}), Words{});
-    EXPECT_EQ(words(grid(4, 4), {.criterion = MergeCriterion::none}),
-              Words{"16 dual edges without volume: add StarKind::automatic"});
-    EXPECT_EQ(words(three, {.centers = Centers::centroids()}), Words{});
+    EXPECT_TRUE(each_says(advice(right), {{"1 dual edge", "volume", "StarKind::automatic"}}));
+    EXPECT_EQ(advice(right, {.star = StarKind::automatic}), Words{});
+    EXPECT_TRUE(each_says(advice(grid(4, 4), {.criterion = MergeCriterion::none}),
+                          {{"16 dual edges", "volume", "StarKind::automatic"}}));
+    EXPECT_EQ(advice(three, {.centers = Centers::centroids()}), Words{});
 }
 
 TEST(Advice, gives_options_that_discretize_takes) {
@@ -397,4 +395,4 @@ TEST(Advice, gives_options_that_discretize_takes) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_diagnosis

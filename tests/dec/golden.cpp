@@ -12,7 +12,7 @@
 #include <map>
 #include <set>
 
-namespace polydec::test {
+namespace polydec::test::in_golden {
 namespace {
 
 const Json& expected() {
@@ -144,4 +144,4 @@ TEST(GoldenNumbers, tell_an_error_of_1e_7) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_golden

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_golden_calculus {
 namespace {
 
 class GoldenCalculus : public testing::TestWithParam<std::string> {
@@ -70,4 +70,4 @@ INSTANTIATE_TEST_SUITE_P(Meshes, GoldenCalculus, testing::ValuesIn(golden_calcul
                          [](const auto& instance) { return stem(instance.param); });
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_golden_calculus

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_golden_products {
 namespace {
 
 class GoldenProducts : public testing::TestWithParam<std::string> {
@@ -49,4 +49,4 @@ INSTANTIATE_TEST_SUITE_P(Meshes, GoldenProducts, testing::ValuesIn(golden_calcul
                          [](const auto& instance) { return stem(instance.param); });
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_golden_products

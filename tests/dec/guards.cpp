@@ -10,7 +10,7 @@
 
 #include <ostream>
 
-namespace polydec::test {
+namespace polydec::test::in_guards {
 namespace {
 
 /// Fine meshes under tolerances of angles so large that chains of almost concyclic pairs close
@@ -89,4 +89,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return instance.param.name; });
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_guards

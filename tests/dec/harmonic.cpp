@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_harmonic {
 namespace {
 
 class HarmonicForms : public OverMeshes {};
@@ -57,4 +57,4 @@ TEST(HarmonicFormsBroken, one_coefficient_of_d_less_changes_their_number) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_harmonic

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace polydec::test {
+namespace polydec::test::in_inflow {
 namespace {
 
 /// Of functions, by a field that flows in and out wherever it likes.
@@ -88,4 +88,4 @@ TEST(InflowBroken, by_the_nearest_simplex_grows) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_inflow

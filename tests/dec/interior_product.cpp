@@ -9,6 +9,7 @@
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@
 #include <cmath>
 #include <functional>
 
-namespace polydec::test {
+namespace polydec::test::in_interior_product {
 namespace {
 
 constexpr double rounding = 1e-11;
@@ -373,16 +374,16 @@ TEST(InteriorProductErrors, name_the_shape_the_vertex_and_the_degree) {
         return refusal(
             [&] { interior_product(mesh.K(), mesh.points, field, k, Sampling::upwind); });
     };
-    EXPECT_EQ(call(-1), "a vector field is to act on -1-forms: expected a degree from 0 to 3");
-    EXPECT_EQ(call(4), "a vector field is to act on 4-forms: expected a degree from 0 to 3");
-    EXPECT_EQ(refusal([&] { lie_derivative(mesh.K(), mesh.points, field, 3, Sampling::centered); }),
-              "a vector field is to act on 3-forms: expected a degree from 0 to 2");
+    EXPECT_TRUE(says(call(-1), {"vector field", "-1-forms", "0", "3"}));
+    EXPECT_TRUE(says(call(4), {"vector field", "4-forms", "0", "3"}));
+    EXPECT_TRUE(
+        says(refusal([&] { lie_derivative(mesh.K(), mesh.points, field, 3, Sampling::centered); }),
+             {"vector field", "3-forms", "0", "2"}));
     field(3, 1) = NAN;
-    EXPECT_EQ(call(1), "the vector field at vertex 3 is not finite: give it a value");
+    EXPECT_TRUE(says(call(1), {"vector field", "vertex 3", "finite"}));
     field = Points::Ones(7, 2);
-    EXPECT_EQ(call(1), "a vector field of 7 x 2 numbers is given: expected 25 x 2, a row for each "
-                       "point");
+    EXPECT_TRUE(says(call(1), {"vector field", "7 x 2", "25 x 2", "point"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_interior_product

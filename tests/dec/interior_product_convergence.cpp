@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_interior_product_convergence {
 namespace {
 
 /// A smooth k-form and a smooth vector field of R^N.
@@ -92,4 +92,4 @@ TEST(InteriorProductConvergence, is_of_first_order_and_centered_of_second_where_
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_interior_product_convergence

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_invariance {
 namespace {
 
 class Invariance : public OverMeshes {
@@ -165,4 +165,4 @@ TEST(InvarianceOfGuardedMerging, vertex_numbers_are_only_names_at_tolerances_tha
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_invariance

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_layers {
 namespace {
 
 std::vector<Index> sizes(const CellComplex& complex) {
@@ -122,4 +122,4 @@ TEST(BoundaryFacets, have_no_dual_opposite_to_a_right_angle) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_layers

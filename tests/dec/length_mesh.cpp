@@ -16,10 +16,11 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_length_mesh {
 namespace {
 
 class LengthMeshes : public OverMeshes {
@@ -93,28 +94,25 @@ TEST(LengthMesh, has_every_edge_exactly_once) {
         return refusal([&] { discretize(mesh); });
     };
     EXPECT_EQ(refused([](LengthMesh&) {}), "accepted");
-    EXPECT_EQ(refused([](LengthMesh& m) { m.edges.row(3) << 2, 0; }),
-              "edges 1 and 3 are the same, with vertices 0 and 2: give its length once");
-    EXPECT_EQ(refused([](LengthMesh& m) { m.edges.row(4) << 3, 1; }),
-              "edge 4 with vertices 1 and 3 belongs to no simplex: remove it");
-    EXPECT_EQ(refused([](LengthMesh& m) {
-                  m.edges.conservativeResize(4, 2);
-                  m.lengths.conservativeResize(4);
-              }),
-              "the edge with vertices 2 and 3 has no length: add it");
-    EXPECT_EQ(refused([](LengthMesh& m) { m.lengths.conservativeResize(4); }),
-              "4 lengths and a table of 5 x 2 vertices of edges are given: expected two vertices "
-              "for each length");
-    EXPECT_EQ(
-        refused([](LengthMesh& m) { m.simplices.resize(0, 3); }),
-        "0 simplices of 3 vertices are given: expected at least one, of two or more vertices");
-    EXPECT_EQ(refused([](LengthMesh& m) { m.edges(2, 0) = 4; }),
-              "edge 2 has the vertex 4: expected 0 to 3");
-    EXPECT_EQ(refused([](LengthMesh& m) { m.simplices(1, 2) = -1; }),
-              "simplex 1 has the vertex -1: expected 0 to 3");
-    EXPECT_EQ(refused([](LengthMesh& m) { m.lengths[1] = 2.5; }),
-              "the lengths of 2-simplex 0 with vertices 0, 1, 2 violate the triangle inequality: "
-              "2.5 is more than 1 + 1; correct the lengths");
+    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.edges.row(3) << 2, 0; }),
+                     {"edges 1", "3", "vertices 0", "2"}));
+    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.edges.row(4) << 3, 1; }),
+                     {"edge 4", "vertices 1", "3", "simplex"}));
+    EXPECT_TRUE(says(refused([](LengthMesh& m) {
+                         m.edges.conservativeResize(4, 2);
+                         m.lengths.conservativeResize(4);
+                     }),
+                     {"edge", "vertices 2", "3", "length"}));
+    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.lengths.conservativeResize(4); }),
+                     {"4 lengths", "5 x 2", "edges"}));
+    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.simplices.resize(0, 3); }),
+                     {"0 simplices", "3 vertices"}));
+    EXPECT_TRUE(
+        says(refused([](LengthMesh& m) { m.edges(2, 0) = 4; }), {"edge 2", "vertex 4", "0", "3"}));
+    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.simplices(1, 2) = -1; }),
+                     {"simplex 1", "vertex -1", "0", "3"}));
+    EXPECT_TRUE(says(refused([](LengthMesh& m) { m.lengths[1] = 2.5; }),
+                     {"2-simplex 0", "vertices 0, 1, 2", "triangle inequality", "2.5", "1", "1"}));
 }
 
 TEST(LengthMesh, has_products_that_need_no_points) {
@@ -136,36 +134,33 @@ TEST(LengthMesh, says_what_needs_points) {
     const auto one = function_form([](const Vector&) { return 1.0; });
     const Cochain edges{Side::primal, 1, Vector::Ones(P.size(1))};
     const DenseMatrix none(mesh.points().rows(), 0);
-    const auto needs = [](const std::string& what) {
-        return "only lengths are known, there are no points, which " + what +
-               " needs: give a mesh with points";
-    };
-    EXPECT_EQ(refusal([&] { de_rham(mesh, 0, one); }), needs("the de Rham map"));
-    EXPECT_EQ(refusal([&] { dual_de_rham(mesh, 0, one); }), needs("the de Rham map"));
+    const auto needs = [](const std::string& what) { return Words{"lengths", "no points", what}; };
+    EXPECT_TRUE(says(refusal([&] { de_rham(mesh, 0, one); }), needs("de Rham map")));
+    EXPECT_TRUE(says(refusal([&] { dual_de_rham(mesh, 0, one); }), needs("de Rham map")));
     for (const auto kind : {Flat::ppp, Flat::pdp, Flat::dpp, Flat::ppd, Flat::pdd, Flat::dpd})
-        EXPECT_EQ(refusal([&] { flat(mesh, kind, none); }), needs("a flat"));
-    EXPECT_EQ(refusal([&] { sharp_pp(mesh, edges); }), needs("a sharp"));
-    EXPECT_EQ(refusal([&] { sharp_pd(mesh, edges); }), needs("a sharp"));
-    EXPECT_EQ(refusal([&] { flux_sharp(mesh, edges); }), needs("a sharp"));
-    EXPECT_EQ(
-        refusal([&] { cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), 2); }),
-        needs("a cell's center"));
-    EXPECT_EQ(
+        EXPECT_TRUE(says(refusal([&] { flat(mesh, kind, none); }), needs("flat")));
+    EXPECT_TRUE(says(refusal([&] { sharp_pp(mesh, edges); }), needs("sharp")));
+    EXPECT_TRUE(says(refusal([&] { sharp_pd(mesh, edges); }), needs("sharp")));
+    EXPECT_TRUE(says(refusal([&] { flux_sharp(mesh, edges); }), needs("sharp")));
+    EXPECT_TRUE(
+        says(refusal([&] { cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), 2); }),
+             needs("cell's center")));
+    EXPECT_TRUE(says(
         refusal([&] { cell_centroids(mesh.merging(), mesh.points(), mesh.input_volumes(), 2); }),
-        needs("a cell's centroid"));
-    EXPECT_EQ(refusal([&] { circumcenters(mesh.points(), K.simplices(2)); }),
-              needs("a circumcenter"));
-    EXPECT_EQ(
+        needs("cell's centroid")));
+    EXPECT_TRUE(says(refusal([&] { circumcenters(mesh.points(), K.simplices(2)); }),
+                     needs("circumcenter")));
+    EXPECT_TRUE(says(
         refusal([&] { interior_product(K, mesh.points(), Points(none), 1, Sampling::centered); }),
-        needs("a vector field"));
-    EXPECT_EQ(
-        refusal([&] {
-            whitney_at_centroids(K, mesh.points(), {Side::primal, 1, Vector::Ones(K.size(1))});
-        }),
-        needs("a Whitney form"));
+        needs("vector field")));
+    EXPECT_TRUE(
+        says(refusal([&] {
+                 whitney_at_centroids(K, mesh.points(), {Side::primal, 1, Vector::Ones(K.size(1))});
+             }),
+             needs("Whitney form")));
     EXPECT_EQ(cell_centers(mesh, 2).rows(), P.size(2));
     EXPECT_EQ(cell_centers(mesh, 2).cols(), 0);
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_length_mesh

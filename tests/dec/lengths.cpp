@@ -14,6 +14,7 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@
 #include <limits>
 #include <numeric>
 
-namespace polydec::test {
+namespace polydec::test::in_lengths {
 namespace {
 
 class Lengths : public OverMeshes {
@@ -299,43 +300,33 @@ TEST(LengthsOf, an_equilateral_simplex_are_accepted) {
 }
 
 TEST(LengthsOf, edges_that_none_has_are_refused) {
-    EXPECT_EQ(refused(2, {1, 1}),
-              "2 lengths are given: expected one for each of the 3 edges of the complex");
-    EXPECT_EQ(refused(2, {1, 0, 1}),
-              "edge 1 with vertices 3 and 5 has length 0: expected a finite number above 0");
-    EXPECT_EQ(refused(2, {1, 1, -2.5}),
-              "edge 2 with vertices 4 and 5 has length -2.5: expected a finite number above 0");
-    EXPECT_EQ(refused(2, {1, 1, std::numeric_limits<double>::infinity()}),
-              "edge 2 with vertices 4 and 5 has length inf: expected a finite number above 0");
-    EXPECT_EQ(refused(2, {std::numeric_limits<double>::quiet_NaN(), 1, 1}),
-              "edge 0 with vertices 3 and 4 has length nan: expected a finite number above 0");
-    EXPECT_EQ(refused(2, {1e-120, 1, 1}),
-              "edge 0 with vertices 3 and 4 has length 1e-120: scale the mesh to a size nearer to "
-              "1");
+    EXPECT_TRUE(says(refused(2, {1, 1}), {"2 lengths", "3 edges"}));
+    EXPECT_TRUE(says(refused(2, {1, 0, 1}), {"edge 1", "vertices 3", "5", "length 0"}));
+    EXPECT_TRUE(says(refused(2, {1, 1, -2.5}), {"edge 2", "vertices 4", "5", "length", "-2.5"}));
+    EXPECT_TRUE(says(refused(2, {1, 1, std::numeric_limits<double>::infinity()}),
+                     {"edge 2", "vertices 4", "5", "length", "inf"}));
+    EXPECT_TRUE(says(refused(2, {std::numeric_limits<double>::quiet_NaN(), 1, 1}),
+                     {"edge 0", "vertices 3", "4", "length", "nan"}));
+    EXPECT_TRUE(says(refused(2, {1e-120, 1, 1}),
+                     {"edge 0", "vertices 3", "4", "length", "1e-120", "scale"}));
 }
 
 TEST(LengthsOf, simplices_that_none_has_are_refused_in_the_least_dimension) {
-    EXPECT_EQ(refused(2, {1, 2.5, 1}),
-              "the lengths of 2-simplex 0 with vertices 3, 4, 5 violate the triangle inequality: "
-              "2.5 is more than 1 + 1; correct the lengths");
-    EXPECT_EQ(refused(3, {1, 1, 1, 1, 1, 2.5}),
-              "the lengths of 2-simplex 2 with vertices 3, 5, 6 violate the triangle inequality: "
-              "2.5 is more than 1 + 1; correct the lengths");
-    EXPECT_EQ(refused(2, {1, 2, 1}),
-              "the lengths of 2-simplex 0 with vertices 3, 4, 5, 1, 1 and 2, leave it no area; "
-              "correct the lengths");
+    EXPECT_TRUE(says(refused(2, {1, 2.5, 1}),
+                     {"2-simplex 0", "vertices 3, 4, 5", "triangle inequality", "2.5", "1", "1"}));
+    EXPECT_TRUE(says(refused(3, {1, 1, 1, 1, 1, 2.5}),
+                     {"2-simplex 2", "vertices 3, 5, 6", "triangle inequality", "2.5", "1", "1"}));
+    EXPECT_TRUE(
+        says(refused(2, {1, 2, 1}), {"2-simplex 0", "vertices 3, 4, 5", "1, 1 and 2", "area"}));
     // all triangles exist; two of them unfolded end less than 1.9 apart
-    EXPECT_EQ(refused(3, {1, 1, 1, 1, 1, 1.9}),
-              "the lengths of 3-simplex 0 with vertices 3, 4, 5, 6 leave it no volume: the "
-              "products of its edges are not positive definite; correct the lengths");
-    EXPECT_EQ(refused(3, {1, 1, 1, 1, 1, std::sqrt(3.0)}),
-              "the lengths of 3-simplex 0 with vertices 3, 4, 5, 6 leave it no volume: the "
-              "products of its edges are not positive definite; correct the lengths");
+    EXPECT_TRUE(
+        says(refused(3, {1, 1, 1, 1, 1, 1.9}), {"3-simplex 0", "vertices 3, 4, 5, 6", "volume"}));
+    EXPECT_TRUE(says(refused(3, {1, 1, 1, 1, 1, std::sqrt(3.0)}),
+                     {"3-simplex 0", "vertices 3, 4, 5, 6", "volume"}));
     EXPECT_EQ(refused(3, {1, 1, 1, 1, 1, 1.7}), "accepted");
     // all tetrahedra exist: heights sqrt(2/3) on both sides of one are the most
-    EXPECT_EQ(refused(4, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1.65}),
-              "the lengths of 4-simplex 0 with vertices 3, 4, 5, 6, 7 leave it no volume: the "
-              "products of its edges are not positive definite; correct the lengths");
+    EXPECT_TRUE(says(refused(4, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1.65}),
+                     {"4-simplex 0", "vertices 3, 4, 5, 6, 7", "volume"}));
     EXPECT_EQ(refused(4, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1.6}), "accepted");
 }
 
@@ -343,12 +334,11 @@ TEST(LengthsOf, another_complex_are_refused) {
     const auto& small = merged("grid4");
     const auto& other = merged("hex4");
     const Vector lengths = edge_lengths(small.K(), small.points);
-    EXPECT_EQ(refusal([&] {
-                  circumcentric_volumes(other.K(), {small.K(), lengths});
-              }),
-              "a metric of 56 lengths is given: expected one for each of the " +
-                  std::to_string(other.K().size(1)) + " edges of the complex");
+    EXPECT_TRUE(says(refusal([&] {
+                         circumcentric_volumes(other.K(), {small.K(), lengths});
+                     }),
+                     {"56 lengths", std::to_string(other.K().size(1)), "edges"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_lengths

@@ -12,7 +12,7 @@
 
 #include <set>
 
-namespace polydec::test {
+namespace polydec::test::in_lift {
 namespace {
 
 class Lifts : public OverMeshes {
@@ -162,4 +162,4 @@ TEST(LiftsBroken, least_norm_misses_constant_forms_on_cubes_split_at_random) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_lift

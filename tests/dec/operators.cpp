@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_operators {
 namespace {
 
 class Operators : public OverMeshes {};
@@ -216,4 +216,4 @@ TEST(OperatorErrors, come_where_a_star_must_be_inverted_that_is_zero) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_operators

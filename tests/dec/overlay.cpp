@@ -9,13 +9,14 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <utility>
 
-namespace polydec::test {
+namespace polydec::test::in_overlay {
 namespace {
 
 class Overlays : public testing::TestWithParam<std::string> {
@@ -101,19 +102,17 @@ TEST(Overlay, refuses_values_at_other_vertices) {
     ASSERT_FALSE(both.crossings.empty());
     EXPECT_EQ(both.at_points(mesh.points()), both.points);
     for (const auto& values : {Points(mesh.points().topRows(24)), both.points})
-        EXPECT_EQ(refusal([&] { both.at_points(values); }),
-                  std::to_string(values.rows()) + " rows of vertices are given: expected 25");
+        EXPECT_TRUE(says(refusal([&] { both.at_points(values); }),
+                         {std::to_string(values.rows()), "vertices", "25"}));
 }
 
 TEST(Overlay, is_refused_without_flips) {
-    EXPECT_EQ(
-        refusal([] {
-            const auto mesh = discretize(grid(2, 2));
-            overlay(mesh.passage(), mesh.points());
-        }),
-        "an overlay of the input's triangles and those after flips is asked for, but no edges "
-        "were flipped: take DiscretizeOptions::delaunay");
+    EXPECT_TRUE(says(refusal([] {
+                         const auto mesh = discretize(grid(2, 2));
+                         overlay(mesh.passage(), mesh.points());
+                     }),
+                     {"overlay", "flipped", "delaunay"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_overlay

@@ -2,12 +2,13 @@
 #include "dec/metric/quadrature.h"
 
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_quadrature {
 namespace {
 
 /// Largest error of the rule among the monomials of this total degree in barycentric coordinates,
@@ -66,12 +67,10 @@ TEST(QuadratureBroken, beyond_its_degree_is_not_exact) {
 }
 
 TEST(Quadrature, refuses_negative_numbers) {
-    EXPECT_EQ(
-        refusal([] { grundmann_moeller(-1, 3); }),
-        "a quadrature rule of degree 3 on simplices of dimension -1 is asked for: neither can "
-        "be negative");
+    EXPECT_TRUE(
+        says(refusal([] { grundmann_moeller(-1, 3); }), {"degree 3", "dimension -1", "negative"}));
     EXPECT_NE(refusal([] { grundmann_moeller(2, -1); }), "accepted");
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_quadrature

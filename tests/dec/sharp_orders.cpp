@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_sharp_orders {
 namespace {
 
 double f(const Vector& x) {
@@ -88,4 +88,4 @@ TEST(SharpsBroken, attached_to_circumcenters_have_larger_errors) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_sharp_orders

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_sliver_spectra {
 namespace {
 
 constexpr int m = 4;
@@ -81,4 +81,4 @@ TEST(SpectraOfSliversBroken, by_jitter_above_the_tolerance_are_others) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_sliver_spectra

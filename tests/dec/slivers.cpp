@@ -16,6 +16,7 @@
 #include "meshes/rearrange.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@
 #include <cmath>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_slivers {
 namespace {
 
 using Sizes = std::vector<Index>;
@@ -236,15 +237,11 @@ TEST(Slivers, are_refused_where_they_lie_on_no_sphere) {
     const Mesh mesh =
         made_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 2, 0}, {0.4, 0.4, 1}, {0.4, 0.4, -1}},
                 {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 1, 3, 5}, {1, 2, 3, 5}, {0, 1, 2, 3}});
-    EXPECT_EQ(refusal([&] { discretize(mesh); }),
-              "cell 4 (vertices 0 1 2 3) has no volume, and without it its neighbors would come "
-              "apart.\nIts vertices lie in one plane: move one of them, or exchange the cell and "
-              "its neighbors for others. Flat cells on the boundary can be peeled off "
-              "(peeled(mesh)).");
-    EXPECT_NE(refusal([] {
-                  discretize(five_to_a_cube(2), {.criterion = MergeCriterion::none});
-              }).find("has no volume"),
-              std::string::npos);
+    EXPECT_TRUE(says(refusal([&] { discretize(mesh); }),
+                     {"cell 4", "vertices 0 1 2 3", "volume", "plane", "peeled"}));
+    EXPECT_TRUE(
+        says(refusal([] { discretize(five_to_a_cube(2), {.criterion = MergeCriterion::none}); }),
+             {"cell", "volume"}));
 }
 
 TEST(FlatSimplices, are_none_in_thin_layers) {
@@ -266,4 +263,4 @@ TEST(FlatSimplices, near_the_tolerance_are_told) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_slivers

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_stencils {
 namespace {
 
 /// Kuhn grids of 4^n cubes.
@@ -75,4 +75,4 @@ TEST(StencilsOfCubes, have_positive_stars_in_five_dimensions) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_stencils

@@ -4,6 +4,7 @@
 #include "dec/fields/cell_centers.h"
 #include "meshes/generate.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 #include <functional>
 #include <random>
 
-namespace polydec::test {
+namespace polydec::test::in_streamlines {
 
 namespace {
 
@@ -187,15 +188,14 @@ TEST(Streamlines, EndWhereFieldsMeetOrTurnAround) {
 TEST(Streamlines, RefuseWhatTheyCannotFollow) {
     const auto mesh = discretize(grid(3, 2));
     DenseMatrix wind = DenseMatrix::Ones(6, 2);
-    EXPECT_EQ(refusal([&] { streamlines(mesh, wind.topRows(2)); }),
-              "2 vectors of 2 coordinates: expected one of 2 for each of the 6 "
-              "2-cells");
-    EXPECT_EQ(refusal([&] { streamlines(mesh, wind, {.spacing = -1}); }),
-              "lines -1 apart, 200 spacings long: expected numbers above 0");
-    EXPECT_EQ(refusal([&] { streamlines(mesh, wind, {.longest = 1}); }),
-              "lines of 2 to 1 spacings: expected numbers that ascend");
+    EXPECT_TRUE(says(refusal([&] { streamlines(mesh, wind.topRows(2)); }),
+                     {"2 vectors", "2 coordinates", "6 2-cells"}));
+    EXPECT_TRUE(says(refusal([&] { streamlines(mesh, wind, {.spacing = -1}); }),
+                     {"lines", "-1", "200 spacings"}));
+    EXPECT_TRUE(says(refusal([&] { streamlines(mesh, wind, {.longest = 1}); }),
+                     {"lines", "2 to 1 spacings"}));
     wind(4, 1) = NAN;
-    EXPECT_EQ(refusal([&] { streamlines(mesh, wind); }), "the vector of 2-cell 4 is not finite");
+    EXPECT_TRUE(says(refusal([&] { streamlines(mesh, wind); }), {"vector", "2-cell 4", "finite"}));
 }
 
-} // namespace polydec::test
+} // namespace polydec::test::in_streamlines

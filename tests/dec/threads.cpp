@@ -11,9 +11,10 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <omp.h>
+#include <dlfcn.h>
+#include <stdexcept>
 
-namespace polydec::test {
+namespace polydec::test::in_threads {
 namespace {
 
 /// All that several threads work on, for one mesh.
@@ -34,11 +35,21 @@ struct Results {
     CellVolumes merged;
 };
 
+/// A function of the OpenMP that the library runs on, whichever that is; null if there is none.
+template <class Function>
+Function* of_openmp(const char* name) {
+    return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+}
+
 Results with_threads(int threads, const Mesh& mesh) {
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(threads);
+    const auto max_threads = of_openmp<int()>("omp_get_max_threads");
+    const auto set_threads = of_openmp<void(int)>("omp_set_num_threads");
+    if (!max_threads || !set_threads)
+        throw std::runtime_error("the library was built without OpenMP");
+    const int before = max_threads();
+    set_threads(threads);
     Results results(mesh);
-    omp_set_num_threads(before);
+    set_threads(before);
     return results;
 }
 
@@ -87,4 +98,4 @@ TEST(threads, another_mesh_has_other_bits) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_threads

@@ -8,13 +8,14 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_whitney_interpolation {
 namespace {
 
 class WhitneyInterpolation : public OverMeshes {
@@ -183,17 +184,16 @@ TEST(WhitneyInterpolationRefuses, what_it_cannot_place) {
     const auto& K = mesh.K();
     const Cochain form{Side::primal, 1, Vector::Ones(K.size(1))};
     const Vector middle = Vector::Constant(3, 1.0 / 3);
-    EXPECT_EQ(refusal([&] {
-                  whitney_form(K, mesh.points, {Side::dual, 1, form.values}, 0, middle);
-              }),
-              "a dual 1-form has no Whitney form: take its star, which is primal");
-    EXPECT_EQ(refusal([&] { whitney_form(K, mesh.points, form, 32, middle); }),
-              "2-simplex 32 is asked for: there are 32");
-    EXPECT_EQ(refusal([&] { whitney_form(K, mesh.points, form, 0, Vector::Ones(3)); }),
-              "(1, 1, 1) are no barycentric coordinates in 2-simplex 0: 3 numbers of sum 1 are "
-              "expected");
-    EXPECT_EQ(refusal([&] { whitney_at_centroids(discretized("grid4"), form); }),
-              "a primal 1-form of 56 values is given: the complex has 40 1-cells");
+    EXPECT_TRUE(says(refusal([&] {
+                         whitney_form(K, mesh.points, {Side::dual, 1, form.values}, 0, middle);
+                     }),
+                     {"dual 1-form", "Whitney"}));
+    EXPECT_TRUE(says(refusal([&] { whitney_form(K, mesh.points, form, 32, middle); }),
+                     {"2-simplex 32", "32"}));
+    EXPECT_TRUE(says(refusal([&] { whitney_form(K, mesh.points, form, 0, Vector::Ones(3)); }),
+                     {"(1, 1, 1)", "barycentric", "2-simplex 0", "3 numbers", "1"}));
+    EXPECT_TRUE(says(refusal([&] { whitney_at_centroids(discretized("grid4"), form); }),
+                     {"primal 1-form", "56 values", "40 1-cells"}));
     EXPECT_NE(refusal([&] {
                   whitney_at_centroids(K, mesh.points, {Side::primal, 2, form.values});
               }),
@@ -201,4 +201,4 @@ TEST(WhitneyInterpolationRefuses, what_it_cannot_place) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_whitney_interpolation

@@ -7,6 +7,7 @@
 #include "meshes/length_mesh.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 #include "tests/support/scales.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_zeros {
 namespace {
 
 /// The facets that merging removes: in these meshes, those whose dual is zero.
@@ -98,12 +99,11 @@ TEST(Zeros, are_no_small_duals) {
 
 TEST(Circumspheres, of_flat_simplices_are_refused_by_name) {
     const auto mesh = made_of({{9, 9}, {0, 0}, {1, 1}, {3, 3}}, {{1, 2, 3}});
-    const std::string expected = "the 2-simplex with vertices 1, 2, 3 has no volume, and so no "
-                                 "circumsphere: remove it or move a vertex";
-    EXPECT_EQ(refusal([&] { circumradii(mesh.points, mesh.simplices); }), expected);
-    EXPECT_EQ(refusal([&] { circumcenters(mesh.points, mesh.simplices); }), expected);
+    const Words expected{"2-simplex", "vertices 1, 2, 3", "volume", "circumsphere"};
+    EXPECT_TRUE(says(refusal([&] { circumradii(mesh.points, mesh.simplices); }), expected));
+    EXPECT_TRUE(says(refusal([&] { circumcenters(mesh.points, mesh.simplices); }), expected));
     const SimplicialComplex K(mesh.simplices);
-    EXPECT_EQ(refusal([&] { circumradii(K, mesh.points, 2); }), expected);
+    EXPECT_TRUE(says(refusal([&] { circumradii(K, mesh.points, 2); }), expected));
 }
 
 TEST(Circumspheres, answer_for_no_other_simplex) {
@@ -114,13 +114,12 @@ TEST(Circumspheres, answer_for_no_other_simplex) {
     EXPECT_NEAR(sphere.radius(), std::sqrt(0.5), 1e-15);
     ASSERT_FALSE(sphere.look_at(row(1)));
     EXPECT_EQ(sphere.volume(), 0);
-    const std::string expected =
-        "a simplex without volume has no circumsphere: remove it or move a vertex";
-    EXPECT_EQ(refusal([&] { return sphere.radius(); }), expected);
-    EXPECT_EQ(refusal([&] { return sphere.barycentric(0); }), expected);
-    EXPECT_EQ(refusal([&] { return sphere.height(0, 1); }), expected);
-    EXPECT_EQ(refusal([] { return Circumsphere().radius(); }), expected);
+    const Words expected{"simplex", "volume", "circumsphere"};
+    EXPECT_TRUE(says(refusal([&] { return sphere.radius(); }), expected));
+    EXPECT_TRUE(says(refusal([&] { return sphere.barycentric(0); }), expected));
+    EXPECT_TRUE(says(refusal([&] { return sphere.height(0, 1); }), expected));
+    EXPECT_TRUE(says(refusal([] { return Circumsphere().radius(); }), expected));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_zeros

@@ -13,7 +13,7 @@ namespace polydec::test {
 
 namespace {
 
-using tests::bytes_of;
+using test::bytes_of;
 
 class Bytes {
 public:

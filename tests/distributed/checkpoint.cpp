@@ -8,7 +8,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace polydec::test {
+namespace polydec::test::in_checkpoint {
 
 namespace {
 
@@ -82,4 +82,4 @@ TEST(SharedCheckpoints, of_others_or_damaged_are_refused_everywhere) {
     EXPECT_FALSE(std::filesystem::exists(folder / "c"));
 }
 
-} // namespace polydec::test
+} // namespace polydec::test::in_checkpoint

@@ -16,7 +16,9 @@ import tempfile
 import time
 from pathlib import Path
 
-WATCHDOG = 60  # seconds, after which a run counts as hanging
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tools"))
+
+from command import SECONDS, Process, run_program, says, stop_ignoring_signals  # noqa: E402
 
 MESHES = {
     "grid": ["grid", "--nx", "7", "--ny", "5"],
@@ -34,15 +36,13 @@ class Commands:
         self.polydec, self.mpi, *self.mpiexec = words
 
     def alone(self, *words):
-        return subprocess.run([self.polydec, *words], capture_output=True, text=True,
-                              timeout=WATCHDOG)
+        return run_program([self.polydec, *words])
 
     def line(self, ranks, *words):
         return [*self.mpiexec, "-n", str(ranks), self.mpi, *map(str, words)]
 
     def on(self, ranks, *words):
-        return subprocess.run(self.line(ranks, *words), capture_output=True, text=True,
-                              timeout=WATCHDOG, stdin=subprocess.DEVNULL)
+        return run_program(self.line(ranks, *words))
 
 
 complaints = []
@@ -61,12 +61,11 @@ def near(a, b, share):
 def answers(commands, ranks, *words):
     """What one process and several ranks say as JSON; none where either fails."""
     one, several = commands.alone(*words, "--json"), commands.on(ranks, *words, "--json")
-    expect(one.returncode == several.returncode,
-           f"{words}: exit code {several.returncode} on {ranks} ranks, {one.returncode} on one:"
-           f" {several.stderr}")
-    if one.returncode != 0 or several.returncode != 0:
+    expect(one.code == several.code,
+           f"{words}: exit code {several.code} on {ranks} ranks, {one.code} on one: {several.err}")
+    if one.code != 0 or several.code != 0:
         return None
-    return json.loads(one.stdout), json.loads(several.stdout)
+    return json.loads(one.out), json.loads(several.out)
 
 
 def hold_info(commands, ranks, name, mesh):
@@ -88,11 +87,10 @@ def hold_poisson(commands, ranks, name, mesh):
             words = ["poisson", mesh, "--side", side, "--rhs", "1+x*y", *more]
             one = commands.alone(*words, "--star", "circumcentric", "--json")
             several = commands.on(ranks, *words, "--json")
-            expect(one.returncode == several.returncode,
-                   f"{words}: exit code {several.returncode}: {several.stderr}")
-            if one.returncode != 0 or several.returncode != 0:
+            expect(one.code == several.code, f"{words}: exit code {several.code}: {several.err}")
+            if one.code != 0 or several.code != 0:
                 continue
-            one, several = json.loads(one.stdout), json.loads(several.stdout)
+            one, several = json.loads(one.out), json.loads(several.out)
             size = max(abs(one["min"]), abs(one["max"]))
             for key in ["min", "max"]:
                 expect(abs(one[key] - several[key]) <= 1e-9 * size,
@@ -122,43 +120,43 @@ def cells_of(piece):
 def hold_files(commands, folder, mesh):
     sliced, picture = folder / "a.pdm", folder / "a.pvtu"
     done = commands.on(3, "convert", mesh, "-o", sliced)
-    expect(done.returncode == 0, f"convert: {done.stderr}")
-    texts = {commands.on(ranks, "info", sliced, "--json").stdout.split('"ranks"')[0]
+    expect(done.code == 0, f"convert: {done.err}")
+    texts = {commands.on(ranks, "info", sliced, "--json").out.split('"ranks"')[0]
              for ranks in [1, 2, 3]}
     expect(len(texts) == 1, f"info of one file says several things: {texts}")
     for ranks in [3, 2]:
         done = commands.on(ranks, "merge", sliced, "-o", picture, "--json")
-        expect(done.returncode == 0, f"merge: {done.stderr}")
+        expect(done.code == 0, f"merge: {done.err}")
         pieces = re.findall(r'Source="([^"]+)"', picture.read_text())
         expect(len(pieces) == ranks and len(list((folder / "a").iterdir())) == ranks,
                f"merge on {ranks} ranks: {pieces}")
         expect(sum(cells_of(folder / piece) for piece in pieces) ==
-               json.loads(done.stdout)["cells"]["merged"], "merge: cells of the pieces")
+               json.loads(done.out)["cells"]["merged"], "merge: cells of the pieces")
 
 
 def hold_errors(commands, folder, mesh):
     bad = folder / "bad.nsc"
     bad.write_text("2 2 3 1\n0 0\n1 0\n0 1\n0 1 7\n")
     cases = [
-        (["info", folder / "none.off"], 4, "No such file"),
-        (["info", bad], 2, "bad.nsc:5"),
-        (["distance", mesh, "--from", "1"], 1, "one process only"),
-        (["info", mesh, "--delaunay"], 1, "one process only"),
-        (["info"], 1, "MESH is required"),
-        (["poisson", mesh, "--side", "dual", "--rhs", "1/0"], 2, "--rhs"),
-        (["poisson", mesh, "--side", "dual", "--rhs", "1", "--petsc", "-foo 3"], 2, "-foo"),
-        (["poisson", mesh, "--side", "dual", "--rhs", "1", "--engine", "none"], 2, "none"),
-        (["poisson", mesh, "--side", "dual", "--rhs", "1", "-o", folder / "u.vtu"], 2, ".pvtu"),
-        (["spectrum", mesh, "--side", "dual", "--degree", "9"], 2, "degree"),
-        (["merge", mesh, "-o", folder / "no" / "a.pvtu"], 4, "make the folder"),
-        (["convert", mesh, "-o", mesh], 2, ".pdm"),
+        (["info", folder / "none.off"], 4, ["none.off", "No such file"]),
+        (["info", bad], 2, ["bad.nsc:5"]),
+        (["distance", mesh, "--from", "1"], 1, ["distance", "one process"]),
+        (["info", mesh, "--delaunay"], 1, ["--delaunay", "one process"]),
+        (["info"], 1, ["MESH", "required"]),
+        (["poisson", mesh, "--side", "dual", "--rhs", "1/0"], 2, ["--rhs", "'1/0'"]),
+        (["poisson", mesh, "--side", "dual", "--rhs", "1", "--petsc", "-foo 3"], 2, ["-foo"]),
+        (["poisson", mesh, "--side", "dual", "--rhs", "1", "--engine", "none"], 2, ["none"]),
+        (["poisson", mesh, "--side", "dual", "--rhs", "1", "-o", folder / "u.vtu"], 2, [".pvtu"]),
+        (["spectrum", mesh, "--side", "dual", "--degree", "9"], 2, ["degree"]),
+        (["merge", mesh, "-o", folder / "no" / "a.pvtu"], 4, ["a.pvtu", "folder"]),
+        (["convert", mesh, "-o", mesh], 2, [".pdm"]),
     ]
-    for words, code, text in cases:
+    for words, code, said in cases:
         done = commands.on(3, *words)
-        expect(done.returncode == code, f"{words}: exit code {done.returncode} for {code}")
-        expect(text in done.stderr, f"{words}: says {done.stderr}")
-        expect(done.stderr.count("polydec-mpi: ") == 1, f"{words}: said by several ranks")
-        expect(done.stdout == "", f"{words}: half an answer")
+        expect(done.code == code, f"{words}: exit code {done.code} for {code}")
+        expect(says(done.err, *said), f"{words}: says {done.err}")
+        expect(done.err.count("polydec-mpi: ") == 1, f"{words}: said by several ranks")
+        expect(done.out == "", f"{words}: half an answer")
 
 
 def processes_of(parent):
@@ -182,31 +180,31 @@ def hold_deaths(commands, folder):
     deaths = int(os.environ.get("POLYDEC_TEST_SEEDS", "3"))
     for delay in [times.uniform(0.05, 1) for _ in range(deaths)]:
         for ending in [signal.SIGKILL, signal.SIGINT]:
-            run = subprocess.Popen(commands.line(3, "convert", mesh, "-o", out),
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   stdin=subprocess.DEVNULL)
-            time.sleep(delay)
-            victims = processes_of(run.pid)
-            if ending == signal.SIGKILL and victims:
-                os.kill(victims[-1], ending)
-            elif ending == signal.SIGINT:
-                run.send_signal(ending)
-            try:
-                run.communicate(timeout=WATCHDOG)
-            except subprocess.TimeoutExpired:
-                run.kill()
-                expect(False, f"ranks hang after {ending}")
+            with Process(commands.line(3, "convert", mesh, "-o", out), stdout=subprocess.PIPE,
+                         stderr=subprocess.PIPE) as run:
+                time.sleep(delay)
+                victims = processes_of(run.pid)
+                if ending == signal.SIGKILL and victims:
+                    os.kill(victims[-1], ending)
+                elif ending == signal.SIGINT:
+                    run.send_signal(ending)
+                try:
+                    run.finish()
+                except AssertionError as hanging:
+                    expect(False, f"ranks hang after {ending}: {hanging}")
             if out.exists():
                 expect(out.read_bytes() == mesh.read_bytes(), f"half a file after {ending}")
                 out.unlink()
 
 
-def with_little_memory(commands, kilobytes, words, timeout):
-    """Three ranks, of which the last may not have more memory."""
+def with_little_memory(commands, kilobytes, words, seconds):
+    """Three ranks, of which the last may not have more memory; none where they hang."""
     poor = ["sh", "-c", f'ulimit -v {kilobytes}; exec "$0" "$@"', commands.mpi, *words]
     line = [*commands.mpiexec, "-n", "2", commands.mpi, *words, ":", "-n", "1", *poor]
-    return subprocess.run(line, capture_output=True, text=True, timeout=timeout,
-                          stdin=subprocess.DEVNULL)
+    try:
+        return run_program(line, seconds)
+    except AssertionError:
+        return None
 
 
 def least_memory(commands):
@@ -214,21 +212,17 @@ def least_memory(commands):
     One step more than the first that will do: there they start only most of the time."""
     step = 30000
     for kilobytes in range(230000, 2000000, step):
-        try:
-            if with_little_memory(commands, kilobytes, ["--help"], 5).returncode == 0:
-                return kilobytes + step
-        except subprocess.TimeoutExpired:
-            continue
+        done = with_little_memory(commands, kilobytes, ["--help"], 5)
+        if done and done.code == 0:
+            return kilobytes + step
     return 2000000
 
 
 def starts(commands, kilobytes, tiny):
     """Whether MPI and PETSc start with this memory, which is not always so where more is not there
     than they need: then they wait in PetscInitialize."""
-    try:
-        return with_little_memory(commands, kilobytes, ["info", str(tiny)], 5).returncode == 0
-    except subprocess.TimeoutExpired:
-        return False
+    done = with_little_memory(commands, kilobytes, ["info", tiny], 5)
+    return done is not None and done.code == 0
 
 
 def hold_memory(commands, folder):
@@ -242,17 +236,13 @@ def hold_memory(commands, folder):
         tried += 1
         done = None
         for _ in range(3):  # MPI itself waits for ever now and then
-            try:
-                done = with_little_memory(commands, kilobytes, ["convert", str(mesh), "-o", str(out)],
-                                          WATCHDOG / 3)
-                break
-            except subprocess.TimeoutExpired:
-                continue
+            done = done or with_little_memory(commands, kilobytes, ["convert", mesh, "-o", out],
+                                              SECONDS / 3)
         if done is None:
             expect(False, f"ranks hang each time with {kilobytes} kB on one of them")
             continue
-        expect(done.returncode == 0 or done.stderr != "", f"no error with {kilobytes} kB")
-        expect(out.exists() == (done.returncode == 0), f"a file after an error: {done.stderr}")
+        expect(done.code == 0 or done.err != "", f"no error with {kilobytes} kB")
+        expect(out.exists() == (done.code == 0), f"a file after an error: {done.err}")
         if out.exists():
             expect(out.read_bytes() == mesh.read_bytes(), f"half a file with {kilobytes} kB")
             out.unlink()
@@ -260,13 +250,14 @@ def hold_memory(commands, folder):
 
 
 def main():
+    stop_ignoring_signals()
     commands = Commands(sys.argv[1:])
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for turn, (mesh, words) in enumerate(MESHES.items()):
             file = str(folder / f"{mesh}.nsc")
             made = commands.alone("generate", *words, "-o", file)
-            expect(made.returncode == 0, f"generate {mesh}: {made.stderr}")
+            expect(made.code == 0, f"generate {mesh}: {made.err}")
             ranks = 2 + turn % 3
             hold_info(commands, ranks, mesh, file)
             hold_spectrum(commands, ranks, mesh, file)

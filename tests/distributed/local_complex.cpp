@@ -7,7 +7,7 @@
 #include "meshes/rearrange.h"
 #include "tests/distributed/compare.h"
 
-namespace polydec::test {
+namespace polydec::test::in_local_complex {
 
 namespace {
 
@@ -139,4 +139,4 @@ TEST(Scattering, gives_the_slices_of_the_mesh_of_rank_0) {
 
 } // namespace
 
-} // namespace polydec::test
+} // namespace polydec::test::in_local_complex

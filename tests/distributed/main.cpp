@@ -7,16 +7,46 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 #include <unistd.h>
 
 namespace {
 
+/// Ends this rank where a test hangs on it, and says which; then mpirun ends the others.
+class Watchdog {
+public:
+    Watchdog() {
+        if (const char* told = std::getenv("POLYDEC_TEST_PATIENCE"))
+            seconds_ *= std::atof(told);
+        if (std::getenv("POLYDEC_TEST_SEEDS") != nullptr) // many random meshes take their time
+            seconds_ *= 60;
+        std::signal(SIGALRM, bark);
+    }
+
+    void watch(const testing::TestInfo& test) {
+        message_ =
+            fmt::format("rank {}: {}.{} hangs: not done in {} s\n", polydec::Ranks::all().rank(),
+                        test.test_suite_name(), test.name(), seconds_);
+        alarm(static_cast<unsigned>(seconds_) + 1);
+    }
+
+    void rest() { alarm(0); }
+
+private:
+    /// Calls nothing that a signal must not.
+    static void bark(int) {
+        if (write(STDERR_FILENO, message_.data(), message_.size()) >= 0)
+            _exit(1);
+        _exit(2);
+    }
+
+    double seconds_ = 60;
+    static inline std::string message_;
+};
+
 /// Fails on every rank where a test failed on one, so that all go on with the same one.
 class SameEverywhere : public testing::EmptyTestEventListener {
-    void OnTestStart(const testing::TestInfo&) override {
-        if (std::getenv("POLYDEC_TEST_SEEDS") == nullptr) // many random meshes take their time
-            alarm(watchdog);
-    }
+    void OnTestStart(const testing::TestInfo& test) override { watchdog_.watch(test); }
     void OnTestPartResult(const testing::TestPartResult& part) override {
         if (part.failed())
             std::cerr << fmt::format("rank {}: {}\n", polydec::Ranks::all().rank(), part.message());
@@ -25,9 +55,9 @@ class SameEverywhere : public testing::EmptyTestEventListener {
         const bool failed = test.result()->Failed();
         if (polydec::Ranks::all().any(failed) && !failed)
             ADD_FAILURE() << "failed on another rank";
-        alarm(0);
+        watchdog_.rest();
     }
-    static constexpr unsigned watchdog = 60; // seconds, after which a test counts as hanging
+    Watchdog watchdog_;
 };
 
 } // namespace
@@ -35,7 +65,6 @@ class SameEverywhere : public testing::EmptyTestEventListener {
 int main(int count, char** words) {
     testing::InitGoogleTest(&count, words);
     const auto ranks = polydec::Ranks::all();
-    std::signal(SIGALRM, SIG_DFL);
     auto& listeners = testing::UnitTest::GetInstance()->listeners();
     if (ranks.rank() != 0)
         delete listeners.Release(listeners.default_result_printer());

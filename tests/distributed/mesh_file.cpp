@@ -8,7 +8,7 @@
 
 #include <fstream>
 
-namespace polydec::test {
+namespace polydec::test::in_mesh_file {
 
 namespace {
 
@@ -93,4 +93,4 @@ TEST(MeshFiles, every_other_format_comes_through_rank_0) {
     EXPECT_THROW(write_slice(ranks, folder / "no" / "folder.pdm", read), IoError);
 }
 
-} // namespace polydec::test
+} // namespace polydec::test::in_mesh_file

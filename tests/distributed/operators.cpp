@@ -14,7 +14,7 @@
 #include <functional>
 #include <petscviewer.h>
 
-namespace polydec::test {
+namespace polydec::test::in_operators {
 
 namespace {
 
@@ -145,4 +145,4 @@ TEST(OperatorFiles, stand_in_the_order_of_numbers_for_any_number_of_ranks) {
 
 } // namespace
 
-} // namespace polydec::test
+} // namespace polydec::test::in_operators

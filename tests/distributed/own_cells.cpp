@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace polydec::test {
+namespace polydec::test::in_own_cells {
 
 namespace {
 
@@ -69,4 +69,4 @@ TEST(OwnCells, have_the_faces_of_one_process_wherever_their_pieces_are) {
     }
 }
 
-} // namespace polydec::test
+} // namespace polydec::test::in_own_cells

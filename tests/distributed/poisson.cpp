@@ -12,7 +12,7 @@
 #include <functional>
 #include <optional>
 
-namespace polydec::test {
+namespace polydec::test::in_poisson {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST(DistributedPoisson, every_engine_gives_the_same_and_options_that_nobody_rea
 
 } // namespace
 
-} // namespace polydec::test
+} // namespace polydec::test::in_poisson

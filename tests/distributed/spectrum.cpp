@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace polydec::test {
+namespace polydec::test::in_spectrum {
 
 namespace {
 
@@ -86,4 +86,4 @@ TEST(DistributedSpectrum, of_all_eigenvalues_needs_no_count) {
     EXPECT_THROW(spectrum(ranks, mesh, {.degree = 3}), InvalidInput);
 }
 
-} // namespace polydec::test
+} // namespace polydec::test::in_spectrum

@@ -30,7 +30,7 @@ std::vector<NamedMesh> found(const Ranks& ranks) {
     constexpr int turns = 5;                // as many as numbers of ranks are tested
     std::vector<NamedMesh> list;
     int turn = 0;
-    for (const auto& path : tests::test_data("")) {
+    for (const auto& path : test::test_data("")) {
         const bool is_due = is_full_sweep() || (std::filesystem::file_size(path) < small &&
                                                 ++turn % turns == ranks.size() % turns);
         if (auto mesh = is_due ? tidied(path) : std::nullopt)

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace polydec::test {
+namespace polydec::test::in_twins {
 
 namespace {
 
@@ -116,4 +116,4 @@ TEST(BrokenTwin, volumes_added_in_the_order_of_ranks_are_seen) {
 
 } // namespace
 
-} // namespace polydec::test
+} // namespace polydec::test::in_twins

@@ -13,13 +13,18 @@ import math
 import os
 import random
 import re
+import shlex
 import shutil
 import signal
 import struct
-import subprocess
 import sys
 import tempfile
 import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tools"))
+
+from command import (Deadline, Process, read_piece, run_program,  # noqa: E402
+                     stop_ignoring_signals)
 
 REQUEST = struct.Struct("=iiqii")
 ANSWER = struct.Struct("=iiqqq")
@@ -148,16 +153,17 @@ class Server:
         environment = {**os.environ, "LD_PRELOAD": preload, "OPENBLAS_NUM_THREADS": "1",
                        "OMP_NUM_THREADS": "1", "POLYDEC_FAULTS": f"{ours[0]} {theirs[1]}",
                        **variables}
-        self.process = subprocess.Popen([command, *arguments], cwd=folder, env=environment,
-                                        pass_fds=(ours[0], theirs[1]), stdin=subprocess.DEVNULL)
+        self.process = Process([command, *arguments], cwd=folder, env=environment,
+                               pass_fds=(ours[0], theirs[1]))
         os.close(ours[0])
         os.close(theirs[1])
 
     def ask(self, kind, number=0, forever=False, signal_number=0):
         os.write(self.to, REQUEST.pack(kind, forever, number, signal_number, SECONDS))
+        deadline = Deadline(f"an answer of {shlex.join(self.process.args)}", 2 * SECONDS)
         answer = b""
         while len(answer) < ANSWER.size:
-            piece = os.read(self.back, ANSWER.size - len(answer))
+            piece = read_piece(self.back, ANSWER.size - len(answer), deadline)
             if not piece:
                 raise RuntimeError("the program cannot be preloaded: is it built with sanitizers?")
             answer += piece
@@ -166,7 +172,8 @@ class Server:
     def close(self):
         os.close(self.to)
         os.close(self.back)
-        self.process.wait(timeout=10)
+        with self.process:
+            self.process.finish()
 
 
 class Case:
@@ -200,7 +207,9 @@ class Case:
     def earlier_result(self, command):
         """The files of a folder that may be replaced: the same command's, of another mesh."""
         arguments = [{"squares.off": "cube.off"}.get(word, word) for word in self.arguments]
-        subprocess.run([command, *arguments], cwd=self.folder, check=True, capture_output=True)
+        done = run_program([command, *arguments], cwd=self.folder)
+        if done.code != 0:
+            raise SystemExit(f"{self.name}: code {done.code}; it said {done.err}")
         folder = os.path.join(self.folder, self.out_folder)
         return {name: self.read(os.path.join(folder, name)) for name in os.listdir(folder)}
 
@@ -304,6 +313,13 @@ def numbers(count, stride):
 
 def examine(options, name, kinds):
     case = Case(options, name)
+    try:
+        return examine_case(options, case, kinds)
+    finally:
+        case.close()
+
+
+def examine_case(options, case, kinds):
     begin = time.time()
     chance = random.Random(1)
     for kind in kinds:
@@ -321,12 +337,11 @@ def examine(options, name, kinds):
             for _ in range(options.signals):
                 case.run(kind, chance.randrange(1, 60000), False, chance.choice(SIGNALS))
     told = ", ".join(f"{number} x {code}" for code, number in sorted(case.codes.items()))
-    print(f"{name}: {case.counts[0]} allocations, {case.counts[1]} writes, {case.counts[2]} reads; "
-          f"{case.runs} faults, codes {told}; {len(case.findings)} findings, "
-          f"{time.time() - begin:.0f} s", flush=True)
+    print(f"{case.name}: {case.counts[0]} allocations, {case.counts[1]} writes, "
+          f"{case.counts[2]} reads; {case.runs} faults, codes {told}; "
+          f"{len(case.findings)} findings, {time.time() - begin:.0f} s", flush=True)
     for finding in case.findings[:MOST_TOLD]:
         print("  " + finding)
-    case.close()
     return case.runs, len(case.findings)
 
 
@@ -344,6 +359,7 @@ def main():
     options.signals = options.signals if options.signals is not None else (
         1000 if options.all else 5)
     names = list(COMMANDS) + (["mesher"] if shutil.which("tetgen") else [])
+    stop_ignoring_signals()
     total = bad = 0
     for name in options.only or names:
         runs, findings = examine(options, name, [KINDS[kind] for kind in options.kinds])

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +8,15 @@
 #include <map>
 #include <stdexcept>
 
-namespace polydec::tests {
+namespace polydec::test::in_bad_files {
 
 namespace {
 
-/// A file and what reading it must say: a whole message, or "" and the number of cells.
+/// A file and what reading it must say: words of the message, or none and the number of cells.
 struct Sample {
     std::string name;
     std::string text;
-    std::string error;
+    Words error;
     Eigen::Index cells = 0;
 };
 
@@ -23,73 +24,77 @@ const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 const std::string tetrahedron = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 
 const std::vector<Sample> samples{
-    {"hand_duplicate_face.off", "OFF\n4 3 0\n" + square + "3 0 1 2\n3 0 2 3\n3 0 1 2\n", "", 3},
-    {"hand_empty.off", "",
-     "InvalidInput: hand_empty.off:1: the file ends here; expected the keyword OFF; export it "
-     "again, "
-     "it seems cut off"},
+    {"hand_duplicate_face.off", "OFF\n4 3 0\n" + square + "3 0 1 2\n3 0 2 3\n3 0 1 2\n", {}, 3},
+    {"hand_empty.off", "", {"InvalidInput", "hand_empty.off:1", "file ends", "OFF"}},
     {"hand_flat_tet.mesh",
      "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n"
      "Tetrahedra\n1\n1 2 3 4 0\nEnd\n",
-     "", 1},
-    {"hand_huge_count.off", "OFF\n4000000000 4000000000 0\n0 0 0\n",
-     "InvalidInput: hand_huge_count.off:2: 4000000000 vertices are promised, but 20 bytes follow; "
-     "expected at least 6 bytes for each; correct the number, or export again if the file was cut "
-     "off"},
-    {"hand_inconsistent_orientation.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 3 2\n", "", 2},
-    {"hand_index_out_of_range.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 4\n",
-     "InvalidInput: hand_index_out_of_range.off:8: vertex number 4 is out of range; expected 0 to "
-     "3; "
-     "correct the index or add the vertex"},
+     {},
+     1},
+    {"hand_huge_count.off",
+     "OFF\n4000000000 4000000000 0\n0 0 0\n",
+     {"InvalidInput", "hand_huge_count.off:2", "4000000000 vertices", "20 bytes", "6 bytes"}},
+    {"hand_inconsistent_orientation.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 3 2\n", {}, 2},
+    {"hand_index_out_of_range.off",
+     "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 4\n",
+     {"InvalidInput", "hand_index_out_of_range.off:8", "vertex", "4", "range", "0", "3"}},
     {"hand_inverted_tet.mesh",
      "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 "
      "0\n"
      "Tetrahedra\n2\n1 2 3 4 0\n3 2 4 5 0\nEnd\n",
-     "", 2},
-    {"hand_nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\nnan 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
-     "InvalidInput: hand_nan.off:5: vertex 2 (counted from 0) has a coordinate that is NaN, "
-     "infinite "
-     "or beyond the doubles; expected finite numbers; repair or remove the vertex"},
-    {"hand_negative_counts.off", "OFF\n-4 -2 0\n",
-     "InvalidInput: hand_negative_counts.off:2: -4 vertices are promised; expected a number that "
-     "is "
-     "not negative; correct it"},
-    {"hand_negative_index.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 -1\n",
-     "InvalidInput: hand_negative_index.off:8: vertex number -1 is out of range; expected 0 to 3; "
-     "correct the index or add the vertex"},
-    {"hand_no_faces.off", "OFF\n4 0 0\n" + square,
-     "InvalidInput: hand_no_faces.off: the file holds 4 vertices but no cells; expected at least "
-     "one "
-     "cell; export it with its cells"},
+     {},
+     2},
+    {"hand_nan.off",
+     "OFF\n4 2 0\n0 0 0\n1 0 0\nnan 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
+     {"InvalidInput", "hand_nan.off:5", "vertex 2", "coordinate", "NaN"}},
+    {"hand_negative_counts.off",
+     "OFF\n-4 -2 0\n",
+     {"InvalidInput", "hand_negative_counts.off:2", "-4 vertices", "negative"}},
+    {"hand_negative_index.off",
+     "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 -1\n",
+     {"InvalidInput", "hand_negative_index.off:8", "vertex", "-1", "range", "0", "3"}},
+    {"hand_no_faces.off",
+     "OFF\n4 0 0\n" + square,
+     {"InvalidInput", "hand_no_faces.off: ", "4 vertices", "no cells"}},
     {"hand_nonmanifold_edge.off",
-     "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n", "", 3},
-    {"hand_repeated_index.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 2\n", "", 2},
-    {"hand_truncated.off", "OFF\n4 4 0\n" + tetrahedron + "3 0 2 1\n3 0 1 3\n3 1 2 3\n",
-     "InvalidInput: hand_truncated.off:10: the file ends after 3 of 4 faces; expected the others; "
-     "export it again, it seems cut off"},
-    {"hand_truncated_midline.off", "OFF\n4 4 0\n" + tetrahedron + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 ",
-     "InvalidInput: hand_truncated_midline.off:10: 3 corners of a face are promised, but 3 bytes "
-     "follow; expected at least 2 bytes for each; correct the number, or export again if the file "
-     "was cut off"},
-    {"hand_zero_area.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 0 0\n3 0 1 2\n3 0 2 3\n", "", 2},
-    {"same_vertex_thrice.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 3 2 1\n", "", 1},
-    {"not_finite.obj", "v inf nan +inf\nv nan -nan -Inf\nv 3.00 NaN -NaN\n\n# 3\n\nf 1 2 3\n",
-     "InvalidInput: not_finite.obj:1: vertex 0 (counted from 0) has a coordinate that is NaN, "
-     "infinite or beyond the doubles; expected finite numbers; repair or remove the vertex"},
-    {"two_counts.off", "OFF\n3 4\n0.1 0.2 0.3\n0.2 0.3 0.4\n0.3 0.4 0.5\n0\n2\r20\n4\n",
-     "InvalidInput: two_counts.off:3: '0.1' is not a whole number; expected the number of edges; "
-     "correct the line or export the file again"},
-    {"index_zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n\nusemtl Default\nf 3 12 1\nf 0 1 2\n",
-     "InvalidInput: index_zero.obj:7: vertex number 0 is out of range; expected 1 to 3; correct "
-     "the "
-     "index or add the vertex"},
-    {"two_corners.obj", "v -5 0 5\nv 5 0 5\nv 5 5 5\nusemtl M\ns 1\nf 1// 2//\nf 1// 2// 3//\n", "",
+     "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n",
+     {},
+     3},
+    {"hand_repeated_index.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 2\n", {}, 2},
+    {"hand_truncated.off",
+     "OFF\n4 4 0\n" + tetrahedron + "3 0 2 1\n3 0 1 3\n3 1 2 3\n",
+     {"InvalidInput", "hand_truncated.off:10", "file ends", "3 of 4 faces"}},
+    {"hand_truncated_midline.off",
+     "OFF\n4 4 0\n" + tetrahedron + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 ",
+     {"InvalidInput", "hand_truncated_midline.off:10", "3 corners", "face", "3 bytes", "2 bytes"}},
+    {"hand_zero_area.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 0 0\n3 0 1 2\n3 0 2 3\n", {}, 2},
+    {"same_vertex_thrice.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 3 2 1\n", {}, 1},
+    {"not_finite.obj",
+     "v inf nan +inf\nv nan -nan -Inf\nv 3.00 NaN -NaN\n\n# 3\n\nf 1 2 3\n",
+     {"InvalidInput", "not_finite.obj:1", "vertex 0", "coordinate", "NaN"}},
+    {"two_counts.off",
+     "OFF\n3 4\n0.1 0.2 0.3\n0.2 0.3 0.4\n0.3 0.4 0.5\n0\n2\r20\n4\n",
+     {"InvalidInput", "two_counts.off:3", "0.1", "whole number", "edges"}},
+    {"index_zero.obj",
+     "v 0 0 0\nv 1 0 0\nv 0 1 0\n\nusemtl Default\nf 3 12 1\nf 0 1 2\n",
+     {"InvalidInput", "index_zero.obj:7", "vertex", "0", "range", "1", "3"}},
+    {"two_corners.obj",
+     "v -5 0 5\nv 5 0 5\nv 5 5 5\nusemtl M\ns 1\nf 1// 2//\nf 1// 2// 3//\n",
+     {},
      1},
 };
 
+void expect_error(const std::string& error, const Words& words, const std::string& name) {
+    if (words.empty()) {
+        EXPECT_EQ(error, "") << name;
+    } else {
+        EXPECT_TRUE(says(error, words)) << name;
+    }
+}
+
 void expect(const Sample& sample, const std::string& text) {
     const auto error = reading_error(sample.name, text);
-    EXPECT_EQ(error, sample.error) << sample.name;
+    expect_error(error, sample.error, sample.name);
     if (error.empty()) {
         EXPECT_EQ(read_from(sample.name, text).simplices.rows(), sample.cells) << sample.name;
     }
@@ -97,23 +102,19 @@ void expect(const Sample& sample, const std::string& text) {
 
 } // namespace
 
-TEST(BadFiles, AreReadOrRefusedWithTheWholeMessage) {
+TEST(BadFiles, AreReadOrRefusedByPlace) {
     for (const auto& sample : samples) {
         expect(sample, sample.text);
     }
 }
 
 TEST(BadFiles, RealOnesAreTheSame) {
-    std::map<std::string, std::string> errors{
-        {"inf_nan.obj",
-         "InvalidInput: inf_nan.obj:1: vertex 0 (counted from 0) has a coordinate that is NaN, "
-         "infinite or beyond the doubles; expected finite numbers; repair or remove the vertex"},
+    std::map<std::string, Words> errors{
+        {"inf_nan.obj", {"InvalidInput", "inf_nan.obj:1", "vertex 0", "coordinate", "NaN"}},
         {"invalid_assimp.off",
-         "InvalidInput: invalid_assimp.off:3: '0.1' is not a whole number; expected the number of "
-         "edges; correct the line or export the file again"},
+         {"InvalidInput", "invalid_assimp.off:3", "0.1", "whole number", "edges"}},
         {"malformed_assimp.obj",
-         "InvalidInput: malformed_assimp.obj:28: vertex number 0 is out of range; expected 1 to 8; "
-         "correct the index or add the vertex"},
+         {"InvalidInput", "malformed_assimp.obj:28", "vertex", "0", "range", "1", "8"}},
     };
     for (const auto& sample : samples) {
         errors[sample.name] = sample.error;
@@ -129,7 +130,7 @@ TEST(BadFiles, RealOnesAreTheSame) {
         const auto name = path.filename().string();
         const auto text = read_text(path);
         const auto found = cells.find(name);
-        EXPECT_EQ(reading_error(name, text), errors[name]);
+        expect_error(reading_error(name, text), errors[name], name);
         if (found != cells.end()) {
             EXPECT_EQ(read_from(name, text).simplices.rows(), found->second) << name;
         }
@@ -182,26 +183,21 @@ TEST(RealFiles, AreMissedWhereThereAreOthers) {
 }
 
 TEST(ReadMesh, RefusesUnknownExtensions) {
-    const std::string known =
-        "one of .off .obj .ply .stl .nsc .mesh .msh .node .ele .vtk .vtu .pdm; "
-        "rename or convert the file";
-    EXPECT_EQ(error_of([] { read_mesh("folder/a.xyz"); }),
-              "InvalidInput: folder/a.xyz: the extension '.xyz' stands for no mesh format; "
-              "expected " +
-                  known);
-    EXPECT_EQ(error_of([] { read_mesh("a"); }),
-              "InvalidInput: a: the extension '' stands for no mesh format; expected " + known);
+    const std::string known = ".off .obj .ply .stl .nsc .mesh .msh .node .ele .vtk .vtu .pdm";
+    EXPECT_TRUE(says(error_of([] { read_mesh("folder/a.xyz"); }),
+                     {"InvalidInput", "folder/a.xyz:", "extension", ".xyz", known}));
+    EXPECT_TRUE(
+        says(error_of([] { read_mesh("a"); }), {"InvalidInput", "a:", "extension", "''", known}));
 }
 
 TEST(ReadMesh, SaysWhyAFileCannotBeRead) {
     const TemporaryFolder folder;
     const auto missing = folder.path("a.off");
-    EXPECT_EQ(error_of([&missing] { read_mesh(missing); }),
-              "IoError: cannot read " + missing.string() + ": No such file or directory");
+    EXPECT_TRUE(says(error_of([&missing] { read_mesh(missing); }),
+                     {"IoError", missing.string(), "No such file"}));
     std::filesystem::create_directory(missing);
-    EXPECT_EQ(error_of([&missing] { read_mesh(missing); }),
-              "IoError: cannot read " + missing.string() +
-                  ": it is a folder, pipe or device; name a regular file");
+    EXPECT_TRUE(says(error_of([&missing] { read_mesh(missing); }),
+                     {"IoError", missing.string(), "regular file"}));
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_bad_files

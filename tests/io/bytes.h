@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace polydec::tests {
+namespace polydec::test {
 
 /// The bytes of a number in an order.
 template <typename Number>
@@ -53,4 +53,4 @@ inline std::string base64(const std::string& bytes) {
     return text;
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test

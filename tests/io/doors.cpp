@@ -9,7 +9,7 @@
 #include <limits>
 #include <memory>
 
-namespace polydec::test {
+namespace polydec::test::in_doors {
 namespace {
 
 /// A function of a degree, and the degrees that there are.
@@ -86,7 +86,7 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
          [=, &s, &mesh](int k) { cell_centers(mesh.merging(), mesh.points(), s.W(), k); }},
         {"cell_centroids", 0, n,
          [=, &s, &mesh](int k) { cell_centroids(mesh.merging(), mesh.points(), s.W(), k); }},
-        {"cell_centers of a bundle", 0, n, [=, &s, &mesh](int k) { cell_centers(mesh, k); }},
+        {"cell_centers of a bundle", 0, n, [&mesh](int k) { cell_centers(mesh, k); }},
         {"cell_centers after flips", 0, 2, [](int k) { cell_centers(sample("flipped").mesh, k); }},
         {"cell_vertices after flips", 0, 2,
          [](int k) { cell_vertices(sample("flipped").mesh, k, 0); }},
@@ -207,4 +207,4 @@ TEST(doors, degrees_that_there_are_are_taken_where_stars_are_positive) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_doors

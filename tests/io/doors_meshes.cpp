@@ -209,13 +209,13 @@ Questions of_meshes(const Sample& s) {
          }},
         {"write_mesh and read_mesh",
          [&s, rows](Inputs& in) {
-             const tests::TemporaryFolder folder;
+             const test::TemporaryFolder folder;
              write_mesh(folder.path("a.nsc"), mesh_of(s, in));
              return fit(read_mesh(folder.path("a.nsc")).simplices.rows() == rows());
          }},
         {"write_mesh with tags",
          [&s, rows](Inputs& in) {
-             const tests::TemporaryFolder folder;
+             const test::TemporaryFolder folder;
              write_mesh(folder.path("a.mesh"), tagged_mesh_of(s, in));
              return fit(std::ssize(read_mesh(folder.path("a.mesh")).tags) == rows());
          }},
@@ -224,7 +224,7 @@ Questions of_meshes(const Sample& s) {
              const auto& edges = s.K().simplices(1);
              const LengthMesh lengths{s.K().simplices(s.n()), s.K().size(0), edges,
                                       in.vector(edges.rows())};
-             const tests::TemporaryFolder folder;
+             const test::TemporaryFolder folder;
              write_lengths(folder.path("a.nsl"), lengths);
              return fit(read_lengths(folder.path("a.nsl")).lengths, s.K().size(1));
          }},
@@ -232,9 +232,9 @@ Questions of_meshes(const Sample& s) {
          [&s](Inputs& in) {
              VtuGrid grid = draw_cells(s.mesh, 0);
              grid.point_data.push_back(vtu_array("a", in.vector(grid.points.rows())));
-             const tests::TemporaryFolder folder;
+             const test::TemporaryFolder folder;
              write_vtu(folder.path("a.vtu"), grid);
-             return fit(!tests::read_text(folder.path("a.vtu")).empty());
+             return fit(!test::read_text(folder.path("a.vtu")).empty());
          }},
         {"split_polygons",
          [&s, n](Inputs& in) {
@@ -256,13 +256,13 @@ Questions of_meshes(const Sample& s) {
              std::vector<Index> corners(static_cast<std::size_t>(in.vector(3).size()));
              std::iota(corners.begin(), corners.end(), 0);
              add_cell(grid, VtuCell::triangle, corners);
-             const tests::TemporaryFolder folder;
+             const test::TemporaryFolder folder;
              write_vtu(folder.path("a.vtu"), grid);
-             return fit(!tests::read_text(folder.path("a.vtu")).empty());
+             return fit(!test::read_text(folder.path("a.vtu")).empty());
          }},
         {"read_matrix_market_array",
          [&s](Inputs& in) {
-             const tests::TemporaryFolder folder;
+             const test::TemporaryFolder folder;
              std::string text =
                  "%%MatrixMarket matrix array real general\n" + std::to_string(s.size(0)) + " 2\n";
              const auto values = in.matrix(s.size(0), 2);
@@ -272,7 +272,7 @@ Questions of_meshes(const Sample& s) {
          }},
         {"write_matrix_market",
          [&s](Inputs&) {
-             const tests::TemporaryFolder folder;
+             const test::TemporaryFolder folder;
              const SparseMatrix d = derivative(s.P(), 0);
              write_matrix_market(folder.path("d.mtx"), d);
              return fit(read_matrix_market(folder.path("d.mtx")), s.size(1), s.size(0));

@@ -6,6 +6,7 @@
 #include "tests/io/doors.h"
 #include "tests/io/support.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +46,7 @@ TEST(doors, polyhedra_that_there_are_not_are_refused) {
         VtuGrid grid;
         grid.points = Points::Identity(4, 3);
         add_polyhedron(grid, faces);
-        const tests::TemporaryFolder folder;
+        const test::TemporaryFolder folder;
         return outcome([&] { write_vtu(folder.path("a.vtu"), grid); });
     };
     EXPECT_EQ(written({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}), "accepted");
@@ -201,9 +202,8 @@ TEST(doors, several_problems_are_solved_as_one_by_one) {
         EXPECT_EQ(u.col(j), solver.solve(f.col(j), g.col(j)).values);
         EXPECT_EQ(with_fluxes.col(j), solver.solve(f.col(j), g.col(j), h.col(j)).values);
     }
-    EXPECT_EQ(refusal([&] { solver.solve_all(f, DenseMatrix(g.leftCols(2))); }),
-              "3 right-hand sides, boundary data for 2 and normal derivatives for 2 problems are "
-              "given: expected as many");
+    EXPECT_TRUE(says(refusal([&] { solver.solve_all(f, DenseMatrix(g.leftCols(2))); }),
+                     {"3 right-hand sides", "boundary data", "2", "normal derivatives", "2"}));
 
     const auto relative = relative_to_boundary(s.P());
     for (int k = 0; k <= s.n(); ++k) {

@@ -4,6 +4,7 @@
 #include "dec/fields/cell_centers.h"
 #include "meshes/generate.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 #include <functional>
 #include <limits>
 
-namespace polydec::test {
+namespace polydec::test::in_draw_solid {
 namespace {
 
 using Place = Eigen::Vector3d;
@@ -284,30 +285,30 @@ TEST(DrawSolidErrors, name_the_polygon) {
         return refusal([&] { draw_solid(faces); });
     };
     EXPECT_EQ(refused([](auto&) {}), "accepted");
-    EXPECT_EQ(refused([](auto& faces) { faces.values = Vector::Ones(2); }),
-              "2 values are given: expected one for each of the 1 polygons, or none");
-    EXPECT_EQ(refused([](auto& faces) { faces.depth_sites = Points::Ones(2, 3); }),
-              "2 depth sites are given: expected one for each of the 1 polygons, or none");
-    EXPECT_EQ(refused([](auto& faces) { faces.fills = {"red"}; }),
-              "polygon 0 has a fill that is no color: expected \"#rrggbb\", or \"\" for that of "
-              "its value");
-    EXPECT_EQ(refused([](auto& faces) {
-                  faces.values = Vector::Constant(1, std::numeric_limits<double>::quiet_NaN());
-              }),
-              "polygon 0 has a value that is NaN or infinite: find out what made it so");
-    EXPECT_EQ(refused([](auto& faces) {
-                  faces.polygons.points(1, 1) = std::numeric_limits<double>::infinity();
-              }),
-              "polygon 0 has a coordinate that is NaN or infinite: find out what made it so");
-    EXPECT_EQ(refused([](auto& faces) {
-                  faces.polygons.offsets = {0, 2, 3};
-              }),
-              "polygon 0 has fewer than three corners: leave it out");
-    EXPECT_EQ(
+    EXPECT_TRUE(says(refused([](auto& faces) { faces.values = Vector::Ones(2); }),
+                     {"2 values", "1 polygons"}));
+    EXPECT_TRUE(says(refused([](auto& faces) { faces.depth_sites = Points::Ones(2, 3); }),
+                     {"2 depth sites", "1 polygons"}));
+    EXPECT_TRUE(
+        says(refused([](auto& faces) { faces.fills = {"red"}; }), {"polygon 0", "fill", "color"}));
+    EXPECT_TRUE(says(refused([](auto& faces) {
+                         faces.values =
+                             Vector::Constant(1, std::numeric_limits<double>::quiet_NaN());
+                     }),
+                     {"polygon 0", "value", "NaN"}));
+    EXPECT_TRUE(says(refused([](auto& faces) {
+                         faces.polygons.points(1, 1) = std::numeric_limits<double>::infinity();
+                     }),
+                     {"polygon 0", "coordinate", "NaN"}));
+    EXPECT_TRUE(says(refused([](auto& faces) {
+                         faces.polygons.offsets = {0, 2, 3};
+                     }),
+                     {"polygon 0", "three corners"}));
+    EXPECT_TRUE(says(
         refused([](auto& faces) { faces.polygons.offsets = {0}, faces.polygons.corners = {}; }),
-        "there are no polygons to draw: add one");
-    EXPECT_EQ(refused([](auto& faces) { faces.polygons.points.conservativeResize(3, 2); }),
-              "the polygons have 2 coordinates a point: expected three");
+        {"no polygons"}));
+    EXPECT_TRUE(says(refused([](auto& faces) { faces.polygons.points.conservativeResize(3, 2); }),
+                     {"polygons", "2 coordinates", "three"}));
 }
 
 TEST(DrawSolidErrors, name_what_is_wrong_with_the_view) {
@@ -319,32 +320,27 @@ TEST(DrawSolidErrors, name_what_is_wrong_with_the_view) {
         });
     };
     EXPECT_EQ(refused({}), "accepted");
-    EXPECT_EQ(refused({.eye = Vector::Ones(2)}),
-              "the view's direction 'eye' must have three finite coordinates");
-    EXPECT_EQ(refused({.up = Vector::Zero(3)}),
-              "the view's directions 'eye' and 'up' are zero or parallel: choose another 'up'");
-    EXPECT_EQ(refused({.eye = Place(0, 0, 2)}),
-              "the view's directions 'eye' and 'up' are zero or parallel: choose another 'up'");
-    EXPECT_EQ(refused({.range = SvgPoint{2, 1}}),
-              "the view's range 2 .. 1 must be two finite numbers in ascending order");
-    EXPECT_EQ(refused({.plain = "blue"}), "the view's plain color must be \"#rrggbb\"");
+    EXPECT_TRUE(says(refused({.eye = Vector::Ones(2)}), {"eye", "three", "coordinates"}));
+    EXPECT_TRUE(says(refused({.up = Vector::Zero(3)}), {"eye", "up", "parallel"}));
+    EXPECT_TRUE(says(refused({.eye = Place(0, 0, 2)}), {"eye", "up", "parallel"}));
+    EXPECT_TRUE(says(refused({.range = SvgPoint{2, 1}}), {"range", "2 .. 1", "ascending"}));
+    EXPECT_TRUE(says(refused({.plain = "blue"}), {"plain color", "#rrggbb"}));
 }
 
 TEST(DrawSolidErrors, say_what_is_no_solid) {
     const auto mesh = discretize(kuhn(3, 2));
-    EXPECT_EQ(refusal([&] { kept_faces(discretize(grid(2, 2)), all_of_it); }),
-              "cells of dimension 2 in 2 coordinates are no solid: expected 3 and 3");
-    EXPECT_EQ(refusal([&] { kept_faces(mesh, all_of_it, Vector::Ones(3)); }),
-              "3 values are given: expected one for each of the 8 merged 3-cells, or none");
-    EXPECT_EQ(refusal([&] { kept_faces(mesh, [](const auto&) { return false; }); }),
-              "no cell is kept: let 'keep' be true of a centroid");
-    EXPECT_EQ(refusal([&] { kept_cells(mesh, all_of_it, 1); }),
-              "the gap 1 between cells is outside of 0 <= gap < 1");
-    EXPECT_EQ(refusal([] { color_at(ColorMap::diverging, std::nan("")); }),
-              "the color of NaN is asked for: find out what made it so");
-    EXPECT_EQ(refusal([] { seen_at({}, Vector::Ones(2)); }),
-              "a point to be seen must have three finite coordinates");
+    EXPECT_TRUE(says(refusal([&] { kept_faces(discretize(grid(2, 2)), all_of_it); }),
+                     {"dimension 2", "2 coordinates", "solid", "3", "3"}));
+    EXPECT_TRUE(says(refusal([&] { kept_faces(mesh, all_of_it, Vector::Ones(3)); }),
+                     {"3 values", "8 merged 3-cells"}));
+    EXPECT_TRUE(says(refusal([&] { kept_faces(mesh, [](const auto&) { return false; }); }),
+                     {"no cell", "keep"}));
+    EXPECT_TRUE(says(refusal([&] { kept_cells(mesh, all_of_it, 1); }), {"gap", "1", "0", "1"}));
+    EXPECT_TRUE(
+        says(refusal([] { color_at(ColorMap::diverging, std::nan("")); }), {"color", "NaN"}));
+    EXPECT_TRUE(
+        says(refusal([] { seen_at({}, Vector::Ones(2)); }), {"point", "three", "coordinates"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_draw_solid

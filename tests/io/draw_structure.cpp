@@ -4,6 +4,7 @@
 #include "dec/fields/cell_centers.h"
 #include "meshes/generate.h"
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 #include <numeric>
 #include <set>
 
-namespace polydec::tests {
+namespace polydec::test::in_draw_structure {
 
 namespace {
 
@@ -142,8 +143,7 @@ TEST(SideBySide, ShapesAreAsLargeAsAloneAndDoNotMeet) {
     EXPECT_LT(first.second + 20, second.first);
     EXPECT_NEAR(second.second - second.first, 300 - 2 * other.margin, 1e-9);
     EXPECT_EQ(to_svg(row).size(), to_svg(side_by_side({one, other})).size());
-    EXPECT_EQ(error_of([] { side_by_side({}); }),
-              "InvalidInput: there are no drawings to be put side by side: give one");
+    EXPECT_TRUE(says(error_of([] { side_by_side({}); }), {"InvalidInput", "no drawings"}));
 }
 
 TEST(DrawStructure, NumbersEveryCellOnce) {
@@ -201,19 +201,15 @@ TEST(DrawStructure, OfAClosedSurfaceShowsTheSideTowardsTheEye) {
 }
 
 TEST(DrawStructure, RefusesWhatItCannotShow) {
-    EXPECT_EQ(
-        error_of([] { draw_structure(discretize(kuhn(3, 1))); }),
-        "InvalidInput: cells of dimension 3 in 3 coordinates: a drawing of the structure shows "
-        "polygons in the plane or in space; a page shows solids");
-    EXPECT_EQ(
-        error_of([] { draw_structure(discretize(grid(60, 60)), {.numbers = true}); }).substr(0, 82),
-        "InvalidInput: 7320 edges are too many for legible numbers in a drawing 720 pixels ");
+    EXPECT_TRUE(says(error_of([] { draw_structure(discretize(kuhn(3, 1))); }),
+                     {"InvalidInput", "cells", "dimension 3", "3 coordinates"}));
+    EXPECT_TRUE(says(error_of([] { draw_structure(discretize(grid(60, 60)), {.numbers = true}); }),
+                     {"InvalidInput", "7320 edges", "720 pixels"}));
     const auto flipped =
         discretize(plane_meshes().back(), {.delaunay = Delaunay::flips_and_splits});
     ASSERT_FALSE(flipped.passage().is_identity());
-    EXPECT_EQ(error_of([&] { draw_structure(flipped); }),
-              "InvalidInput: edges were flipped, and are no straight lines any more: draw the mesh "
-              "without flips, or as a page");
+    EXPECT_TRUE(says(error_of([&] { draw_structure(flipped); }),
+                     {"InvalidInput", "flipped", "straight lines"}));
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_draw_structure

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::tests {
+namespace polydec::test::in_inflate {
 
 namespace {
 
@@ -78,4 +78,4 @@ TEST(Inflate, NoDamageGoesUnnoticed) {
     }
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_inflate

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/types.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace polydec::tests {
+namespace polydec::test::in_json_writer {
 
 namespace {
 
@@ -68,18 +69,15 @@ TEST(JsonWriter, NumbersThatAreNoneAreRefusedByName) {
             json.object([&] { json.member("residual", value); });
             FAIL();
         } catch (const SolverFailure& error) {
-            EXPECT_EQ(std::string(error.what())
-                          .find("the result has no finite number for "
-                                "'residual'"),
-                      0U);
+            EXPECT_TRUE(says(error.what(), {"finite", "residual"}));
         }
     }
 }
 
 TEST(JsonWriter, TextIsValidUtf8Always) {
     for (const std::string text : {"größe", "a\xff\xfe.off", "\x1b", ""})
-        EXPECT_NO_THROW(nlohmann::json::parse(text_of(text))) << text;
+        EXPECT_TRUE(nlohmann::json::accept(text_of(text))) << text;
     EXPECT_EQ(text_of("a\xff"), R"("a\\xff")");
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_json_writer

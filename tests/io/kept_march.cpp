@@ -4,13 +4,14 @@
 #include "io/checkpoint.h"
 #include "meshes/generate.h"
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-namespace polydec::tests {
+namespace polydec::test::in_kept_march {
 
 namespace {
 
@@ -83,11 +84,11 @@ TEST(KeptMarch, RefusesCheckpointsOfOthers) {
     const TemporaryFolder folder;
     Evolution run = swing(mesh);
     write_checkpoint(folder.path("a"), {.problem = 7, .state = {Vector::Zero(3)}});
-    EXPECT_EQ(error_of([&] { kept_march(run, times, folder.path("a"), 7); }),
-              "InvalidInput: the checkpoint is none of a march that kept_march keeps");
+    EXPECT_TRUE(says(error_of([&] { kept_march(run, times, folder.path("a"), 7); }),
+                     {"InvalidInput", "checkpoint", "kept_march"}));
     write_checkpoint(folder.path("a"), {.problem = 8});
     EXPECT_THROW(kept_march(run, times, folder.path("a"), 7), InvalidInput);
     EXPECT_EQ(run.time(), 0);
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_kept_march

@@ -4,12 +4,13 @@
 #include "io/pictures/draw_cells.h"
 #include "tests/io/support.h"
 #include "tests/support/families.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace polydec::tests {
+namespace polydec::test::in_length_file {
 
 namespace {
 
@@ -62,80 +63,59 @@ TEST(LengthFile, WrittenWithSixDigitsWouldNotBeTheSame) {
 }
 
 TEST(LengthFile, RefusesLinesThatDoNotFit) {
-    EXPECT_EQ(lengths_error("0 3 1 3\n" + triangle),
-              "InvalidInput: a.nsl:1: dimension 0; expected at least 1; the first line is n V S E: "
-              "dimension and numbers of vertices, simplices and edges");
-    EXPECT_EQ(lengths_error("2 3 1 3 7\n" + triangle),
-              "InvalidInput: a.nsl:1: '7' follows on the same line; expected the end of the first "
-              "line, n V S E: dimension and numbers of vertices, simplices and edges; correct the "
-              "line or export the file again");
-    EXPECT_EQ(lengths_error("2 3 1 3\n0 1\n0 1 3\n0 2 4\n1 2 5\n"),
-              "InvalidInput: a.nsl:2: the line ends here; expected a simplex of 3 vertex numbers; "
-              "complete the line");
-    EXPECT_EQ(lengths_error("2 3 1 3\n0 1 3\n0 1 3\n0 2 4\n1 2 5\n"),
-              "InvalidInput: a.nsl:2: vertex number 3 is out of range; expected 0 to 2; correct "
-              "the index or add the vertex");
-    EXPECT_EQ(lengths_error("2 3 1 3\n0 1 2\n0 1\n0 2 4\n1 2 5\n"),
-              "InvalidInput: a.nsl:3: the line ends here; expected an edge: two vertex numbers and "
-              "a length; complete the line");
-    EXPECT_EQ(lengths_error("2 3 1 3\n0 1 2\n0 1 x\n0 2 4\n1 2 5\n"),
-              "InvalidInput: a.nsl:3: 'x' is not a number; expected a length; correct the line or "
-              "export the file again");
-    EXPECT_EQ(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n0 2 -4\n1 2 5\n"),
-              "InvalidInput: a.nsl:4: edge 0 2 has length -4; expected a finite number above 0; "
-              "correct it");
-    EXPECT_EQ(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n0 2 inf\n1 2 5\n"),
-              "InvalidInput: a.nsl:4: edge 0 2 has length inf; expected a finite number above 0; "
-              "correct it");
-    EXPECT_EQ(lengths_error("2 3 1 3\n" + triangle + "0 1 3\n"),
-              "InvalidInput: a.nsl:6: more follows after 3 edges; expected the end of the file; "
-              "correct the number in the first line");
-    EXPECT_EQ(lengths_error("2 3 1 2000000000\n0 1 2\n0 1 3\n"),
-              "InvalidInput: a.nsl:1: 2000000000 edges are promised, but 13 bytes follow; expected "
-              "at least 6 bytes for each; correct the number, or export again if the file was cut "
-              "off");
-    EXPECT_EQ(lengths_error("2 3 0 0\n      "),
-              "InvalidInput: a.nsl: the file holds no simplices; expected at least one; write it "
-              "again");
+    EXPECT_TRUE(says(lengths_error("0 3 1 3\n" + triangle),
+                     {"InvalidInput", "a.nsl:1", "dimension 0", "1"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 3 7\n" + triangle),
+                     {"InvalidInput", "a.nsl:1", "7", "line", "n V S E"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1\n0 1 3\n0 2 4\n1 2 5\n"),
+                     {"InvalidInput", "a.nsl:2", "line ends", "simplex", "3"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 3\n0 1 3\n0 2 4\n1 2 5\n"),
+                     {"InvalidInput", "a.nsl:2", "vertex", "3", "range", "0", "2"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1\n0 2 4\n1 2 5\n"),
+                     {"InvalidInput", "a.nsl:3", "line ends", "edge"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1 x\n0 2 4\n1 2 5\n"),
+                     {"InvalidInput", "a.nsl:3", "x", "number", "length"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n0 2 -4\n1 2 5\n"),
+                     {"InvalidInput", "a.nsl:4", "edge 0 2", "length", "-4"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n0 2 inf\n1 2 5\n"),
+                     {"InvalidInput", "a.nsl:4", "edge 0 2", "length", "inf"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 3\n" + triangle + "0 1 3\n"),
+                     {"InvalidInput", "a.nsl:6", "3 edges", "end"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 2000000000\n0 1 2\n0 1 3\n"),
+                     {"InvalidInput", "a.nsl:1", "2000000000 edges", "13 bytes", "6 bytes"}));
+    EXPECT_TRUE(
+        says(lengths_error("2 3 0 0\n      "), {"InvalidInput", "a.nsl: ", "no simplices"}));
 }
 
 TEST(LengthFile, RefusesEdgesThatAreNotThereExactlyOnce) {
-    EXPECT_EQ(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n# c\n1 0 4\n1 2 5\n"),
-              "InvalidInput: a.nsl:5: edge 0 1 has a length on line 3 already; expected every edge "
-              "once; remove one of the two");
-    EXPECT_EQ(lengths_error("2 4 1 4\n0 1 2\n0 1 3\n0 2 4\n3 2 1\n1 2 5\n"),
-              "InvalidInput: a.nsl:5: edge 2 3 belongs to no simplex; expected edges of the "
-              "simplices; remove the line or correct its vertices");
-    EXPECT_EQ(lengths_error("2 3 1 2\n0 1 2\n0 1 3\n1 2 5\n"),
-              "InvalidInput: a.nsl: edge 0 2 of the simplices has no length; expected every edge "
-              "once; add a line for it");
+    EXPECT_TRUE(says(lengths_error("2 3 1 3\n0 1 2\n0 1 3\n# c\n1 0 4\n1 2 5\n"),
+                     {"InvalidInput", "a.nsl:5", "edge 0 1", "line 3"}));
+    EXPECT_TRUE(says(lengths_error("2 4 1 4\n0 1 2\n0 1 3\n0 2 4\n3 2 1\n1 2 5\n"),
+                     {"InvalidInput", "a.nsl:5", "edge 2 3", "simplex"}));
+    EXPECT_TRUE(says(lengths_error("2 3 1 2\n0 1 2\n0 1 3\n1 2 5\n"),
+                     {"InvalidInput", "a.nsl: ", "edge 0 2", "length"}));
 }
 
 TEST(LengthFile, IsNoMeshWithPoints) {
-    EXPECT_EQ(error_of([] { read_mesh("a.nsl"); }),
-              "InvalidInput: a.nsl: .nsl holds lengths of edges and no points; expected a mesh "
-              "with points; read it with read_lengths");
-    EXPECT_EQ(error_of([] { read_lengths("a.nsc"); }),
-              "InvalidInput: a.nsc: lengths of edges are read from .nsl; expected this extension; "
-              "rename the file, or read it with read_mesh");
-    EXPECT_EQ(error_of([] { check_drawable(2, 0); }),
-              "InvalidInput: only lengths are known, there are no points, which a drawing needs: "
-              "give a mesh with points");
+    EXPECT_TRUE(says(error_of([] { read_mesh("a.nsl"); }),
+                     {"InvalidInput", "a.nsl: ", ".nsl", "no points"}));
+    EXPECT_TRUE(says(error_of([] { read_lengths("a.nsc"); }),
+                     {"InvalidInput", "a.nsc: ", "lengths", ".nsl"}));
+    EXPECT_TRUE(says(error_of([] { check_drawable(2, 0); }),
+                     {"InvalidInput", "lengths", "points", "drawing"}));
 }
 
 TEST(LengthFile, IsWrittenOfWhatCanBeReadAlone) {
     auto mesh = lengths_from("2 3 1 3\n" + triangle);
-    EXPECT_EQ(error_of([&] { write_lengths("a.off", mesh); }),
-              "InvalidInput: cannot write a.off: lengths of edges go to a file with the extension "
-              ".nsl");
+    EXPECT_TRUE(says(error_of([&] { write_lengths("a.off", mesh); }),
+                     {"InvalidInput", "a.off", "lengths", ".nsl"}));
     mesh.lengths[1] = 0;
-    EXPECT_EQ(error_of([&] { write_lengths("a.nsl", mesh); }),
-              "InvalidInput: cannot write a.nsl: edge 1 with vertices 0 and 2 has length 0; "
-              "expected a finite number above 0");
+    EXPECT_TRUE(says(error_of([&] { write_lengths("a.nsl", mesh); }),
+                     {"InvalidInput", "a.nsl", "edge 1", "vertices 0", "2", "length 0"}));
     mesh.lengths[1] = 4;
     mesh.edges(1, 0) = 1;
-    EXPECT_EQ(error_of([&] { write_lengths("a.nsl", mesh); }),
-              "InvalidInput: the edge with vertices 0 and 2 has no length: add it");
+    EXPECT_TRUE(says(error_of([&] { write_lengths("a.nsl", mesh); }),
+                     {"InvalidInput", "edge", "vertices 0", "2", "length"}));
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_length_file

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_merged_polygons {
 namespace {
 
 class MergedPolygons : public testing::TestWithParam<std::string> {};
@@ -78,4 +78,4 @@ TEST(PicturesOfOtherCells, differ_or_are_refused) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_merged_polygons

@@ -18,7 +18,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace polydec::tests {
+namespace polydec::test::in_mutations {
 
 namespace {
 
@@ -393,4 +393,4 @@ TEST(Mutations, PromisedCountsAllocateNothing) {
     }
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_mutations

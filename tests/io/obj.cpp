@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
-namespace polydec::tests {
+namespace polydec::test::in_obj {
 
 namespace {
 
@@ -33,9 +34,8 @@ TEST(Obj, LinesMayBeContinued) {
     for (const std::string line_break : {"\n", "\r\n", "\r"}) {
         const auto text = with_line_breaks(
             vertices + "# comment \\\nf 1 2 \\\n 3\nf 1 \\\n\\\n3 4\\\n\nf 9 1 1\n", line_break);
-        EXPECT_EQ(reading_error("a.obj", text),
-                  "InvalidInput: a.obj:12: vertex number 9 is out of range; expected 1 to 4; "
-                  "correct the index or add the vertex");
+        EXPECT_TRUE(says(reading_error("a.obj", text),
+                         {"InvalidInput", "a.obj:12", "vertex", "9", "range", "1", "4"}));
         const auto mesh = read_from("a.obj", text.substr(0, text.size() - 6 - line_break.size()));
         EXPECT_EQ(rows(mesh.simplices), two_triangles);
     }
@@ -43,10 +43,8 @@ TEST(Obj, LinesMayBeContinued) {
 
 TEST(Obj, FacesMayComeBeforeTheirVertices) {
     EXPECT_EQ(rows(read_from("a.obj", "f 1 2 3\nf 1 3 4\n" + vertices).simplices), two_triangles);
-    EXPECT_EQ(
-        reading_error("a.obj", "f 1 2 3\nf 1 5 4\n" + vertices),
-        "InvalidInput: a.obj:2: vertex number 5 is out of range; expected 1 to 4; correct the "
-        "index or add the vertex");
+    EXPECT_TRUE(says(reading_error("a.obj", "f 1 2 3\nf 1 5 4\n" + vertices),
+                     {"InvalidInput", "a.obj:2", "vertex", "5", "range", "1", "4"}));
 }
 
 TEST(Obj, LeavesOutOtherRecordsAndExtraNumbers) {
@@ -60,42 +58,31 @@ TEST(Obj, LeavesOutOtherRecordsAndExtraNumbers) {
 TEST(Obj, WarnsOfLinesPointsAndSmallFaces) {
     const auto mesh = read_from("a.obj", vertices + "l 1 2\np 1\nf 1 2\nf\nf 1 2 3 4\n");
     EXPECT_EQ(rows(mesh.simplices), two_triangles);
-    EXPECT_EQ(
-        mesh.warnings,
-        (std::vector<std::string>{
-            "2 faces with fewer than three corners left out, the first is face 0",
-            "1 polygon with more than three corners split into triangles, the first is face 2",
-            "2 records of lines or points left out, the first in line 5"}));
+    EXPECT_TRUE(each_says(mesh.warnings, {{"2 faces", "three corners", "face 0"},
+                                          {"1 polygon", "triangles", "face 2"},
+                                          {"2 records", "lines", "line 5"}}));
 }
 
 TEST(Obj, RefusesIndicesOutOfRange) {
-    EXPECT_EQ(
-        reading_error("a.obj", vertices + "f 1 0 3\n"),
-        "InvalidInput: a.obj:5: vertex number 0 is out of range; expected 1 to 4; correct the "
-        "index or add the vertex");
-    EXPECT_EQ(reading_error("a.obj", vertices + "f 1 -5 3\n"),
-              "InvalidInput: a.obj:5: vertex number -5 is out of range; expected -4 to -1 counted "
-              "back from here; correct the index or add the vertex");
-    EXPECT_EQ(reading_error("a.obj", vertices + "f 1 3000000000 3\n"),
-              "InvalidInput: a.obj:5: vertex number 3000000000 is out of range; expected 1 to 4; "
-              "correct the index or add the vertex");
-    EXPECT_EQ(reading_error("a.obj", vertices + "f 1 two 3\n"),
-              "InvalidInput: a.obj:5: 'two' is not a whole number; expected a vertex number; "
-              "correct the line or export the file again");
+    EXPECT_TRUE(says(reading_error("a.obj", vertices + "f 1 0 3\n"),
+                     {"InvalidInput", "a.obj:5", "vertex", "0", "range", "1", "4"}));
+    EXPECT_TRUE(says(reading_error("a.obj", vertices + "f 1 -5 3\n"),
+                     {"InvalidInput", "a.obj:5", "vertex", "-5", "range", "-4", "-1"}));
+    EXPECT_TRUE(says(reading_error("a.obj", vertices + "f 1 3000000000 3\n"),
+                     {"InvalidInput", "a.obj:5", "vertex", "3000000000", "range", "1", "4"}));
+    EXPECT_TRUE(says(reading_error("a.obj", vertices + "f 1 two 3\n"),
+                     {"InvalidInput", "a.obj:5", "two", "whole number", "vertex"}));
 }
 
 TEST(Obj, RefusesVerticesWithTooFewCoordinates) {
-    EXPECT_EQ(reading_error("a.obj", "v 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"),
-              "InvalidInput: a.obj:1: the line ends here; expected three coordinates of a vertex; "
-              "complete the line");
+    EXPECT_TRUE(says(reading_error("a.obj", "v 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"),
+                     {"InvalidInput", "a.obj:1", "line ends", "coordinates"}));
 }
 
 TEST(Obj, RefusesFilesWithoutVerticesOrCells) {
-    EXPECT_EQ(reading_error("a.obj", ""),
-              "InvalidInput: a.obj: the file holds no vertices; expected a mesh; export it again");
-    EXPECT_EQ(reading_error("a.obj", vertices + "f 1 2\n"),
-              "InvalidInput: a.obj: the file holds 4 vertices but no cells; expected at least one "
-              "cell; export it with its cells");
+    EXPECT_TRUE(says(reading_error("a.obj", ""), {"InvalidInput", "a.obj: ", "no vertices"}));
+    EXPECT_TRUE(says(reading_error("a.obj", vertices + "f 1 2\n"),
+                     {"InvalidInput", "a.obj: ", "4 vertices", "no cells"}));
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_obj

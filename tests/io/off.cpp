@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
-namespace polydec::tests {
+namespace polydec::test::in_off {
 
 namespace {
 
@@ -54,10 +55,8 @@ TEST(Off, LinesMayEndInThreeWays) {
     for (const std::string line_break : {"\n", "\r\n", "\r"}) {
         const auto mesh = read_from("a.off", with_line_breaks(text, line_break));
         EXPECT_EQ(rows(mesh.simplices), two_triangles);
-        EXPECT_EQ(
-            reading_error("a.off", with_line_breaks(bad, line_break)),
-            "InvalidInput: a.off:8: vertex number 7 is out of range; expected 0 to 3; correct "
-            "the index or add the vertex");
+        EXPECT_TRUE(says(reading_error("a.off", with_line_breaks(bad, line_break)),
+                         {"InvalidInput", "a.off:8", "vertex", "7", "range", "0", "3"}));
     }
 }
 
@@ -72,18 +71,14 @@ TEST(Off, NumbersMayBeWrittenInManyWays) {
 TEST(Off, WarnsOfWhatFollowsTheFaces) {
     const auto mesh = read_from("a.off", "OFF\n4 1 0\n" + vertices + faces);
     EXPECT_EQ(mesh.simplices.rows(), 1);
-    EXPECT_EQ(mesh.warnings,
-              (std::vector<std::string>{"what follows the 1 faces was left out, from line 8"}));
+    EXPECT_TRUE(each_says(mesh.warnings, {{"1 faces", "left out", "line 8"}}));
 }
 
 TEST(Off, SplitsPolygonsAndLeavesOutSmallFaces) {
     const auto mesh = read_from("a.off", "OFF\n4 3 0\n" + vertices + "2 0 1\n4 0 1 2 3\n1 0\n");
     EXPECT_EQ(rows(mesh.simplices), two_triangles);
-    EXPECT_EQ(mesh.warnings,
-              (std::vector<std::string>{
-                  "2 faces with fewer than three corners left out, the first is face 0",
-                  "1 polygon with more than three corners split into triangles, the first is face "
-                  "1"}));
+    EXPECT_TRUE(each_says(mesh.warnings, {{"2 faces", "three corners", "face 0"},
+                                          {"1 polygon", "triangles", "face 1"}}));
 }
 
 TEST(Off, KeepsTrianglesThatLaterChecksJudge) {
@@ -93,62 +88,48 @@ TEST(Off, KeepsTrianglesThatLaterChecksJudge) {
 }
 
 TEST(Off, RefusesOtherKeywords) {
-    EXPECT_EQ(
-        reading_error("a.off", "4OFF\n1 1 0\n"),
-        "InvalidInput: a.off:1: '4OFF' has vertices of another dimension than 3; expected OFF "
-        "with x y z; write the mesh as .nsc");
-    EXPECT_EQ(
-        reading_error("a.off", "nOFF\n2\n1 1 0\n"),
-        "InvalidInput: a.off:1: 'nOFF' has vertices of another dimension than 3; expected OFF "
-        "with x y z; write the mesh as .nsc");
-    EXPECT_EQ(reading_error("a.off", "OFF BINARY\n1 1 0\n"),
-              "InvalidInput: a.off:1: the file is a binary OFF; expected text; convert it to text "
-              "or PLY");
-    EXPECT_EQ(reading_error("a.off", "solid\x01 text\n"),
-              "InvalidInput: a.off:1: the file begins with 'solid?'; expected the keyword OFF; "
-              "check the format");
-    EXPECT_EQ(reading_error("a.off", std::string(50, 'x')),
-              "InvalidInput: a.off:1: the file begins with '" + std::string(40, 'x') +
-                  "...'; expected the keyword OFF; check the format");
+    EXPECT_TRUE(says(reading_error("a.off", "4OFF\n1 1 0\n"),
+                     {"InvalidInput", "a.off:1", "4OFF", "dimension", "3"}));
+    EXPECT_TRUE(says(reading_error("a.off", "nOFF\n2\n1 1 0\n"),
+                     {"InvalidInput", "a.off:1", "nOFF", "dimension", "3"}));
+    EXPECT_TRUE(
+        says(reading_error("a.off", "OFF BINARY\n1 1 0\n"), {"InvalidInput", "a.off:1", "binary"}));
+    EXPECT_TRUE(says(reading_error("a.off", "solid\x01 text\n"),
+                     {"InvalidInput", "a.off:1", "solid?", "OFF"}));
+    EXPECT_TRUE(says(reading_error("a.off", std::string(50, 'x')),
+                     {"InvalidInput", "a.off:1", std::string(40, 'x') + "...", "OFF"}));
 }
 
 TEST(Off, RefusesWhatIsNoNumber) {
     for (const std::string word : {"abc", "1.#INF", "1,5", "0x10", "1e", "+-1", "--1", "-", "+"}) {
-        EXPECT_EQ(reading_error("a.off", "OFF\n3 1 0\n0 0 " + word + "\n0 1 0\n1 0 0\n3 0 1 2\n"),
-                  "InvalidInput: a.off:3: '" + word +
-                      "' is not a number; expected a coordinate; correct the line or export the "
-                      "file again");
+        EXPECT_TRUE(
+            says(reading_error("a.off", "OFF\n3 1 0\n0 0 " + word + "\n0 1 0\n1 0 0\n3 0 1 2\n"),
+                 {"InvalidInput", "a.off:3", word, "number", "coordinate"}));
     }
     for (const std::string word : {"1.0", "x", "1e0"}) {
-        EXPECT_EQ(reading_error("a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 " + word + "\n"),
-                  "InvalidInput: a.off:6: '" + word +
-                      "' is not a whole number; expected a vertex number; correct the line or "
-                      "export the file again");
+        EXPECT_TRUE(
+            says(reading_error("a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 " + word + "\n"),
+                 {"InvalidInput", "a.off:6", word, "whole number", "vertex"}));
     }
-    EXPECT_EQ(reading_error("a.off", "OFF\n99999999999999999999 1 0\n"),
-              "InvalidInput: a.off:2: '99999999999999999999' is too large; expected the number of "
-              "vertices; correct the line or export the file again");
+    EXPECT_TRUE(says(reading_error("a.off", "OFF\n99999999999999999999 1 0\n"),
+                     {"InvalidInput", "a.off:2", "99999999999999999999", "large", "vertices"}));
 }
 
 TEST(Off, RefusesCoordinatesThatAreNotFinite) {
     for (const std::string word :
          {"nan", "-NaN", "inf", "+Inf", "-infinity", "1e400", "-1e999999"}) {
-        EXPECT_EQ(reading_error("a.off", "OFF\n3 1 0\n0 0 0\n0 1 " + word + "\n1 0 0\n3 0 1 2\n"),
-                  "InvalidInput: a.off:4: vertex 1 (counted from 0) has a coordinate that is NaN, "
-                  "infinite or beyond the doubles; expected finite numbers; repair or remove the "
-                  "vertex");
+        EXPECT_TRUE(
+            says(reading_error("a.off", "OFF\n3 1 0\n0 0 0\n0 1 " + word + "\n1 0 0\n3 0 1 2\n"),
+                 {"InvalidInput", "a.off:4", "vertex 1", "coordinate", "NaN"}));
     }
 }
 
 TEST(Off, RefusesMoreThanTheFileCanHold) {
-    EXPECT_EQ(reading_error("a.off", "OFF\n3 4000000000 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 2\n"),
-              "InvalidInput: a.off:2: 4000000000 faces are promised, but 29 bytes follow; expected "
-              "at least 2 bytes for each; correct the number, or export again if the file was cut "
-              "off");
-    EXPECT_EQ(reading_error("a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n2000000000 0 1 2\n"),
-              "InvalidInput: a.off:6: 2000000000 corners of a face are promised, but 7 bytes "
-              "follow; expected at least 2 bytes for each; correct the number, or export again if "
-              "the file was cut off");
+    EXPECT_TRUE(says(reading_error("a.off", "OFF\n3 4000000000 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 2\n"),
+                     {"InvalidInput", "a.off:2", "4000000000 faces", "29 bytes", "2 bytes"}));
+    EXPECT_TRUE(
+        says(reading_error("a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 0 0\n2000000000 0 1 2\n"),
+             {"InvalidInput", "a.off:6", "2000000000 corners", "face", "7 bytes", "2 bytes"}));
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_off

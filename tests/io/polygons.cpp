@@ -2,6 +2,7 @@
 #include "meshes/polygons.h"
 
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -10,7 +11,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace polydec::tests {
+namespace polydec::test::in_polygons {
 
 namespace {
 
@@ -71,8 +72,8 @@ TEST(Polygons, TrianglesHaveTheTagOfTheirPolygon) {
     square.tags = {7, 8, 9};
     EXPECT_EQ(split_polygons(square).tags, (std::vector<Index>{7, 7, 9}));
     square.tags = {7, 8};
-    EXPECT_EQ(error_of([&] { split_polygons(square); }),
-              "InvalidInput: there are 2 tags for 3 faces; give every face one, or none at all");
+    EXPECT_TRUE(
+        says(error_of([&] { split_polygons(square); }), {"InvalidInput", "2 tags", "3 faces"}));
 }
 
 TEST(Polygons, TheNextCornerServesWhereTheFirstMakesATriangleWithoutArea) {
@@ -157,12 +158,9 @@ TEST(Polygons, RepeatedCornersAreRemovedFromPolygonsAlone) {
     mesh.offsets = {0, 7, 10, 14, 18};
     const auto split = split_polygons(mesh);
     EXPECT_EQ(rows(split.simplices), (Cells{{0, 1, 2}, {0, 2, 3}, {0, 1, 1}, {0, 1, 2}}));
-    EXPECT_EQ(split.warnings,
-              (std::vector<std::string>{
-                  "1 face with fewer than three corners left out, the first is face 3",
-                  "6 repeated corners removed from polygons, the first from face 0",
-                  "1 polygon with more than three corners split into triangles, the first is face "
-                  "0"}));
+    EXPECT_TRUE(each_says(split.warnings, {{"1 face", "three corners", "face 3"},
+                                           {"6 repeated corners", "face 0"},
+                                           {"1 polygon", "triangles", "face 0"}}));
 }
 
 TEST(Polygons, VeryLargeOnesNeedAFanFromTheFirstCorner) {
@@ -171,21 +169,19 @@ TEST(Polygons, VeryLargeOnesNeedAFanFromTheFirstCorner) {
         saw.emplace_back(i, i % 2);
     }
     saw.emplace_back(2500, 10000);
-    EXPECT_EQ(error_of([&saw] { split_polygons(polygon(saw)); }),
-              "InvalidInput: face 0 has 5001 corners and no fan of triangles from its first; "
-              "expected at most 5000 corners then; split it before");
+    EXPECT_TRUE(says(error_of([&saw] { split_polygons(polygon(saw)); }),
+                     {"InvalidInput", "face 0", "5001 corners", "fan", "5000"}));
 }
 
 TEST(Polygons, RefusesNumbersOutOfRange) {
     auto mesh = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     mesh.corners = {0, 1, 2, 0, 2, 4};
     mesh.offsets = {0, 3, 6};
-    EXPECT_EQ(error_of([&mesh] { split_polygons(mesh); }),
-              "InvalidInput: face 1 has the vertex 4; expected 0 to 3");
+    EXPECT_TRUE(says(error_of([&mesh] { split_polygons(mesh); }),
+                     {"InvalidInput", "face 1", "vertex 4", "0", "3"}));
     mesh.offsets = {0, 3, 5};
-    EXPECT_EQ(error_of([&mesh] { split_polygons(mesh); }),
-              "InvalidInput: the offsets of the polygons must ascend from 0 to the number of "
-              "corners, 6");
+    EXPECT_TRUE(says(error_of([&mesh] { split_polygons(mesh); }),
+                     {"InvalidInput", "offsets", "polygons", "6"}));
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_polygons

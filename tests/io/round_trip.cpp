@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/write_mesh.h"
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
-namespace polydec::tests {
+namespace polydec::test::in_round_trip {
 
 namespace {
+
+/// Every file is synced to the disk: fewer random cases, unless the caller wants another number.
+[[maybe_unused]] const int few_cases = ::setenv("RC_PARAMS", "max_success=20", 0);
 
 /// Any finite doubles, of all magnitudes.
 double any_double() {
@@ -115,17 +120,14 @@ TEST(RoundTrip, FacetsWithTagsAreTheSameInMeditAndLostInNsc) {
 TEST(RoundTrip, FacetsWithTagsMustFitTheMesh) {
     Mesh mesh = any_triangle();
     mesh.facet_tags = {Simplices{{0, 1}}, {}};
-    EXPECT_EQ(writing_error("a.mesh", mesh),
-              "InvalidInput: there are 0 tags for 1 facets; give every facet one");
+    EXPECT_TRUE(says(writing_error("a.mesh", mesh), {"InvalidInput", "0 tags", "1 facets"}));
     mesh.facet_tags.tags = {3};
     mesh.facet_tags.simplices = Simplices{{0, 1, 2}};
-    EXPECT_EQ(writing_error("a.mesh", mesh),
-              "InvalidInput: facets with tags have 3 vertices; expected 2, as those of cells of "
-              "dimension 2 have");
+    EXPECT_TRUE(says(writing_error("a.mesh", mesh),
+                     {"InvalidInput", "facets", "3 vertices", "2", "dimension 2"}));
     mesh.facet_tags.simplices = Simplices{{1, 3}};
-    EXPECT_EQ(writing_error("a.mesh", mesh),
-              "InvalidInput: facet 0 of those with tags (vertices 1 3) names a vertex that is not "
-              "among the 3 given\nVertices are numbered from 0.");
+    EXPECT_TRUE(says(writing_error("a.mesh", mesh),
+                     {"InvalidInput", "facet 0", "tags", "vertices 1 3", "3"}));
 }
 
 TEST(RoundTrip, StlKeepsFloatsAndTheOrderOfCells) {
@@ -214,25 +216,17 @@ TEST(WriteMesh, RefusesWhatTheFormatCannotHold) {
     mesh.points = Points::Identity(5, 4);
     mesh.simplices = Simplices(1, 5);
     mesh.simplices << 0, 1, 2, 3, 4;
-    EXPECT_EQ(writing_error("a.off", mesh),
-              "InvalidInput: cannot write a.off: .off holds triangles in R^2 and R^3, not "
-              "4-simplices in R^4; use .nsc");
-    EXPECT_EQ(
-        writing_error("a.mesh", mesh),
-        "InvalidInput: cannot write a.mesh: MEDIT holds edges, triangles and tetrahedra in R^2 "
-        "and R^3, not 4-simplices in R^4; use .nsc");
-    EXPECT_EQ(
-        writing_error("a.vtk", mesh),
-        "InvalidInput: cannot write a.vtk: the extension '.vtk' stands for no mesh format; use "
-        ".off, .obj, .ply, .stl, .mesh, .nsc or .pdm");
+    EXPECT_TRUE(says(writing_error("a.off", mesh),
+                     {"InvalidInput", "a.off", "4-simplices", "R^4", ".nsc"}));
+    EXPECT_TRUE(says(writing_error("a.mesh", mesh),
+                     {"InvalidInput", "a.mesh", "MEDIT", "4-simplices", "R^4", ".nsc"}));
+    EXPECT_TRUE(says(writing_error("a.vtk", mesh), {"InvalidInput", "a.vtk", "extension", ".vtk"}));
     mesh.simplices(0, 3) = 5;
-    EXPECT_EQ(writing_error("a.nsc", mesh),
-              "InvalidInput: cannot write a.nsc: cell 0 has the vertex 5; expected 0 to 4");
+    EXPECT_TRUE(says(writing_error("a.nsc", mesh),
+                     {"InvalidInput", "a.nsc", "cell 0", "vertex 5", "0", "4"}));
     mesh.points(2, 1) = std::nan("");
-    EXPECT_EQ(
-        writing_error("a.nsc", mesh),
-        "InvalidInput: cannot write a.nsc: vertex 2 has a coordinate that is NaN or infinite; "
-        "find out what made it so");
+    EXPECT_TRUE(says(writing_error("a.nsc", mesh),
+                     {"InvalidInput", "a.nsc", "vertex 2", "coordinate", "NaN"}));
 }
 
 TEST(WriteMesh, RefusesCoordinatesBeyondTheFloatsOfStl) {
@@ -242,27 +236,22 @@ TEST(WriteMesh, RefusesCoordinatesBeyondTheFloatsOfStl) {
     mesh.simplices << 0, 1, 2;
     const TemporaryFolder folder;
     const auto path = folder.path("a.stl");
-    EXPECT_EQ(
-        error_of([&] { write_mesh(path, mesh); }),
-        "InvalidInput: cannot write " + path.string() +
-            ": a coordinate of vertex 0 is too large for the floats of STL; use .off, .obj or "
-            ".ply");
+    EXPECT_TRUE(says(error_of([&] { write_mesh(path, mesh); }),
+                     {"InvalidInput", path.string(), "vertex 0", "large", "STL"}));
     EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(WriteMesh, RefusesPolygonsThatDoNotFit) {
     auto mesh = pentagon_and_square();
-    EXPECT_EQ(error_of([&mesh] { write_mesh("a.stl", mesh); }),
-              "InvalidInput: cannot write a.stl: the extension '.stl' stands for no format of "
-              "polygons; use .off, .obj or .ply");
+    EXPECT_TRUE(says(error_of([&mesh] { write_mesh("a.stl", mesh); }),
+                     {"InvalidInput", "a.stl", "extension", ".stl", "polygons"}));
     mesh.corners[0] = -1;
-    EXPECT_EQ(error_of([&mesh] { write_mesh("a.off", mesh); }),
-              "InvalidInput: face 0 has the vertex -1; expected 0 to 6");
+    EXPECT_TRUE(says(error_of([&mesh] { write_mesh("a.off", mesh); }),
+                     {"InvalidInput", "face 0", "vertex -1", "0", "6"}));
     mesh.corners[0] = 0;
     mesh.points = Points::Zero(7, 4);
-    EXPECT_EQ(error_of([&mesh] { write_mesh("a.off", mesh); }),
-              "InvalidInput: cannot write a.off: .off holds polygons in R^2 and R^3, not in R^4; "
-              "write the triangles as .nsc");
+    EXPECT_TRUE(says(error_of([&mesh] { write_mesh("a.off", mesh); }),
+                     {"InvalidInput", "a.off", "polygons", "R^4", ".nsc"}));
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_round_trip

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-namespace polydec::tests {
+namespace polydec::test::in_stl {
 
 namespace {
 
@@ -77,40 +78,29 @@ TEST(Stl, KeepsFacetsThatLaterChecksJudge) {
 
 TEST(Stl, RefusesWhatIsCutOff) {
     const auto text = binary(square);
-    EXPECT_EQ(
-        reading_error("a.stl", text.substr(0, 180)),
-        "InvalidInput: a.stl: the file has 180 bytes; expected 184 for the 2 triangles that "
-        "its header promises, or a text that begins with solid; export it again, it seems cut "
-        "off");
-    EXPECT_EQ(
-        reading_error("a.stl", binary(square, "solid").substr(0, 180)),
-        "InvalidInput: a.stl: the file has 180 bytes; expected 184 for the 2 triangles that "
-        "its header promises, or a text that begins with solid; export it again, it seems cut "
-        "off");
-    EXPECT_EQ(
-        reading_error("a.stl", text.substr(0, 80)),
-        "InvalidInput: a.stl: the file has 80 bytes; expected a binary STL of at least 84, or "
-        "a text that begins with solid; export it again");
-    EXPECT_EQ(reading_error("a.stl", "solid a\n" + facet("0 0 0", "1 0 0", "1 1 0")),
-              "InvalidInput: a.stl:9: the file ends here; expected facet or endsolid; export it "
-              "again, it seems cut off");
-    EXPECT_EQ(reading_error("a.stl", binary({})),
-              "InvalidInput: a.stl: the file holds no vertices; expected a mesh; export it again");
+    EXPECT_TRUE(says(reading_error("a.stl", text.substr(0, 180)),
+                     {"InvalidInput", "a.stl: ", "180 bytes", "184", "2 triangles"}));
+    EXPECT_TRUE(says(reading_error("a.stl", binary(square, "solid").substr(0, 180)),
+                     {"InvalidInput", "a.stl: ", "180 bytes", "184", "2 triangles"}));
+    EXPECT_TRUE(says(reading_error("a.stl", text.substr(0, 80)),
+                     {"InvalidInput", "a.stl: ", "80 bytes", "84"}));
+    EXPECT_TRUE(says(reading_error("a.stl", "solid a\n" + facet("0 0 0", "1 0 0", "1 1 0")),
+                     {"InvalidInput", "a.stl:9", "file ends", "facet"}));
+    EXPECT_TRUE(
+        says(reading_error("a.stl", binary({})), {"InvalidInput", "a.stl: ", "no vertices"}));
 }
 
 TEST(Stl, RefusesWhatDoesNotFit) {
-    EXPECT_EQ(reading_error("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
-                                     "vertex 0 0 0\nendloop\n"),
-              "InvalidInput: a.stl:6: 'endloop' stands here; expected vertex; correct the line or "
-              "export the file again");
-    EXPECT_EQ(reading_error("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 inf\n"),
-              "InvalidInput: a.stl:4: vertex 0 (counted from 0) has a coordinate that is NaN, "
-              "infinite or beyond the doubles; expected finite numbers; repair or remove the "
-              "vertex");
+    EXPECT_TRUE(
+        says(reading_error("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                                    "vertex 0 0 0\nendloop\n"),
+             {"InvalidInput", "a.stl:6", "endloop", "vertex"}));
+    EXPECT_TRUE(
+        says(reading_error("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 inf\n"),
+             {"InvalidInput", "a.stl:4", "vertex 0", "coordinate", "NaN"}));
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(reading_error("a.stl", binary({square[0], {0, 0, 0, 1, nan, 0, 0, 1, 0}})),
-              "InvalidInput: a.stl: corner 1 of triangle 1 (counted from 0) has a coordinate that "
-              "is NaN or infinite; expected finite numbers; repair or remove the triangle");
+    EXPECT_TRUE(says(reading_error("a.stl", binary({square[0], {0, 0, 0, 1, nan, 0, 0, 1, 0}})),
+                     {"InvalidInput", "a.stl: ", "corner 1", "triangle 1", "coordinate", "NaN"}));
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_stl

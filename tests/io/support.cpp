@@ -12,12 +12,9 @@
 #include <stdexcept>
 #include <unistd.h>
 
-namespace polydec::tests {
+namespace polydec::test {
 
 namespace {
-
-/// Every file is synced to the disk: fewer random cases, unless the caller wants another number.
-[[maybe_unused]] const int few_cases = ::setenv("RC_PARAMS", "max_success=20", 0);
 
 /// The folder of real meshes, or an empty path.
 std::filesystem::path real_meshes() {
@@ -163,4 +160,4 @@ std::optional<std::filesystem::path> test_datum(const std::string& name) {
     return real_meshes() / name;
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test

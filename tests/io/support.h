@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace polydec::tests {
+namespace polydec::test {
 
 /// A folder that is removed with all it holds at the end of the test.
 class TemporaryFolder {
@@ -67,4 +67,4 @@ bool has_test_data();
 /// std::runtime_error, which fails the test, where there are others but not this one.
 std::optional<std::filesystem::path> test_datum(const std::string& name);
 
-} // namespace polydec::tests
+} // namespace polydec::test

@@ -13,7 +13,7 @@
 #include <regex>
 #include <sstream>
 
-namespace polydec::tests {
+namespace polydec::test {
 
 std::string flaw(const std::string& text) {
     std::vector<std::string> open;
@@ -55,4 +55,4 @@ std::vector<double> numbers_behind(const std::string& text, const std::string& m
     return {std::istream_iterator<double>(stream), {}};
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test

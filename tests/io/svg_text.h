@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace polydec::tests {
+namespace polydec::test {
 
 /// What is wrong with the tags of an XML text; "" if each that opens closes, attributes are quoted
 /// and & begins an entity.
@@ -18,4 +18,4 @@ std::size_t count(const std::string& text, const std::string& part);
 std::vector<double> numbers_behind(const std::string& text, const std::string& mark,
                                    const std::string& attribute);
 
-} // namespace polydec::tests
+} // namespace polydec::test

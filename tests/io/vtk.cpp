@@ -2,13 +2,14 @@
 #include "io/meshes/readers.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
 
-namespace polydec::tests {
+namespace polydec::test::in_vtk {
 
 namespace {
 
@@ -164,8 +165,7 @@ TEST(Vtk, WarnsOfDataThatAreLeftOut) {
     const auto mesh =
         read_from("a.vtk", one_cell(5, "0 1 2", 3) + "CELL_DATA 1\nSCALARS names string\n"
                                                      "LOOKUP_TABLE default\nx\n");
-    EXPECT_EQ(mesh.warnings,
-              (std::vector<std::string>{"what follows 'scalars' in line 12 was left out"}));
+    EXPECT_TRUE(each_says(mesh.warnings, {{"scalars", "line 12"}}));
 }
 
 TEST(Vtk, RefusesCellsThatAreNoSimplices) {
@@ -176,65 +176,46 @@ TEST(Vtk, RefusesCellsThatAreNoSimplices) {
         }
         return reading_error("a.vtk", one_cell(type, corners, count));
     };
-    const std::string start = "InvalidInput: a.vtk:7: cell 0 is ";
-    EXPECT_EQ(error(12, 8), start + "a hexahedron (VTK's type 12); expected tetrahedra, polygons "
-                                    "or lines; split it into tetrahedra before");
-    EXPECT_EQ(error(13, 6), start + "a wedge (VTK's type 13); expected tetrahedra, polygons or "
-                                    "lines; split it into tetrahedra before");
-    EXPECT_EQ(error(24, 10), start + "of second order (VTK's type 24); expected tetrahedra, "
-                                     "polygons or lines; export the mesh with cells of first "
-                                     "order");
-    EXPECT_EQ(error(42, 4), start + "a polyhedron (VTK's type 42); expected tetrahedra, polygons "
-                                    "or lines; read the mesh it was made from, or split it into "
-                                    "tetrahedra");
-    EXPECT_EQ(error(99, 4), start + "of VTK's type 99; expected tetrahedra (10), polygons (5 to "
-                                    "9) or lines (3, 4); convert it before");
+    EXPECT_TRUE(says(error(12, 8), {"InvalidInput", "a.vtk:7", "cell 0", "hexahedron", "type 12"}));
+    EXPECT_TRUE(says(error(13, 6), {"InvalidInput", "a.vtk:7", "cell 0", "wedge", "type 13"}));
+    EXPECT_TRUE(
+        says(error(24, 10), {"InvalidInput", "a.vtk:7", "cell 0", "second order", "type 24"}));
+    EXPECT_TRUE(says(error(42, 4), {"InvalidInput", "a.vtk:7", "cell 0", "polyhedron", "type 42"}));
+    EXPECT_TRUE(says(error(99, 4),
+                     {"InvalidInput", "a.vtk:7", "cell 0", "type 99", "10", "5", "9", "3", "4"}));
 }
 
 TEST(Vtk, RefusesWhatDoesNotFit) {
     const std::string start = "# vtk DataFile Version 3.0\nx\n";
-    EXPECT_EQ(reading_error("a.vtk", "# vtp DataFile Version 3.0\nx\nASCII\n"),
-              "InvalidInput: a.vtk:1: the file does not begin with # vtk DataFile Version; "
-              "expected a legacy VTK file; check the format");
-    EXPECT_EQ(reading_error("a.vtk", "# vtk DataFile Version 9.0\nx\nASCII\n"),
-              "InvalidInput: a.vtk:1: version 9 of the format; expected 1 to 5.1; save the mesh as "
-              ".vtu");
-    EXPECT_EQ(reading_error("a.vtk", start + "TEXT\n"),
-              "InvalidInput: a.vtk:3: 'text' behind the title; expected ASCII or BINARY; correct "
-              "the third line");
-    EXPECT_EQ(reading_error("a.vtk", start + "ASCII\nDATASET STRUCTURED_GRID\n"),
-              "InvalidInput: a.vtk:4: a data set of the kind 'structured_grid'; expected DATASET "
-              "UNSTRUCTURED_GRID or DATASET POLYDATA; convert it, for instance with ParaView");
-    EXPECT_EQ(reading_error("a.vtk", small("NONSENSE 4\n")),
-              "InvalidInput: a.vtk:7: 'nonsense' in front of the points or cells; expected POINTS, "
-              "CELLS, POLYGONS or other keywords of a grid; check the format");
-    EXPECT_EQ(reading_error("a.vtk", one_cell(10, "0 1 2 4", 4)),
-              "InvalidInput: a.vtk:7: cell 0 has the vertex number 4; expected 0 to 3; correct the "
-              "index or add the vertex");
-    EXPECT_EQ(reading_error("a.vtk", one_cell(5, "0 1 2 3", 4)),
-              "InvalidInput: a.vtk:7: cell 0 of VTK's type 5 has 4 corners; expected the corners "
-              "of its type; export it again");
-    EXPECT_EQ(reading_error("a.vtk", small("CELLS 2 4\n3 0 1 2\nCELL_TYPES 2\n5 5\n")),
-              "InvalidInput: a.vtk:7: the 4 numbers of cells end within cell 1 of 2; expected a "
-              "number of corners and these for each; correct the line");
-    EXPECT_EQ(reading_error("a.vtk", small("CELLS 1 5\n3 0 1 2 3\nCELL_TYPES 1\n5\n")),
-              "InvalidInput: a.vtk:7: 1 cells take 4 numbers, but 5 are promised; expected as "
-              "many; correct the line");
-    EXPECT_EQ(reading_error("a.vtk", small("CELLS 1 4\n3 0 1 2\n")),
-              "InvalidInput: a.vtk:7: 0 types, 1 offsets up to 3 and 3 corners of cells do not "
-              "belong together; expected an offset for each type, up to the number of corners; "
-              "export it again");
-    EXPECT_EQ(reading_error("a.vtk", small("CELLS 1 2000000000\n3 0 1 2\n")),
-              "InvalidInput: a.vtk:8: 2000000000 numbers are promised, but 8 bytes follow; "
-              "expected at least 2 bytes for each; correct the number, or export again if the file "
-              "was cut off");
-    EXPECT_EQ(reading_error("a.vtk", start + "ASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 nan 0\n"),
-              "InvalidInput: a.vtk:1: vertex 0 (counted from 0) has a coordinate that is NaN, "
-              "infinite or beyond the doubles; expected finite numbers; repair or remove the "
-              "vertex");
-    EXPECT_EQ(reading_error("a.vtk", start + "ASCII\nDATASET POLYDATA\nPOINTS 1 quad\n0 0 0\n"),
-              "InvalidInput: a.vtk:5: 'quad' is no type of numbers that is read; expected float, "
-              "double, int or another of VTK's; export it again");
+    EXPECT_TRUE(says(reading_error("a.vtk", "# vtp DataFile Version 3.0\nx\nASCII\n"),
+                     {"InvalidInput", "a.vtk:1", "# vtk DataFile Version"}));
+    EXPECT_TRUE(says(reading_error("a.vtk", "# vtk DataFile Version 9.0\nx\nASCII\n"),
+                     {"InvalidInput", "a.vtk:1", "version 9", "1", "5.1"}));
+    EXPECT_TRUE(says(reading_error("a.vtk", start + "TEXT\n"),
+                     {"InvalidInput", "a.vtk:3", "text", "ASCII", "BINARY"}));
+    EXPECT_TRUE(
+        says(reading_error("a.vtk", start + "ASCII\nDATASET STRUCTURED_GRID\n"),
+             {"InvalidInput", "a.vtk:4", "structured_grid", "UNSTRUCTURED_GRID", "POLYDATA"}));
+    EXPECT_TRUE(says(reading_error("a.vtk", small("NONSENSE 4\n")),
+                     {"InvalidInput", "a.vtk:7", "nonsense", "POINTS"}));
+    EXPECT_TRUE(says(reading_error("a.vtk", one_cell(10, "0 1 2 4", 4)),
+                     {"InvalidInput", "a.vtk:7", "cell 0", "vertex", "4", "0", "3"}));
+    EXPECT_TRUE(says(reading_error("a.vtk", one_cell(5, "0 1 2 3", 4)),
+                     {"InvalidInput", "a.vtk:7", "cell 0", "type 5", "4 corners"}));
+    EXPECT_TRUE(says(reading_error("a.vtk", small("CELLS 2 4\n3 0 1 2\nCELL_TYPES 2\n5 5\n")),
+                     {"InvalidInput", "a.vtk:7", "4 numbers", "cell 1 of 2"}));
+    EXPECT_TRUE(says(reading_error("a.vtk", small("CELLS 1 5\n3 0 1 2 3\nCELL_TYPES 1\n5\n")),
+                     {"InvalidInput", "a.vtk:7", "1 cells", "4 numbers", "5"}));
+    EXPECT_TRUE(says(reading_error("a.vtk", small("CELLS 1 4\n3 0 1 2\n")),
+                     {"InvalidInput", "a.vtk:7", "0 types", "1 offsets", "3", "3 corners"}));
+    EXPECT_TRUE(says(reading_error("a.vtk", small("CELLS 1 2000000000\n3 0 1 2\n")),
+                     {"InvalidInput", "a.vtk:8", "2000000000 numbers", "8 bytes", "2 bytes"}));
+    EXPECT_TRUE(
+        says(reading_error("a.vtk", start + "ASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 nan 0\n"),
+             {"InvalidInput", "a.vtk:1", "vertex 0", "coordinate", "NaN"}));
+    EXPECT_TRUE(
+        says(reading_error("a.vtk", start + "ASCII\nDATASET POLYDATA\nPOINTS 1 quad\n0 0 0\n"),
+             {"InvalidInput", "a.vtk:5", "quad", "type"}));
 }
 
 TEST(Vtk, RealFilesAreReadWhole) {
@@ -248,4 +229,4 @@ TEST(Vtk, RealFilesAreReadWhole) {
     }
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_vtk

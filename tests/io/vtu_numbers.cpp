@@ -5,6 +5,7 @@
 #include "io/pictures/draw_modes.h"
 #include "meshes/generate_planar.h"
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace polydec::tests {
+namespace polydec::test::in_vtu_numbers {
 
 namespace {
 
@@ -103,28 +104,23 @@ TEST(VtuNumbers, ThatFloatsCannotHoldAreRefused) {
     EXPECT_EQ(text_of(grid, in_floats).substr(0, 5), "<?xml");
     std::get<std::vector<double>>(grid.cell_data[0].values)[4] = -large;
     EXPECT_EQ(text_of(grid).substr(0, 5), "<?xml");
-    EXPECT_EQ(float_error(grid), "InvalidInput: cannot write a.vtu: the array 'v' of cells has "
-                                 "-6.805646932770577e+38 in entry 1, which Float32 cannot hold; "
-                                 "write Float64");
+    EXPECT_TRUE(says(float_error(grid), {"InvalidInput", "a.vtu", "array", "v", "cells",
+                                         "-6.805646932770577e+38", "entry 1", "Float32"}));
     grid.points(2, 0) = large;
-    EXPECT_EQ(float_error(grid), "InvalidInput: cannot write a.vtu: point 2 has a coordinate that "
-                                 "Float32 cannot hold; write Float64");
+    EXPECT_TRUE(
+        says(float_error(grid), {"InvalidInput", "a.vtu", "point 2", "coordinate", "Float32"}));
 }
 
 TEST(VtuNumbers, OfTheWholeAreFiniteAndHaveNames) {
     auto grid = two_triangles();
     grid.field_data.push_back(grid.field_data[0]);
-    EXPECT_EQ(
-        float_error(grid),
-        "InvalidInput: cannot write a.vtu: the name 'eigenvalues' of an array of the whole is "
-        "empty, not printable or there twice; choose another");
+    EXPECT_TRUE(says(float_error(grid), {"InvalidInput", "a.vtu", "name 'eigenvalues'", "twice"}));
     grid.field_data[1] = {"times", std::vector<double>{0, std::nan("")}};
-    EXPECT_EQ(float_error(grid), "InvalidInput: cannot write a.vtu: the array 'times' of the whole "
-                                 "is NaN or infinite in entry 1; find out what made it so");
+    EXPECT_TRUE(
+        says(float_error(grid), {"InvalidInput", "a.vtu", "array", "times", "NaN", "entry 1"}));
     grid.field_data[1] = {"times", std::vector<double>(4), 3};
-    EXPECT_EQ(float_error(grid),
-              "InvalidInput: cannot write a.vtu: the array 'times' has 4 values of 3 components; "
-              "expected entries of 1 or 3 components");
+    EXPECT_TRUE(says(float_error(grid), {"InvalidInput", "a.vtu", "array", "times", "4 values",
+                                         "3 components", "1", "3"}));
 }
 
 TEST(VtuVectors, OfADifferentialAreTheGradient) {
@@ -170,4 +166,4 @@ TEST(VtuSpectra, TellWhatProvesThem) {
     EXPECT_EQ(picture.cell_data.size(), 3U);
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_vtu_numbers

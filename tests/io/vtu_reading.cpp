@@ -3,13 +3,14 @@
 #include "io/pictures/vtu.h"
 #include "tests/io/bytes.h"
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdint>
 
-namespace polydec::tests {
+namespace polydec::test::in_vtu_reading {
 
 namespace {
 
@@ -241,10 +242,8 @@ TEST(VtuReading, PolyhedraAreRefused) {
     auto grid = cube_corner();
     add_cell(grid, VtuCell::tetra, std::array<Index, 4>{1, 2, 3, 4});
     add_polyhedron(grid, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}});
-    EXPECT_EQ(reading_error("a.vtu", written(grid)),
-              "InvalidInput: a.vtu:11: cell 1 is a polyhedron (VTK's type 42); expected "
-              "tetrahedra, polygons or lines; read the mesh it was made from, or split it into "
-              "tetrahedra");
+    EXPECT_TRUE(says(reading_error("a.vtu", written(grid)),
+                     {"InvalidInput", "a.vtu:11", "cell 1", "polyhedron", "type 42"}));
 }
 
 TEST(VtuReading, LinesMayEndInThreeWays) {
@@ -257,56 +256,41 @@ TEST(VtuReading, RefusesOtherGridsAndEncodings) {
     const auto error = [](const std::string& what, const std::string& by) {
         return reading_error("a.vtu", replaced(grid(as_text), what, by));
     };
-    EXPECT_EQ(error("UnstructuredGrid", "PolyData"),
-              "InvalidInput: a.vtu:3: a file of the type 'PolyData'; expected UnstructuredGrid; "
-              "convert it, for instance with ParaView");
-    EXPECT_EQ(error("UInt64\"", "UInt64\" compressor=\"vtkLZ4DataCompressor\""),
-              "InvalidInput: a.vtu:3: the arrays are compressed by 'vtkLZ4DataCompressor'; "
-              "expected vtkZLibDataCompressor or none; export it again without compression");
-    EXPECT_EQ(error("UInt64", "UInt16"),
-              "InvalidInput: a.vtu:3: the header_type 'UInt16'; expected UInt32 or UInt64; export "
-              "it again");
-    EXPECT_EQ(error("LittleEndian", "PDP"),
-              "InvalidInput: a.vtu:3: the order of bytes 'PDP'; expected LittleEndian or "
-              "BigEndian; export it again");
-    EXPECT_EQ(error("<Points>", "<Piece NumberOfCells=\"1\"/><Points>"),
-              "InvalidInput: a.vtu:19: a second piece of the grid; expected one; merge them into "
-              "one, for instance with ParaView's filters Merge Blocks and Clean to Grid");
-    EXPECT_EQ(error("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\"").substr(0, 65),
-              "InvalidInput: a.vtu:38: the points have not three components; exp");
-    EXPECT_EQ(error("Name=\"types\"", "Name=\"kinds\""),
-              "InvalidInput: a.vtu:38: the grid has no array types; expected Points and Cells with "
-              "connectivity, offsets and types; export it again");
-    EXPECT_EQ(error("Int32", "String"),
-              "InvalidInput: a.vtu:28: an array of the type 'String'; expected Float64, Int32 or "
-              "another type of numbers; export it again");
-    EXPECT_EQ(reading_error("a.vtu", grid(as_text, 12)),
-              "InvalidInput: a.vtu:25: cell 2 is a hexahedron (VTK's type 12); expected "
-              "tetrahedra, polygons or lines; split it into tetrahedra before");
+    EXPECT_TRUE(says(error("UnstructuredGrid", "PolyData"),
+                     {"InvalidInput", "a.vtu:3", "PolyData", "UnstructuredGrid"}));
+    EXPECT_TRUE(says(error("UInt64\"", "UInt64\" compressor=\"vtkLZ4DataCompressor\""),
+                     {"InvalidInput", "a.vtu:3", "compressed", "vtkLZ4DataCompressor",
+                      "vtkZLibDataCompressor"}));
+    EXPECT_TRUE(says(error("UInt64", "UInt16"),
+                     {"InvalidInput", "a.vtu:3", "header_type", "UInt16", "UInt32", "UInt64"}));
+    EXPECT_TRUE(says(error("LittleEndian", "PDP"),
+                     {"InvalidInput", "a.vtu:3", "bytes", "PDP", "LittleEndian"}));
+    EXPECT_TRUE(says(error("<Points>", "<Piece NumberOfCells=\"1\"/><Points>"),
+                     {"InvalidInput", "a.vtu:19", "second piece"}));
+    EXPECT_TRUE(says(error("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\""),
+                     {"InvalidInput", "a.vtu:38", "points", "three components"}));
+    EXPECT_TRUE(says(error("Name=\"types\"", "Name=\"kinds\""),
+                     {"InvalidInput", "a.vtu:38", "no array", "types"}));
+    EXPECT_TRUE(says(error("Int32", "String"), {"InvalidInput", "a.vtu:28", "type", "String"}));
+    EXPECT_TRUE(says(reading_error("a.vtu", grid(as_text, 12)),
+                     {"InvalidInput", "a.vtu:25", "cell 2", "hexahedron", "type 12"}));
 }
 
 TEST(VtuReading, RefusesBrokenXml) {
-    EXPECT_EQ(reading_error("a.vtu", "no XML at all"),
-              "InvalidInput: a.vtu:1: the file has no element VTKFile; expected XML of VTK; check "
-              "the format");
-    EXPECT_EQ(reading_error("a.vtu", "<a>\n<b></a>"),
-              "InvalidInput: a.vtu:2: the element 'a' ends here; expected the end of 'b'; export "
-              "it again");
-    EXPECT_EQ(reading_error("a.vtu", "<a>\n"),
-              "InvalidInput: a.vtu:2: the file ends within the element 'a'; expected its end; "
-              "export it again, it seems cut off");
-    EXPECT_EQ(reading_error("a.vtu", "<a b>"),
-              "InvalidInput: a.vtu:1: an attribute without a value; expected = and a value in "
-              "quotes; export it again");
-    EXPECT_EQ(reading_error("a.vtu", "<a b=c>"),
-              "InvalidInput: a.vtu:1: the value of an attribute is not in quotes; expected two of "
-              "them; export it again");
-    EXPECT_EQ(reading_error("a.vtu", "<!DOCTYPE a>"),
-              "InvalidInput: a.vtu:1: '!DOCTYPE a' where a name should be; expected a tag or "
-              "attribute of XML; export it again");
-    EXPECT_EQ(reading_error("a.vtu", "<!-- >"),
-              "InvalidInput: a.vtu:1: the file ends within a comment or declaration; expected "
-              "-->; export it again, it seems cut off");
+    EXPECT_TRUE(
+        says(reading_error("a.vtu", "no XML at all"), {"InvalidInput", "a.vtu:1", "VTKFile"}));
+    EXPECT_TRUE(says(reading_error("a.vtu", "<a>\n<b></a>"),
+                     {"InvalidInput", "a.vtu:2", "element 'a'", "end of 'b'"}));
+    EXPECT_TRUE(says(reading_error("a.vtu", "<a>\n"),
+                     {"InvalidInput", "a.vtu:2", "file ends", "element 'a'"}));
+    EXPECT_TRUE(
+        says(reading_error("a.vtu", "<a b>"), {"InvalidInput", "a.vtu:1", "attribute", "value"}));
+    EXPECT_TRUE(says(reading_error("a.vtu", "<a b=c>"),
+                     {"InvalidInput", "a.vtu:1", "attribute", "quotes"}));
+    EXPECT_TRUE(says(reading_error("a.vtu", "<!DOCTYPE a>"),
+                     {"InvalidInput", "a.vtu:1", "!DOCTYPE a", "name"}));
+    EXPECT_TRUE(says(reading_error("a.vtu", "<!-- >"),
+                     {"InvalidInput", "a.vtu:1", "file ends", "comment"}));
 }
 
 TEST(VtuReading, DamagedArraysAreNamed) {
@@ -316,12 +300,10 @@ TEST(VtuReading, DamagedArraysAreNamed) {
         text[text.find(">\n", array) + 70] = by;
         return reading_error("a.vtu", text);
     };
-    EXPECT_EQ(damaged({Place::in_line}, '*'),
-              "InvalidInput: a.vtu:25: an array ends before 88 more bytes, or is not base64; "
-              "expected all of its bytes; export it again, it seems damaged");
-    EXPECT_EQ(damaged({Place::in_line, std::endian::little, false, true}, '/'),
-              "InvalidInput: a.vtu:25: block 0 of a compressed array is damaged; expected a zlib "
-              "stream of the size that is promised; export it again");
+    EXPECT_TRUE(says(damaged({Place::in_line}, '*'),
+                     {"InvalidInput", "a.vtu:25", "array", "88", "base64"}));
+    EXPECT_TRUE(says(damaged({Place::in_line, std::endian::little, false, true}, '/'),
+                     {"InvalidInput", "a.vtu:25", "block 0", "compressed", "zlib"}));
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_vtu_reading

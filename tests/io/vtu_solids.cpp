@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <set>
 
-namespace polydec::tests {
+namespace polydec::test::in_vtu_solids {
 
 namespace {
 
@@ -114,4 +114,4 @@ TEST(VtuSolids, WhatIsWrittenIsReadAsItIs) {
     EXPECT_EQ(read_text(folder.path("a.vtu")).find("faces"), std::string::npos);
 }
 
-} // namespace polydec::tests
+} // namespace polydec::test::in_vtu_solids

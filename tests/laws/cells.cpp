@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace polydec::test {
+namespace polydec::test::in_cells {
 namespace {
 
 double binomial(int n, int k) {
@@ -123,4 +123,4 @@ TEST(HostileMeshes, would_show_a_wrong_factor) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_cells

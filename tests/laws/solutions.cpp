@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace polydec::test {
+namespace polydec::test::in_solutions {
 namespace {
 
 /// Dense, with eleven bits more than what is tested.
@@ -147,4 +147,4 @@ TEST(HostileMeshes, have_the_solutions_of_Poisson_problems_that_dense_matrices_h
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_solutions

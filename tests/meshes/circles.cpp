@@ -10,7 +10,7 @@
 #include <cmath>
 #include <map>
 
-namespace polydec {
+namespace polydec::test::in_circles {
 
 namespace {
 
@@ -198,4 +198,4 @@ TEST(WellCentered, has_acute_triangles_only) {
 
 } // namespace
 
-} // namespace polydec
+} // namespace polydec::test::in_circles

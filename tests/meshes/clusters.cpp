@@ -4,13 +4,14 @@
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-namespace polydec {
+namespace polydec::test::in_clusters {
 
 namespace {
 
@@ -96,14 +97,12 @@ TEST(ClustersOfPoints, are_the_same_for_the_same_seed) {
 }
 
 TEST(ClustersOfPoints, ask_for_room) {
-    EXPECT_EQ(
-        refusal([] { sphere_clusters({.spheres = 9}); }),
-        "sphere_clusters: there is room for 1 spheres of radius 0.25 only, 0.08333333333333333 "
-        "apart; ask for fewer or smaller ones, or for more cells");
-    EXPECT_EQ(refusal([] { sphere_clusters({.dimension = 7}); }),
-              "sphere_clusters: dimension = 7 is outside 2 .. 6");
-    EXPECT_EQ(refusal([] { sphere_clusters({.points_on_sphere = 3}); }),
-              "sphere_clusters: points_on_sphere = 3 is outside 4 .. 10000");
+    EXPECT_TRUE(says(refusal([] { sphere_clusters({.spheres = 9}); }),
+                     {"sphere_clusters", "1 spheres", "0.25", "0.08333333333333333"}));
+    EXPECT_TRUE(says(refusal([] { sphere_clusters({.dimension = 7}); }),
+                     {"sphere_clusters", "dimension", "7", "2", "6"}));
+    EXPECT_TRUE(says(refusal([] { sphere_clusters({.points_on_sphere = 3}); }),
+                     {"sphere_clusters", "points_on_sphere", "3", "4", "10000"}));
 }
 
 TEST(SplitBoxes, merge_to_the_grid_of_boxes_and_kuhn_is_one_of_them) {
@@ -118,4 +117,4 @@ TEST(SplitBoxes, merge_to_the_grid_of_boxes_and_kuhn_is_one_of_them) {
 
 } // namespace
 
-} // namespace polydec
+} // namespace polydec::test::in_clusters

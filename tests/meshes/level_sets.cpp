@@ -6,13 +6,14 @@
 #include "meshes/generate_planar.h"
 #include "meshes/generate_spheres.h"
 #include "tests/meshes/propositions.h"
+#include "tests/support/says.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace polydec {
+namespace polydec::test::in_level_sets {
 
 namespace {
 
@@ -161,20 +162,20 @@ TEST(LevelSets, OfExtremeValuesHavePointsOnTheEdges) {
 TEST(LevelSets, SayWhatTheyCannotCut) {
     const Mesh mesh = grid(1, 1);
     const Vector x = mesh.points.col(0);
-    EXPECT_EQ(refusal([&] {
-                  level_sets(mesh, x, Vector{{0.5, 0.5}});
-              }),
-              "level sets: level 1 is 0.5, the one before it 0.5; expected them to ascend");
-    EXPECT_EQ(refusal([&] { level_sets(mesh, x, Vector{{std::nan("")}}); }),
-              "level sets: level 0 is nan; expected a finite number");
-    EXPECT_EQ(refusal([&] { level_sets(mesh, x / 0.0, Vector{{0.5}}); }).substr(0, 20),
-              "level sets: value 0 ");
-    EXPECT_NE(refusal([&] { level_sets(mesh, x.head(3), Vector{{0.5}}); }), "");
-    EXPECT_NE(refusal([&] { equal_levels(x, -1); }), "");
-    EXPECT_NE(refusal([&] { equal_levels(Vector(0), 1); }), "");
+    EXPECT_TRUE(says(refusal([&] {
+                         level_sets(mesh, x, Vector{{0.5, 0.5}});
+                     }),
+                     {"level sets", "level 1", "0.5", "0.5"}));
+    EXPECT_TRUE(says(refusal([&] { level_sets(mesh, x, Vector{{std::nan("")}}); }),
+                     {"level sets", "level 0", "nan"}));
+    EXPECT_TRUE(says(refusal([&] { level_sets(mesh, x / 0.0, Vector{{0.5}}); }),
+                     {"level sets", "value", "0"}));
+    EXPECT_NE(refusal([&] { level_sets(mesh, x.head(3), Vector{{0.5}}); }), "accepted");
+    EXPECT_NE(refusal([&] { equal_levels(x, -1); }), "accepted");
+    EXPECT_NE(refusal([&] { equal_levels(Vector(0), 1); }), "accepted");
     Mesh bad = mesh;
     bad.simplices(0, 0) = 9;
-    EXPECT_NE(refusal([&] { level_sets(bad, x, Vector{{0.5}}); }), "");
+    EXPECT_NE(refusal([&] { level_sets(bad, x, Vector{{0.5}}); }), "accepted");
 }
 
-} // namespace polydec
+} // namespace polydec::test::in_level_sets

@@ -5,13 +5,14 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_peel {
 namespace {
 
 void add(Mesh& mesh, const std::vector<std::array<Index, 4>>& cells) {
@@ -44,7 +45,7 @@ TEST(Peeling, takes_flat_cells_off_a_hull) {
     for (const double depth : {1e-12, 1e-8, 1e-5}) {
         const Mesh mesh = peeled(dented_cubes(3, depth));
         EXPECT_EQ(mesh.simplices.rows(), 6 * 27) << depth;
-        EXPECT_EQ(mesh.warnings.back(), "peeled 4 flat cells off the boundary");
+        EXPECT_TRUE(says(mesh.warnings.back(), {"4 flat cells", "boundary"}));
         EXPECT_EQ(discretize(mesh).complex().size(3), 27) << depth;
     }
 }
@@ -82,9 +83,8 @@ TEST(Peeling, leaves_thin_layers_and_meshes_without_flat_cells) {
 }
 
 TEST(Peeling, is_of_solids_alone) {
-    EXPECT_EQ(refusal([] { peeled(uv_sphere(6, 4)); }),
-              "cells of dimension 2 between points of 3 coordinates are to be peeled: expected "
-              "solids, as many coordinates as dimensions, and at least 2");
+    EXPECT_TRUE(
+        says(refusal([] { peeled(uv_sphere(6, 4)); }), {"dimension 2", "3 coordinates", "peeled"}));
 }
 
 TEST(PeelingBroken, without_it_hull_cells_would_stay) {
@@ -92,4 +92,4 @@ TEST(PeelingBroken, without_it_hull_cells_would_stay) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_peel

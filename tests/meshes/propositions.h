@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/errors.h"
 #include "meshes/mesh.h"
+#include "tests/support/refusal.h"
 
 #include <string>
 #include <vector>
@@ -42,16 +42,5 @@ std::vector<std::vector<Index>> cell_set(const Mesh& mesh, const std::vector<Ind
 
 /// Whether points (within 1e-12) and cells are the same up to numbering.
 bool same_geometry(const Mesh& a, const Mesh& b);
-
-/// The message of the InvalidInput that f throws; empty if it throws nothing.
-template <typename F>
-std::string refusal(F f) {
-    try {
-        f();
-    } catch (const InvalidInput& error) {
-        return error.what();
-    }
-    return {};
-}
 
 } // namespace polydec

@@ -3,6 +3,7 @@
 
 #include "meshes/generate.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace polydec::test {
+namespace polydec::test::in_unit_of_length {
 namespace {
 
 Mesh of_size(double size, int n = 2) {
@@ -56,9 +57,7 @@ TEST(LengthMesh, has_lengths_at_every_size) {
 TEST(LengthMesh, tells_of_lengths_that_are_no_numbers) {
     Mesh mesh = of_size(1);
     mesh.points.row(3) << 1.7e308, 1.7e308;
-    EXPECT_EQ(refusal([&] { length_mesh(mesh); }),
-              "the distance of vertices 0 and 3 is inf: expected a finite number; move them or "
-              "scale the mesh to a size nearer to 1");
+    EXPECT_TRUE(says(refusal([&] { length_mesh(mesh); }), {"distance", "vertices 0", "3", "inf"}));
 }
 
 TEST(UnitOfLength, leaves_smaller_room_in_many_dimensions) {
@@ -110,13 +109,13 @@ TEST(InInputUnits, many_numbers_are_refused_by_name_unless_rounding_is_all_that_
     const double unit = std::exp2(-500);
     EXPECT_EQ(in_input_units((Vector(2) << 1, 1e-20).finished(), unit, 2, "x"),
               (Vector(2) << std::exp2(-1000), 0).finished());
-    EXPECT_EQ(refusal([&] { in_input_units((Vector(2) << 1, 1e-10).finished(), unit, 2, "x"); }),
-              "x: 1e-10 times the power 2 of 3.05e-151 is no number of double precision; scale the "
-              "mesh to a size nearer to 1");
-    EXPECT_EQ(refusal([&] { in_input_units((Vector(1) << 1).finished(), unit, -3, "volumes"); }),
-              "volumes: 1 times the power -3 of 3.05e-151 is no number of double precision; scale "
-              "the mesh to a size nearer to 1");
+    EXPECT_TRUE(
+        says(refusal([&] { in_input_units((Vector(2) << 1, 1e-10).finished(), unit, 2, "x"); }),
+             {"x", "1e-10", "power 2", "3.05e-151"}));
+    EXPECT_TRUE(
+        says(refusal([&] { in_input_units((Vector(1) << 1).finished(), unit, -3, "volumes"); }),
+             {"volumes", "1", "power -3", "3.05e-151"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_unit_of_length

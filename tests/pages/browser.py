@@ -16,6 +16,7 @@ except ImportError:
     MISSING = "python3-selenium"
 
 SKIPPED = 77 # what ctest takes for skipped
+SECONDS = 60 # after which a page or a script counts as hanging
 FLAGS = ("--headless=new", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader",
          "--enable-unsafe-swiftshader", "--force-color-profile=srgb", "--disable-dev-shm-usage")
 
@@ -37,6 +38,8 @@ class Browser:
         if preferences:
             options.add_experimental_option("prefs", preferences)
         self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        self.driver.set_page_load_timeout(SECONDS)
+        self.driver.set_script_timeout(SECONDS)
         if width < 500 or touch: # windows are not that narrow
             self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
                 "width": width, "height": height, "deviceScaleFactor": 1, "mobile": touch})
@@ -55,7 +58,7 @@ class Browser:
     def state(self):
         return self.run("return document.body.dataset.state")
 
-    def open(self, path, state="ready", seconds=60):
+    def open(self, path, state="ready", seconds=SECONDS):
         self.driver.get(f"file://{path}")
         self.wait(lambda: self.state() == state, seconds)
         if state == "ready":

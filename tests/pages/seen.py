@@ -191,8 +191,8 @@ class Seen(TestCase):
         self.write("s.pvd", '<VTKFile type="Collection"><Collection>'
                    '<DataSet timestep="0.5" file="s1.vtu"/><DataSet timestep="0.75" file="s2.vtu"/>'
                    '</Collection></VTKFile>')
-        self.assertIn("not the arrays of the others", self.fail_with(2, "view", "s.pvd", "-o",
-                                                                      "s.html"))
+        self.assertSays(self.fail_with(2, "view", "s.pvd", "-o", "s.html"), "step 1",
+                        "arrays", "expected")
         order = self.read("s2.vtu").replace('"u"', '"w"').replace('"v"', '"u"').replace('"w"', '"v"')
         self.write("s2.vtu", order)
         page = self.page("view", "s.pvd")

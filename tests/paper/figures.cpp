@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-namespace polydec::paper {
+namespace polydec::paper::in_figures {
 namespace {
 
 const Table& table(const Report& report, const std::string& name) {
@@ -185,4 +185,4 @@ TEST(PaperBroken, adding_the_entries_of_star_2_does_not_converge) {
 }
 
 } // namespace
-} // namespace polydec::paper
+} // namespace polydec::paper::in_figures

@@ -10,7 +10,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace polydec::paper {
+namespace polydec::paper::in_process {
 namespace {
 
 constexpr int was_held = 42;
@@ -49,4 +49,4 @@ TEST(Process, SignalsToOtherThreadsEndTheProgram) {
                 testing::KilledBySignal(SIGTERM), "");
 }
 
-} // namespace polydec::paper
+} // namespace polydec::paper::in_process

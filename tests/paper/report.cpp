@@ -5,6 +5,7 @@
 #include "examples/paper/program.h"
 #include "examples/paper/reproductions.h"
 #include "tests/io/support.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -16,13 +17,14 @@
 #include <limits>
 #include <sstream>
 
-namespace polydec::paper {
+namespace polydec::paper::in_report {
 namespace {
 
 using nlohmann::json;
-using tests::error_of;
-using tests::read_text;
-using tests::TemporaryFolder;
+using test::error_of;
+using test::read_text;
+using test::says;
+using test::TemporaryFolder;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -62,14 +64,12 @@ TEST(Orders, of_powers_are_their_exponents) {
 TEST(Orders, are_none_without_two_errors_and_refused_without_two_sizes) {
     EXPECT_TRUE(std::isnan(observed_order({0.2, 0.1}, {1e-3, 0})));
     EXPECT_TRUE(std::isnan(observed_order({0.2, 0.1}, {none, 1e-3})));
-    EXPECT_EQ(error_of([] { observed_order({0.1}, {1e-3}); }),
-              "InvalidInput: an order of convergence of 1 sizes and 1 errors: expected as many, at "
-              "least two");
-    EXPECT_EQ(error_of([] {
-                  observed_order({0.1, 0.1}, {2, 1});
-              }),
-              "InvalidInput: an order of convergence of sizes 0.1 and 0.1: expected different "
-              "positive numbers");
+    EXPECT_TRUE(says(error_of([] { observed_order({0.1}, {1e-3}); }),
+                     {"InvalidInput", "order", "1 sizes", "1 errors", "two"}));
+    EXPECT_TRUE(says(error_of([] {
+                         observed_order({0.1, 0.1}, {2, 1});
+                     }),
+                     {"InvalidInput", "order", "sizes", "0.1", "0.1"}));
 }
 
 TEST(Reports, as_text_have_aligned_columns_and_four_digits) {
@@ -162,28 +162,27 @@ TEST(Reports, with_flaws_are_refused_before_anything_is_written) {
     EXPECT_EQ(refused(example()), "");
     auto report = example();
     report.tables[0].rows[1][2] = HUGE_VAL;
-    EXPECT_EQ(refused(report), "InvalidInput: table 'errors': 'error, relative' of row 1 is "
-                               "infinite; find out what made it so");
+    EXPECT_TRUE(says(refused(report),
+                     {"InvalidInput", "table 'errors'", "error, relative", "row 1", "infinite"}));
     EXPECT_EQ(error_of([&] { to_text(report); }), refused(report));
     report.tables[0].rows[1].pop_back();
-    EXPECT_EQ(refused(report), "InvalidInput: table 'errors': row 1 has 2 entries, expected 3");
+    EXPECT_TRUE(
+        says(refused(report), {"InvalidInput", "table 'errors'", "row 1", "2 entries", "3"}));
     report = example();
     report.plots[0].name = "mesh";
-    EXPECT_EQ(refused(report), "InvalidInput: fig0_mesh.svg is the name of two files: choose "
-                               "another");
+    EXPECT_TRUE(says(refused(report), {"InvalidInput", "fig0_mesh.svg", "two files"}));
     report.plots[0].name = "../mesh";
-    EXPECT_EQ(refused(report), "InvalidInput: '../mesh' is no name for a file of fig0: letters, "
-                               "digits and _");
+    EXPECT_TRUE(says(refused(report), {"InvalidInput", "../mesh", "file", "fig0"}));
     report = example();
     report.plots[0].plot.series[0].y = {-1, 2};
-    EXPECT_NE(refused(report).find("series 'quads': y[0] = -1 is not positive"), std::string::npos);
+    EXPECT_TRUE(says(refused(report), {"series 'quads'", "y[0]", "-1"}));
 }
 
 TEST(Reports, that_cannot_be_written_say_why) {
     const TemporaryFolder folder;
     const auto file = folder.write("taken", "");
-    EXPECT_EQ(error_of([&] { write_report(file, example()); }),
-              "IoError: cannot make the folder " + file.string() + ": Not a directory");
+    EXPECT_TRUE(says(error_of([&] { write_report(file, example()); }),
+                     {"IoError", file.string(), "Not a directory"}));
 }
 
 TEST(Reproductions, have_different_names_that_files_can_have) {
@@ -237,15 +236,14 @@ TEST(Table2, counts_pairs_of_files_and_tells_why_others_are_left_out) {
     EXPECT_EQ(rows[1], (std::vector<Entry>{"kite.off", 2L, 0L, 0L, 0.0, 0L, 0L, 0.0, ""}));
     EXPECT_EQ(rows[2], (std::vector<Entry>{"square.off", 2L, 1L, 2L, 100.0, 1L, 2L, 100.0, ""}));
     EXPECT_EQ(rows[3], (std::vector<Entry>{"all", 4L, 1L, 2L, 50.0, 1L, 2L, 50.0, ""}));
-    EXPECT_EQ(error_of([&] { table2({.meshes = folder.path("none")}); }),
-              "IoError: cannot read the folder " + folder.path("none").string() +
-                  ": No such file or directory");
+    EXPECT_TRUE(says(error_of([&] { table2({.meshes = folder.path("none")}); }),
+                     {"IoError", folder.path("none").string(), "No such file"}));
 }
 
 TEST(Program, refuses_a_reproduction_that_there_is_not) {
     EXPECT_EXIT(std::_Exit(run_program("fig99", 0, nullptr)), testing::ExitedWithCode(bad_input),
-                "fig99: there is no reproduction of this name");
+                "fig99: .*no reproduction");
 }
 
 } // namespace
-} // namespace polydec::paper
+} // namespace polydec::paper::in_report

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace polydec::paper {
+namespace polydec::paper::in_rival_convergence {
 namespace {
 
 /// Solves stiffness u = 20 mass Y for two functions with the mean removed and divided by their
@@ -66,4 +66,4 @@ TEST(RivalConvergence, fails_for_graphs_and_for_what_is_no_eigenfunction) {
 }
 
 } // namespace
-} // namespace polydec::paper
+} // namespace polydec::paper::in_rival_convergence

@@ -10,17 +10,21 @@
 #include "tests/paper/rival_surfaces.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace polydec::paper {
+namespace polydec::paper::in_rivals {
 namespace {
 
+using test::each_says;
 using test::refusal;
 using test::relative_difference;
+using test::says;
+using test::Words;
 
 std::vector<std::string> keys(const auto& map) {
     std::vector<std::string> result;
@@ -298,42 +302,37 @@ PolygonMesh square() {
 std::vector<std::string> refusals(const PolygonMesh& mesh) {
     std::vector<std::string> messages;
     for (const auto& [name, laplacian] : rivals())
-        messages.push_back(refusal([&] { laplacian(mesh); }));
+        messages.push_back(refusal([&, &laplacian = laplacian] { laplacian(mesh); }));
     return messages;
 }
 
 TEST(RivalErrors, name_the_face_or_vertex) {
-    const auto all = [](const std::string& message) {
-        return std::vector<std::string>(rivals().size(), message);
-    };
-    EXPECT_EQ(refusals(square()), all("accepted"));
+    const auto all = [](const Words& words) { return std::vector<Words>(rivals().size(), words); };
+    EXPECT_EQ(refusals(square()), std::vector<std::string>(rivals().size(), "accepted"));
 
     auto mesh = square();
     mesh.corners = {0, 1, 2, 4};
-    EXPECT_EQ(refusals(mesh), all("face 0 has the vertex 4; expected 0 to 3"));
+    EXPECT_TRUE(each_says(refusals(mesh), all({"face 0", "vertex 4", "0", "3"})));
     mesh.corners = {0, 1, 1, 3};
-    EXPECT_EQ(refusals(mesh), all("face 0 has the vertex 1 twice in a row; leave one out"));
+    EXPECT_TRUE(each_says(refusals(mesh), all({"face 0", "vertex 1", "twice"})));
     mesh.corners = {0, 2, 0, 2};
-    EXPECT_EQ(refusals(mesh), all("face 0 has no area; leave it out or move its corners"));
+    EXPECT_TRUE(each_says(refusals(mesh), all({"face 0", "area"})));
     mesh.corners = {0, 1, 2};
     mesh.offsets = {0, 3};
-    EXPECT_EQ(refusals(mesh), all("vertex 3 is in no face; leave it out"));
+    EXPECT_TRUE(each_says(refusals(mesh), all({"vertex 3", "no face"})));
     mesh.offsets = {0, 0, 3};
-    EXPECT_EQ(refusals(mesh), all("face 0 has 0 corners; expected 3 or more"));
+    EXPECT_TRUE(each_says(refusals(mesh), all({"face 0", "0 corners", "3"})));
 
     mesh = square();
     mesh.points(2, 1) = std::nan("");
-    EXPECT_EQ(refusals(mesh), all("vertex 2 has a coordinate that is not finite"));
+    EXPECT_TRUE(each_says(refusals(mesh), all({"vertex 2", "coordinate", "finite"})));
     mesh.points.conservativeResize(Eigen::NoChange, 2);
-    EXPECT_EQ(refusals(mesh),
-              all("the points have 2 coordinates; expected 3; give planar meshes z = 0"));
+    EXPECT_TRUE(each_says(refusals(mesh), all({"points", "2 coordinates", "3"})));
 }
 
 TEST(RivalErrors, name_what_lambda_should_be) {
-    EXPECT_EQ(refusal([] { alexa_wardetzky(square(), -1); }),
-              "lambda is -1.000000; expected at least 0, such as 2");
-    EXPECT_EQ(refusal([] { de_goes(square(), std::nan("")); }),
-              "lambda is nan; expected at least 0, such as 1");
+    EXPECT_TRUE(says(refusal([] { alexa_wardetzky(square(), -1); }), {"lambda", "-1.000000"}));
+    EXPECT_TRUE(says(refusal([] { de_goes(square(), std::nan("")); }), {"lambda", "nan"}));
 }
 
 TEST(RivalErrors, name_the_edge_of_a_diamond) {
@@ -342,9 +341,8 @@ TEST(RivalErrors, name_the_edge_of_a_diamond) {
     pages.points.row(4) << 0, 0, 1;
     pages.corners = {0, 1, 2, 0, 1, 3, 0, 1, 4};
     pages.offsets = {0, 3, 6, 9};
-    EXPECT_EQ(refusal([&] { bunge_diamond(pages); }),
-              "the edge from vertex 0 to 1 has 3 faces; expected at most 2; split the surface "
-              "there");
+    EXPECT_TRUE(
+        says(refusal([&] { bunge_diamond(pages); }), {"edge", "vertex 0", "1", "3 faces", "2"}));
     EXPECT_EQ(refusal([&] { de_goes(pages); }), "accepted");
 }
 
@@ -366,8 +364,8 @@ double height(double floor) {
 
 TEST(RivalErrors, name_the_edge_beyond_which_a_virtual_vertex_lies) {
     ASSERT_GT(height(0.1), 0);
-    EXPECT_EQ(refusal([] { bunge_diamond(notched(0.1)); }),
-              "the edge from vertex 3 to 4 has a diamond without area; split the faces beside it");
+    EXPECT_TRUE(
+        says(refusal([] { bunge_diamond(notched(0.1)); }), {"edge", "vertex 3", "4", "diamond"}));
     EXPECT_GE(area_defect(notched(0.1), bunge_virtual_vertex(notched(0.1))), 1e-2);
     EXPECT_LE(area_defect(notched(0.1), de_goes(notched(0.1))), 1e-14);
 
@@ -376,10 +374,9 @@ TEST(RivalErrors, name_the_edge_beyond_which_a_virtual_vertex_lies) {
         const double middle = (below + above) / 2;
         (height(middle) > 0 ? below : above) = middle;
     }
-    EXPECT_EQ(refusal([&] { bunge_virtual_vertex(notched(below)); }),
-              "face 0 has its virtual vertex in line with its edge from vertex 4 to 5; split the "
-              "face");
+    EXPECT_TRUE(says(refusal([&] { bunge_virtual_vertex(notched(below)); }),
+                     {"face 0", "virtual vertex", "edge", "vertex 4", "5"}));
 }
 
 } // namespace
-} // namespace polydec::paper
+} // namespace polydec::paper::in_rivals

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace polydec::paper {
+namespace polydec::paper::in_virtual_vertices {
 namespace {
 
 TEST(VirtualVertices, of_regular_polygons_weigh_all_corners_equally) {
@@ -68,4 +68,4 @@ TEST(VirtualVertices, have_weights_that_jump_where_a_polygon_stops_being_planar)
 }
 
 } // namespace
-} // namespace polydec::paper
+} // namespace polydec::paper::in_virtual_vertices

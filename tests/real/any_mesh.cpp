@@ -22,7 +22,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace polydec::test {
+namespace polydec::test::in_any_mesh {
 namespace {
 
 constexpr Index most_edges = 10000;
@@ -49,7 +49,7 @@ int for_each_mesh(Check check) {
             ++meshes;
         }
     for (const char* folder : {"cad", "planar", "poly", "surface", "table2", "tet"})
-        for (const auto& path : tests::test_data(folder)) {
+        for (const auto& path : test::test_data(folder)) {
             if (std::filesystem::file_size(path) > 2000000)
                 continue;
             const auto mesh = made_ready(path);
@@ -124,4 +124,4 @@ TEST(AnyMesh, has_orthogonal_decompositions_and_heat_that_does_not_grow) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_any_mesh

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_calculus {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -219,4 +219,4 @@ TEST_P(RealDecompositions, are_orthogonal_sums_of_closed_and_coclosed_parts_or_r
 POLYDEC_ON_REAL_SURFACES(RealDecompositions);
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_calculus

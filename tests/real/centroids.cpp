@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace polydec::test {
+namespace polydec::test::in_centroids {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -70,14 +70,14 @@ constexpr auto between_centroids = [](const Mesh& mesh) {
 void check_file(const std::filesystem::path& path, Counts& counts) {
     Mesh mesh;
     std::optional<Discretization> made;
-    const auto reading = tests::error_of([&] { mesh = read_mesh(path); });
+    const auto reading = test::error_of([&] { mesh = read_mesh(path); });
     if (!reading.empty()) {
         EXPECT_TRUE(path.string().find("/bad/") != std::string::npos) << reading;
         EXPECT_TRUE(reading.starts_with("InvalidInput: ") || reading.starts_with("IoError: "))
             << reading;
         return;
     }
-    const auto making = tests::error_of([&] { made = between_centroids(mesh); });
+    const auto making = test::error_of([&] { made = between_centroids(mesh); });
     if (!made) {
         EXPECT_TRUE(making.starts_with("InvalidInput: ")) << making;
         EXPECT_NE(making.find("without"), std::string::npos) << making;
@@ -94,13 +94,13 @@ TEST(RealCentroids, give_positive_duals_that_fill_every_mesh) {
             check_mesh(between_centroids(mesh_of(name)), counts);
         }
     EXPECT_EQ(counts.negative, counts.meshes) << "between circumcenters";
-    for (const auto& path : tests::test_data("."))
+    for (const auto& path : test::test_data("."))
         if (path.extension() != ".md") {
             SCOPED_TRACE(path.string());
             ++counts.files;
             check_file(path, counts);
         }
-    EXPECT_EQ(counts.files > 0, tests::has_test_data());
+    EXPECT_EQ(counts.files > 0, test::has_test_data());
     RecordProperty("files", counts.files);
     RecordProperty("meshes", counts.meshes);
     EXPECT_GT(counts.meshes, counts.files / 2);
@@ -108,4 +108,4 @@ TEST(RealCentroids, give_positive_duals_that_fill_every_mesh) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_centroids

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <string>
 
-namespace polydec::test {
+namespace polydec::test::in_poisson_tets {
 namespace {
 
 class RealTets : public testing::TestWithParam<std::string> {
@@ -62,4 +62,4 @@ INSTANTIATE_TEST_SUITE_P(Real, RealTets,
                          [](const auto& instance) { return test_name(instance.param); });
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_poisson_tets

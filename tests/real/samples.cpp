@@ -45,7 +45,7 @@ std::vector<std::string> samples(int dimension, const std::vector<std::string>& 
     for (const auto& [name, mesh] : all_made())
         if (mesh.dimension() == dimension)
             names.push_back(name);
-    if (tests::has_test_data())
+    if (test::has_test_data())
         names.insert(names.end(), files.begin(), files.end());
     return names;
 }
@@ -54,7 +54,7 @@ Mesh mesh_of(const std::string& name) {
     for (const auto& made : all_made())
         if (made.name == name)
             return made.mesh;
-    const auto path = tests::test_datum(name);
+    const auto path = test::test_datum(name);
     if (!path)
         throw std::runtime_error("no mesh is called " + name);
     return read_mesh(*path);

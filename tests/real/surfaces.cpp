@@ -39,7 +39,7 @@ std::vector<RealSurface> real_surfaces() {
                                  {"made/bowl", flips},
                                  {"made/bowl", flips_and_splits},
                                  {"made/flange", off}};
-    if (!tests::has_test_data())
+    if (!test::has_test_data())
         return all;
     for (const char* name :
          {"surface/spot.obj", "cad/joint.obj", "cad/65004.stl", "cad/featuretype.STL",

@@ -15,7 +15,7 @@
 
 #include <optional>
 
-namespace polydec::test {
+namespace polydec::test::in_vectors {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -185,4 +185,4 @@ TEST_P(RealVectors, are_as_many_as_the_cells_or_refused) {
 POLYDEC_ON_REAL_SURFACES(RealVectors);
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_vectors

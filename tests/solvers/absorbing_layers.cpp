@@ -11,7 +11,7 @@
 #include <cmath>
 #include <functional>
 
-namespace polydec::test {
+namespace polydec::test::in_absorbing_layers {
 namespace {
 
 /// A pulse in the middle, which runs in all directions: round about it for 1-forms.
@@ -175,4 +175,4 @@ TEST(ConductingLayers, throw_back_less_than_1e4th_of_what_comes_straight_on_octa
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_absorbing_layers

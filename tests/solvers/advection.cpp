@@ -11,12 +11,13 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <optional>
 
-namespace polydec::test {
+namespace polydec::test::in_advection {
 namespace {
 
 constexpr double rounding = 1e-11;
@@ -120,13 +121,12 @@ TEST_P(Advections, need_no_points) {
 POLYDEC_OVER_MESHES(Advections);
 
 TEST(AdvectionErrors, name_the_dimension_and_the_facet) {
-    EXPECT_EQ(refusal([] { Advection{discretized("segments4")}; }),
-              "a flow in dimension 1 is asked for: expected 2 at least, with less there is no "
-              "vorticity");
+    EXPECT_TRUE(says(refusal([] { Advection{discretized("segments4")}; }),
+                     {"dimension 1", "2", "vorticity"}));
     const Advection advection(discretized("grid4"));
-    EXPECT_EQ(refusal([&] { advection(Vector::Ones(3), Vector::Ones(3)); }),
-              "3 values of the vorticity are given: expected 25");
+    EXPECT_TRUE(says(refusal([&] { advection(Vector::Ones(3), Vector::Ones(3)); }),
+                     {"3 values", "vorticity", "25"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_advection

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <functional>
 
-namespace polydec::test {
+namespace polydec::test::in_boundary_in_time {
 namespace {
 
 constexpr Side sides[] = {Side::primal, Side::dual};
@@ -164,4 +164,4 @@ TEST(OutwardFlow, of_0_forms_is_the_normal_derivative_of_poisson_problems) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_boundary_in_time

@@ -16,6 +16,7 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@
 #include <cmath>
 #include <string>
 
-namespace polydec::test {
+namespace polydec::test::in_conditions {
 namespace {
 
 constexpr Side sides[] = {Side::primal, Side::dual};
@@ -220,10 +221,11 @@ TEST(DualSpectra, of_1_forms_have_those_of_functions_among_them) {
 /// Without the mechanism, what cannot be inverted is refused or, moved a little, means nothing.
 TEST(DualSpectraBroken, with_the_duals_of_centers_on_the_boundary_make_no_sense) {
     const auto exact = discretize(crossed_squares(10));
-    EXPECT_EQ(refusal([&] {
-                  spectrum(exact.complex(), exact.volumes(), {.side = Side::dual, .count = 1});
-              }).substr(0, 45),
-              "the inverse star of degree 1 divides by zero:");
+    EXPECT_TRUE(says(refusal([&] {
+                         spectrum(exact.complex(), exact.volumes(),
+                                  {.side = Side::dual, .count = 1});
+                     }),
+                     {"inverse star", "degree 1", "zero"}));
     const auto moved = discretize(perturbed(crossed_squares(10), 1e-7, 1));
     EXPECT_LT(
         spectrum(moved.complex(), moved.volumes(), {.side = Side::dual, .count = 1}).eigenvalues[0],
@@ -286,11 +288,9 @@ TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
     const Index edge = inside.cells[1][negative[0]];
     EXPECT_EQ(cell_vertices(mesh, 1, edge), (std::vector<Index>{4, 5}));
     EXPECT_NE(edge, negative[0]);
-    EXPECT_EQ(refusal([&] { stable_step(inside.complex, volumes, 0); }),
-              "the duals of 1 1-cells are negative, the first is cell " + std::to_string(edge) +
-                  ": waves would grow without bound; take stars that are positive on every mesh "
-                  "(StarKind::automatic), or on a manifold intrinsic flips "
-                  "(Delaunay::flips_and_splits)");
+    EXPECT_TRUE(
+        says(refusal([&] { stable_step(inside.complex, volumes, 0); }),
+             {"1 1-cells", "negative", "cell " + std::to_string(edge), "StarKind::automatic"}));
 }
 
 /// Whether the mesh has a spectrum on these forms: it is refused or comes out.
@@ -329,7 +329,11 @@ TEST(VerdictsOnSpectra, do_without_the_duals_of_boundary_facets_as_dual_function
         // of one square every triangle has its circumcenter on the boundary
         const auto verdicts = spectrum_verdicts(mesh, Side::dual);
         EXPECT_EQ(verdicts[2].exists, m > 1);
-        EXPECT_EQ(verdicts[2].reason, m > 1 ? "" : "no 2-cell has a value that is not given");
+        if (m > 1) {
+            EXPECT_EQ(verdicts[2].reason, "");
+        } else {
+            EXPECT_TRUE(says(verdicts[2].reason, {"no 2-cell", "value"}));
+        }
         EXPECT_EQ(spectrum_verdicts(mesh, Side::primal)[2].exists, m > 1);
         EXPECT_FALSE(spectrum_verdicts(mesh, Side::primal)[1].exists);
     }
@@ -346,4 +350,4 @@ TEST(HodgeUnderConditions, sees_the_homology_of_the_dual_complex) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_conditions

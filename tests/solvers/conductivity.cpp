@@ -13,12 +13,13 @@
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_conductivity {
 namespace {
 
 /// What is merged is merged exactly, so that no edge left out has a weight.
@@ -188,11 +189,8 @@ TEST(DualFluxes, whose_resistances_cancel_are_refused_by_the_facet) {
     EXPECT_EQ(solved(1, 1), "accepted");
     EXPECT_EQ(solved(1, 2.4), "accepted");
     for (const double size : {1e-9, 1.0, 1e9})
-        EXPECT_EQ(
-            solved(0.4 * size, size),
-            "the two parts of the dual of facet 0 (vertices 0, 1), each over the conductivity "
-            "of the cell beside it, cancel, so the flux through it is not defined: change "
-            "one of the two conductivities, or take a mesh that has no obtuse angle there");
+        EXPECT_TRUE(
+            says(solved(0.4 * size, size), {"facet 0", "vertices 0, 1", "conductivity", "cancel"}));
 }
 
 TEST(ConcyclicEdgesBroken, that_are_left_out_give_another_solution) {
@@ -206,4 +204,4 @@ TEST(ConcyclicEdgesBroken, that_are_left_out_give_another_solution) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_conductivity

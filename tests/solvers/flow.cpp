@@ -6,10 +6,11 @@
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_flow {
 namespace {
 
 Vector marched(const IncompressibleFlow& flow, Vector w, const FlowSteps& steps, int count) {
@@ -181,23 +182,20 @@ TEST(FlowErrors, name_what_is_wrong) {
     const auto refused = [&](const FlowOptions& options) {
         return refusal([&] { IncompressibleFlow(mesh, options); });
     };
-    EXPECT_EQ(refused({.viscosity = -1}),
-              "a viscosity of -1 is given: expected a finite one of 0 or more");
-    EXPECT_EQ(refused({.facets = {FlowBoundary::open}}),
-              "1 conditions of facets are given: expected 40");
+    EXPECT_TRUE(says(refused({.viscosity = -1}), {"viscosity", "-1"}));
+    EXPECT_TRUE(says(refused({.facets = {FlowBoundary::open}}), {"1 conditions", "facets", "40"}));
     Vector flux = Vector::Zero(40);
     const Points facets = cell_centers(mesh, 1);
     for (Index f = 0; f < 40; ++f)
         if (facets(f, 0) == 0 && facets(f, 1) < 0.2)
             flux[f] = 0.5;
-    EXPECT_EQ(refused({.boundary_flux = flux}).substr(0, 26), "through the boundary -0.5 ");
+    EXPECT_TRUE(says(refused({.boundary_flux = flux}), {"boundary", "-0.5"}));
     const IncompressibleFlow flow(mesh);
-    EXPECT_EQ(refusal([&] { FlowSolver(flow, {.time_step = 0}); }),
-              "a time step of 0 is given: expected a finite one above 0");
+    EXPECT_TRUE(says(refusal([&] { FlowSolver(flow, {.time_step = 0}); }), {"time step of 0"}));
     const Vector w = some_flow(flow, 1);
     const FlowSolver rash(flow, {.time_step = 50 * flow.exchange_time(w)});
     EXPECT_THROW(rash.step(w), SolverFailure);
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_flow

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_flow_orders {
 namespace {
 
 double taylor_green(const Vector& x) {
@@ -85,4 +85,4 @@ TEST(TaylorGreenVortices, have_their_pressure) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_flow_orders

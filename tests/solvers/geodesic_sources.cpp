@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_geodesic_sources {
 namespace {
 
 /// Vertices of an n x n grid of the unit square, by how far from the boundary they are at most.
@@ -73,4 +73,4 @@ TEST(GeodesicSources, have_the_values_counted_that_are_raised_to_them) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_geodesic_sources

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_golden_hodge {
 namespace {
 
 class GoldenHodge : public testing::TestWithParam<std::string> {
@@ -70,4 +70,4 @@ INSTANTIATE_TEST_SUITE_P(Meshes, GoldenHodge, testing::ValuesIn(golden_calculus_
                          [](const auto& instance) { return stem(instance.param); });
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_golden_hodge

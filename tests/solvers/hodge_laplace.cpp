@@ -12,6 +12,7 @@
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_hodge_laplace {
 namespace {
 
 constexpr Side sides[] = {Side::primal, Side::dual};
@@ -83,8 +84,7 @@ TEST_P(FormSources, of_every_degree_side_and_condition_converge) {
                     refusal([&] { found = order(family, side, k, everywhere[i]); });
                 if (refused != "accepted") { // duals that are not positive, of other stars
                     EXPECT_EQ(family.stars, StarKind::circumcentric);
-                    EXPECT_NE(refused.find("is not positive: the duals of"), std::string::npos)
-                        << refused;
+                    EXPECT_TRUE(says(refused, {"mass", "not positive"}));
                     continue;
                 }
                 ++solved;
@@ -206,17 +206,17 @@ TEST(CurlCurl, removes_what_is_no_curl_and_keeps_the_gauge) {
 TEST(FormSourceErrors, name_what_does_not_fit) {
     const auto mesh = discretize(grid(2, 2));
     const HodgeLaplaceSolver solver(mesh, {.degree = 1});
-    EXPECT_EQ(refusal([&] {
-                  solver.solve({Side::primal, 0, Vector::Zero(9)});
-              }),
-              "a primal 0-form is given: this solver is for primal 1-forms");
-    EXPECT_EQ(refusal([&] {
-                  solver.solve({Side::primal, 1, Vector::Zero(12)}, {.flow = Vector::Zero(3)});
-              }),
-              "3 boundary values of the star of the form are given: expected 9");
-    EXPECT_EQ(refusal([&] { HodgeLaplaceSolver(mesh, {.degree = 3}); }),
-              "primal forms and chains of degree 3 are asked for: in dimension 2 the degrees are 0 "
-              "to 2");
+    EXPECT_TRUE(says(refusal([&] {
+                         solver.solve({Side::primal, 0, Vector::Zero(9)});
+                     }),
+                     {"primal 0-form", "primal 1-forms"}));
+    EXPECT_TRUE(
+        says(refusal([&] {
+                 solver.solve({Side::primal, 1, Vector::Zero(12)}, {.flow = Vector::Zero(3)});
+             }),
+             {"3 boundary values", "star", "9"}));
+    EXPECT_TRUE(says(refusal([&] { HodgeLaplaceSolver(mesh, {.degree = 3}); }),
+                     {"primal forms", "degree 3", "dimension 2", "0", "2"}));
 }
 
 TEST(BoundaryDeRham, completes_the_derivative_of_dual_forms) {
@@ -237,4 +237,4 @@ TEST(BoundaryDeRham, completes_the_derivative_of_dual_forms) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_hodge_laplace

@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_intrinsic {
 namespace {
 
 Discretization flipped(const Mesh& mesh) {
@@ -131,4 +131,4 @@ TEST(GeodesicDistance, of_a_bundle_is_that_of_its_triangles_before_or_after_flip
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_intrinsic

@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_kelvin {
 namespace {
 
 /// Velocities anywhere in the unit square from those at places about a width apart, by quadratic
@@ -124,4 +124,4 @@ TEST(Kelvin, circulation_around_carried_loops_is_kept_with_order_2) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_kelvin

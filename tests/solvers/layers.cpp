@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_layers {
 namespace {
 
 double error_of_linear_solution(const Mesh& input, Side side,
@@ -106,4 +106,4 @@ TEST(GradedBoxes, have_spectra_in_every_degree) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_layers

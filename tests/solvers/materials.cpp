@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace polydec::test {
+namespace polydec::test::in_materials {
 namespace {
 
 constexpr double wall = 0.5, ratio = 10;
@@ -83,4 +83,4 @@ TEST(TwoMaterials, have_their_exact_solution_where_the_wall_divides_cospherical_
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_materials

@@ -8,10 +8,11 @@
 #include "meshes/generate.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
-namespace polydec::test {
+namespace polydec::test::in_matrix_free {
 namespace {
 
 /// star_k + (star times Laplacian) on k-forms: positive where the stars are.
@@ -78,15 +79,15 @@ TEST(matrix_free, what_cannot_be_solved_is_refused) {
     const SymmetricOperator without_constants{
         A.size, [&](const Vector& x, Vector& y) { y = symmetric_laplacian(cells, 0) * x; }};
     EXPECT_THROW(solve_matrix_free(without_constants, b), SolverFailure);
-    EXPECT_EQ(refusal([&] { solve_matrix_free(A, Vector::Ones(3)); }),
-              "eigen.cg: 3 values and a diagonal of 0 for 72 unknowns");
+    EXPECT_TRUE(says(refusal([&] { solve_matrix_free(A, Vector::Ones(3)); }),
+                     {"eigen.cg", "3 values", "diagonal", "0", "72 unknowns"}));
     Vector zero = b;
     zero[5] = 0;
-    EXPECT_EQ(refusal([&] { solve_matrix_free(A, b, zero); }),
-              "eigen.cg: entry 5 of the diagonal is 0: expected a positive number");
+    EXPECT_TRUE(says(refusal([&] { solve_matrix_free(A, b, zero); }),
+                     {"eigen.cg", "entry 5", "diagonal", "0"}));
     const SymmetricOperator nothing{A.size, [](const Vector&, Vector& y) { y = Vector(0); }};
     EXPECT_THROW(solve_matrix_free(nothing, b), SolverFailure);
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_matrix_free

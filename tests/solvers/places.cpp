@@ -34,7 +34,7 @@
 #include <type_traits>
 #include <unistd.h>
 
-namespace polydec::test {
+namespace polydec::test::in_places {
 namespace {
 
 using Place = Error::Place;
@@ -296,4 +296,4 @@ static_assert(std::is_nothrow_copy_constructible_v<InvalidInput>);
 static_assert(std::is_nothrow_copy_constructible_v<SolverFailure>);
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_places

@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-namespace polydec::test {
+namespace polydec::test::in_poisson_orders {
 namespace {
 
 using std::numbers::pi;
@@ -92,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return instance.param.name; });
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_poisson_orders

@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_radii {
 namespace {
 
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
@@ -257,4 +257,4 @@ TEST(CoexactSpectrum, spans_two_spheres_of_very_different_size) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_radii

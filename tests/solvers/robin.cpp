@@ -11,6 +11,7 @@
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@
 #include <numbers>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_robin {
 namespace {
 
 constexpr Side sides[] = {Side::primal, Side::dual};
@@ -28,6 +29,20 @@ constexpr StarKind kinds[] = {StarKind::circumcentric, StarKind::galerkin};
 
 BoundaryConditions robin(double coefficient) {
     return {BoundaryCondition::robin, {}, {coefficient}};
+}
+
+/// A coefficient that differs from facet to facet of the unit square: it doubles from left to
+/// right.
+double varied(double coefficient, const Vector& p) {
+    return coefficient * (1 + p[0]);
+}
+
+BoundaryConditions varied_robin(const Discretization& mesh, double coefficient) {
+    BoundaryConditions conditions{BoundaryCondition::robin};
+    const Points facets = cell_centers(mesh, mesh.dimension() - 1);
+    for (Index f = 0; f < facets.rows(); ++f)
+        conditions.coefficients.push_back(varied(coefficient, facets.row(f)));
+    return conditions;
 }
 
 Discretization with(const Mesh& input, StarKind kind) {
@@ -46,10 +61,11 @@ double slope(const Vector& p) {
     return p[0] < 1e-9 ? -x : p[0] > 1 - 1e-9 ? x : p[1] < 1e-9 ? -y : y;
 }
 
-/// L2 error of the wave where slope + coefficient u is given; solved with another coefficient.
+/// L2 error of the wave where slope + coefficient u is given, the coefficient varied from facet to
+/// facet; solved with another coefficient.
 double error(const Mesh& input, Side side, StarKind kind, double coefficient, double solved_with) {
     const auto mesh = with(input, kind);
-    const PoissonSolver solver(mesh, {.side = side, .boundary = robin(solved_with)});
+    const PoissonSolver solver(mesh, {.side = side, .boundary = varied_robin(mesh, solved_with)});
     const auto at = [](const Points& sites, auto function) {
         Vector result(sites.rows());
         for (Index i = 0; i < result.size(); ++i)
@@ -57,8 +73,9 @@ double error(const Mesh& input, Side side, StarKind kind, double coefficient, do
         return result;
     };
     const Vector exact = at(solver.sites(), wave);
-    const Vector data =
-        at(solver.flux_sites(), [&](const Vector& p) { return slope(p) + coefficient * wave(p); });
+    const Vector data = at(solver.flux_sites(), [&](const Vector& p) {
+        return slope(p) + varied(coefficient, p) * wave(p);
+    });
     const Vector u =
         solver.solve(5 * exact, Vector::Zero(solver.boundary_sites().rows()), data).values;
     const Vector weights = side == Side::primal ? mesh.volumes().dual(0) : mesh.volumes().primal(2);
@@ -81,20 +98,23 @@ TEST(Robin, converges_with_order_2_on_both_sides) {
                 }
 }
 
-/// -u'' = 1 on [0, 1] with u' = alpha u at both ends: u = x (1 - x) / 2 + 1 / (2 alpha), which is
-/// the value at vertices exactly; in every dimension with no flow through the sides.
+/// -u'' = 1 on [0, 1] with u' = alpha u at the left and -u' = beta u at the right end, so u =
+/// c + alpha c x - x^2 / 2, which is the value at vertices exactly; in every dimension with no flow
+/// through the sides, where coefficients do not matter.
 TEST(Robin, of_a_slab_is_exact) {
-    constexpr double alpha = 3;
+    constexpr double alpha = 3, beta = 5;
+    constexpr double c = (1 + beta / 2) / (alpha * (1 + beta) + beta);
     for (const Mesh& input : {kuhn(1, 7), grid(5, 5), kuhn(3, 3)}) {
         const auto mesh = discretize(input);
         const int n = mesh.dimension();
         BoundaryConditions ends{BoundaryCondition::natural};
         const Points facets = cell_centers(mesh, n - 1);
-        for (Index f = 0; f < facets.rows(); ++f)
-            ends.facets.push_back(std::abs(facets(f, 0) - 0.5) > 0.5 - 1e-9
-                                      ? BoundaryCondition::robin
-                                      : BoundaryCondition::natural);
-        ends.coefficients.assign(static_cast<std::size_t>(facets.rows()), alpha);
+        for (Index f = 0; f < facets.rows(); ++f) {
+            const double x = facets(f, 0);
+            const bool is_end = std::abs(x - 0.5) > 0.5 - 1e-9;
+            ends.facets.push_back(is_end ? BoundaryCondition::robin : BoundaryCondition::natural);
+            ends.coefficients.push_back(!is_end ? 0 : x < 0.5 ? alpha : beta);
+        }
         for (const Side side : sides) {
             const PoissonSolver solver(mesh, {.side = side, .boundary = ends});
             const auto solution = solver.solve(Vector::Ones(solver.sites().rows()),
@@ -103,7 +123,7 @@ TEST(Robin, of_a_slab_is_exact) {
             // a cell's balance lets dual values be off by an eighth of the square of its length
             const double h = 1 / std::round(std::pow(mesh.complex().size(n), 1.0 / n));
             const double offset = side == Side::primal ? 0 : h * h / 8;
-            const Vector exact = x * (1 - x) / 2 + 1 / (2 * alpha) + offset;
+            const Vector exact = c + alpha * c * x - x * x / 2 + offset;
             EXPECT_LE(relative_difference(solution.values, exact), 1e-11) << n << name(side);
             EXPECT_EQ(solution.compatibility.free_components, 0);
         }
@@ -281,28 +301,24 @@ TEST(Robin, of_an_infinite_coefficient_is_Dirichlets_and_of_none_Neumanns) {
 
 TEST(Robin, is_refused_where_it_and_a_negative_half_dual_leave_no_resistance) {
     const auto mesh = discretize(mesh_named("bcc2"));
-    EXPECT_EQ(refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .boundary = robin(16)}); }),
-              "the dual of facet 0 (vertices 0, 1, 3, 4), of length -0.125, and 1 over the "
-              "coefficient of Robin's condition there add up to -0.0625: expected a positive sum; "
-              "take a smaller coefficient or primal forms");
+    EXPECT_TRUE(
+        says(refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .boundary = robin(16)}); }),
+             {"facet 0", "vertices 0, 1, 3, 4", "-0.125", "1", "Robin", "-0.0625"}));
     EXPECT_EQ(refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .boundary = robin(4)}); }),
               "accepted");
 }
 
 TEST(Robin, is_refused_by_name_where_it_is_not_known) {
     const auto mesh = discretize(grid(2, 2));
-    EXPECT_EQ(refusal([&] { conditioned_complex(mesh, Side::primal, 0, robin(1)); }),
-              "facet 0 has Robin's condition, which this problem cannot have: PoissonSolver, "
-              "HodgeLaplaceSolver, Diffusion and spectrum can");
-    EXPECT_EQ(refusal([&] { DarcySolver(mesh, {.boundary = robin(1)}); }),
-              "facet 0 has Robin's condition, which Darcy's problem cannot have: PoissonSolver, "
-              "HodgeLaplaceSolver, Diffusion and spectrum can");
-    EXPECT_EQ(refusal([&] { PoissonSolver(mesh, {.boundary = robin(-1)}); }),
-              "the coefficient of Robin's condition at 1-cell 0 is -1: expected a positive number; "
-              "0 is the natural condition");
-    EXPECT_EQ(refusal([&] { PoissonSolver(mesh, {.boundary = {BoundaryCondition::robin}}); }),
-              "0 coefficients of Robin's condition are given: expected one for all facets, or one "
-              "for each of the 12 1-cells");
+    EXPECT_TRUE(says(refusal([&] { conditioned_complex(mesh, Side::primal, 0, robin(1)); }),
+                     {"facet 0", "Robin", "PoissonSolver"}));
+    EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.boundary = robin(1)}); }),
+                     {"facet 0", "Robin", "Darcy"}));
+    EXPECT_TRUE(says(refusal([&] { PoissonSolver(mesh, {.boundary = robin(-1)}); }),
+                     {"Robin", "1-cell 0", "-1"}));
+    EXPECT_TRUE(
+        says(refusal([&] { PoissonSolver(mesh, {.boundary = {BoundaryCondition::robin}}); }),
+             {"0 coefficients", "Robin", "12 1-cells"}));
 }
 
 TEST(Tags, of_facets_make_conditions) {
@@ -311,11 +327,9 @@ TEST(Tags, of_facets_make_conditions) {
     EXPECT_EQ(conditions.at(0), BoundaryCondition::natural);
     EXPECT_EQ(conditions.at(1), BoundaryCondition::essential);
     EXPECT_EQ(conditions.at(3), BoundaryCondition::natural);
-    EXPECT_EQ(refusal([&] { essential_on(tags, {4}); }),
-              "no facet has the tag 4: the tags are 3, 7");
-    EXPECT_EQ(refusal([&] { essential_on({}, {4}); }),
-              "no facet has the tag 4: the mesh has no facets with tags");
+    EXPECT_TRUE(says(refusal([&] { essential_on(tags, {4}); }), {"no facet", "tag 4", "3, 7"}));
+    EXPECT_TRUE(says(refusal([&] { essential_on({}, {4}); }), {"no facet", "tag 4", "no facets"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_robin

@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace polydec::test {
+namespace polydec::test::in_shear_layers {
 namespace {
 
 /// The unit square glued at opposite sides.
@@ -90,4 +90,4 @@ TEST(ShearLayers, roll_up_with_order_2) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_shear_layers

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_spectrum {
 namespace {
 
 struct Case {
@@ -165,4 +165,4 @@ TEST(GoldbergSpectrum, is_that_of_the_sphere_to_three_digits) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_spectrum

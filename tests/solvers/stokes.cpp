@@ -7,6 +7,7 @@
 #include "dec/operators.h"
 #include "meshes/generate.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@
 #include <functional>
 #include <string>
 
-namespace polydec::test {
+namespace polydec::test::in_stokes {
 namespace {
 
 /// Without divergence, and - Laplace u = u; the pressure is x_0 x_1.
@@ -185,15 +186,13 @@ TEST(Channel, whose_walls_hold_nothing_back_is_refused) {
     for (Index f = 0; f < facets.rows(); ++f)
         options.facets.push_back(std::abs(facets(f, 0) - 0.5) > 0.49 ? FlowBoundary::open
                                                                      : FlowBoundary::free_slip);
-    EXPECT_EQ(refusal([&] { StokesSolver(mesh, options); }),
-              "1 flows around holes or between open facets are held back by nothing: expected a "
-              "wall without slip");
+    EXPECT_TRUE(says(refusal([&] { StokesSolver(mesh, options); }), {"1 flows", "holes", "wall"}));
     for (auto& kind : options.facets)
         kind = FlowBoundary::free_slip;
     EXPECT_EQ(refusal([&] { StokesSolver(mesh, options); }), "accepted");
     EXPECT_EQ(refusal([&] { StokesSolver(discretize(icosphere(2))); }), "accepted");
-    EXPECT_NE(refusal([&] { StokesSolver(discretize(torus(12, 8))); }).find("2 flows around holes"),
-              std::string::npos);
+    EXPECT_TRUE(
+        says(refusal([&] { StokesSolver(discretize(torus(12, 8))); }), {"2 flows", "holes"}));
 }
 
 // The twin: the same where the other half of the flow is let out.
@@ -215,10 +214,8 @@ TEST(StokesErrors, tell_what_does_not_balance_in_one_of_two_components) {
                        }))
             .values;
     };
-    EXPECT_NE(refusal([&] {
-                  solver.solve(still, {.through = fluxes(1, 0)});
-              }).find("1 more flows in or out: expected a balance, or an open facet"),
-              std::string::npos);
+    EXPECT_TRUE(says(refusal([&] { solver.solve(still, {.through = fluxes(1, 0)}); }),
+                     {"1", "balance", "open facet"}));
     const auto flow = solver.solve(still, {.through = fluxes(1, 1)});
     EXPECT_LE(d(mesh, flow.flux).values.cwiseAbs().maxCoeff(), 1e-13);
     EXPECT_NEAR(flow.pressure.values.tail(9).norm(), 0, 1e-12) << "where nothing flows";
@@ -229,15 +226,14 @@ TEST(StokesErrors, name_what_does_not_fit) {
     const auto mesh = discretize(grid(2, 2));
     const Cochain still{Side::primal, 1, Vector::Zero(mesh.complex().size(1))};
     const StokesSolver solver(mesh);
-    EXPECT_EQ(refusal([&] {
-                  solver.solve({Side::primal, 0, Vector::Zero(9)});
-              }),
-              "a primal 0-form is given as a force: expected its flux, a primal 1-form");
-    EXPECT_EQ(refusal([&] { solver.solve(still, {.through = Vector::Ones(2)}); }),
-              "2 fluxes through facets are given: expected 12");
-    EXPECT_EQ(refusal([&] { StokesSolver(mesh, {.viscosity = 0}); }),
-              "a viscosity of 0 is given: expected a finite one above 0");
+    EXPECT_TRUE(says(refusal([&] {
+                         solver.solve({Side::primal, 0, Vector::Zero(9)});
+                     }),
+                     {"primal 0-form", "force", "primal 1-form"}));
+    EXPECT_TRUE(says(refusal([&] { solver.solve(still, {.through = Vector::Ones(2)}); }),
+                     {"2 fluxes", "facets", "12"}));
+    EXPECT_TRUE(says(refusal([&] { StokesSolver(mesh, {.viscosity = 0}); }), {"viscosity of 0"}));
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_stokes

@@ -4,6 +4,7 @@
 #include "solvers/surfaces/parallel_transport.h"
 #include "tests/solvers/glued_samples.h"
 #include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace polydec::test {
+namespace polydec::test::in_transport {
 namespace {
 
 using Complex = std::complex<double>;
@@ -224,22 +225,18 @@ TEST(ParallelTransport, refuses_surfaces_without_angles) {
     const auto refused = [](const GluedSample& sample) {
         return refusal([&] { transported(sample.surface, sample.lengths, from_0, one_vector(1)); });
     };
-    EXPECT_EQ(refused(flat(2, Closing::klein_bottle)),
-              "the surface is one-sided: a way across edge 8 (from vertex 1 to 3) leads back with "
-              "left and right exchanged. Angles need a surface with two sides");
-    EXPECT_EQ(refused(glued(moebius(9, 2))).substr(0, 25), "the surface is one-sided:");
+    EXPECT_TRUE(
+        says(refused(flat(2, Closing::klein_bottle)), {"one-sided", "edge 8", "vertex 1", "3"}));
+    EXPECT_TRUE(says(refused(glued(moebius(9, 2))), {"one-sided"}));
     GluedSample turned = flat(2);
     turned.surface.reverse(3);
-    EXPECT_EQ(refused(turned),
-              "triangles 0 and 3 at edge 0 are not oriented alike: reverse one of them");
+    EXPECT_TRUE(says(refused(turned), {"triangles 0", "3", "edge 0", "oriented"}));
     Mesh pinched;
     pinched.points.resize(5, 2);
     pinched.points << 0, 0, 1, 0, 0, 1, -1, 0, 0, -1;
     pinched.simplices.resize(2, 3);
     pinched.simplices << 0, 1, 2, 0, 3, 4;
-    EXPECT_EQ(refused(glued(pinched)),
-              "the triangles around vertex 0 are several fans (the first has 1 of 2 corners): "
-              "split the vertex, one for each fan");
+    EXPECT_TRUE(says(refused(glued(pinched)), {"vertex 0", "fans", "1 of 2 corners"}));
     EXPECT_EQ(refused(flat(2)), "accepted");
 }
 
@@ -248,22 +245,18 @@ TEST(ParallelTransport, refuses_vectors_that_make_no_sense) {
     const auto refused = [&](std::vector<Index> sources, const TangentVectors& vectors) {
         return refusal([&] { transported(torus.surface, torus.lengths, sources, vectors); });
     };
-    EXPECT_EQ(refused({0, 1}, one_vector(1)),
-              "1 vectors are given for 2 sources: expected one for each");
-    EXPECT_EQ(refused({4, 4}, TangentVectors::Ones(2)),
-              "vertex 4 is given twice as a source: expected one vector for it");
-    EXPECT_EQ(refused({4}, one_vector({1, NAN})),
-              "the vector at vertex 4 is (1, nan): expected finite numbers");
-    EXPECT_EQ(refused({9}, one_vector(1)), "vertex 9 is given as a source: expected one of 0 to 8");
-    EXPECT_EQ(refused({}, TangentVectors(0)),
-              "no source is connected to vertex 0: give every component of the surface a source");
-    EXPECT_EQ(refusal([&] {
-                  transported(torus.surface, torus.lengths, from_0, one_vector(1),
-                              {.time_scale = 0});
-              }),
-              "a time scale of 0 is given: expected one from 1e-6 to 1e6");
+    EXPECT_TRUE(says(refused({0, 1}, one_vector(1)), {"1 vectors", "2 sources"}));
+    EXPECT_TRUE(says(refused({4, 4}, TangentVectors::Ones(2)), {"vertex 4", "twice", "source"}));
+    EXPECT_TRUE(says(refused({4}, one_vector({1, NAN})), {"vector", "vertex 4", "(1, nan)"}));
+    EXPECT_TRUE(says(refused({9}, one_vector(1)), {"vertex 9", "source", "0", "8"}));
+    EXPECT_TRUE(says(refused({}, TangentVectors(0)), {"source", "vertex 0"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         transported(torus.surface, torus.lengths, from_0, one_vector(1),
+                                     {.time_scale = 0});
+                     }),
+                     {"time scale", "0", "1e-6", "1e6"}));
     EXPECT_EQ(refused({8}, one_vector(1)), "accepted");
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_transport

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <vector>
 
-namespace polydec::test {
+namespace polydec::test::in_wave_orders {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -164,4 +164,4 @@ TEST(WaveOrders, are_2_on_octahedra_and_tetrahedra) {
 }
 
 } // namespace
-} // namespace polydec::test
+} // namespace polydec::test::in_wave_orders

@@ -7,15 +7,21 @@
 
 namespace polydec::test {
 
-/// The message of the InvalidInput that a call throws; "accepted" if it throws nothing.
-template <class Call>
-std::string refusal(Call call) {
+/// The message of the Error that a call throws; "accepted" if it throws nothing.
+template <class Error, class Call>
+std::string message_of(Call&& call) {
     try {
         call();
-    } catch (const InvalidInput& error) {
+    } catch (const Error& error) {
         return error.what();
     }
     return "accepted";
+}
+
+/// The message of the InvalidInput that a call throws; "accepted" if it throws nothing.
+template <class Call>
+std::string refusal(Call&& call) {
+    return message_of<InvalidInput>(call);
 }
 
 } // namespace polydec::test

@@ -37,8 +37,8 @@ class Centroids(TestCase):
         self.assertGreater(errors[1], 1e-3)
 
     def test_other_words_are_refused(self):
-        said = self.fail_with(1, "info", self.sphere, "--centers", "incenters")
-        self.assertIn("circumcenters", said)
+        self.assertSays(self.fail_with(1, "info", self.sphere, "--centers", "incenters"),
+                        "--centers: ", "incenters", "circumcenters")
 
 
 if __name__ == "__main__":

@@ -62,14 +62,12 @@ class Json(TestCase):
             answer = self.ask("spectrum", name, *PLAIN, "--side", "dual", "--degree", 0, "--count",
                               count)
             self.assertLess(answer["eigenvalues"][0], -0.2)
-            self.assertEqual(answer["warnings"], [
-                "1 of the eigenvalues is negative and spurious: 1 cell next to these forms has a "
-                "negative dual (the mesh is not Delaunay there); add --delaunay"])
-        warnings = self.ask("poisson", "kite.off", *PLAIN, "--side", "dual", "--rhs",
+            warning, = answer["warnings"]
+            self.assertSays(warning, 1, "eigenvalues", "negative", "spurious", "1 cell",
+                            "negative dual", "--delaunay")
+        warning, = self.ask("poisson", "kite.off", *PLAIN, "--side", "dual", "--rhs",
                             "1")["warnings"]
-        self.assertEqual(warnings, [
-            "1 of the 1-cells has a negative dual (the mesh is not Delaunay there): the solution "
-            "may be far off there; compare with --side primal; add --delaunay"])
+        self.assertSays(warning, 1, "1-cells", "negative dual", "--side primal", "--delaunay")
 
     def test_spectrum(self):
         answer = self.ask("spectrum", golden("grid4.nsc"), "--side", "dual", "--degree", 1,
@@ -229,9 +227,8 @@ class Json(TestCase):
 
     def test_a_mean_that_was_removed_is_told_in_the_object(self):
         answer = self.ask("poisson", golden("uv8.off"), "--side", "primal", "--rhs", "1")
-        self.assertEqual(answer["warnings"],
-                         ["the right-hand side does not sum to zero on 1 component without "
-                          "boundary data (relative 1): its mean was removed"])
+        warning, = answer["warnings"]
+        self.assertSays(warning, "right-hand side", "1 component", "relative 1", "mean")
         self.assertEqual(self.ask("poisson", golden("uv8.off"), "--side", "primal", "--rhs",
                                   "z")["warnings"], [])
 
@@ -261,57 +258,51 @@ class Usage(TestCase):
 
     def test_wrong_usage_is_code_1(self):
         mesh = golden("grid4.nsc")
-        more = "\nRun with --help for more information."
-        for arguments, message in (
-                ((), "A subcommand is required"),
-                (("frobnicate",), "there is no 'frobnicate' here"),
-                (("info",), "MESH is required"),
-                (("info", mesh, "--foo"), "there is no '--foo' here"),
-                (("info", "--foo"), "there is no '--foo' here"),
+        for arguments, words in (
+                ((), ("subcommand", "required")),
+                (("frobnicate",), ("'frobnicate'",)),
+                (("info",), ("MESH", "required")),
+                (("info", mesh, "--foo"), ("'--foo'",)),
+                (("info", "--foo"), ("'--foo'",)),
                 (("info", mesh, "--tolerance", "-1"),
-                 "--tolerance: expected a number of at least 0, not '-1'"),
+                 ("--tolerance: ", "expected", "number", 0, "'-1'")),
                 (("info", mesh, "--tolerance", "much"),
-                 "--tolerance: expected a number of at least 0, not 'much'"),
+                 ("--tolerance: ", "expected", "number", 0, "'much'")),
                 (("info", mesh, "--no-merge", "--angle-tolerance", "1e-3"),
-                 "--angle-tolerance excludes --no-merge"),
-                (("merge", mesh), "--out is required"),
-                (("generate", "sponge", "-o", "a.off"), "there is no 'sponge' here"),
+                 ("--angle-tolerance", "--no-merge")),
+                (("merge", mesh), ("--out", "required")),
+                (("generate", "sponge", "-o", "a.off"), ("'sponge'",)),
                 (("spectrum", mesh, "--side", "both", "--degree", "0"),
-                 "--side: expected primal or dual, not 'both'"),
+                 ("--side: ", "primal", "dual", "'both'")),
                 (("poisson", mesh, "--side", "dual", "--rhs", "1", "--natural", "--boundary", "x"),
-                 "--boundary excludes --natural"),
+                 ("--boundary", "--natural")),
                 (("poisson", mesh, "--side", "dual", "--rhs", "x+"),
-                 "--rhs: 'x+' is neither a file nor an expression: Unexpected end of expression "
-                 "at position 3")):
-            self.assertEqual(self.fail_with(1, *arguments), f"polydec: {message}{more}")
+                 ("--rhs: ", "'x+'", "expression", "end", "position 3"))):
+            self.assertSays(self.fail_with(1, *arguments), *words)
 
     def test_bad_input_is_code_2(self):
         flat, solid = golden("grid4.nsc"), golden("kuhn3.nsc")
-        for arguments, message in (
+        for arguments, words in (
                 (("info", solid, "--angle-tolerance", "1e-3"),
-                 f"--angle-tolerance is for surfaces, but {solid} has cells of dimension 3: use "
-                 "--tolerance"),
-                (("merge", solid, "-o", "a.off"),
-                 "a.off: merged cells of dimension 3 cannot be written in this format: use .vtu"),
+                 ("--angle-tolerance", solid, "dimension 3", "--tolerance")),
+                (("merge", solid, "-o", "a.off"), ("a.off: ", "dimension 3", ".vtu")),
                 (("spectrum", flat, "--side", "primal", "--degree", 0, "--count", 26),
-                 f"{flat}: 26 eigenvalues asked for: primal 0-forms live on 25 0-cells, so 1 to "
-                 "25 can be had"),
+                 (f"{flat}: ", "26 eigenvalues", "primal 0-forms", 25, "0-cells", 1, 25)),
                 (("spectrum", golden("kuhn4.nsc"), "--side", "dual", "--degree", 0, "--count", 1,
                   "-o", "a.vtu"),
-                 "cells of dimension 4 in 4 coordinates cannot be drawn: a .vtu file shows at "
-                 "most 3; leave out -o"),
+                 ("dimension 4", "4 coordinates", ".vtu", 3, "-o")),
                 (("poisson", flat, "--side", "primal", "--rhs", "1/x"),
-                 "--rhs: '1/x' is inf at (0, 0): change the expression"),
+                 ("--rhs: ", "'1/x'", "inf", "(0, 0)")),
                 (("generate", "grid", "--nx", "0", "-o", "a.off"),
-                 "grid: nx = 0 is outside 1 .. 2147483647")):
-            self.assertEqual(self.fail_with(2, *arguments), f"polydec: {message}")
+                 ("grid: ", "nx = 0", "1 .. 2147483647"))):
+            self.assertSays(self.fail_with(2, *arguments), *words)
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_a_system_that_no_engine_solves_is_code_3(self):
         mesh = self.almost_squares(30, 3e-12)
         message = self.fail_with(3, "poisson", mesh, *PLAIN, "--side", "dual", "--rhs", "1",
                                  "--no-merge", "--json")
-        self.assertIn("no engine solves", message)
+        self.assertSays(message, "no engine")
 
     def almost_squares(self, N, defect):
         """A grid of split squares, one corner of each moved off the circle through the others:
@@ -327,8 +318,7 @@ class Usage(TestCase):
         return self.write("squares.nsc", "\n".join([head, *points, *triangles]) + "\n")
 
     def test_files_that_cannot_be_read_are_code_4(self):
-        self.assertEqual(self.fail_with(4, "info", "no.off"),
-                         "polydec: cannot read no.off: No such file or directory")
+        self.assertSays(self.fail_with(4, "info", "no.off"), "read", "no.off: ", "No such file")
         os.mkdir(self.path("folder.off"))
         self.fail_with(4, "info", "folder.off")
 
@@ -351,21 +341,20 @@ class Usage(TestCase):
     @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
     def test_a_full_disk_is_code_4(self):
         with open("/dev/full", "w", encoding="ascii") as full:
-            done = subprocess.run([command.COMMAND, "info", golden("uv8.off")], stdout=full,
-                                  stderr=subprocess.PIPE, text=True, check=False)
-        self.assertEqual((done.returncode, done.stderr),
-                         (4, "polydec: standard output is not writable: No space left on device\n"))
+            done = run("info", golden("uv8.off"), stdout=full)
+        self.assertEqual(done.code, 4)
+        self.assertTrue(done.err.startswith("polydec: "), done.err)
+        self.assertSays(done.err, "standard output", "No space left on device\n")
 
     def interrupt(self, seconds, *arguments):
         """Starts the command and interrupts it after a while; its exit code."""
-        with subprocess.Popen([command.COMMAND, *arguments], cwd=self.folder,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        with self.start(*arguments, stderr=subprocess.DEVNULL) as process:
             time.sleep(seconds)
             process.send_signal(signal.SIGINT)
             started = time.monotonic()
-            process.wait(timeout=20)
+            code = process.finish(20).code
         self.assertLess(time.monotonic() - started, 5)
-        return process.returncode
+        return code
 
     def test_an_interrupt_leaves_no_unfinished_file(self):
         self.succeed("generate", "kuhn", "--dimension", "3", "--cells", "24", "-o", "big.nsc")

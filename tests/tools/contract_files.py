@@ -62,11 +62,10 @@ class Files(TestCase):
         self.write("few.txt", "1 2 3")
         self.write("bad.txt", "1 nan 3")
         common = ("poisson", golden("grid4.nsc"), "--side", "dual", "--rhs")
-        self.assertEqual(self.fail_with(2, *common, "few.txt"),
-                         "polydec: few.txt: 3 numbers, expected 16, one for each place")
-        self.assertEqual(self.fail_with(2, *common, "bad.txt"),
-                         "polydec: bad.txt: entry 1 is no finite number: expected numbers "
-                         "separated by white space, one for each place")
+        self.assertSays(self.fail_with(2, *common, "few.txt"), "polydec: few.txt: ", "3 numbers",
+                        "expected 16")
+        self.assertSays(self.fail_with(2, *common, "bad.txt"), "polydec: bad.txt: ", "entry 1",
+                        "number", "expected")
 
     def test_merging_is_told_how(self):
         mesh = golden("uv8.off")

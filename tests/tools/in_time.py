@@ -7,7 +7,7 @@ import signal
 import subprocess
 
 import command
-from command import TestCase, golden
+from command import Deadline, TestCase, golden
 from kills import ended_runs, kills, timed
 
 
@@ -104,25 +104,23 @@ class InTime(TestCase):
     def test_what_a_source_goes_without_is_told(self):
         grid = golden("grid4.nsc")
         heat = ("heat", grid, "--side", "primal", "--initial", "1", "--until", 1)
-        self.assertIn("--source excludes --scheme",
-                      self.fail_with(1, *heat, "--source", "t", "--scheme", "crank-nicolson"))
-        self.assertIn("say which by --essential-where",
-                      self.fail_with(2, *heat, "--boundary-values", "t"))
-        self.assertIn("there is no integrator called `foo`",
-                      self.fail_with(2, *heat, "--integrator", "foo"))
+        self.assertSays(self.fail_with(1, *heat, "--source", "t", "--scheme", "crank-nicolson"),
+                        "--source", "--scheme")
+        self.assertSays(self.fail_with(2, *heat, "--boundary-values", "t"),
+                        "--boundary-values", "essential", "--essential-where")
+        self.assertSays(self.fail_with(2, *heat, "--integrator", "foo"), "integrator", "`foo`")
         self.assertIn("Unexpected token", self.fail_with(1, *heat, "--source", "q"))
 
     def test_a_long_frame_is_ended_on_its_way(self):
         """The tolerance asks for more steps to the first frame than anybody waits for."""
         sphere = self.make("icosphere", "--frequency", 30)
-        run = subprocess.Popen(
-            [command.COMMAND, "heat", sphere, "--side", "primal", "--initial", "z", "--source",
-             "sin(1e5*t)*z", "--until", "9", "--frames", "1", "--tolerance-in-time", "1e-13",
-             "--checkpoint", "long.checkpoint"], cwd=self.folder, stdout=subprocess.DEVNULL)
-        with self.assertRaises(subprocess.TimeoutExpired):
-            run.wait(timeout=2)
-        run.send_signal(signal.SIGINT)
-        self.assertEqual(run.wait(timeout=100), -signal.SIGINT)
+        with self.start("heat", sphere, "--side", "primal", "--initial", "z", "--source",
+                        "sin(1e5*t)*z", "--until", 9, "--frames", 1, "--tolerance-in-time", 1e-13,
+                        "--checkpoint", "long.checkpoint") as run:
+            with self.assertRaises(subprocess.TimeoutExpired):
+                run.wait(timeout=2)
+            run.send_signal(signal.SIGINT)
+            self.assertEqual(run.finish().code, -signal.SIGINT)
         self.assertTrue(os.path.exists(self.path("long.checkpoint"))) # of the beginning
 
     def test_killed_runs_with_a_source_go_on_to_the_same_bits(self):
@@ -131,18 +129,16 @@ class InTime(TestCase):
                 "--until", 2, "--frames", 40)
         self.succeed(*line, "--checkpoint", "whole.checkpoint")
         chance = random.Random(2)
-        kills, is_done = 0, False
+        deadline, ended, is_done = Deadline("a run that goes on to its end", 200), 0, False
         while not is_done:
-            run = subprocess.Popen(
-                [command.COMMAND, *map(str, line), "--checkpoint", "part.checkpoint", "--resume"],
-                cwd=self.folder, stdout=subprocess.DEVNULL)
-            try:
-                run.wait(timeout=chance.uniform(0.1, 0.4) + 0.1 * kills)
-                is_done = True
-            except subprocess.TimeoutExpired:
-                run.kill()
-                run.wait()
-                kills += 1
+            with self.start(*line, "--checkpoint", "part.checkpoint", "--resume") as run:
+                try:
+                    code = run.wait(timeout=chance.uniform(0.1, 0.4) + 0.1 * ended)
+                    self.assertEqual(code, 0)
+                    is_done = True
+                except subprocess.TimeoutExpired:
+                    ended += 1
+            deadline.left()
         with open(self.path("whole.checkpoint"), "rb") as one, \
                 open(self.path("part.checkpoint"), "rb") as other:
             self.assertEqual(one.read(), other.read())
@@ -157,8 +153,9 @@ class InTime(TestCase):
             self.assertAlmostEqual(largest, factor, delta=0.01)
             self.assertAlmostEqual(answer["relative_energy"], 1, delta=1e-11)
             self.assertLess(answer["time_step"], answer["stable_step"])
-        self.assertIn("below", self.fail_with(2, "wave", square, "--initial", "x", "--until", 1,
-                                              "--time-step", 2 * answer["stable_step"]))
+        self.assertSays(self.fail_with(2, "wave", square, "--initial", "x", "--until", 1,
+                                       "--time-step", 2 * answer["stable_step"]), "step", "above 0",
+                        "below")
 
     def test_units_of_length_change_nothing_but_time(self):
         with open(golden("grid4.nsc"), encoding="ascii") as file:
@@ -195,24 +192,25 @@ class InTime(TestCase):
             answer = self.ask(name, golden("uv8.off"), "--degree", 1, "--initial", "form.txt",
                               "--until", 0.5, *more)
             self.assertEqual(answer["degree"], 1)
-            self.assertIn("a 1-form in 3 coordinates has 3", self.fail_with(
-                2, name, golden("uv8.off"), "--degree", 1, "--initial", "x", "--until", 1, *more))
+            self.assertSays(self.fail_with(
+                2, name, golden("uv8.off"), "--degree", 1, "--initial", "x", "--until", 1, *more),
+                "--initial", "1-form", "3 coordinates", 3)
             self.ask(name, golden("uv8.off"), "--degree", 1, "--initial", "-y; x; 0", "--until", 1,
                      *more)
-            self.assertIn("expected", self.fail_with(
+            self.assertSays(self.fail_with(
                 2, name, golden("uv8.off"), "--degree", 0, "--initial", "form.txt", "--until", 1,
-                *more))
+                *more), "form.txt", edges, "expected")
 
     def test_what_cannot_be_done_is_refused(self):
         heat = ("heat", golden("uv8.off"), "--side", "primal", "--initial", "z", "--until", 1)
         self.succeed(*heat, "--checkpoint", "a.checkpoint")
-        self.assertIn("belongs to another", self.fail_with(
-            2, *heat, "--time-step", 0.001, "--checkpoint", "a.checkpoint", "--resume"))
+        self.assertSays(self.fail_with(2, *heat, "--time-step", 0.001, "--checkpoint",
+                                       "a.checkpoint", "--resume"), "a.checkpoint", "another")
         self.write("b.checkpoint", "polydec checkpoint 1\n")
-        self.assertIn("cut off", self.fail_with(2, *heat, "--checkpoint", "b.checkpoint",
-                                                "--resume"))
-        self.assertIn("all its steps", self.fail_with(
-            2, *heat, "--checkpoint", "a.checkpoint", "--resume", "-o", "a.html"))
+        self.assertSays(self.fail_with(2, *heat, "--checkpoint", "b.checkpoint", "--resume"),
+                        "b.checkpoint", "cut off")
+        self.assertSays(self.fail_with(2, *heat, "--checkpoint", "a.checkpoint", "--resume", "-o",
+                                       "a.html"), "go on", "a.html: ", "all", "steps")
         self.fail_with(2, *heat, "-o", "a.vtu")
         self.fail_with(2, *heat, "--checkpoint", "a.txt")
         self.fail_with(2, *heat[:-1], 1e12, "--time-step", 1e-3)

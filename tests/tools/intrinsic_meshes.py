@@ -10,7 +10,7 @@ import unittest
 import xml.etree.ElementTree
 
 import command
-from command import TestCase, golden
+from command import TestCase, golden, says
 from golden_numbers import Matrix
 from intrinsic_laws import area_of, flip_flaws, positive_entries, spectrum_flaws, split_flaws
 from polyhedra import area_vector, array_of, read_alone
@@ -22,6 +22,7 @@ BRANCHING = {"beetle.obj", "truck.obj", "conrod.stl", "bun_zipper_res3.ply"}
 # cells without area, which only flips can do with
 FLAT_CELLS = {"112932.stl", "bathtub_0154.ply", "block.obj", "ogre.obj"}
 
+SECONDS = 200 # for the largest
 COUNT = 6
 ALL_FORMS = [(side, degree) for side in ("primal", "dual") for degree in range(3)]
 ONE_FORMS_FIRST = sorted(ALL_FORMS, key=lambda forms: forms[1] != 1)
@@ -30,8 +31,8 @@ TRIANGLES_FOR_SPECTRA = 8000
 TRIANGLES_FOR_LAPLACIANS = 1600
 TRIANGLES_WITHOUT_FLIPS = 60000
 
-POSITIVE = "or on a manifold intrinsic flips (--delaunay=split-boundary"
-SPURIOUS = "negative and spurious"
+POSITIVE = ("positive", "--delaunay=split-boundary")
+SPURIOUS = ("eigenvalues", "negative", "spurious")
 
 
 def surfaces(flat_cells=True):
@@ -49,7 +50,7 @@ def real(name):
 @functools.cache
 def info_of(path, *options):
     """What `info` says, asked for once."""
-    outcome = command.run("info", path, "--json", *options)
+    outcome = command.run("info", path, "--json", *options, seconds=SECONDS)
     if outcome.code:
         raise AssertionError(f"{path} {options}\n{outcome.err}")
     return command.parse(outcome.out)
@@ -105,8 +106,8 @@ class EveryFile(TestCase):
             for option in (FLIPS, SPLITS):
                 with self.subTest(os.path.basename(path), option=option):
                     message = self.fail_with(2, "info", path, "--json", option)
-                    self.assertRegex(message, r"^polydec: .*: \d+ triangles meet at the edge from "
-                                              r"vertex \d+ to \d+: ")
+                    self.assertSays(message, f"{path}: ", "triangles", "edge", "vertex")
+                    self.assertRegex(message, r" \d+ triangles .* vertex \d+ \w+ \d+: ")
 
     def test_broken_files_end_in_an_error_or_obey_the_laws(self):
         for path in command.data_files("bad"):
@@ -122,10 +123,10 @@ class EveryFile(TestCase):
     def test_cells_without_area_are_refused_without_flips_alone(self):
         for path in set(surfaces()) - set(surfaces(flat_cells=False)):
             with self.subTest(os.path.basename(path)):
-                self.assertIn("has no area", self.fail_with(2, "info", path))
+                self.assertSays(self.fail_with(2, "info", path), path, "no area")
                 info = info_of(path, FLIPS)
                 self.assertGreater(info["intrinsic"]["added_length"], 0)
-                self.assertIn("a triangle has nearly no area", " ".join(info["warnings"]))
+                self.assertSays(" ".join(info["warnings"]), "triangle", "no area")
 
 
 class Laplacians(TestCase):
@@ -151,19 +152,20 @@ class Spectra(TestCase):
 
     def spectrum(self, path, side, degree, count, *more):
         return command.run("spectrum", path, "--star", "circumcentric", "--side", side, "--degree",
-                           degree, "--count", count, "--json", *more, folder=self.folder)
+                           degree, "--count", count, "--json", *more, folder=self.folder,
+                           seconds=SECONDS)
 
     def is_refused(self, path, side, degree):
         """Whether it is, or has negative eigenvalues; the text says what helps."""
         outcome = self.spectrum(path, side, degree, COUNT)
         if outcome.code:
             message = self.check_error(outcome, 2)
-            self.assertRegex(message, "has no area" if os.path.basename(path) in FLAT_CELLS else
-                             re.escape(POSITIVE) + "|divides by zero")
-        elif SPURIOUS in outcome.err:
-            self.assertIn("; add --delaunay", outcome.err)
+            ways = [("no area",)] if os.path.basename(path) in FLAT_CELLS else [POSITIVE, ("zero",)]
+            self.assertTrue(any(says(message, path, *words) for words in ways), message)
+        elif says(outcome.err, *SPURIOUS):
+            self.assertSays(outcome.err, *SPURIOUS, "--delaunay")
             self.assertLess(command.parse(outcome.out)["eigenvalues"][0], 0)
-        return bool(outcome.code) or SPURIOUS in outcome.err
+        return bool(outcome.code) or says(outcome.err, *SPURIOUS)
 
     def check(self, path, side, degree):
         betti = info_of(path, SPLITS)["betti"]["input"][degree if side == "primal" else 2 - degree]
@@ -272,10 +274,10 @@ class Advice(TestCase):
         edges without dual alone, which no flip helps."""
         found = {}
         if [star["zero"] for star in info["stars"]] != [0] * 3 and len(info["advice"]) == 1 \
-                and info["advice"][0].endswith(" without volume: add --star automatic"):
+                and says(info["advice"][0], "volume", "--star automatic"):
             return found
         for text in info["advice"]:
-            match = re.fullmatch(r"(\d+) negative dual edges?( on the boundary)?: add --delaunay"
+            match = re.fullmatch(r"(\d+) negative dual edges?\b(.* boundary\b)?.* --delaunay"
                                  r"(=split-boundary)?", text)
             self.assertIsNotNone(match, text)
             self.assertEqual(bool(match[2]), bool(match[3]))
@@ -300,15 +302,15 @@ class Advice(TestCase):
         bob = real("bob_small.ply")
         if bob:
             text = self.succeed("info", bob).out
-            self.assertTrue(text.endswith("\n94 negative dual edges: add --delaunay\n"), text)
+            self.assertSays(text.splitlines()[-1], "94 negative dual edges", "--delaunay")
 
     def test_nothing_is_advised_where_nothing_helps(self):
         for name in ("branching.off", "kuhn3.nsc", "uv8.off"):
             self.assertEqual(self.ask("info", golden(name))["advice"], [])
 
     def test_solids_are_told_of_stars(self):
-        self.assertEqual(self.ask("info", golden("bcc2.nsc"))["advice"],
-                         ["24 negative dual edges: add --star automatic"])
+        advice, = self.ask("info", golden("bcc2.nsc"))["advice"]
+        self.assertSays(advice, "24 negative dual edges", "--star automatic")
 
 
 class Options(TestCase):
@@ -320,22 +322,19 @@ class Options(TestCase):
         for name, dimension in (("kuhn1d.nsc", 1), ("kuhn3.nsc", 3), ("kuhn4.nsc", 4)):
             for first, *rest in self.COMMANDS:
                 with self.subTest(name, command=first):
-                    self.assertEqual(
-                        self.fail_with(2, first, golden(name), *rest, FLIPS),
-                        f"polydec: --delaunay is for surfaces, but {golden(name)} has cells of "
-                        f"dimension {dimension}: leave it out")
+                    self.assertSays(self.fail_with(2, first, golden(name), *rest, FLIPS),
+                                    "--delaunay", golden(name), f"dimension {dimension}")
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_only_two_words_follow_the_option(self):
         for first, *rest in self.COMMANDS:
-            self.assertEqual(
+            self.assertSays(
                 self.fail_with(1, first, golden("uv8.off"), *rest, "--delaunay=nonsense"),
-                "polydec: --delaunay: nonsense not in {flips,split-boundary}\n"
-                "Run with --help for more information.")
+                "--delaunay: ", "nonsense", "flips", "split-boundary")
 
     def test_flips_go_by_lengths_and_not_by_angles(self):
-        self.assertRegex(self.fail_with(1, "info", golden("uv8.off"), FLIPS, "--angle-tolerance",
-                                        1), "^polydec: --angle-tolerance excludes --delaunay\n")
+        self.assertSays(self.fail_with(1, "info", golden("uv8.off"), FLIPS, "--angle-tolerance", 1),
+                        "--angle-tolerance", "--delaunay")
 
     def test_the_long_form_says_the_same(self):
         mesh = golden("star_negative.nsc")

@@ -26,21 +26,23 @@ def ended_runs(case, line, files, count, seconds, signals=(signal.SIGINT, signal
     between two, and started again until it comes to its end; so many signals in all."""
     chance = random.Random(1)
     sent = 0
+    deadline = command.Deadline("runs that are ended and gone on with", 600)
     while sent < count:
         for name in files:
             if os.path.exists(case.path(name)):
                 os.remove(case.path(name))
-        answer = None
+        answer, patience = None, 1  # which grows, so that also a slow machine comes to an end
         while answer is None:
-            run = subprocess.Popen([command.COMMAND, *map(str, line), "--json"], cwd=case.folder,
-                                   stdout=subprocess.PIPE)
+            deadline.left()
             which = signals[sent % len(signals)]
-            try:
-                out, _ = run.communicate(timeout=chance.uniform(*seconds))
-            except subprocess.TimeoutExpired:
-                run.send_signal(which)
-                out, _ = run.communicate()
-                sent += 1
+            with case.start(*line, "--json", stdout=subprocess.PIPE) as run:
+                try:
+                    out, _ = run.communicate(timeout=patience * chance.uniform(*seconds))
+                except subprocess.TimeoutExpired:
+                    run.send_signal(which)
+                    out = run.finish().out
+                    sent += 1
+                    patience *= 1.05
             case.assertIn(run.returncode, (0, -which))
             answer = command.parse(out) if run.returncode == 0 else None
         yield answer

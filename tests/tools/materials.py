@@ -54,16 +54,16 @@ class Materials(TestCase):
         self.poisson(self.halves, "--side", "dual", "--conductivity", numbers)
         said = self.fail_with(2, "poisson", self.halves, "--side", "dual", "--rhs", "0",
                               "--conductivity", self.write("few.txt", "1 2 3"))
-        self.assertIn("3 numbers, expected 16", said)
+        self.assertSays(said, self.path("few.txt") + ": ", "3 numbers", "expected 16")
 
     def test_what_makes_no_sense_is_refused(self):
         plain = self.write("plain.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
         said = self.fail_with(2, "poisson", plain, "--side", "primal", "--rhs", "1",
                               "--conductivity", KAPPA)
-        self.assertIn("uses `group`, but the mesh has none", said)
+        self.assertSays(said, "--conductivity", "`group`", "mesh")
         said = self.fail_with(2, "poisson", self.halves, "--side", "primal", "--rhs", "1",
                               "--conductivity", "1-group")
-        self.assertIn("conductivity", said)
+        self.assertSays(said, "conductivity")
         self.fail_with(1, "info", self.halves, "--keep-groups", "--delaunay")
         self.fail_with(1, "poisson", self.halves, "--side", "primal", "--rhs", "group")
 

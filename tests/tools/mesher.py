@@ -5,7 +5,6 @@ import os
 import shutil
 import signal
 import subprocess
-import time
 import unittest
 
 import command
@@ -13,8 +12,6 @@ from command import TestCase
 
 CUBE = ("OFF\n8 6 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n4 0 2 3 1\n4 4 5 7 6\n"
         "4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n")
-MISSING = ("polydec: the mesher `tetgen` needs the program tetgen, which is not on PATH\nTo get it: "
-           "apt-get install tetgen (Debian package tetgen).\n")
 THERE = shutil.which("tetgen") is not None
 
 
@@ -33,25 +30,25 @@ class Mesher(TestCase):
 
     def fill(self, *arguments, **variables):
         """Code, stdout and stderr of generate --mesher tetgen."""
-        done = subprocess.run([command.COMMAND, "generate", "--mesher", "tetgen",
-                               *map(str, arguments)], cwd=self.folder, capture_output=True,
-                              stdin=subprocess.DEVNULL, timeout=100, text=True, check=False,
-                              env={**self.environment(), **variables})
-        return command.Outcome(done.returncode, done.stdout, done.stderr)
+        return command.run("generate", "--mesher", "tetgen", *arguments, folder=self.folder,
+                           env={**self.environment(), **variables})
 
-    def refuse(self, code, message, *arguments):
+    def check_missing(self, outcome):
+        """The program is not there, and the message says how to get it."""
+        self.assertSays(self.check_error(outcome, 4), "`tetgen`", "PATH", "apt-get install tetgen")
+
+    def refuse(self, code, words, *arguments):
         """The mesher refuses; or the command, because there is none."""
         outcome = self.fill(*arguments)
         if THERE:
             self.assertEqual((outcome.code, outcome.out), (code, ""), outcome.err)
-            self.assertIn(message, outcome.err)
+            self.assertSays(outcome.err, *words)
         else:
-            self.assertEqual(outcome, (4, "", MISSING))
+            self.check_missing(outcome)
         self.assertNotIn("out.mesh", os.listdir(self.folder))
 
     def test_without_the_program_the_package_is_named(self):
-        outcome = self.fill("cube.off", "-o", "out.mesh", PATH=self.temporary)
-        self.assertEqual(outcome, (4, "", MISSING))
+        self.check_missing(self.fill("cube.off", "-o", "out.mesh", PATH=self.temporary))
 
     def test_backends_tells_whether_it_is_there(self):
         answer = command.parse(self.succeed("backends", "--json").out)
@@ -62,7 +59,7 @@ class Mesher(TestCase):
     def test_a_cube_is_filled(self):
         outcome = self.fill("cube.off", "--quality", 1.4, "--volume", 0.01, "-o", "out.mesh")
         if not THERE:
-            self.assertEqual(outcome, (4, "", MISSING))
+            self.check_missing(outcome)
             return
         self.assertEqual(outcome.code, 0, outcome.err)
         self.assertRegex(outcome.out, r"^out.mesh: \d+ points, \d+ simplices of dimension 3\n$")
@@ -74,7 +71,7 @@ class Mesher(TestCase):
     def test_a_boundary_is_kept_where_asked_for(self):
         outcome = self.fill("cube.off", "--volume", 0.01, "--keep-boundary", "-o", "out.mesh")
         if not THERE:
-            self.assertEqual(outcome, (4, "", MISSING))
+            self.check_missing(outcome)
             return
         self.assertEqual(outcome.code, 0, outcome.err)
         facets = command.parse(self.succeed("info", "out.mesh", "--json").out)["cells"]["input"]
@@ -89,54 +86,43 @@ class Mesher(TestCase):
         more = ["4 " + " ".join(str(int(i) + 8) for i in face.split()[1:]) for face in faces]
         head = CUBE[CUBE.index("\n0") + 1:CUBE.index("4 0 2 3 1")]
         self.write("cross.off", "OFF\n16 12 0\n" + head + moved + "\n".join(faces + more) + "\n")
-        for surface, code, message in (
-                ("open.off", 2, "the surface is not closed"),
-                ("flat.off", 2, "lie in the plane"),
-                ("cross.off", 2, "pairs of facets cross or overlap")):
+        for surface, code, words in (
+                ("open.off", 2, ("surface", "closed")),
+                ("flat.off", 2, ("plane",)),
+                ("cross.off", 2, ("pairs", "facets", "cross"))):
             outcome = self.fill(surface, "-o", "out.mesh")
             if surface == "cross.off" and not THERE:
-                self.assertEqual(outcome, (4, "", MISSING))
+                self.check_missing(outcome)
                 continue
             self.assertEqual((outcome.code, outcome.out), (code, ""), outcome.err)
-            self.assertIn(message, outcome.err)
-        self.refuse(3, "not done within 0.01 seconds", "cube.off", "--volume", 1e-9, "--seconds",
-                    0.01, "-o", "out.mesh")
-        self.refuse(3, "the holes take everything away", "cube.off", "--hole", 0.5, 0.5, 0.5, "-o",
+            self.assertSays(outcome.err, *words)
+        self.refuse(3, ("0.01 seconds",), "cube.off", "--volume", 1e-9, "--seconds", 0.01, "-o",
                     "out.mesh")
+        self.refuse(3, ("holes",), "cube.off", "--hole", 0.5, 0.5, 0.5, "-o", "out.mesh")
 
     def test_wrong_usage_is_code_1(self):
-        for arguments, message in (
-                (("--mesher", "netgen", "cube.off"), "--mesher: expected tetgen, not 'netgen'"),
-                (("--mesher", "tetgen"), "SURFACE is required"),
-                (("--mesher", "tetgen", "cube.off"), "--out is required"),
-                (("cube.off", "-o", "out.mesh", "--quality", "2"), "--quality requires --mesher"),
-                ((), "The name of a mesh, or --mesher, is required")):
-            outcome = command.run("generate", *arguments, folder=self.folder)
-            self.assertEqual(outcome, (1, "", f"polydec: {message}\nRun with --help for more "
-                                              "information.\n"))
+        for arguments, words in (
+                (("--mesher", "netgen", "cube.off"), ("--mesher: ", "tetgen", "'netgen'")),
+                (("--mesher", "tetgen"), ("SURFACE", "required")),
+                (("--mesher", "tetgen", "cube.off"), ("--out", "required")),
+                (("cube.off", "-o", "out.mesh", "--quality", "2"), ("--quality", "--mesher")),
+                ((), ("mesh", "--mesher", "required"))):
+            self.assertSays(self.fail_with(1, "generate", *arguments), *words)
 
     @unittest.skipUnless(os.path.isdir("/proc/self"), "needs /proc to look at processes")
     def test_an_interrupt_leaves_neither_files_nor_processes(self):
         for number in (signal.SIGINT, signal.SIGTERM):
-            with subprocess.Popen([command.COMMAND, "generate", "--mesher", "tetgen", "cube.off",
-                                   "--volume", "1e-9", "-o", "out.mesh"], cwd=self.folder,
-                                  env=self.environment(), stdout=subprocess.DEVNULL,
-                                  stderr=subprocess.DEVNULL) as process:
+            with self.start("generate", "--mesher", "tetgen", "cube.off", "--volume", "1e-9", "-o",
+                            "out.mesh", env=self.environment(),
+                            stderr=subprocess.DEVNULL) as process:
                 if THERE:
-                    self.wait_for(lambda: self.working())
+                    command.wait_until(self.working, "the mesher begins")
                     process.send_signal(number)
-                code = process.wait(timeout=20)
+                code = process.finish(20).code
             self.assertEqual(code, -number if THERE else 4)
             self.assertEqual(self.working(), [])
             self.assertEqual(os.listdir(self.temporary), [])
             self.assertNotIn("out.mesh", os.listdir(self.folder))
-
-    def wait_for(self, condition):
-        for _ in range(500):
-            if condition():
-                return
-            time.sleep(0.01)
-        self.fail("this takes too long")
 
     def working(self):
         """The processes that are in the folder for temporary files."""

@@ -5,7 +5,6 @@ import os
 import command
 from command import TestCase, golden
 
-MORE = "\nRun with --help for more information."
 FLAT = "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"
 
 
@@ -13,39 +12,32 @@ class Messages(TestCase):
     def test_options_say_what_they_expect(self):
         mesh = golden("grid4.nsc")
         spectrum = ("spectrum", mesh, "--side", "primal", "--degree")
-        hint = ("; a file of that name is written with ./ before it, and a value that begins with "
-                "a minus as in --rhs=-x")
-        for arguments, message in (
-                (("info", mesh, "--tolerance", "nan"),
-                 "--tolerance: expected a number of at least 0, not 'nan'"),
-                (("info", mesh, "--tolerance", "inf"),
-                 "--tolerance: expected a number of at least 0, not 'inf'"),
-                (("info", mesh, "--tolerance", "1e-4x"),
-                 "--tolerance: expected a number of at least 0, not '1e-4x'"),
+        for arguments, words in (
+                (("info", mesh, "--tolerance", "nan"), ("--tolerance: ", "number", 0, "'nan'")),
+                (("info", mesh, "--tolerance", "inf"), ("--tolerance: ", "number", 0, "'inf'")),
+                (("info", mesh, "--tolerance", "1e-4x"), ("--tolerance: ", "number", 0, "'1e-4x'")),
                 (("info", mesh, "--angle-tolerance", "-nan"),
-                 "--angle-tolerance: expected a number of at least 0, not '-nan'"),
-                ((*spectrum, "0", "--count", "1e3"), "--count: expected a whole number, not '1e3'"),
+                 ("--angle-tolerance: ", "number", 0, "'-nan'")),
+                ((*spectrum, "0", "--count", "1e3"), ("--count: ", "whole number", "'1e3'")),
                 ((*spectrum, "0", "--count", "99999999999"),
-                 "--count: expected a whole number, not '99999999999'"),
-                ((*spectrum, "one"), "--degree: expected a whole number, not 'one'"),
-                (("distance", mesh, "--from", "0.5"),
-                 "--from: expected a whole number, not '0.5'"),
+                 ("--count: ", "whole number", "'99999999999'")),
+                ((*spectrum, "one"), ("--degree: ", "whole number", "'one'")),
+                (("distance", mesh, "--from", "0.5"), ("--from: ", "whole number", "'0.5'")),
                 (("distance", mesh, "--from", "0", "--time-scale", "nan"),
-                 "--time-scale: expected a number, not 'nan'"),
+                 ("--time-scale: ", "number", "'nan'")),
                 (("generate", "kuhn", "--cells", "2.5", "-o", "a.nsc"),
-                 "--cells: expected a whole number, not '2.5'"),
+                 ("--cells: ", "whole number", "'2.5'")),
                 (("generate", "kuhn", "--lengths", "inf", "-o", "a.nsc"),
-                 "--lengths: expected a number, not 'inf'"),
+                 ("--lengths: ", "number", "'inf'")),
                 (("generate", "clusters", "--seed", "-1", "-o", "a.nsc"),
-                 "--seed: expected a whole number of at least 0, not '-1'"),
-                (("info", ""), "MESH: expected a value, not an empty text"),
+                 ("--seed: ", "whole number", 0, "'-1'")),
+                (("info", ""), ("MESH: ", "empty")),
                 (("info", mesh, "--max-memory", "much"),
-                 "--max-memory: expected an amount like 500M or 2G, not 'much'"),
-                (("info", mesh, "--max-memory", "-1G"),
-                 "--max-memory: expected an amount like 500M or 2G, not '-1G'"),
-                (("info", "-dash.off"), f"there is no '-dash.off' here{hint}"),
-                (("info", mesh, "\x1b[2J\n"), "there is no '\\x1b[2J\\n' here")):
-            self.assertEqual(self.fail_with(1, *arguments), f"polydec: {message}{MORE}")
+                 ("--max-memory: ", "500M", "2G", "'much'")),
+                (("info", mesh, "--max-memory", "-1G"), ("--max-memory: ", "500M", "2G", "'-1G'")),
+                (("info", "-dash.off"), ("'-dash.off'", "./", "--rhs=-x")),
+                (("info", mesh, "\x1b[2J\n"), ("'\\x1b[2J\\n'",))):
+            self.assertSays(self.fail_with(1, *arguments), *words)
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_whole_numbers_are_decimal(self):
@@ -53,8 +45,8 @@ class Messages(TestCase):
             answer = self.ask("generate", "grid", "--nx", text, "--ny", "01", "-o", "a.nsc")
             self.assertEqual(answer["points"], (squares + 1) * 2)
         for text in ("0x10", "0b1", "+-3", "1_0", "1'0"):
-            self.assertEqual(self.fail_with(1, "generate", "grid", "--nx", text, "-o", "a.nsc"),
-                             f"polydec: --nx: expected a whole number, not '{text}'{MORE}")
+            self.assertSays(self.fail_with(1, "generate", "grid", "--nx", text, "-o", "a.nsc"),
+                            "polydec: --nx: ", "whole number", f"'{text}'")
         self.ask("generate", "clusters", "--seed", "010", "-o", "a.nsc")
         self.ask("generate", "clusters", "--seed", "10", "-o", "b.nsc")
         self.assertEqual(self.read("a.nsc"), self.read("b.nsc"))
@@ -68,32 +60,27 @@ class Messages(TestCase):
         for arguments in (("info",), ("merge", "-o", "a.off"), ("operators", "--out", "out"),
                           ("poisson", "--side", "primal", "--rhs", "1"), ("distance", "--from", "0"),
                           ("spectrum", "--side", "primal", "--degree", "0")):
-            self.assertEqual(self.fail_with(2, arguments[0], "flat.off", *arguments[1:]),
-                             "polydec: flat.off: no cells of positive volume are left\n"
-                             "left out 1 cell without area: 0 (0 1 2)")
+            self.assertSays(self.fail_with(2, arguments[0], "flat.off", *arguments[1:]),
+                            "polydec: flat.off: ", "no cells", "\n", "1 cell", "area", "0 (0 1 2)")
 
     def test_names_are_printable(self):
         name = "a\x1b[31m\nb\u202ec.off"
         self.write(name, FLAT)
-        self.assertEqual(self.fail_with(2, "info", name),
-                         "polydec: a\\x1b[31m\\nb\\u202ec.off: no cells of positive volume are "
-                         "left\nleft out 1 cell without area: 0 (0 1 2)")
-        self.assertEqual(self.fail_with(4, "info", "no\n.off"),
-                         "polydec: cannot read no\\n.off: No such file or directory")
+        message = self.fail_with(2, "info", name)
+        self.assertTrue(message.startswith("polydec: a\\x1b[31m\\nb\\u202ec.off: "), message)
+        self.assertTrue(all(line.isprintable() for line in message.split("\n")), message)
+        self.assertSays(self.fail_with(4, "info", "no\n.off"), "read", "no\\n.off: ",
+                        "No such file")
         self.write("é.off", FLAT)
-        self.assertTrue(self.fail_with(2, "info", "é.off").startswith("polydec: é.off: no cells"))
+        self.assertTrue(self.fail_with(2, "info", "é.off").startswith("polydec: é.off: "))
 
     def test_bytes_that_are_no_text_are_told_as_such(self):
         name = os.path.join(os.fsencode(self.folder), b"\xff\xfe.off")
         with open(name, "wb") as file:
             file.write(FLAT.replace("2 0 0", "0 1 0").encode())
-        done = command.subprocess.run([command.COMMAND, "merge", name, "-o", b"\xff.obj", "--json"],
-                                      cwd=self.folder, capture_output=True, check=True)
-        self.assertEqual(command.parse(done.stdout.decode())["out"], "\\xff.obj")
-        done = command.subprocess.run([command.COMMAND, "info", b"\xff.off"], cwd=self.folder,
-                                      capture_output=True, check=False)
-        self.assertEqual(done.stderr.decode(),
-                         "polydec: cannot read \\xff.off: No such file or directory\n")
+        self.assertEqual(self.ask("merge", name, "-o", b"\xff.obj")["out"], "\\xff.obj")
+        self.assertSays(self.fail_with(4, "info", b"\xff.off"), "read", "\\xff.off: ",
+                        "No such file")
 
     def test_messages_end_after_a_few_hundred_characters(self):
         long = "x" * 100000
@@ -109,8 +96,8 @@ class Messages(TestCase):
 
     def test_the_end_of_a_long_name_is_told(self):
         message = self.fail_with(4, "info", "folder/" * 60 + "mesh.off")
-        self.assertTrue(message.startswith("polydec: cannot read ..."), message)
-        self.assertTrue(message.endswith("/mesh.off: No such file or directory"), message)
+        self.assertSays(message, "polydec: ", "read", "...", "/mesh.off: ", "No such file")
+        self.assertLess(len(message), 800)
 
     def test_names_in_answers_are_printable_as_text_and_whole_in_json(self):
         name = "a\x1b[31m\nb"

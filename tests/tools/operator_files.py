@@ -186,9 +186,8 @@ class OperatorFiles(TestCase):
         self.load("fcc1.nsc")
         present = {file for file in os.listdir(self.out) if file.startswith("laplacian")}
         self.assertEqual(present, {"laplacian_primal_0.mtx", "laplacian_dual_3.mtx"})
-        pattern = (r"polydec: warning: laplacian_primal_(\d).mtx and laplacian_dual_(\d).mtx are "
-                   r"not written: the inverse star of degree \d divides by zero: the duals of \d+ "
-                   r"\d-cells have no volume \(cells \d+, .*\)")
+        pattern = (r"polydec: warning: laplacian_primal_(\d).mtx \w+ laplacian_dual_(\d).mtx .*"
+                   r"star of degree \d .*zero.* \d+ \d-cells .*volume \(cells \d+, .*\)")
         warnings = [re.fullmatch(pattern, line) for line in self.outcome.err.splitlines()]
         self.assertTrue(all(warnings), self.outcome.err)
         self.assertEqual([found.groups() for found in warnings],

@@ -7,8 +7,6 @@ import pty
 import shutil
 import signal
 import stat
-import subprocess
-import time
 
 import command
 from command import TestCase, golden
@@ -27,19 +25,19 @@ class Files(TestCase):
     def arguments(self, name, mesh, out):
         return (name, mesh, *WRITERS[name][0], "-o", out)
 
-    def refuse(self, code, message, *arguments):
+    def refuse(self, code, out, words, *arguments):
+        """The output cannot be written, by the words of the message, and nothing is."""
         before = sorted(os.listdir(self.folder))
-        self.assertEqual(self.fail_with(code, *arguments), f"polydec: {message}")
+        self.assertSays(self.fail_with(code, *arguments), "polydec: ", "write", f"{out}: ", *words)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
 
     def test_an_unknown_format_is_refused_before_the_mesh_is_read(self):
         for out in ("a.txt", "a", "a.vtu.gz", "vtu"):
             for name, (_, known) in WRITERS.items():
-                self.refuse(2, f"cannot write {out}: the extension '{os.path.splitext(out)[1]}' "
-                            f"stands for no format that can be written here; use {known}",
+                self.refuse(2, out, ("extension", f"'{os.path.splitext(out)[1]}'", known),
                             *self.arguments(name, "no-such.off", out))
-        self.refuse(2, "cannot write a.vtu: the extension '.vtu' stands for no format that can be "
-                    "written here; use .off .obj .ply .stl .mesh .nsc .pdm .html",
+        self.refuse(2, "a.vtu",
+                    ("extension", "'.vtu'", ".off .obj .ply .stl .mesh .nsc .pdm .html"),
                     "generate", "grid", "-o", "a.vtu")
 
     def test_the_case_of_extensions_does_not_matter(self):
@@ -62,53 +60,48 @@ class Files(TestCase):
         os.link(self.path("mesh.off"), self.path("hard.vtu"))
         text = self.read("mesh.off")
         for out in ("mesh.off", "./mesh.off", "link.off", self.path("mesh.off"), "hard.vtu"):
-            self.refuse(2, f"cannot write {out}: it is the input mesh.off, which would be lost; name "
-                        "another file", "merge", "mesh.off", "-o", out)
+            self.refuse(2, out, ("input", "mesh.off"), "merge", "mesh.off", "-o", out)
         for name in WRITERS:
-            self.refuse(2, "cannot write hard.vtu: it is the input mesh.off, which would be lost; "
-                        "name another file", *self.arguments(name, "mesh.off", "hard.vtu"))
+            self.refuse(2, "hard.vtu", ("input", "mesh.off"),
+                        *self.arguments(name, "mesh.off", "hard.vtu"))
         self.write("f.vtu", "1 " * 58)
-        self.refuse(2, "cannot write f.vtu: it is the input ./f.vtu, which would be lost; name "
-                    "another file", "poisson", "mesh.off", "--side", "primal", "--rhs", "./f.vtu",
-                    "-o", "f.vtu")
+        self.refuse(2, "f.vtu", ("input", "./f.vtu"), "poisson", "mesh.off", "--side", "primal",
+                    "--rhs", "./f.vtu", "-o", "f.vtu")
         self.assertEqual(self.read("mesh.off"), text)
 
     def test_the_folder_must_be_there(self):
         for name in WRITERS:
-            self.refuse(4, "cannot write no/a.vtu: No such file or directory; make the folder no "
-                        "first", *self.arguments(name, "no-such.off", "no/a.vtu"))
+            self.refuse(4, "no/a.vtu", ("No such file", "folder no"),
+                        *self.arguments(name, "no-such.off", "no/a.vtu"))
         self.write("file", "")
-        self.refuse(4, "cannot write file/a.off: file is no folder", "merge", "no-such.off", "-o",
-                    "file/a.off")
+        self.refuse(4, "file/a.off", ("file", "folder"), "merge", "no-such.off", "-o", "file/a.off")
 
     def test_a_folder_or_pipe_is_no_output(self):
         os.mkdir(self.path("taken.vtu"))
         os.mkfifo(self.path("pipe.vtu"))
         for name in WRITERS:
             for out in ("taken.vtu", "pipe.vtu"):
-                self.refuse(4, f"cannot write {out}: it is a folder, pipe or device; name a regular "
-                            "file", *self.arguments(name, "no-such.off", out))
+                self.refuse(4, out, ("folder", "pipe"), *self.arguments(name, "no-such.off", out))
 
     def test_a_read_only_file_stays(self):
         for name in WRITERS:
             self.write("old.vtu", "precious")
             os.chmod(self.path("old.vtu"), stat.S_IRUSR)
-            self.refuse(4, "cannot write old.vtu: it is read-only; name another file, or make it "
-                        "writable", *self.arguments(name, "no-such.off", "old.vtu"))
+            self.refuse(4, "old.vtu", ("read-only",),
+                        *self.arguments(name, "no-such.off", "old.vtu"))
             self.assertEqual(self.read("old.vtu"), "precious")
 
     def test_a_read_only_folder_takes_nothing(self):
         os.mkdir(self.path("closed"))
         os.chmod(self.path("closed"), stat.S_IRUSR | stat.S_IXUSR)
         for name in WRITERS:
-            message = self.fail_with(4, *self.arguments(name, "no-such.off", "closed/a.vtu"))
-            self.assertEqual(message, "polydec: cannot write closed/a.vtu: the folder closed is not "
-                             "writable")
+            self.refuse(4, "closed/a.vtu", ("folder closed", "writable"),
+                        *self.arguments(name, "no-such.off", "closed/a.vtu"))
 
     def test_an_empty_name_is_no_name(self):
         for name in WRITERS:
-            self.assertIn("--out: expected a value, not an empty text",
-                          self.fail_with(1, *self.arguments(name, golden("uv8.off"), "")))
+            self.assertSays(self.fail_with(1, *self.arguments(name, golden("uv8.off"), "")),
+                            "--out: ", "empty")
 
 
 class Folders(TestCase):
@@ -149,15 +142,13 @@ class Folders(TestCase):
         self.write_operators()
         for name in ("notes.txt", "star_9.mtx.orig", "star_9.mtx", "cells_7.txt", "d_0.csv"):
             self.write(f"out/{name}", "mine")
-            self.assertEqual(
-                self.fail_with(2, "operators", "no-such.off", "--out", "out"),
-                f"polydec: cannot write out: it holds '{name}', which is no part of an earlier "
-                "result, and would be lost; name another folder, or remove that one")
+            self.assertSays(self.fail_with(2, "operators", "no-such.off", "--out", "out"), "write",
+                            "out: ", f"'{name}'", "earlier result")
             os.remove(self.path(f"out/{name}"))
         os.remove(self.path("out/manifest.json"))
         before = set(os.listdir(self.path("out")))
-        self.assertIn("no part of an earlier result",
-                      self.fail_with(2, "operators", "no-such.off", "--out", "out"))
+        self.assertSays(self.fail_with(2, "operators", "no-such.off", "--out", "out"), "write",
+                        "out: ", "earlier result")
         self.assertEqual(set(os.listdir(self.path("out"))), before)
 
     def test_a_foreign_manifest_makes_nothing_ours(self):
@@ -168,8 +159,8 @@ class Folders(TestCase):
             os.makedirs(self.path("out"), exist_ok=True)
             self.write("out/manifest.json", manifest)
             self.write("out/star_0.mtx", "mine")
-            self.assertIn("no part of an earlier result",
-                          self.fail_with(2, "operators", "no-such.off", "--out", "out"))
+            self.assertSays(self.fail_with(2, "operators", "no-such.off", "--out", "out"), "write",
+                            "out: ", "earlier result")
 
     def test_the_manifest_tells_of_the_mesh_that_was_read(self):
         """Whatever is under its name later on."""
@@ -177,13 +168,12 @@ class Folders(TestCase):
         with open(self.path("mesh.nsc"), "rb") as file:
             content = file.read()
         self.write("other.nsc", "other")
-        with subprocess.Popen([command.COMMAND, "operators", "mesh.nsc", "--out", "out"],
-                              cwd=self.folder, stdout=subprocess.DEVNULL) as process:
-            while process.poll() is None and not any(
-                    name.endswith(".parts") for name in os.listdir(self.folder)):
-                time.sleep(0.001)
+        with self.start("operators", "mesh.nsc", "--out", "out") as process:
+            command.wait_until(lambda: process.poll() is not None or any(
+                name.endswith(".parts") for name in os.listdir(self.folder)),
+                "the folder that is written to", pause=0.001)
             os.replace(self.path("other.nsc"), self.path("mesh.nsc"))
-        self.assertEqual(process.returncode, 0)
+            self.assertEqual(process.finish().code, 0)
         told = json.loads(self.read("out/manifest.json"))["mesh"]
         self.assertEqual(told, [{"file": "mesh.nsc", "bytes": len(content),
                                  "sha256": hashlib.sha256(content).hexdigest()}])
@@ -194,22 +184,19 @@ class Folders(TestCase):
         with open(self.path("other.nsc"), "a", encoding="ascii") as file:
             file.write("\n")
         terminal, end = pty.openpty()  # on which the command tells what it does
-        with subprocess.Popen([command.COMMAND, "operators", "mesh.nsc", "--out", "out"],
-                              cwd=self.folder, stdout=subprocess.DEVNULL, stderr=end) as process:
+        with self.start("operators", "mesh.nsc", "--out", "out", stderr=end) as process:
             os.close(end)
-            told = os.read(terminal, 1000)  # the first stage begins
+            deadline = command.Deadline("the first stage begins")
+            told = command.read_piece(terminal, 1000, deadline)
             process.send_signal(signal.SIGSTOP)
             os.replace(self.path("other.nsc"), self.path("mesh.nsc"))
             process.send_signal(signal.SIGCONT)
-            try:
-                while piece := os.read(terminal, 1000):
-                    told += piece
-            except OSError:  # the other end is closed
-                pass
+            told += command.read_all(terminal, "the end of what is told")
+            code = process.finish().code
         os.close(terminal)
-        self.assertEqual(process.returncode, 4, told)
-        self.assertIn(b"polydec: mesh.nsc changed while it was read: try again when it is whole",
-                      told)
+        self.assertEqual(code, 4, told)
+        self.assertIn(b"polydec: mesh.nsc ", told)
+        self.assertSays(told.decode(), "mesh.nsc", "changed", "read")
         self.assertEqual(sorted(os.listdir(self.folder)), ["mesh.nsc"])
 
     def test_an_empty_folder_and_folders_on_the_way_are_fine(self):
@@ -219,9 +206,8 @@ class Folders(TestCase):
             self.assertTrue(os.path.exists(self.path(f"{out}/manifest.json")))
 
     def test_the_folder_that_one_is_in_stays(self):
-        self.assertEqual(self.fail_with(2, "operators", golden("grid4.nsc"), "--out", "."),
-                         "polydec: cannot write .: it is the folder you are in, and would be "
-                         "replaced as a whole; name another one")
+        self.assertSays(self.fail_with(2, "operators", golden("grid4.nsc"), "--out", "."), "write",
+                        " .: ", "folder", "in")
 
     def test_a_link_to_a_folder_stays_a_link(self):
         os.mkdir(self.path("real"))
@@ -236,9 +222,8 @@ class Folders(TestCase):
         self.succeed("generate", "grid", "--nx", "60", "--ny", "60", "-o", "big.nsc")
         # files may not grow beyond this size: the same as a full disk
         limit = f"ulimit -f 64; exec {command.COMMAND} operators big.nsc --out out"
-        done = command.subprocess.run(["sh", "-c", f"trap '' XFSZ; {limit}"], cwd=self.folder,
-                                      capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, 4, done.stderr)
+        done = command.run_program(["sh", "-c", f"trap '' XFSZ; {limit}"], cwd=self.folder)
+        self.assertEqual(done.code, 4, done.err)
         self.assertEqual(sorted(os.listdir(self.folder)), ["big.nsc", "out"])
         self.assertEqual({name: self.read(f"out/{name}") for name in os.listdir(self.path("out"))},
                          before)
@@ -246,12 +231,9 @@ class Folders(TestCase):
     def test_a_file_is_no_folder(self):
         self.write("file", "")
         for name, arguments in (("operators", (golden("grid4.nsc"),)), ("reproduce", ("fig6",))):
-            self.assertEqual(self.fail_with(4, name, *arguments, "--out", "file"),
-                             "polydec: cannot make the folder file: the file "
-                             f"{os.path.realpath(self.path('file'))} is in the way")
-            self.assertEqual(self.fail_with(4, name, *arguments, "--out", "file/a/b"),
-                             "polydec: cannot make the folder file/a/b: the file "
-                             f"{os.path.realpath(self.path('file'))} is in the way")
+            for out in ("file", "file/a/b"):
+                self.assertSays(self.fail_with(4, name, *arguments, "--out", out), "make",
+                                f"folder {out}: ", f"file {os.path.realpath(self.path('file'))}")
 
     def test_the_folder_around_one_that_is_replaced_must_be_writable(self):
         os.makedirs(self.path("closed/out"))
@@ -259,8 +241,8 @@ class Folders(TestCase):
         closed = os.path.realpath(self.path("closed"))
         self.addCleanup(os.chmod, closed, stat.S_IRWXU)
         for out in ("closed/out", "closed/out/"):
-            self.assertEqual(self.fail_with(4, "operators", "no-such.off", "--out", out),
-                             f"polydec: cannot write {out}: the folder {closed} is not writable")
+            self.assertSays(self.fail_with(4, "operators", "no-such.off", "--out", out), "write",
+                            f"{out}: ", f"folder {closed}", "writable")
         # what is only added to needs no more than itself
         self.succeed("reproduce", "fig6", "--levels", "1", "--out", "closed/out")
 

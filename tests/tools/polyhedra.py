@@ -8,9 +8,10 @@ import json
 import math
 import os
 import struct
-import subprocess
 import sys
 import xml.etree.ElementTree
+
+import command
 
 NUMBERS = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "UInt8": "B"}
 POLYHEDRON = 42
@@ -111,22 +112,20 @@ def read_alone(path):
     return Grid(points, cells)
 
 
-def find_meshio():
-    """A Python that has meshio, or None."""
+def find_python(module):
+    """A Python that has the module, or None."""
     for interpreter in (sys.executable, "/usr/bin/python3"):
-        if os.path.exists(interpreter) and subprocess.run(
-                [interpreter, "-c", "import meshio"], capture_output=True,
-                check=False).returncode == 0:
+        if os.path.exists(interpreter) and command.run_program(
+                [interpreter, "-c", f"import {module}"]).code == 0:
             return interpreter
     return None
 
 
 def read_with_meshio(path):
     """meshio gathers polyhedra by their number of points. Throws Broken."""
-    done = subprocess.run([INTERPRETER, "-c", MESHIO, path], capture_output=True, text=True,
-                          check=False)
-    require(done.returncode == 0, done.stderr)
-    points, blocks = json.loads(done.stdout)
+    done = command.run_program([INTERPRETER, "-c", MESHIO, path])
+    require(done.code == 0, done.err)
+    points, blocks = json.loads(done.out)
     for kind, cells in blocks:
         for faces in cells:
             size = len(set(itertools.chain(*faces)))
@@ -137,7 +136,7 @@ def read_with_meshio(path):
         cell_of(number[kind], *c) if kind in number else c for kind, cells in blocks for c in cells])
 
 
-INTERPRETER = find_meshio()
+INTERPRETER = find_python("meshio")
 READERS = [read_alone] + [read_with_meshio] * (INTERPRETER is not None)
 
 

@@ -13,9 +13,7 @@ import command
 from command import TestCase
 
 NEEDLE = "OFF\n4 2 0\n0 0 0\n4 0 0\n3 1 0\n1 1 0\n3 0 1 2\n3 0 2 3\n"
-FULL = "polydec: standard output is not writable: No space left on device\n"
-CLOSED = "polydec: standard output is not writable: Bad file descriptor\n"
-BROKEN = "polydec: standard output is not writable: Broken pipe\n"
+FULL, CLOSED, BROKEN = "No space left on device", "Bad file descriptor", "Broken pipe"
 ENDING = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM, signal.SIGQUIT, signal.SIGXCPU,
           signal.SIGXFSZ)
 POISSON = ("poisson", "needle.off", "--side", "primal", "--rhs", "1", "-o", "u.vtu")
@@ -29,14 +27,20 @@ class Streams(TestCase):
         self.file = self.read("u.vtu")
         os.remove(self.path("u.vtu"))
 
-    def start(self, *arguments, closed=(), **streams):
+    def call(self, *arguments, closed=(), **streams):
         def close():
             for number in closed:
                 os.close(number)
-        return subprocess.run([command.COMMAND, *arguments], cwd=self.folder, timeout=100,
-                              check=False, preexec_fn=close,
-                              **{"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE,
-                                 "stderr": subprocess.PIPE, **streams})
+        return command.run(*arguments, folder=self.folder, preexec_fn=close, **streams)
+
+    def check_told(self, done, reason, before=""):
+        """It ended with code 4, and the last line says why."""
+        self.assertEqual(done.code, 4)
+        self.assertTrue(done.err.startswith(before), done.err)
+        line = done.err.removeprefix(before)
+        self.assertEqual(len(line.splitlines()), 1, line)
+        self.assertTrue(line.startswith("polydec: "), line)
+        self.assertSays(line, "standard output", f": {reason}\n")
 
     def check_file(self):
         self.assertEqual(self.read("u.vtu"), self.file)
@@ -45,51 +49,48 @@ class Streams(TestCase):
 
     def test_a_full_output_is_told_and_files_are_whole(self):
         with open("/dev/full", "w", encoding="ascii") as full:
-            done = self.start(*POISSON, stdout=full)
-            self.assertEqual((done.returncode, done.stderr.decode()), (4, self.whole.err + FULL))
+            self.check_told(self.call(*POISSON, stdout=full), FULL, self.whole.err)
             self.check_file()
             for arguments in (("info", "needle.off"), ("info", "needle.off", "--json"),
                               ("--help",), ("info", "--help"), ("--version",), ("backends",)):
-                done = self.start(*arguments, stdout=full)
-                self.assertEqual((done.returncode, done.stderr.decode()[-len(FULL):]), (4, FULL))
+                done = self.call(*arguments, stdout=full)
+                warnings = "".join(line for line in done.err.splitlines(True)
+                                   if line.startswith("polydec: warning: "))
+                self.check_told(done, FULL, warnings)
 
     def test_a_closed_output_is_told_and_no_file_gets_what_is_printed(self):
-        done = self.start(*POISSON, closed=(1,))
-        self.assertEqual((done.returncode, done.stderr.decode()), (4, self.whole.err + CLOSED))
+        self.check_told(self.call(*POISSON, closed=(1,)), CLOSED, self.whole.err)
         self.check_file()
 
     def test_a_broken_pipe_is_told(self):
         reader, writer = os.pipe()
         os.close(reader)
         with os.fdopen(writer, "w", encoding="ascii") as pipe:
-            done = self.start(*POISSON, stdout=pipe)
-        self.assertEqual((done.returncode, done.stderr.decode()), (4, self.whole.err + BROKEN))
+            self.check_told(self.call(*POISSON, stdout=pipe), BROKEN, self.whole.err)
         self.check_file()
 
     def test_a_full_or_closed_error_stream_costs_nothing(self):
         with open("/dev/full", "w", encoding="ascii") as full:
             for options in ({"stderr": full}, {"closed": (2,)}, {"closed": (0,)},
                             {"closed": (0, 2)}):
-                done = self.start(*POISSON, **options)
-                self.assertEqual((done.returncode, done.stdout.decode()), (0, self.whole.out))
+                done = self.call(*POISSON, **options)
+                self.assertEqual((done.code, done.out), (0, self.whole.out))
                 self.check_file()
-            self.assertEqual(self.start("info", "no.off", stderr=full).returncode, 4)
-            self.assertEqual(self.start("info", stderr=full).returncode, 1)
+            self.assertEqual(self.call("info", "no.off", stderr=full).code, 4)
+            self.assertEqual(self.call("info", stderr=full).code, 1)
 
     def test_all_closed_is_an_error_without_a_word(self):
-        self.assertEqual(self.start(*POISSON, closed=(0, 1, 2)).returncode, 4)
+        self.assertEqual(self.call(*POISSON, closed=(0, 1, 2)).code, 4)
         self.check_file()
 
     def test_an_output_that_does_not_wait_is_waited_for(self):
         reader, writer = os.pipe()
         os.set_blocking(writer, False)
-        with subprocess.Popen([command.COMMAND, "poisson", "--help"], stdout=writer) as process:
+        with self.start("poisson", "--help", stdout=writer) as process:
             os.close(writer)
             time.sleep(0.3)
-            text = b""
-            while piece := os.read(reader, 64):
-                text += piece
-            self.assertEqual(process.wait(timeout=20), 0)
+            text = command.read_all(reader, "all of the help", 64)
+            self.assertEqual(process.finish().code, 0)
         os.close(reader)
         self.assertEqual(text.decode(), self.succeed("poisson", "--help").out)
 
@@ -106,17 +107,12 @@ class Signals(TestCase):
 
     def begin(self, volume, before=None):
         environment = {**os.environ, "TMPDIR": self.path("temporary")}
-        return subprocess.Popen([command.COMMAND, "generate", "--mesher", "tetgen", "cube.off",
-                                 "--volume", volume, "-o", "out.mesh"], cwd=self.folder,
-                                env=environment, stdout=subprocess.DEVNULL, preexec_fn=before,
-                                stderr=subprocess.DEVNULL)
+        return self.start("generate", "--mesher", "tetgen", "cube.off", "--volume", volume, "-o",
+                          "out.mesh", env=environment, preexec_fn=before, stderr=subprocess.DEVNULL)
 
     def wait_for_work(self):
-        for _ in range(40000):
-            if os.listdir(self.path("temporary")):
-                return
-            time.sleep(0.00025)
-        self.fail("it does not begin")
+        command.wait_until(lambda: os.listdir(self.path("temporary")), "the folder of the mesher",
+                           pause=0.00025)
 
     def check_nothing_left(self):
         self.assertEqual(os.listdir(self.path("temporary")), [])
@@ -128,7 +124,7 @@ class Signals(TestCase):
             with self.begin("1e-9") as process:
                 self.wait_for_work()
                 process.send_signal(number)
-                self.assertEqual(process.wait(timeout=20), -number)
+                self.assertEqual(process.finish(20).code, -number)
             self.check_nothing_left()
 
     def test_one_that_was_ignored_stays_ignored(self):
@@ -137,17 +133,16 @@ class Signals(TestCase):
             with self.begin("1e-4", lambda: signal.signal(number, signal.SIG_IGN)) as process:
                 self.wait_for_work()
                 process.send_signal(number)
-                self.assertEqual(process.wait(timeout=60), 0)
+                self.assertEqual(process.finish().code, 0)
             self.assertNotEqual(self.read("out.mesh"), "old")
 
     def test_a_limit_of_file_sizes_ends_it_by_its_signal(self):
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-        done = subprocess.run([command.COMMAND, "generate", "icosphere", "--frequency", "30", "-o",
-                               "out.mesh"], cwd=self.folder, preexec_fn=limit, check=False,
-                              capture_output=True, timeout=60)
-        self.assertEqual(done.returncode, -signal.SIGXFSZ)
+        done = command.run("generate", "icosphere", "--frequency", 30, "-o", "out.mesh",
+                           folder=self.folder, preexec_fn=limit)
+        self.assertEqual(done.code, -signal.SIGXFSZ)
         self.check_nothing_left()
 
 

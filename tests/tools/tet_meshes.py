@@ -33,19 +33,15 @@ NOT_DELAUNAY = {
 # Meshes with duals of no length at all: unmerged, their dual Poisson problem has no meaning.
 COSPHERICAL = {"beam-tet.vtk", "hand.mesh", "test_mesh_3d.msh"}
 
-ADVICE = ("\nspectra and decompositions need a positive mass: take dual 0-forms, whose mass are "
-          "the volumes of the cells, or stars that are positive on every mesh (--star automatic)")
+# What is said of each, by its places, numbers and a few words.
 FILE = r"polydec: [^:]+: "
-MASS = re.compile(FILE + r"the mass of (primal|dual) (\d)-forms is not positive: the duals of "
-                  r"(\d+) of (\d+) (\d)-cells have (negative|zero) volume \(cells? \d[^)]*\)"
-                  + re.escape(ADVICE))
-NO_INVERSE = re.compile(FILE + r"the inverse star of degree (\d) divides by zero: the duals? of "
-                        r"(\d+) \1-cells? ha(?:ve|s) no volume \(cells? \d[^)]*\)(\n.+)?")
-NO_FLUX = re.compile(FILE + r"the dual of facet \d+ \(vertices \d+(, \d+)+\) has no length, so "
-                     r"the flux through it is not defined: let cospherical cells be merged")
-SPURIOUS = re.compile(r"polydec: warning: (\d+) of the eigenvalues (?:are|is) negative and spurious"
-                      r": (\d+) cells? next to these forms (?:have|has) a negative dual \(the mesh is not "
-                      r"Delaunay there\)\n")
+MASS = re.compile(FILE + r".*\bmass of (primal|dual) (\d)-forms .*\b(\d+) of (\d+) (\d)-cells "
+                  r".*\b(negative|zero) volume \(cells? \d[^)]*\).*\n.*--star automatic.*")
+NO_INVERSE = re.compile(FILE + r".*\bstar of degree (\d) .*\bzero\b.* (\d+) \1-cells? .*\bvolume "
+                        r"\(cells? \d[^)]*\)(\n.+)?")
+NO_FLUX = re.compile(FILE + r".*\bfacet \d+ \(vertices \d+(, \d+)+\) .*\blength\b.*\bflux\b.*")
+SPURIOUS = re.compile(r"polydec: warning: (\d+) .*\beigenvalues .*\bspurious\b\D* (\d+) cells? .*"
+                      r"\bnegative dual\b.*\n")
 
 
 class Tetrahedra(TestCase):
@@ -82,8 +78,7 @@ class Tetrahedra(TestCase):
             self.assertEqual(self.ask("info", "a.vtu", seconds=SECONDS)["cells"], cells)
         elif n == 3:
             self.assertRegex(self.fail_with(2, "info", "a.vtu"),
-                             r"^polydec: a\.vtu:\d+: cell 0 is a (polyhedron|hexahedron) .*; "
-                             r"expected .*; (read the mesh it was made from, or )?split it")
+                             r"^polydec: a\.vtu:\d+: cell 0 .*(polyhedron|hexahedron)\b.*expected")
 
     def check_sums(self, mesh, info, *more):
         self.succeed("operators", mesh, "--out", "operators", *more, seconds=SECONDS)
@@ -325,26 +320,28 @@ class Orientation(Tetrahedra):
         for name in ("a.nsc", "a.mesh", "a.msh", "a.vtk", "a.node", "a.ele"):
             with self.subTest(name):
                 found = self.answers(name)
-                self.assertEqual(found[0].pop("warnings"), warnings)
+                told = found[0].pop("warnings")
+                self.assertEqual(len(told), len(warnings), told)
+                for text, words in zip(told, warnings):
+                    self.assertSays(text, *words)
                 self.assertEqual(differences(found[1:], wanted[1:]), [])
                 self.assertEqual(differences({**found[0], "warnings": []}, wanted[0]), [])
 
     def test_some_cells_turned(self):
         cells = [[c[1], c[0], *c[2:]] if i % 5 == 0 else c for i, c in enumerate(self.cells)]
-        self.check(cells, ["10 of 48 cells were turned to be oriented like their neighbors"])
+        self.check(cells, [(10, 48, "cells", "oriented")])
 
     def test_all_cells_turned(self):
         self.check([[c[1], c[0], *c[2:]] for c in self.cells], [])
 
     def test_a_flat_cell_that_is_too_much_is_left_out(self):
-        self.check(self.cells + [[0, 1, 2, 3]], ["left out 1 cell without volume: 48 (0 1 2 3)"])
+        self.check(self.cells + [[0, 1, 2, 3]], [("1 cell", "volume", "48 (0 1 2 3)")])
 
     def test_cells_twice_or_with_a_repeated_corner_are_left_out(self):
         a, b, c, _ = self.cells[7]
         self.check(self.cells + [self.cells[7][::-1], [a, b, c, c]],
-                   [f"left out 1 cell with a repeated corner: 49 ({a} {b} {c} {c})",
-                    "left out 1 cell on the vertices of an earlier one: 48 ("
-                    + " ".join(map(str, self.cells[7][::-1])) + ")"])
+                   [("1 cell", "repeated", f"49 ({a} {b} {c} {c})"),
+                    ("1 cell", "vertices", f"48 ({' '.join(map(str, self.cells[7][::-1]))})")])
 
 
 class Twins(unittest.TestCase):

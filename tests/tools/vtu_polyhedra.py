@@ -246,9 +246,8 @@ class Others(TestCase):
             self.assertEqual(sorted(line for line, in grid.cells), [[i, i + 1] for i in range(5)])
 
     def test_cells_of_four_dimensions_are_refused(self):
-        self.assertIn("no format holds merged cells of dimension 4; the subcommand operators "
-                      "writes them as matrices",
-                      self.fail_with(2, "merge", golden("kuhn4.nsc"), "-o", "a.vtu"))
+        self.assertSays(self.fail_with(2, "merge", golden("kuhn4.nsc"), "-o", "a.vtu"),
+                        "dimension 4", "operators")
         self.assertEqual(os.listdir(self.folder), [])
 
 

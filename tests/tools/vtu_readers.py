@@ -4,13 +4,11 @@ this Python or Debian's has them. All read the same, and it is what the command 
 import json
 import os
 import struct
-import subprocess
-import sys
 import xml.etree.ElementTree
 
 import command
 from command import TestCase, golden
-from polyhedra import Broken, array_of, require
+from polyhedra import Broken, array_of, find_python, require
 
 MESHIO = """
 import json, sys, meshio
@@ -61,24 +59,13 @@ def read_alone(path):
     return found
 
 
-def find_python(module):
-    """A Python that has the module, or None."""
-    for interpreter in (sys.executable, "/usr/bin/python3"):
-        if os.path.exists(interpreter) and subprocess.run(
-                [interpreter, "-c", f"import {module}"], capture_output=True,
-                check=False).returncode == 0:
-            return interpreter
-    return None
-
-
 READERS = {name: interpreter for name in OTHERS if (interpreter := find_python(name))}
 
 
 def read_with(name, path):
-    done = subprocess.run([READERS[name], "-c", OTHERS[name], path], capture_output=True, text=True,
-                          check=False)
-    require(done.returncode == 0, done.stderr)
-    return json.loads(done.stdout)
+    done = command.run_program([READERS[name], "-c", OTHERS[name], path])
+    require(done.code == 0, done.err)
+    return json.loads(done.out)
 
 
 def as_float(number):
@@ -165,10 +152,9 @@ class Numbers(TestCase):
     def test_where_floats_are_not_written_they_are_not_asked_for(self):
         for out in ("a.html", "a.off"):
             message = self.fail_with(2, "merge", golden("grid4.nsc"), "-o", out, "--float32")
-            self.assertEqual(message, f"polydec: cannot write {out}: --float32 is about .vtu "
-                                      "files; leave it out")
-        self.assertRegex(self.fail_with(1, "distance", golden("uv8.off"), "--from", 0, "--float32"),
-                         "--float32 requires --out")
+            self.assertSays(message, "polydec: ", "write", f"{out}: ", "--float32", ".vtu")
+        self.assertSays(self.fail_with(1, "distance", golden("uv8.off"), "--from", 0, "--float32"),
+                        "--float32", "--out")
 
 
 class Twins(TestCase):

@@ -41,7 +41,8 @@ class Waves(TestCase):
         conducting = self.ask(*line, "--absorb", 0.25, "--layer", "conducting")
         self.assertEqual(conducting["layer"], "conducting")
         self.assertLess(conducting["relative_energy"], 1e-2)
-        self.assertIn("expected one above 0 and below", self.fail_with(2, *line, "--absorb", 2))
+        self.assertSays(self.fail_with(2, *line, "--absorb", 2), "layer", 2, "expected",
+                        "above 0", "below 1")
 
     def test_conductors_and_materials(self):
         square = self.make("grid", "--nx", 16, "--ny", 16)
@@ -54,7 +55,8 @@ class Waves(TestCase):
             for material in ("--permittivity", "--permeability"):
                 dense = self.ask(*line, material, "4")
                 self.assertAlmostEqual(dense["stable_step"], 2 * empty["stable_step"], delta=1e-6)
-                self.assertIn("expected a positive number", self.fail_with(2, *line, material, "-1"))
+                self.assertSays(self.fail_with(2, *line, material, "-1"), material[2:], "-1",
+                                "expected", "positive")
             # what conducts and is dense as well loses a quarter as fast
             slow = self.ask(*line[:-4], "--until", 4, *line[-2:], "--conductivity", 3,
                             "--permittivity", 4)
@@ -78,7 +80,7 @@ class Waves(TestCase):
             self.assertAlmostEqual(dense["max"], end / 8, delta=0.02 * end)
         other = self.ask(*line, "--pulse", f"cos({2 * frequency!r}*t)")
         self.assertLess(other["max"], 0.2 * end)
-        self.assertIn("depends on the place", self.fail_with(2, *line, "--pulse", "x*t"))
+        self.assertSays(self.fail_with(2, *line, "--pulse", "x*t"), "--pulse: ", "'x*t'", "place")
 
     def test_light_in_space(self):
         box = self.path("box.mesh")
@@ -137,7 +139,7 @@ class Waves(TestCase):
         self.assertTrue(again["certificate"]["complete"])
         for wrong in ((*line, "--degree", 1), ("spectrum", golden("grid4.nsc"), *line[2:],
                                                "--degree", 0)):
-            self.assertIn("belongs to another", self.fail_with(2, *wrong, *kept))
+            self.assertSays(self.fail_with(2, *wrong, *kept), "a.checkpoint", "another")
         self.fail_with(1, *line, "--degree", 0, "--resume")
         self.fail_with(2, *line, "--degree", 0, "--checkpoint", "a.txt")
 

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+# What tests/, a project of its own, has to know of a build of polydec: its targets, and how it was
+# made. It includes both files from the build folder.
+set(polydec_build_targets polydec)
+foreach(name IN LISTS polydec_linked_components)
+    list(APPEND polydec_build_targets polydec_${name})
+endforeach()
+foreach(name IN ITEMS json plots paper tools command mpi_command)
+    if(TARGET polydec_${name})
+        list(APPEND polydec_build_targets polydec_${name})
+    endif()
+endforeach()
+set_target_properties(${polydec_build_targets} PROPERTIES EXPORT_NO_SYSTEM ON)
+export(TARGETS ${polydec_build_targets} NAMESPACE polydec::
+    FILE ${PROJECT_BINARY_DIR}/polydecBuildTargets.cmake)
+
+# Under the address sanitizer a program without it, such as Python or a test program, must be given
+# it before it starts, and C++'s library, whose exceptions it watches.
+set(polydec_preloaded)
+string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
+if("${CMAKE_CXX_FLAGS} ${${flags}}" MATCHES "-fsanitize=address")
+    foreach(name IN ITEMS libasan.so libstdc++.so.6)
+        execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=${name}
+            OUTPUT_VARIABLE path OUTPUT_STRIP_TRAILING_WHITESPACE)
+        list(APPEND polydec_preloaded ${path})
+    endforeach()
+    list(JOIN polydec_preloaded ":" polydec_preloaded)
+endif()
+
+# The public headers as CMake knows them, one a line.
+set(headers "$<TARGET_PROPERTY:polydec,HEADER_SET>")
+set(component_headers)
+foreach(name IN LISTS polydec_linked_components)
+    list(APPEND component_headers "$<TARGET_PROPERTY:polydec_${name},HEADER_SET>")
+endforeach()
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/public_headers.txt
+    CONTENT "$<JOIN:${headers};${component_headers},\n>\n")
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/component_headers.txt
+    CONTENT "$<JOIN:${component_headers},\n>\n")
+
+set(polydec_packages)
+foreach(name IN LISTS polydec_built_components)
+    list(APPEND polydec_packages ${${name}_package})
+endforeach()
+set(polydec_version ${PROJECT_VERSION})
+set(polydec_compiler ${CMAKE_CXX_COMPILER})
+set(polydec_build)
+foreach(name IN ITEMS version compiler packages preloaded module_folder built_components
+        linked_components python mpirun)
+    string(APPEND polydec_build "set(polydec_${name} \"${polydec_${name}}\")\n")
+endforeach()
+file(WRITE ${PROJECT_BINARY_DIR}/polydecBuild.cmake "${polydec_build}")

@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Plants one flaw at a time into a copy of a source file, and asks whether the tests see it.
+
+    scripts/mutate.py build/release build/tests [--only NAME ..] [--jobs N]
+
+The folders are a release build of polydec, with its library shared, and the build of the tests. Only
+the changed file is compiled (1 to 15 s). It is preloaded before a copy of the library that resolves
+calls to its own functions by name, so the flaw is seen within the library too. The checkout and both
+folders stay as they are. A mutant is `caught` where a test fails or crashes and `survived` where all
+pass. Exit code: 0 all were caught, 1 one survived, 2 one no longer applies.
+
+A flaw in a template or an inline function of a header cannot be preloaded, so none is listed here.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+# name: file, what stands there once, what is planted instead
+MUTANTS = {
+    # dec/
+    "dual_derivative_sign": ("dec/forms/derivative.cpp", "k % 2 == 0 ? -1 : 1", "k % 2 == 0 ? 1 : -1"),
+    "star_solve_multiplies": ("dec/forms/star.cpp", "return inverse().cwiseProduct(values);",
+                              "return diagonal().cwiseProduct(values);"),
+    "dual_volume_part": ("dec/metric/circumcentric_volumes.cpp", "is_top ? 1 : 1.0 / (n - k)",
+                         "is_top ? 1 : 1.0 / (n - k + 1)"),
+    "obtuse_duals_unsigned": ("dec/metric/circumcentric_volumes.cpp",
+                              "face.dual += *number * share.dual;",
+                              "face.dual += std::abs(*number) * share.dual;"),
+    "gram_last_term_only": ("dec/forms/gram.cpp", "            values_[last_] += value;",
+                            "            values_[last_] = value;"),
+    "wedge_share": ("dec/fields/wedge.cpp", "1.0 / (a.degree + b.degree + 1)",
+                    "1.0 / (a.degree + b.degree + 2)"),
+    "wedge_orientation": ("dec/fields/wedge.cpp",
+                          "orientation(complex, k, f) * orientation(complex, l, g)",
+                          "orientation(complex, k, f)"),
+    "dual_wedge_no_alternation": ("dec/fields/dual_wedge.cpp",
+                                  "(omitted % 2 == 0 ? value : -value)", "value"),
+    "dual_wedge_orientation": ("dec/fields/dual_wedge.cpp",
+                               "const Vector covector = chart.orientation * meet(",
+                               "const Vector covector = meet("),
+    "flat_sign": ("dec/fields/flat.cpp", "n % 2 == 0 ? 1 : -1", "n % 2 == 0 ? -1 : 1"),
+    "flat_mean_weight": ("dec/fields/flat.cpp", "1.0 / (k + 1)), field", "1.0 / (k + 2)), field"),
+    "flux_sharp_sign": ("dec/fields/sharp.cpp", "+= sign * form.values[f] * (facets.row(f)",
+                        "+= form.values[f] * (facets.row(f)"),
+    "de_rham_flag_sign": ("dec/fields/de_rham.cpp", "(i % 2 == 0 ? 1 : -1) * complex_.sign(i, s, omitted)",
+                          "complex_.sign(i, s, omitted)"),
+    "robin_one_for_all": ("dec/forms/boundary_conditions.cpp",
+                          "result[f] = given.size() == 1 ? given[0] : given[f];",
+                          "result[f] = given[0];"),
+    "exchanged_keeps_facets": ("dec/forms/boundary_conditions.cpp",
+                               "conditions.everywhere = other(conditions.everywhere);", ""),
+    # solvers/
+    "leapfrog_dual_sign": ("solvers/leapfrog.cpp", "on.E % 2 == 0 ? 1.0 : -1.0", "on.E % 2 == 0 ? -1.0 : 1.0"),
+    "leapfrog_loss_half": ("solvers/leapfrog.cpp", "(1 + time_step / 2 * loss.array())",
+                           "(1 + time_step * loss.array())"),
+    "leapfrog_limit": ("solvers/leapfrog.cpp", "return 2 / std::sqrt(largest.values[0]);",
+                       "return 2.1 / std::sqrt(largest.values[0]);"),
+    "hodge_star_star": ("solvers/hodge.cpp", "k_ * (n - k_) % 2 == 0 ? 1 : -1", "1"),
+    "hodge_harmonic_not_projected": ("solvers/hodge.cpp", "forms.col(i) = w - coexact->of(w).form;",
+                                     "forms.col(i) = w;"),
+    "poisson_robin_dropped": ("solvers/poisson.cpp",
+                              "stiffness.matrix.coeffRef(v, v) += of_vertices[v];", ""),
+    "poisson_mixed_outflow_sign": ("solvers/poisson.cpp", "outflow = -(flux_load_ * normal_derivatives)",
+                                   "outflow = flux_load_ * normal_derivatives"),
+    "poisson_flux_load_dropped": ("solvers/poisson.cpp",
+                                  "boundary_load_ * boundary_values + flux_load_ * normal_derivatives;",
+                                  "boundary_load_ * boundary_values;"),
+    "diffusion_explicit_sign": ("solvers/diffusion.cpp", "right_side -= explicit_part", "right_side += explicit_part"),
+    "diffusion_shift_of_robin": ("solvers/diffusion.cpp", "b += of.upper * shift + of.robin.cwiseProduct(shift);",
+                                 "b += of.upper * shift;"),
+    "shallow_water_energy_head": ("solvers/flow/shallow_water.cpp", ".cwiseQuotient(parts.areas) / 4 +",
+                                  ".cwiseQuotient(parts.areas) / 2 +"),
+    "shallow_water_runge_kutta": ("solvers/flow/shallow_water.cpp", "(a.flux + 2 * b.flux + 2 * c.flux + d.flux) / 6",
+                                  "(a.flux + 2 * b.flux + 2 * c.flux + d.flux) / 6.01"),
+    "advection_sign": ("solvers/flow/advection.cpp", "p % 2 == 0 ? 1 : -1", "1"),
+    "geodesic_gradient_half": ("solvers/surfaces/geodesic_distance.cpp",
+                               "gradient.dot(hats[i]) / (2 * gradient.norm())",
+                               "gradient.dot(hats[i]) / gradient.norm()"),
+    "inertia_hidden": ("solvers/spectra/inertia.cpp", "return *negative - matrices_.hidden;",
+                       "return *negative - matrices_.hidden + 1;"),
+    # io/
+    "obj_counted_back": ("io/meshes/read_obj.cpp", "vertices() + number;", "vertices() + number - 1;"),
+    "ply_vertex_bound": ("io/meshes/read_ply.cpp", "value < vertices_) || value != std::floor(value)",
+                         "value <= vertices_) || value != std::floor(value)"),
+    "ply_length_bound": ("io/meshes/read_ply.cpp", "length <= most)", "true)"),
+    "stl_axis": ("io/meshes/read_stl.cpp", "place + 4 * axis", "place + 4 * (2 - axis)"),
+    "stl_corner_offset": ("io/meshes/read_stl.cpp", "normal_bytes * (1 + corner)", "normal_bytes * corner"),
+    "matrix_market_place": ("io/matrices/read_matrix_market.cpp", "if (place < 1 || place > size)",
+                            "if (place < 0 || place > size)"),
+    "matrix_market_skew": ("io/matrices/read_matrix_market.cpp", "symmetry == Symmetry::skew ? -value : value", "value"),
+    "vtk_pixel": ("io/meshes/vtk_cells.cpp", "std::swap(corners_[2], corners_[3]);", ""),
+    "vtk_strip": ("io/meshes/vtk_cells.cpp", "i % 2 != 0, tag", "i % 2 == 0, tag"),
+    "vtk_last_edge": ("io/meshes/vtk_cells.cpp", "i + 1 < corners.size()", "i + 2 < corners.size()"),
+}
+
+
+# The program whose tests must see a flaw in this folder.
+PROGRAMS = {"dec": "dec/test_dec", "solvers": "solvers/test_solvers", "io": "io/test_io"}
+SECONDS = 600
+
+
+def flags(build, path):
+    """How the library compiles the file, alone or with its folder, without output and input."""
+    unity = f"/unity_{path.rsplit('/', 1)[0].replace('/', '_')}_cxx.cxx"
+    entries = json.loads((build / "compile_commands.json").read_text())
+    entry = next((entry for wanted in ("/" + path, unity) for entry in entries
+                  if entry["file"].endswith(wanted)), None)
+    if entry is None:
+        sys.exit(f"{path}: no command in {build}/compile_commands.json compiles it")
+    words = shlex.split(entry["command"])
+    return words[:words.index("-o")], entry["directory"]
+
+
+def open_library(build, folder):
+    """Links the library's objects without -Bsymbolic-functions, so that a preloaded function stands
+    before its own."""
+    name = next(build.glob("lib/libpolydec.so.*.*")).relative_to(build)
+    commands = subprocess.run(["ninja", "-C", build, "-t", "commands", name], check=True,
+                              capture_output=True, text=True).stdout.splitlines()
+    link = commands[-1].replace("-Wl,-Bsymbolic-functions", "")
+    subprocess.run(link.replace(f"-o {name}", f"-o {folder}/libpolydec.so.0"), shell=True, check=True,
+                   cwd=build)
+
+
+def compiled(build, work, name):
+    """The shared object with the flaw, or None and what is wrong."""
+    path, old, new = MUTANTS[name]
+    source = (ROOT / path).read_text()
+    if source.count(old) != 1:
+        return None, f"stands {source.count(old)} times in {path}"
+    mutated, shared = work / f"{name}.cpp", work / f"{name}.so"
+    mutated.write_text(f'#line 1 "{path}"\n' + source.replace(old, new))
+    command, where = flags(build, path)
+    run = subprocess.run([*command, "-w", "-shared", "-o", shared, mutated], cwd=where,
+                         capture_output=True, text=True)
+    return (shared, "") if run.returncode == 0 else (None, "does not compile: " + run.stderr[-400:])
+
+
+def verdict(tests, work, name, shared):
+    """Which test failed first; "" if all passed."""
+    program = PROGRAMS[MUTANTS[name][0].split("/")[0]]
+    run = subprocess.run([tests / program, "--gtest_brief=1", "--gtest_fail_fast"],
+                         env=dict(os.environ, LD_PRELOAD=str(shared), LD_LIBRARY_PATH=str(work),
+                                  POLYDEC_ENGINES="", RC_PARAMS="seed=1", OMP_NUM_THREADS="1"),
+                         capture_output=True, text=True, errors="replace", timeout=SECONDS)
+    if run.returncode == 0:
+        return ""
+    failed = [line.split("]")[1].strip() for line in run.stdout.splitlines() if "[  FAILED  ]" in line]
+    return failed[0] if failed else f"ended with {run.returncode}"
+
+
+def ask(build, tests, work, name):
+    """(caught, survived or stale; a line of what happened)"""
+    begin = time.monotonic()
+    shared, flaw = compiled(build, work, name)
+    if shared is None:
+        return "stale", flaw
+    try:
+        seen = verdict(tests, work, name, shared)
+    except subprocess.TimeoutExpired:
+        seen = f"took more than {SECONDS} s"
+    shared.unlink()
+    return "caught" if seen else "survived", f"{time.monotonic() - begin:.1f} s  {seen}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("build", type=Path, help="release build of polydec, its library shared")
+    parser.add_argument("tests", type=Path, help="build of the tests")
+    parser.add_argument("--only", nargs="+", choices=sorted(MUTANTS), default=list(MUTANTS),
+                        metavar="NAME", help="these flaws alone")
+    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1))
+    arguments = parser.parse_args()
+    build, tests = arguments.build.resolve(), arguments.tests.resolve()
+    ended = {"caught": 0, "survived": 0, "stale": 0}
+    with tempfile.TemporaryDirectory() as folder, \
+            concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        work = Path(folder)
+        open_library(build, work)
+        asked = {pool.submit(ask, build, tests, work, name): name for name in arguments.only}
+        for done in concurrent.futures.as_completed(asked):
+            how, what = done.result()
+            ended[how] += 1
+            print(f"{how:8}  {asked[done]}  {what}", flush=True)
+    print(", ".join(f"{count} {how}" for how, count in ended.items()))
+    return 2 if ended["stale"] else 1 if ended["survived"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
