@@ -30,7 +30,8 @@ class CMakeBuild(build_ext):
         jobs = os.environ.get("POLYDEC_JOBS") or str(min(2, os.cpu_count() or 1))
         if not given:
             self.cmake("--preset", "release", "-B", binary, "-DPOLYDEC_PYTHON=ON",
-                       "-DPOLYDEC_COMMAND=OFF", "-DPOLYDEC_TESTS=OFF", "-DPOLYDEC_EXAMPLES=OFF",
+                       "-DBUILD_SHARED_LIBS=OFF", "-DPOLYDEC_WERROR=OFF",
+                       "-DPOLYDEC_COMMAND=OFF", "-DPOLYDEC_EXAMPLES=OFF",
                        f"-DPython_EXECUTABLE={sys.executable}",
                        *shlex.split(os.environ.get("CMAKE_ARGS", "")))
         self.cmake("--build", binary, "-j", jobs, "--target", "polydec_python", "polydec_modules")

@@ -104,7 +104,7 @@ function(polydec_linked_component name needs header)
         FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
         FILES ${PROJECT_SOURCE_DIR}/backends/${header})
     set_target_properties(polydec_${name} PROPERTIES
-        VERSION ${PROJECT_VERSION} SOVERSION 0 VERIFY_INTERFACE_HEADER_SETS ON)
+        VERSION ${PROJECT_VERSION} SOVERSION 0)
     target_link_libraries(polydec_${name} PUBLIC polydec PRIVATE ${ARGN})
     if(needs)
         target_link_libraries(polydec_${name} PRIVATE polydec_${needs})

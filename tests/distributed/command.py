@@ -39,7 +39,7 @@ class Commands:
         return run_program([self.polydec, *words])
 
     def line(self, ranks, *words):
-        return [*self.mpiexec, "-n", str(ranks), self.mpi, *map(str, words)]
+        return [*self.mpiexec, str(ranks), self.mpi, *map(str, words)]
 
     def on(self, ranks, *words):
         return run_program(self.line(ranks, *words))
@@ -200,7 +200,7 @@ def hold_deaths(commands, folder):
 def with_little_memory(commands, kilobytes, words, seconds):
     """Three ranks, of which the last may not have more memory; none where they hang."""
     poor = ["sh", "-c", f'ulimit -v {kilobytes}; exec "$0" "$@"', commands.mpi, *words]
-    line = [*commands.mpiexec, "-n", "2", commands.mpi, *words, ":", "-n", "1", *poor]
+    line = [*commands.mpiexec, "2", commands.mpi, *words, ":", "-n", "1", *poor]
     try:
         return run_program(line, seconds)
     except AssertionError:

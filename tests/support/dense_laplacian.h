@@ -44,4 +44,13 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, 1> dense_eigenvalues(const CellComplex& co
         .eigenvalues();
 }
 
+// Compiled once, and optimized.
+extern template DenseOf<double> dense_laplacian<double>(const CellComplex&, const HodgeStars&, int);
+extern template DenseOf<long double> dense_laplacian<long double>(const CellComplex&,
+                                                                  const HodgeStars&, int);
+extern template Eigen::Matrix<double, Eigen::Dynamic, 1>
+dense_eigenvalues<double>(const CellComplex&, const HodgeStars&, int);
+extern template Eigen::Matrix<long double, Eigen::Dynamic, 1>
+dense_eigenvalues<long double>(const CellComplex&, const HodgeStars&, int);
+
 } // namespace polydec::test
