@@ -105,7 +105,7 @@ MUTANTS = {
 
 
 # The program whose tests must see a flaw in this folder.
-PROGRAMS = {"dec": "dec/test_dec", "solvers": "solvers/test_solvers", "io": "io/test_io"}
+PROGRAMS = {folder: f"{folder}/test_{folder}" for folder in ("dec", "io", "solvers")}
 SECONDS = 600
 
 

@@ -16,6 +16,29 @@
 namespace polydec::test::in_boundary_conditions {
 namespace {
 
+class RobinCoefficients : public OverMeshes {};
+
+TEST_P(RobinCoefficients, are_those_of_their_facets_where_the_condition_holds) {
+    const CellComplex& P = mesh().P();
+    const int n = mesh().n();
+    const auto facets = static_cast<std::size_t>(P.size(n - 1));
+    BoundaryConditions mixed{BoundaryCondition::natural,
+                             std::vector(facets, BoundaryCondition::natural)};
+    Vector expected = Vector::Zero(P.size(n - 1));
+    for (std::size_t f = 0; f < facets; ++f) {
+        const auto facet = static_cast<Index>(f);
+        mixed.coefficients.push_back(static_cast<double>(f + 1));
+        if (f % 3 == 0)
+            continue;
+        mixed.facets[f] = BoundaryCondition::robin;
+        if (P.coface_counts(n - 1)[facet] == 1)
+            expected[facet] = static_cast<double>(f + 1);
+    }
+    EXPECT_EQ(robin_coefficients(P, mixed), expected);
+}
+
+POLYDEC_OVER_MESHES(RobinCoefficients);
+
 class BoundaryData : public OverMeshes {
 protected:
     bool is_manifold() const {
