@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What tests/, a project of its own, has to know of a build of polydec: its targets, and how it was
-# made. It includes both files from the build folder.
+# Writes two files to the build folder that the project tests/ includes: polydecBuildTargets.cmake
+# with the targets of this build, and polydecBuild.cmake with its settings.
 set(polydec_build_targets polydec)
 foreach(name IN LISTS polydec_linked_components)
     list(APPEND polydec_build_targets polydec_${name})
@@ -14,8 +14,8 @@ set_target_properties(${polydec_build_targets} PROPERTIES EXPORT_NO_SYSTEM ON)
 export(TARGETS ${polydec_build_targets} NAMESPACE polydec::
     FILE ${PROJECT_BINARY_DIR}/polydecBuildTargets.cmake)
 
-# Under the address sanitizer a program without it, such as Python or a test program, must be given
-# it before it starts, and C++'s library, whose exceptions it watches.
+# Programs without the address sanitizer, such as Python and the test programs, must preload it to
+# run with a sanitized library; it also needs the C++ library, whose exceptions it intercepts.
 set(polydec_preloaded)
 string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
 if("${CMAKE_CXX_FLAGS} ${${flags}}" MATCHES "-fsanitize=address")
@@ -27,7 +27,7 @@ if("${CMAKE_CXX_FLAGS} ${${flags}}" MATCHES "-fsanitize=address")
     list(JOIN polydec_preloaded ":" polydec_preloaded)
 endif()
 
-# The public headers as CMake knows them, one a line.
+# The public headers, one a line.
 set(headers "$<TARGET_PROPERTY:polydec,HEADER_SET>")
 set(component_headers)
 foreach(name IN LISTS polydec_linked_components)
@@ -42,11 +42,12 @@ set(polydec_packages)
 foreach(name IN LISTS polydec_built_components)
     list(APPEND polydec_packages ${${name}_package})
 endforeach()
+set(polydec_openmp ${OpenMP_CXX_FOUND})
 set(polydec_version ${PROJECT_VERSION})
 set(polydec_compiler ${CMAKE_CXX_COMPILER})
 set(polydec_build)
 foreach(name IN ITEMS version compiler packages preloaded module_folder built_components
-        linked_components python mpirun)
+        linked_components openmp python mpirun)
     string(APPEND polydec_build "set(polydec_${name} \"${polydec_${name}}\")\n")
 endforeach()
 file(WRITE ${PROJECT_BINARY_DIR}/polydecBuild.cmake "${polydec_build}")

@@ -11,7 +11,7 @@ fail() {
     exit "$code"
 }
 
-# The names of a set of packages.txt, which follow its line `# SET:`.
+# listed_packages SET: the names after the line `# SET:` of packages.txt.
 listed_packages() {
     awk -v wanted="$1:" '/^#/ { inside = $2 == wanted; next } inside && NF' packages.txt
 }
@@ -54,8 +54,8 @@ apt_install() {
 }
 lists_fetched=
 
-# install_packages SET ..: installs what is missing of the required packages and of these sets; ends
-# with code 4 if a required one cannot be had.
+# install_packages SET ..: installs missing packages of the set `required` and of these sets. Exits with
+# code 4 if a required package cannot be installed.
 install_packages() {
     if [ "${POLYDEC_PACKAGES:-}" = skip ]; then
         say "POLYDEC_PACKAGES=skip: trusting that what packages.txt lists is there."
@@ -81,7 +81,7 @@ install_packages() {
 Install them by hand, or set POLYDEC_PACKAGES=skip if you have them from elsewhere."
 }
 
-# How much is downloaded and how much room it takes, where apt-get knows.
+# say_what_it_takes PACKAGE ..: the size of the download and on disk, as apt-get estimates it.
 say_what_it_takes() {
     apt-get --assume-no --no-install-recommends -o Debug::NoLocking=1 install "$@" 2>/dev/null |
         grep -E '^(Need to get|After this)' || true
@@ -118,4 +118,16 @@ build() {
     preset=$1
     shift
     cmake --build --preset "$preset" -j "$jobs" "$@"
+}
+
+# build_if_known PRESET TARGET ..: builds those targets that this configuration has.
+build_if_known() {
+    preset=$1
+    shift
+    known=$(ninja -C "build/$preset" -t targets all)
+    for target; do
+        shift
+        case $known in *"$target: phony"*) set -- "$@" "$target" ;; esac
+    done
+    build "$preset" --target "$@"
 }

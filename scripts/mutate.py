@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Plants one flaw at a time into a copy of a source file, and asks whether the tests see it.
+"""Plants one flaw at a time in a copy of a source file and checks that a test fails.
 
     scripts/mutate.py build/release build/tests [--only NAME ..] [--jobs N]
 
-The folders are a release build of polydec, with its library shared, and the build of the tests. Only
-the changed file is compiled (1 to 15 s). It is preloaded before a copy of the library that resolves
-calls to its own functions by name, so the flaw is seen within the library too. The checkout and both
-folders stay as they are. A mutant is `caught` where a test fails or crashes and `survived` where all
-pass. Exit code: 0 all were caught, 1 one survived, 2 one no longer applies.
+The folders are a shared release build of polydec and a build of the tests; neither is changed. Only
+the mutated file is compiled (1 to 15 s) and preloaded. A copy of the library, linked without
+-Bsymbolic-functions, then calls the mutated functions too. A mutant is `caught` if a test fails or
+crashes, `survived` if all pass, `stale` if its source line changed. Exit code: 0 all were caught, 1 one
+survived, 2 one is stale.
 
-A flaw in a template or an inline function of a header cannot be preloaded, so none is listed here.
+Flaws in templates and inline functions cannot be preloaded and are not listed.
 """
 import argparse
 import concurrent.futures
@@ -25,7 +25,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# name: file, what stands there once, what is planted instead
+# name: file, text that occurs once, replacement
 MUTANTS = {
     # dec/
     "dual_derivative_sign": ("dec/forms/derivative.cpp", "k % 2 == 0 ? -1 : 1", "k % 2 == 0 ? 1 : -1"),
@@ -104,13 +104,13 @@ MUTANTS = {
 }
 
 
-# The program whose tests must see a flaw in this folder.
+# The test program of each folder.
 PROGRAMS = {folder: f"{folder}/test_{folder}" for folder in ("dec", "io", "solvers")}
 SECONDS = 600
 
 
 def flags(build, path):
-    """How the library compiles the file, alone or with its folder, without output and input."""
+    """Compiler command of the file, or of its folder's unity file, up to -o; working directory."""
     unity = f"/unity_{path.rsplit('/', 1)[0].replace('/', '_')}_cxx.cxx"
     entries = json.loads((build / "compile_commands.json").read_text())
     entry = next((entry for wanted in ("/" + path, unity) for entry in entries
@@ -122,8 +122,8 @@ def flags(build, path):
 
 
 def open_library(build, folder):
-    """Links the library's objects without -Bsymbolic-functions, so that a preloaded function stands
-    before its own."""
+    """Links a copy of the library without -Bsymbolic-functions, so that preloaded functions replace
+    its own."""
     name = next(build.glob("lib/libpolydec.so.*.*")).relative_to(build)
     commands = subprocess.run(["ninja", "-C", build, "-t", "commands", name], check=True,
                               capture_output=True, text=True).stdout.splitlines()
@@ -133,11 +133,11 @@ def open_library(build, folder):
 
 
 def compiled(build, work, name):
-    """The shared object with the flaw, or None and what is wrong."""
+    """Path of the shared object with the flaw, or None and the reason."""
     path, old, new = MUTANTS[name]
     source = (ROOT / path).read_text()
     if source.count(old) != 1:
-        return None, f"stands {source.count(old)} times in {path}"
+        return None, f"text occurs {source.count(old)} times in {path}, expected once"
     mutated, shared = work / f"{name}.cpp", work / f"{name}.so"
     mutated.write_text(f'#line 1 "{path}"\n' + source.replace(old, new))
     command, where = flags(build, path)
@@ -147,7 +147,7 @@ def compiled(build, work, name):
 
 
 def verdict(tests, work, name, shared):
-    """Which test failed first; "" if all passed."""
+    """Name of the first failing test; "" if all pass."""
     program = PROGRAMS[MUTANTS[name][0].split("/")[0]]
     run = subprocess.run([tests / program, "--gtest_brief=1", "--gtest_fail_fast"],
                          env=dict(os.environ, LD_PRELOAD=str(shared), LD_LIBRARY_PATH=str(work),
@@ -160,7 +160,7 @@ def verdict(tests, work, name, shared):
 
 
 def ask(build, tests, work, name):
-    """(caught, survived or stale; a line of what happened)"""
+    """The verdict, one of caught, survived and stale, and its details."""
     begin = time.monotonic()
     shared, flaw = compiled(build, work, name)
     if shared is None:

@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""The meshes that the laws are swept over, what errors say, and how long a test may take."""
+"""Meshes of the laws, assertions about errors, and the time limit of a test."""
 import faulthandler
 import os
-import re
 import signal
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import polydec
 from polydec import meshes
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "support"))
+from words import pattern as said  # noqa: E402, F401
 
 MAKERS = {
     "segments": lambda: meshes.kuhn([5]),
@@ -55,25 +59,15 @@ def near(a, b, tolerance=1e-12):
     return (abs(difference).max() if difference.size else 0) <= tolerance * size
 
 
-def said(*words):
-    """The pattern of messages that have all the words or numbers, as a whole and in this order:
-    place, kind and what is wrong, by which a message is known however its sentence is put."""
-    return "(?s)" + ".*?".join(
-        (r"(?<![\w.-])" if word[:1].isdigit() else r"(?<!\w)" if word[:1].isalpha() else "")
-        + re.escape(word)
-        + (r"(?!\w|\.\d)" if word[-1:].isdigit() else r"(?!\w)" if word[-1:].isalpha() else "")
-        for word in map(str, words))
-
-
 def pytest_configure(config):
-    config.real_stderr = os.dup(2) # where no test catches what is written
-    # in the background of a script SIGINT is ignored, and Ctrl-C could not be tested
+    config.real_stderr = os.dup(2) # not captured by pytest
+    # scripts start background jobs with SIGINT ignored; the tests of Ctrl-C need it
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)
 def watchdog(request):
-    """Ends all where a test hangs, and tells where every thread is."""
+    """Ends the run at the time limit of a test, with the stacks of all threads."""
     seconds = 300 * float(os.environ.get("POLYDEC_TEST_PATIENCE", 1))
     faulthandler.dump_traceback_later(seconds, exit=True, file=request.config.real_stderr)
     yield

@@ -9,7 +9,7 @@ namespace polydec::test {
 
 namespace {
 
-/// Of the engines that are there before any test registers more.
+/// Engines registered at the first call, before tests register their own.
 std::vector<std::string> engine_names(EngineKind kind) {
     static const auto at_first = engines();
     std::vector<std::string> names;

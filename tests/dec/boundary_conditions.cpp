@@ -18,7 +18,7 @@ namespace {
 
 class RobinCoefficients : public OverMeshes {};
 
-TEST_P(RobinCoefficients, are_those_of_their_facets_where_the_condition_holds) {
+TEST_P(RobinCoefficients, are_taken_facet_by_facet) {
     const CellComplex& P = mesh().P();
     const int n = mesh().n();
     const auto facets = static_cast<std::size_t>(P.size(n - 1));

@@ -35,7 +35,7 @@ struct Results {
     CellVolumes merged;
 };
 
-/// A function of the OpenMP that the library runs on, whichever that is; null if there is none.
+/// A function of the OpenMP runtime that the library loaded, which may not be this compiler's.
 template <class Function>
 Function* of_openmp(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
@@ -45,7 +45,7 @@ Results with_threads(int threads, const Mesh& mesh) {
     const auto max_threads = of_openmp<int()>("omp_get_max_threads");
     const auto set_threads = of_openmp<void(int)>("omp_set_num_threads");
     if (!max_threads || !set_threads)
-        throw std::runtime_error("the library was built without OpenMP");
+        throw std::runtime_error("no OpenMP runtime is loaded");
     const int before = max_threads();
     set_threads(threads);
     Results results(mesh);

@@ -198,7 +198,7 @@ def hold_deaths(commands, folder):
 
 
 def with_little_memory(commands, kilobytes, words, seconds):
-    """Three ranks, of which the last may not have more memory; none where they hang."""
+    """Outcome of three ranks, the last with a memory limit; None if they exceed the time limit."""
     poor = ["sh", "-c", f'ulimit -v {kilobytes}; exec "$0" "$@"', commands.mpi, *words]
     line = [*commands.mpiexec, "2", commands.mpi, *words, ":", "-n", "1", *poor]
     try:

@@ -45,7 +45,7 @@ void go_the_way(const Ranks& ranks, const Mesh& mesh) {
     laplacian(ranks, cells, Side::primal, 1);
 }
 
-/// The same text on all ranks, which says these words; none if there are no words.
+/// Expects the same text with these words on all ranks, or an empty text if no words are given.
 void expect_everywhere(const Ranks& ranks, const Words& words, const std::string& found) {
     const auto hash = static_cast<GlobalIndex>(std::hash<std::string>{}(found));
     const bool is_other = ranks.largest(hash) != hash;

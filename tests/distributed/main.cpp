@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Ends this rank where a test hangs on it, and says which; then mpirun ends the others.
+/// Ends this rank, naming the test, when a test exceeds its time limit; mpirun then ends all ranks.
 class Watchdog {
 public:
     Watchdog() {
@@ -24,16 +24,16 @@ public:
     }
 
     void watch(const testing::TestInfo& test) {
-        message_ =
-            fmt::format("rank {}: {}.{} hangs: not done in {} s\n", polydec::Ranks::all().rank(),
-                        test.test_suite_name(), test.name(), seconds_);
+        message_ = fmt::format("rank {}: {}.{} exceeds its time limit of {} s\n",
+                               polydec::Ranks::all().rank(), test.test_suite_name(), test.name(),
+                               seconds_);
         alarm(static_cast<unsigned>(seconds_) + 1);
     }
 
     void rest() { alarm(0); }
 
 private:
-    /// Calls nothing that a signal must not.
+    /// Calls only async-signal-safe functions.
     static void bark(int) {
         if (write(STDERR_FILENO, message_.data(), message_.size()) >= 0)
             _exit(1);

@@ -12,7 +12,7 @@ namespace polydec::test::in_bad_files {
 
 namespace {
 
-/// A file and what reading it must say: words of the message, or none and the number of cells.
+/// A file and the expected result: words of the error message, or the number of cells.
 struct Sample {
     std::string name;
     std::string text;

@@ -31,8 +31,7 @@ BoundaryConditions robin(double coefficient) {
     return {BoundaryCondition::robin, {}, {coefficient}};
 }
 
-/// A coefficient that differs from facet to facet of the unit square: it doubles from left to
-/// right.
+/// A coefficient that varies over the unit square: it doubles from left to right.
 double varied(double coefficient, const Vector& p) {
     return coefficient * (1 + p[0]);
 }
@@ -61,8 +60,8 @@ double slope(const Vector& p) {
     return p[0] < 1e-9 ? -x : p[0] > 1 - 1e-9 ? x : p[1] < 1e-9 ? -y : y;
 }
 
-/// L2 error of the wave where slope + coefficient u is given, the coefficient varied from facet to
-/// facet; solved with another coefficient.
+/// L2 error of the wave for the data slope + varied(coefficient) u, solved with another
+/// coefficient.
 double error(const Mesh& input, Side side, StarKind kind, double coefficient, double solved_with) {
     const auto mesh = with(input, kind);
     const PoissonSolver solver(mesh, {.side = side, .boundary = varied_robin(mesh, solved_with)});

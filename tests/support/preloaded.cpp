@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was preloaded into a test program, such as a sanitizer, is not for programs that it starts.
+// Keeps libraries preloaded into a test program, such as a sanitizer, out of programs it starts.
 #include <cstdlib>
 
 namespace {

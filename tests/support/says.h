@@ -11,12 +11,12 @@
 
 namespace polydec::test {
 
-/// What a message must hold: its place, its numbers and a key word or two.
+/// The words a message must contain: its place, numbers and one or two key words.
 using Words = std::vector<std::string>;
 
-/// Where a word stands first in a text from a place on; npos if nowhere. A word begins where no
-/// other does, so "finite" is not in "infinite", and a number is a whole one, so that neither 4 nor
-/// 0.4 nor -4 is in -0.42. "tag" is in "tags".
+/// Position of the first occurrence of a word at or after `from`; npos if there is none. A match
+/// starts at the start of a word: "finite" is not found in "infinite", but "tag" is in "tags".
+/// Numbers match as a whole: 4, 0.4 and -4 are not found in -0.42.
 inline std::size_t find_word(std::string_view text, std::string_view word, std::size_t from = 0) {
     const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
     const auto is_part = [](char c) {
@@ -24,58 +24,50 @@ inline std::size_t find_word(std::string_view text, std::string_view word, std::
     };
     const auto begins = [&](std::size_t at) {
         const char before = at == 0 ? ' ' : text[at - 1];
-        if (is_digit(word.front()) && (before == '-' || before == '+' || before == '.')) {
+        if (is_digit(word.front()) && (before == '-' || before == '+' || before == '.'))
             return false;
-        }
         return !is_part(before) || !(is_part(word.front()) || word.front() == '-');
     };
     const auto ends = [&](std::size_t at) {
-        if (at == text.size() || !is_digit(word.back())) {
+        if (at == text.size() || !is_digit(word.back()))
             return true;
-        }
         return !is_part(text[at]) &&
                !(text[at] == '.' && at + 1 < text.size() && is_digit(text[at + 1]));
     };
     for (auto at = text.find(word, from); at != std::string_view::npos;
          at = text.find(word, at + 1)) {
-        if (begins(at) && ends(at + word.size())) {
+        if (begins(at) && ends(at + word.size()))
             return at;
-        }
     }
     return std::string_view::npos;
 }
 
-/// Passes where a message holds all of these words, in this order; prints the message otherwise.
+/// Succeeds if the message contains these words in this order; otherwise prints the message.
 inline ::testing::AssertionResult says(const std::string& message, const Words& words) {
-    if (words.empty()) {
+    if (words.empty())
         return ::testing::AssertionFailure() << "no words are given for: " << message;
-    }
     std::size_t from = 0;
     for (const auto& word : words) {
         const auto at = word.empty() ? std::string::npos : find_word(message, word, from);
         if (at == std::string::npos) {
-            return ::testing::AssertionFailure()
-                   << "\"" << word << "\" is not where it is expected in: " << message;
+            return ::testing::AssertionFailure() << "\"" << word << "\" expected in: " << message;
         }
         from = at + word.size();
     }
     return ::testing::AssertionSuccess() << message;
 }
 
-/// Passes where there are as many messages as lists of words, and each holds those of its own.
+/// Succeeds if each message contains its own list of words, and there are as many of both.
 inline ::testing::AssertionResult each_says(const std::vector<std::string>& messages,
                                             const std::vector<Words>& words) {
     auto failure = ::testing::AssertionFailure() << messages.size() << " messages:";
-    for (const auto& message : messages) {
+    for (const auto& message : messages)
         failure << "\n" << message;
-    }
-    if (messages.size() != words.size()) {
+    if (messages.size() != words.size())
         return failure << "\nexpected " << words.size();
-    }
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (const auto found = says(messages[i], words[i]); !found) {
+        if (const auto found = says(messages[i], words[i]); !found)
             return found;
-        }
     }
     return ::testing::AssertionSuccess() << messages.size() << " messages";
 }

@@ -3,7 +3,6 @@
 import collections
 import json
 import os
-import re
 import resource
 import select
 import shlex
@@ -13,11 +12,15 @@ import sys
 import tempfile
 import time
 import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from words import says  # noqa: E402
 
 COMMAND = GOLDEN = None
 MEMORY = 500 * 2**20
-SECONDS = 60  # after which what is waited for counts as hanging
-SLOWER = 5    # so many times as long where a sanitizer looks on, or as POLYDEC_TEST_PATIENCE says
+SECONDS = 60  # time limit of a call
+SLOWER = 5    # factor on every time limit under a sanitizer; POLYDEC_TEST_PATIENCE overrides it
 limited = True
 
 Outcome = collections.namedtuple("Outcome", "code out err")
@@ -28,13 +31,13 @@ def limit_memory():
 
 
 def patience(seconds):
-    """How long something is waited for that takes at most so many seconds without a sanitizer."""
+    """The time limit in seconds, scaled for sanitizers or by POLYDEC_TEST_PATIENCE."""
     return seconds * float(os.environ.get("POLYDEC_TEST_PATIENCE", 1 if limited else SLOWER))
 
 
 def stop_ignoring_signals():
-    """In the background of a script SIGINT and SIGQUIT are ignored, with nohup SIGHUP, and what is
-    started from here would inherit that. A handler is not inherited, even one that does nothing."""
+    """Scripts start background jobs with SIGINT and SIGQUIT ignored, nohup with SIGHUP ignored.
+    Child processes inherit ignored signals, but not handlers: this installs an empty handler."""
     for number in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT, signal.SIGTERM):
         if signal.getsignal(number) == signal.SIG_IGN:
             signal.signal(number, lambda *_: None)
@@ -55,8 +58,8 @@ def members(session):
 
 
 class Process(subprocess.Popen):
-    """A program in a session of its own, which is killed as a whole where it is not done in time,
-    or when `with` ends."""
+    """A program in its own session. The whole session is killed at the time limit and when `with`
+    ends."""
 
     def __init__(self, words, **options):
         options.setdefault("stdin", subprocess.DEVNULL)
@@ -68,8 +71,8 @@ class Process(subprocess.Popen):
         return super().__exit__(*error)
 
     def end(self):
-        """Kills it and all that it started, also what has a group of its own."""
-        if self.returncode is not None:  # its number may be another's by now
+        """Kills the program and every process of its session, whatever their groups."""
+        if self.returncode is not None:  # another process may have its number by now
             return
         for kill, number in [(os.killpg, self.pid)] + [(os.kill, n) for n in members(self.pid)]:
             try:
@@ -78,7 +81,7 @@ class Process(subprocess.Popen):
                 pass
 
     def finish(self, seconds=None):
-        """Waits for its end, whatever it prints. Fails if that takes too long."""
+        """Waits until the program ends. Fails at the time limit, with the output so far."""
         seconds = patience(seconds or SECONDS)
         try:
             out, err = self.communicate(timeout=seconds)
@@ -98,36 +101,36 @@ def shown(output):
 
 
 def run_program(words, seconds=None, **options):
-    """Code, stdout and stderr of any program. Fails if it takes too long."""
+    """Exit code, stdout and stderr of any program. Fails at the time limit."""
     options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, **options}
     with Process(words, **options) as process:
         return process.finish(seconds)
 
 
 def start(*arguments, **options):
-    """The command, which goes on while the test does."""
+    """Starts the command and returns while it runs."""
     return Process([COMMAND, *arguments], **options)
 
 
 def run(*arguments, folder=None, seconds=None, limit=False, **options):
-    """Code, stdout and stderr of the command. Fails if it takes too long."""
+    """Exit code, stdout and stderr of the command. Fails at the time limit."""
     if limit and limited:
         options["preexec_fn"] = limit_memory
     return run_program([COMMAND, *arguments], seconds, cwd=folder, **options)
 
 
 class Deadline:
-    """Fails where something is still waited for after a time."""
+    """A time limit for a loop that waits."""
 
     def __init__(self, what, seconds=None):
         self.what, self.seconds = what, patience(seconds or SECONDS)
         self.end = time.monotonic() + self.seconds
 
     def left(self):
-        """Seconds that are left, more than 0."""
+        """Remaining seconds, greater than 0. Fails if there are none."""
         left = self.end - time.monotonic()
         if left <= 0:
-            raise AssertionError(f"waited for {self.seconds} s in vain: {self.what}")
+            raise AssertionError(f"time limit of {self.seconds} s: {self.what}")
         return left
 
 
@@ -138,7 +141,7 @@ def wait_until(condition, what, seconds=None, pause=0.01):
 
 
 def read_piece(descriptor, size, deadline):
-    """At most so many bytes of a pipe or terminal; none at its end."""
+    """At most `size` bytes of a pipe or terminal; none at its end."""
     while not select.select([descriptor], [], [], deadline.left())[0]:
         pass
     try:
@@ -152,16 +155,6 @@ def read_all(descriptor, what, size=1000):
     while piece := read_piece(descriptor, size, deadline):
         text += piece
     return text
-
-
-def says(message, *words):
-    """Whether a message has all the words or numbers, as a whole and in this order."""
-    pattern = ".*?".join(
-        (r"(?<![\w.-])" if word[:1].isdigit() else r"(?<!\w)" if word[:1].isalpha() else "")
-        + re.escape(word)
-        + (r"(?!\w|\.\d)" if word[-1:].isdigit() else r"(?!\w)" if word[-1:].isalpha() else "")
-        for word in map(str, words))
-    return re.search(pattern, message, re.DOTALL) is not None
 
 
 def golden(name):
@@ -223,8 +216,8 @@ class TestCase(unittest.TestCase):
         return parse(self.succeed(*arguments, "--json", **options).out)
 
     def assertSays(self, message, *words):
-        """That all the words are there in this order: place, kind and what is wrong, by which a
-        message is known however its sentence is put. A place with a colon begins the message."""
+        """Asserts that a message contains these words in this order: its place, numbers and key
+        words. A place that ends with a colon must begin the message."""
         place = str(words[0])
         if place.rstrip().endswith(":"):
             self.assertTrue(message.startswith((place, f"polydec: {place}")),
@@ -232,7 +225,7 @@ class TestCase(unittest.TestCase):
         self.assertTrue(says(message, *words), f"{words}\nare not said by\n{message}")
 
     def check_error(self, outcome, code):
-        """An error of one to three lines, and nothing on stdout. Wrong usage is told of --help."""
+        """Asserts an error of one to three lines and nothing on stdout; exit code 1 names --help."""
         lines = [line for line in outcome.err.splitlines() if "polydec: warning: " not in line]
         self.assertEqual(outcome.code, code, outcome.err)
         self.assertEqual(outcome.out, "")

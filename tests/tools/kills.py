@@ -26,12 +26,12 @@ def ended_runs(case, line, files, count, seconds, signals=(signal.SIGINT, signal
     between two, and started again until it comes to its end; so many signals in all."""
     chance = random.Random(1)
     sent = 0
-    deadline = command.Deadline("runs that are ended and gone on with", 600)
+    deadline = command.Deadline("repeated kills and restarts", 600)
     while sent < count:
         for name in files:
             if os.path.exists(case.path(name)):
                 os.remove(case.path(name))
-        answer, patience = None, 1  # which grows, so that also a slow machine comes to an end
+        answer, patience = None, 1  # grows, so that a slow machine finishes too
         while answer is None:
             deadline.left()
             which = signals[sent % len(signals)]
