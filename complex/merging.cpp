@@ -118,6 +118,13 @@ Merging::Merging(Pieces pieces, const Blocks& blocks)
       maps_(std::make_shared<Lazy<Maps>>(maps_of(pieces_, blocks))),
       merged_(make_merged(pieces_, blocks, maps().carriers, maps().diamonds)) {}
 
+Merging::Merging(Pieces pieces, CellComplex merged, std::vector<std::vector<Carrier>> carriers,
+                 std::vector<IncidenceMatrix> diamonds)
+    : pieces_(std::move(pieces)),
+      is_identity_(false),
+      maps_(std::make_shared<Lazy<Maps>>(Maps{std::move(carriers), std::move(diamonds)})),
+      merged_(std::move(merged)) {}
+
 Merging::Maps Merging::maps_of(const Pieces& pieces, const Blocks& blocks) {
     Carriers carriers = number_blocks(pieces, blocks);
     auto diamonds = make_diamonds(carriers, blocks);

@@ -19,16 +19,21 @@ public:
     /// construction. Linear time.
     Merging(Pieces pieces, const Blocks& blocks);
 
-    const Pieces& pieces() const& { return pieces_; }
-    const CellComplex& merged() const& { return merged_; }
-    Pieces pieces() && { return pieces_; }
-    CellComplex merged() && { return merged_; }
-
     /// Where an open simplex of K lies: in the interior of this cell of P.
     struct Carrier {
         int dimension;
         Index cell;
     };
+
+    /// The same cells made of other pieces.
+    Merging(Pieces pieces, CellComplex merged, std::vector<std::vector<Carrier>> carriers,
+            std::vector<IncidenceMatrix> diamonds);
+
+    const Pieces& pieces() const& { return pieces_; }
+    const CellComplex& merged() const& { return merged_; }
+    Pieces pieces() && { return pieces_; }
+    CellComplex merged() && { return merged_; }
+
     const std::vector<Carrier>& carriers(int k) const& {
         check_number("the carriers of simplices of degree", k, 0, pieces_.dimension());
         return maps().carriers[k];

@@ -96,6 +96,15 @@ DenseMatrix RelativeComplex::extend_columns(int k, const DenseMatrix& kept) cons
     return whole;
 }
 
+SparseMatrix inclusion(const std::vector<Index>& cells, Index size) {
+    SparseMatrix result(size, static_cast<Index>(cells.size()));
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        entries.emplace_back(cells[i], static_cast<Index>(i), 1.0);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
 RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dropped) {
     return relative_complex(complex, dropped, no_cells(complex));
 }

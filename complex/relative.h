@@ -35,6 +35,9 @@ private:
     DenseMatrix extend_columns(int k, const DenseMatrix& kept) const;
 };
 
+/// The columns of some of `size` cells: takes values on these to values on all, 0 at the others.
+SparseMatrix inclusion(const std::vector<Index>& cells, Index size);
+
 /// The complex relative to a closed set of cells (with each cell, all its faces). Linear time.
 /// Throws InvalidInput, naming the cells, if the set is not closed or does not fit the complex.
 RelativeComplex relative_complex(const CellComplex& complex, const CellMarks& dropped);

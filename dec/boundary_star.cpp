@@ -4,6 +4,8 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/metric/dual_parts.h"
+#include "dec/metric/simplex_faces.h"
+#include "dec/metric/whitney.h"
 
 #include <fmt/format.h>
 
@@ -23,33 +25,62 @@ Vector on_boundary(const CellComplex& complex, int k, const Vector& weights) {
     return result;
 }
 
-} // namespace
+SparseMatrix pieces_of(const Discretization& mesh, int k) {
+    return mesh.merging().diamond(k).cast<double>().cwiseAbs();
+}
 
-Vector boundary_star(const Discretization& mesh, int k, const Vector& weights) {
-    const int n = mesh.dimension();
-    const Vector of_facets = on_boundary(mesh.complex(), k, weights);
-    const auto pieces_of = [&](int j) -> SparseMatrix {
-        return mesh.merging().diamond(j).cast<double>().cwiseAbs();
-    };
-    const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), k, n - 1, mesh.centers());
-    const Vector of_pieces = pieces_of(n - 1).transpose() * of_facets;
+Vector by_duals(const Discretization& mesh, int k, const Vector& of_pieces) {
+    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), k,
+                                          mesh.dimension() - 1, mesh.centers());
     const Vector duals = parts.transpose() * of_pieces;
     const Vector& volumes = mesh.volumes().primal(k);
-    return (pieces_of(k) * mesh.piece_volumes().primal(k).cwiseProduct(duals))
+    return (pieces_of(mesh, k) * mesh.piece_volumes().primal(k).cwiseProduct(duals))
         .cwiseQuotient(volumes)
         .cwiseQuotient(volumes);
 }
 
-Vector boundary_star(const CellComplex& complex, const CellVolumes& volumes, int k,
-                     const Vector& weights) {
+SparseMatrix by_whitney_forms(const Discretization& mesh, int k, const Vector& of_pieces) {
+    const Pieces& K = mesh.pieces();
+    const int m = mesh.dimension() - 1;
+    SimplexFaces faces(K, m, k);
+    SimplexLayout layout(K, mesh.metric());
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (Index f = 0; f < K.size(m); ++f) {
+        if (of_pieces[f] == 0)
+            continue;
+        const Corners corners = layout.at(m, f);
+        const DenseMatrix mass = whitney_mass(corners.points, corners.vertices, k);
+        const auto& list = faces.of(f);
+        for (Index a = 0; a < mass.rows(); ++a)
+            for (Index b = 0; b < mass.cols(); ++b)
+                entries.emplace_back(list[a], list[b], of_pieces[f] * mass(a, b));
+    }
+    SparseMatrix W(K.size(k), K.size(k));
+    W.setFromTriplets(entries.begin(), entries.end());
+    const SparseMatrix& S = mesh.lift()[k];
+    return S.transpose() * W * S;
+}
+
+} // namespace
+
+SparseMatrix boundary_star(const Discretization& mesh, int k, const Vector& weights) {
+    const int n = mesh.dimension();
+    const Vector of_facets = on_boundary(mesh.complex(), k, weights);
+    const Vector of_pieces = pieces_of(mesh, n - 1).transpose() * of_facets;
+    if (mesh.stars()[k + 1].is_diagonal())
+        return SparseMatrix(by_duals(mesh, k, of_pieces).asDiagonal());
+    return by_whitney_forms(mesh, k, of_pieces);
+}
+
+SparseMatrix boundary_star(const CellComplex& complex, const CellVolumes& volumes, int k,
+                           const Vector& weights) {
     const Vector of_facets = on_boundary(complex, k, weights);
     if (k != complex.dimension() - 1)
         throw InvalidInput(fmt::format("the duals within the boundary of {}-cells of one's own are "
                                        "not known; give a mesh",
                                        k),
                            {.degree = k});
-    return of_facets.cwiseQuotient(volumes.primal(k));
+    return SparseMatrix(of_facets.cwiseQuotient(volumes.primal(k)).asDiagonal());
 }
 
 } // namespace polydec

@@ -44,14 +44,17 @@ bool all_positive(const HodgeStars& stars) {
 /// The cells of a surface that get Galerkin's stars. With those beside an edge without positive
 /// dual go all that have a negative part of the dual of an edge which a bad cell has too: so every
 /// edge between good cells has a positive star, and on every other edge good cells add nothing
-/// negative to what is definite. Vertices whose dual is not positive make the cells around them
+/// negative beyond rounding to what is definite. Vertices whose dual is not positive make the cells around them
 /// bad.
 class BadCells {
 public:
     explicit BadCells(const Discretization& mesh)
         : mesh_(mesh), bad_(static_cast<std::size_t>(mesh.complex().size(2)), false) {
-        for (const int k : {0, 1})
+        for (const int k : {0, 1}) {
             parts_[k] = parts_of_products(mesh, k, mesh.centers());
+            rounding_[k] =
+                mesh.volumes().rounding(k).vector().cwiseProduct(mesh.volumes().primal(k));
+        }
         thirds_ = parts_of_products(mesh, 0, Centers::centroids());
         const HodgeStar edges = star(mesh.volumes(), 1);
         for (const auto& list : {edges.zeros(), edges.negatives()})
@@ -111,7 +114,7 @@ private:
             latest_.pop_back();
             for (Entry edge(parts_[1], t); edge; ++edge)
                 for (Entry cell(cofaces_[1], edge.col()); cell; ++cell)
-                    if (cell.value() < 0)
+                    if (cell.value() < -rounding_[1][edge.col()])
                         add(static_cast<Index>(cell.col()));
         }
     }
@@ -120,7 +123,7 @@ private:
         bool any = false;
         const Vector duals = vertex_duals();
         for (Index v = 0; v < duals.size(); ++v)
-            if (!(duals[v] > 0))
+            if (!(duals[v] > rounding_[0][v]))
                 any = add_cells_at(0, v) || any;
         return any;
     }
@@ -130,6 +133,7 @@ private:
     std::vector<Index> latest_; // bad cells whose neighbors have not been looked at
     std::array<SparseMatrix, 2> parts_, cofaces_;
     SparseMatrix thirds_;
+    std::array<Vector, 2> rounding_; // of |E||*E|
 };
 
 ChosenStars hybrid(const Discretization& mesh) {
@@ -144,7 +148,7 @@ ChosenStars hybrid(const Discretization& mesh) {
     good.setIdentity();
     good = bad.edge_star().asDiagonal() * good;
     const HodgeStars stars = mesh.volumes().with_dual(0, bad.vertex_duals());
-    return {stars.with(1, good + galerkin_mass(mesh, 1, ones_on(bad.cells()))), StarKind::hybrid,
+    return {stars.with(1, good + GalerkinMass(mesh)(1, ones_on(bad.cells()))), StarKind::hybrid,
             bad.cells()};
 }
 
@@ -152,8 +156,9 @@ ChosenStars galerkin(const Discretization& mesh, int lowest) {
     const Cells all(static_cast<std::size_t>(mesh.complex().size(mesh.dimension())), true);
     HodgeStars stars = lowest > 0 ? mesh.volumes().with_dual(0, barycentric_volumes(mesh).dual(0))
                                   : mesh.volumes();
+    const GalerkinMass mass(mesh);
     for (int k = lowest; k < mesh.dimension(); ++k)
-        stars = stars.with(k, galerkin_mass(mesh, k, ones_on(all)));
+        stars = stars.with(k, mass(k, ones_on(all)));
     return {stars, StarKind::galerkin, all};
 }
 

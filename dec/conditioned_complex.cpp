@@ -54,27 +54,6 @@ std::vector<bool> but_for_robin(std::vector<bool> facets, const BoundaryConditio
     return facets;
 }
 
-/// without_dual() marks the boundary facets without dual.
-template <class Marks>
-ConditionedComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Side side,
-                               int degree, const BoundaryConditions& conditions,
-                               Marks without_dual) {
-    check_fit(complex, stars);
-    cell_degree(complex, side, degree); // which there must be
-    const bool densities = side == Side::primal && degree == complex.dimension();
-    const bool leaves_duals_out = side == Side::dual || densities;
-    const auto left_out =
-        essential_cells(complex, side == Side::dual ? exchanged(conditions) : conditions);
-    auto relative =
-        leaves_duals_out
-            ? relative_complex(
-                  complex, left_out,
-                  on_the_boundary(complex, but_for_robin(without_dual(), conditions), left_out))
-            : relative_complex(complex, left_out);
-    auto restricted = relative_stars(relative, stars);
-    return {std::move(relative), std::move(restricted)};
-}
-
 /// star(k, weights) is that within the boundary.
 template <class BoundaryStar>
 RobinParts parts_of_robin(const CellComplex& complex, Side side, int degree,
@@ -89,14 +68,19 @@ RobinParts parts_of_robin(const CellComplex& complex, Side side, int degree,
     return parts;
 }
 
+/// Rows and columns of the kept cells.
+SparseMatrix kept_part(const RelativeComplex& relative, int k, const SparseMatrix& of_all) {
+    const SparseMatrix P = inclusion(relative.cells[k], relative.whole_sizes[k]);
+    return P.transpose() * of_all * P;
+}
+
 RobinComplex with(RobinParts parts, ConditionedComplex space, int k) {
     auto& [relative, stars] = space;
     if (parts.layer.size() > 0)
-        stars = stars.with(k - 1, Operator::star(stars[k - 1]) +
-                                      Operator::weights(relative.restrict(k - 1, parts.layer)));
-    Vector weights;
+        stars = stars.with(k - 1, stars[k - 1].matrix() + kept_part(relative, k - 1, parts.layer));
+    SparseMatrix weights;
     if (parts.weights.size() > 0)
-        weights = relative.restrict(k, parts.weights);
+        weights = kept_part(relative, k, parts.weights);
     return {std::move(space), std::move(weights), std::move(parts)};
 }
 
@@ -110,14 +94,22 @@ BoundaryConditions essential_on(const Discretization& mesh,
 ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const HodgeStars& stars,
                                              Side side, int degree,
                                              const BoundaryConditions& conditions) {
-    return conditioned(complex, stars, side, degree, conditions,
-                       [&] { return boundary_facets_without_dual(complex, stars); });
-}
-
-ConditionedComplex conditioned_but_for_robin(const Discretization& mesh, Side side, int degree,
-                                             const BoundaryConditions& conditions) {
-    return conditioned(mesh.complex(), mesh.stars(), side, degree, conditions,
-                       [&] { return boundary_facets_without_dual(mesh); });
+    check_fit(complex, stars);
+    cell_degree(complex, side, degree); // which there must be
+    const bool densities = side == Side::primal && degree == complex.dimension();
+    const auto left_out =
+        essential_cells(complex, side == Side::dual ? exchanged(conditions) : conditions);
+    auto relative =
+        side == Side::dual || densities
+            ? relative_complex(
+                  complex, left_out,
+                  on_the_boundary(
+                      complex,
+                      but_for_robin(boundary_facets_without_dual(complex, stars), conditions),
+                      left_out))
+            : relative_complex(complex, left_out);
+    auto restricted = relative_stars(relative, stars);
+    return {std::move(relative), std::move(restricted)};
 }
 
 ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
@@ -125,12 +117,6 @@ ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeSt
                                        const BoundaryConditions& conditions) {
     refuse_robin(complex, conditions, "this problem");
     return conditioned_but_for_robin(complex, stars, side, degree, conditions);
-}
-
-ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,
-                                       const BoundaryConditions& conditions) {
-    refuse_robin(mesh.complex(), conditions, "this problem");
-    return conditioned_but_for_robin(mesh, side, degree, conditions);
 }
 
 RobinParts robin_parts(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
@@ -157,7 +143,7 @@ RobinComplex with_robin(const CellComplex& complex, const HodgeStars& stars, Sid
 RobinComplex with_robin(const Discretization& mesh, Side side, int degree,
                         const BoundaryConditions& conditions) {
     return with(robin_parts(mesh, side, degree, conditions),
-                conditioned_but_for_robin(mesh, side, degree, conditions),
+                conditioned_but_for_robin(mesh.complex(), mesh.stars(), side, degree, conditions),
                 cell_degree(mesh.complex(), side, degree));
 }
 

@@ -27,28 +27,23 @@ struct ConditionedComplex {
 /// the natural facets and their faces are. Of the essential ones those without dual (see
 /// boundary_facets_without_dual) are left out with the n-cell beside each and what has no other
 /// cofaces: the duals of these cells lie on the boundary, where dual forms are 0.
-/// Primal n-forms are the stars of dual 0-forms, which do without the duals of boundary facets. Of
-/// any cells, boundary facets are without dual where their star is zero.
+/// Primal n-forms are the stars of dual 0-forms, which do without the duals of boundary facets.
 /// Linear time. Throws InvalidInput if there are no forms of that degree, if there are conditions
 /// but not one for each facet, and for Robin's condition, of which stars know nothing.
 ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
                                        Side side, int degree, const BoundaryConditions& conditions);
-ConditionedComplex conditioned_complex(const Discretization& mesh, Side side, int degree,
-                                       const BoundaryConditions& conditions);
 
 /// The same without what Robin's condition adds to stars and operators: on its facets nothing is
 /// left out.
 ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const HodgeStars& stars,
                                              Side side, int degree,
                                              const BoundaryConditions& conditions);
-ConditionedComplex conditioned_but_for_robin(const Discretization& mesh, Side side, int degree,
-                                             const BoundaryConditions& conditions);
 
 /// What Robin's condition adds for forms of one side and degree, on k-cells, or on those below:
-/// boundary stars, 0 off its facets; empty where it adds nothing.
+/// boundary stars, 0 off its facets; 0 x 0 where it adds nothing.
 struct RobinParts {
-    Vector weights; ///< of primal forms, to the diagonal of star Delta: size(k)
-    Vector layer; ///< of dual ones, which it holds back as by a layer, to the star below: size(k-1)
+    SparseMatrix weights = {}; ///< of primal forms, to star Delta
+    SparseMatrix layer = {};   ///< of dual ones, which it holds back as by a layer, to the star below
 };
 
 /// Throws like robin_coefficients and boundary_star.
@@ -60,8 +55,8 @@ RobinParts robin_parts(const Discretization& mesh, Side side, int degree,
 /// The conditioned complex with these parts: with a layer the star below is a matrix.
 struct RobinComplex {
     ConditionedComplex space;
-    Vector weights;   ///< of the kept k-cells; empty: none
-    RobinParts parts; ///< of all cells
+    SparseMatrix weights; ///< of the kept k-cells; 0 x 0: none
+    RobinParts parts;     ///< of all cells
 };
 
 /// Throws like conditioned_but_for_robin and robin_parts.

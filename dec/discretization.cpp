@@ -13,6 +13,7 @@
 #include "dec/mesh_warnings.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/overlaps.h"
+#include "dec/metric/plane.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
 
@@ -142,11 +143,15 @@ struct Given {
     Vector lengths;  // empty if there are points
     double unit;
     FlatCellsKept flat = {};
+    Points plane = {}; // see Discretization::Parts
+
+    bool has_points() const { return mesh.points.cols() > 0; }
+    const Points& metric_points() const { return plane.cols() > 0 ? plane : mesh.points; }
 };
 
 /// Throws for cells without volume that are no pieces of others.
 void refuse_flat_cells(const Given& given, const Merging& merging) {
-    const auto& [complex, mesh, isolated, lengths, unit, flat] = given;
+    const auto& [complex, mesh, isolated, lengths, unit, flat, plane] = given;
     if (flat.rows.empty())
         return;
     const IncidenceMatrix& pieces = merging.diamond(complex.dimension());
@@ -182,17 +187,16 @@ struct Measured {
 };
 
 Measured measure(Given& given, const DiscretizeOptions& options) {
-    auto& [complex, mesh, isolated, lengths, unit, flat] = given;
-    const bool has_points = mesh.points.cols() > 0;
+    auto& [complex, mesh, isolated, lengths, unit, flat, plane] = given;
     if (options.delaunay == Delaunay::off) {
-        const SimplexMetric metric =
-            has_points ? SimplexMetric(mesh.points) : SimplexMetric(complex, lengths);
+        const SimplexMetric metric = given.has_points() ? SimplexMetric(given.metric_points())
+                                                        : SimplexMetric(complex, lengths);
         const auto volumes = dual_volumes(complex, metric, options.centers,
                                           given.flat.rows.empty() ? FlatSimplices::refused
                                                                   : FlatSimplices::passed_over);
         return {Passage(complex), metric, volumes, volumes, Points()};
     }
-    const Vector sides = has_points ? edge_lengths(complex, mesh.points) : lengths;
+    const Vector sides = given.has_points() ? edge_lengths(complex, mesh.points) : lengths;
     Passage passage(complex, flipped(complex, sides, options),
                     static_cast<Index>(mesh.points.rows() + isolated.rows()));
     const auto& flips = passage.flips();
@@ -207,7 +211,7 @@ Measured measure(Given& given, const DiscretizeOptions& options) {
 }
 
 Discretization measured(Given given, DiscretizeOptions options, const Progress& stage) {
-    auto& [complex, mesh, isolated, lengths, unit, flat] = given;
+    auto& [complex, mesh, isolated, lengths, unit, flat, plane] = given;
     if (!options.centers.are_circumcenters()) {
         options.criterion = MergeCriterion::none;
         if (options.delaunay != Delaunay::off)
@@ -217,7 +221,7 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     warn_of_orientation(complex.turned(), complex.size(complex.dimension()), complex.orientable(),
                         mesh.warnings);
     warn_of_branching(branching_facets(complex), mesh.warnings);
-    warn_of_overlaps(complex, mesh.points, mesh.warnings);
+    warn_of_overlaps(complex, given.metric_points(), mesh.warnings);
     const auto tags = tags_of_cells(complex, mesh.tags);
     const auto facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);
     const auto stays = staying_facets(complex, tags, facet_tags, options);
@@ -245,7 +249,7 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
                                  options, std::move(merged.degenerate), std::move(mesh.warnings),
                                  std::move(cell_tags), std::move(lengths), unit,
                                  std::move(isolated), std::move(merged_facet_tags), centers,
-                                 std::move(mesh.groups), std::move(merged.flat)});
+                                 std::move(mesh.groups), std::move(merged.flat), std::move(plane)});
     if (options.star == StarKind::circumcentric)
         return result;
     begin(stage, "stars");
@@ -253,11 +257,12 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
 }
 
 /// Flips do away with them, and merging takes them for pieces of their neighbors' cells.
-bool can_do_with_flat_cells(const Mesh& mesh, const DiscretizeOptions& options) {
+bool can_do_with_flat_cells(const Given& given, const DiscretizeOptions& options) {
     return options.delaunay != Delaunay::off ||
            (options.criterion == MergeCriterion::dual_length &&
             options.centers.are_circumcenters() &&
-            can_take_flat_simplices(mesh.dimension(), mesh.ambient_dimension()));
+            can_take_flat_simplices(given.complex.dimension(),
+                                    static_cast<Index>(given.metric_points().cols())));
 }
 
 } // namespace
@@ -276,6 +281,8 @@ void check_metric(const Discretization::Parts& parts) {
                       parts.passage.pieces().size(0));
         check_as_many("coordinates of the vertices of the pieces", parts.points.cols(), N);
     }
+    if (parts.plane.cols() > 0)
+        check_as_many("points in a plane", parts.plane.rows(), input.size(0));
     if (parts.isolated.rows() > 0)
         check_as_many("coordinates of the points of no cell", parts.isolated.cols(), N);
 }
@@ -328,8 +335,6 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
     begin(stage, "complex");
     FlatCellsKept flat;
     mesh = tidy(std::move(mesh), flat);
-    if (!flat.rows.empty() && !can_do_with_flat_cells(mesh, options))
-        refuse(mesh, flat);
     const double unit = unit_of_length(mesh);
     warn_of_unit(unit, mesh.warnings);
     if (unit != 1)
@@ -337,10 +342,14 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
     const SimplicialComplex complex(mesh.simplices);
     Points isolated = isolated_points(complex, mesh.points);
     mesh.points = vertex_points(complex, mesh.points);
+    Points plane = plane_points(mesh.points, complex.dimension());
+    Given given{complex,         std::move(mesh),  std::move(isolated), {}, unit,
+                std::move(flat), std::move(plane)};
+    if (!can_do_with_flat_cells(given, options))
+        refuse_flat_cells(given, unmerged(complex));
     if (options.delaunay != Delaunay::off)
-        flat = {};
-    return measured({complex, std::move(mesh), std::move(isolated), {}, unit, std::move(flat)},
-                    options, stage);
+        given.flat = {};
+    return measured(std::move(given), options, stage);
 }
 
 Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options,

@@ -44,6 +44,7 @@ public:
         Centers centers = options.centers;
         std::vector<GroupName> groups = {};
         std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others, or empty
+        Points plane = {}; ///< the input's points in the n-plane that has them all (plane_points)
     };
 
     /// Throws InvalidInput unless volumes, tags and points are those of as many cells and vertices,
@@ -123,16 +124,18 @@ public:
     const Points& isolated() const& { return parts_->isolated; }
     Points isolated() && { return isolated(); }
 
-    /// The metric of the pieces: the points, or lengths if only these are known or edges were
-    /// flipped; and that of the simplices of the input. They refer to this, so there is none of a
+    /// The metric of the pieces: the points, which count as n coordinates where they lie in an
+    /// n-plane, or lengths if only these are known or edges were flipped; and that of the simplices
+    /// of the input. They refer to this, so there is none of a
     /// temporary.
     SimplexMetric metric() const& {
         return passage().is_identity() ? input_metric()
                                        : SimplexMetric(pieces(), passage().flips().lengths);
     }
     SimplexMetric input_metric() const& {
-        return points().cols() > 0 ? SimplexMetric(input_points())
-                                   : SimplexMetric(input(), lengths());
+        return parts_->plane.cols() > 0 ? SimplexMetric(parts_->plane)
+               : points().cols() > 0    ? SimplexMetric(input_points())
+                                        : SimplexMetric(input(), lengths());
     }
     SimplexMetric metric() const&& = delete;
     SimplexMetric input_metric() const&& = delete;

@@ -5,6 +5,7 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/galerkin_mass.h"
+#include "dec/metric/simplex_geometry.h"
 #include "dec/parts_of_products.h"
 
 #include <fmt/format.h>
@@ -59,7 +60,7 @@ SparseMatrix material_star(const Discretization& mesh, int k, const Vector& weig
     check_number("a star of degree", k, 0, n);
     check_as_many(fmt::format("weights of {}-cells", n), weights.size(), mesh.complex().size(n));
     check_cell_weights("weight", weights, n);
-    return galerkin_mass(mesh, k, weights);
+    return GalerkinMass(mesh)(k, weights);
 }
 
 SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors) {
@@ -67,18 +68,17 @@ SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMa
     check_in_place(mesh);
     check_as_many(fmt::format("conductivities of {}-cells", n), std::ssize(tensors),
                   mesh.complex().size(n));
-    const Pieces& K = mesh.pieces();
+    const GalerkinMass mass(mesh);
+    const Pieces& K = mass.pieces();
+    const Points& points = *mass.metric().points();
     std::vector<Eigen::Triplet<double, Index>> entries;
     entries.reserve(K.size(n) * (n + 1) * (n + 1));
     for (Index t = 0; t < K.size(n); ++t) {
-        if (mesh.is_flat(t))
-            continue;
-        const Index cell = mesh.merging().carriers(n)[t].cell;
-        Points corners(n + 1, n);
-        for (int i = 0; i <= n; ++i)
-            corners.row(i) = mesh.points().row(K.simplices(n)(t, i));
+        const Index cell = mass.cell(t);
+        const Points corners = points(vertices(K.simplices(n), t), Eigen::all);
+        const DenseMatrix edges = corners.bottomRows(n).rowwise() - corners.row(0);
         const DenseMatrix M = flux_products(corners, inverse(tensors[cell], n, cell),
-                                            mesh.piece_volumes().primal(n)[t]);
+                                            std::abs(edges.determinant()) / std::tgamma(n + 1));
         // face i, without corner i, has the sign (-1)^i where flux leaves
         for (int i = 0; i <= n; ++i)
             for (int j = 0; j <= n; ++j)
@@ -87,7 +87,7 @@ SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMa
     }
     SparseMatrix W(K.size(n - 1), K.size(n - 1));
     W.setFromTriplets(entries.begin(), entries.end());
-    return lifted(mesh, n - 1, W);
+    return mass.lifted(n - 1, W);
 }
 
 Vector cell_means(const Discretization& mesh, int k, const Vector& weights) {

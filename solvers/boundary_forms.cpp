@@ -13,7 +13,7 @@ Vector outward_flow(const Discretization& mesh, Side side, const Vector& derivat
     check_as_many("outward derivatives", derivatives.size(), complex.size(n - 1));
     if (side == Side::primal)
         return dual_boundary_derivative(complex, n - 1).transpose() *
-               boundary_star(mesh, 0, derivatives);
+               Vector(boundary_star(mesh, 0, derivatives) * Vector::Ones(complex.size(0)));
     const Vector& areas = mesh.volumes().primal(n - 1);
     Vector flow = Vector::Zero(derivatives.size());
     for (Index t = 0; t < complex.size(n); ++t)

@@ -21,11 +21,11 @@ namespace {
 /// M_k + t (d^T M_(k+1) d + weights, if there are), and beside it t times d^T M_k and, negative,
 /// M_(k-1): of a form and its codifferential. Quasi-definite, so that it has factors in every
 /// order.
-SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars, const Vector& weights,
-                        int k, double t) {
+SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars,
+                        const SparseMatrix& weights, int k, double t) {
     const Operator mass = Operator::star(stars[k]);
     const Operator below = Operator::derivative(complex, k - 1).transposed();
-    Operator A = weights.size() > 0 ? mass + t * Operator::weights(weights) : mass;
+    Operator A = weights.size() > 0 ? mass + t * Operator::star({stars.volumes(), k, weights}) : mass;
     if (k < complex.dimension()) {
         const Operator d = Operator::derivative(complex, k);
         A = A + t * (d.transposed() * Operator::star(stars[k + 1]) * d);
@@ -90,7 +90,7 @@ Diffusion::Diffusion(const CellComplex& whole, const HodgeStars& all_stars, Robi
     solver_ = make_linear_solver(options.linear_solver);
     stiffness_ = symmetric_laplacian(complex, stars, k);
     if (robin_.size() > 0)
-        stiffness_ = stiffness_ + Operator::weights(robin_);
+        stiffness_ = stiffness_ + Operator::star({stars.volumes(), k, robin_});
     facts_ = {.symmetry = Symmetry::symmetric,
               .domain_dimension = complex.dimension(),
               .many_solves = true};
@@ -179,7 +179,7 @@ Vector Diffusion::boundary_rate(const BoundaryForms& data) const {
     const HodgeLaplaceEquations& of = equations();
     auto [w, below, b, g] = of.loads(data);
     const Vector shift = of.kept * moved(w);
-    b += of.upper * shift + of.robin.cwiseProduct(shift);
+    b += of.upper * shift + of.robin * shift;
     g += of.down * shift;
     if (of.k > 0) {
         const HodgeStar& star = space_->kept.space.stars[of.k - 1];

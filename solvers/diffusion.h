@@ -91,7 +91,7 @@ private:
     double coefficient_ = 1;
     Operator stiffness_;
     HodgeStar mass_;
-    Vector robin_; // what Robin's condition adds to the stiffness of primal forms
+    SparseMatrix robin_; // what Robin's condition adds to the stiffness of primal forms
     bool is_mixed_ = false;
     MatrixFacts facts_;
     std::shared_ptr<LinearSolver> solver_;

@@ -102,7 +102,6 @@ FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
     };
     if (!mesh.stars()[n - 1].is_diagonal())
         return duals;
-    duals.missing = boundary_facets_without_dual(mesh);
     if (conductivity.size() == 0)
         return duals;
     // piece by piece, as resistances in series add up

@@ -20,12 +20,6 @@ namespace polydec {
 
 namespace {
 
-SparseMatrix with_diagonal(const SparseMatrix& A, const Vector& diagonal) {
-    if (diagonal.isZero(0))
-        return A;
-    return A + SparseMatrix(diagonal.asDiagonal());
-}
-
 void check_stars(const HodgeStars& stars, Side side, int k) {
     const auto degree = [&](int j) { return side == Side::primal ? j : stars.dimension() - j; };
     check_positive_mass(stars[k], side, degree(k));
@@ -52,22 +46,22 @@ struct HodgeLaplaceSolver::System : HodgeLaplaceEquations {
         const SparseMatrix P = kept.transpose(), P_below = kept_below.transpose();
         weighted = P * M * kept * harmonic;
         solver = std::make_unique<SaddleSolver>(
-            SparseMatrix(P * with_diagonal(upper, robin) * kept),
+            SparseMatrix(P * (upper + robin) * kept),
             SparseMatrix(P_below * down * kept),
-            SparseMatrix(P_below * with_diagonal(M_below, robin_below) * kept_below), engine,
+            SparseMatrix(P_below * (M_below + robin_below) * kept_below), engine,
             complex.dimension());
     }
 
     /// Of primal forms the harmonic ones whose traces on Robin's facets are 0: to all others the
     /// condition adds energy.
     void keep_free_of_robin() {
-        if (harmonic.cols() == 0 || robin.isZero(0))
+        if (harmonic.cols() == 0 || robin.nonZeros() == 0)
             return;
         const DenseMatrix whole = kept * harmonic;
-        const DenseMatrix energy = whole.transpose() * robin.asDiagonal() * whole;
+        const DenseMatrix energy = whole.transpose() * (robin * whole);
         const Eigen::SelfAdjointEigenSolver<DenseMatrix> parts(energy);
         constexpr double rounding = 1e-12;
-        const double largest = (robin.array() * whole.rowwise().squaredNorm().array()).sum();
+        const double largest = robin.diagonal().dot(whole.rowwise().squaredNorm());
         const Index free = static_cast<Index>(
             (parts.eigenvalues().array() <= rounding * std::max(largest, energy.norm())).count());
         harmonic = (harmonic * parts.eigenvectors().leftCols(free)).eval();
@@ -78,7 +72,8 @@ HodgeLaplaceSolver::HodgeLaplaceSolver(const Discretization& mesh,
                                        const HodgeLaplaceOptions& options)
     : HodgeLaplaceSolver(
           mesh.complex(), mesh.stars(),
-          conditioned_but_for_robin(mesh, options.side, options.degree, options.boundary),
+          conditioned_but_for_robin(mesh.complex(), mesh.stars(), options.side, options.degree,
+                                    options.boundary),
           robin_parts(mesh, options.side, options.degree, options.boundary), options) {}
 
 HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,

@@ -19,14 +19,21 @@ double sign(int exponent) {
     return exponent % 2 == 0 ? 1 : -1;
 }
 
-/// The columns of some cells: their values to those of all.
-SparseMatrix inclusion(const RelativeComplex& relative, int k) {
-    std::vector<Eigen::Triplet<double, Index>> entries;
+SparseMatrix kept_cells(const RelativeComplex& relative, int k) {
+    return inclusion(relative.cells[k], relative.whole_sizes[k]);
+}
+
+/// The k-cells over which dw follows from w: the kept ones and those with data on all faces. Stars
+/// that are matrices couple both.
+SparseMatrix with_derivative(const RelativeComplex& relative, const CellMarks& fixed, int k) {
+    std::vector<bool> known = fixed[k];
     for (const Index cell : relative.cells[k])
-        entries.emplace_back(cell, static_cast<Index>(entries.size()), 1.0);
-    SparseMatrix result(relative.whole_sizes[k], static_cast<Index>(entries.size()));
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
+        known[cell] = true;
+    std::vector<Index> cells;
+    for (Index cell = 0; cell < relative.whole_sizes[k]; ++cell)
+        if (known[cell])
+            cells.push_back(cell);
+    return inclusion(cells, relative.whole_sizes[k]);
 }
 
 SparseMatrix transpose_of(const SparseMatrix& A) {
@@ -109,8 +116,8 @@ SparseMatrix boundary_part(const CellComplex& complex, int k) {
     return sign(k) * dual_boundary_derivative(complex, n - 1 - k);
 }
 
-Vector or_zeros(const Vector& values, Eigen::Index size) {
-    return values.size() > 0 ? values : Vector(Vector::Zero(size));
+SparseMatrix or_zeros(const SparseMatrix& matrix, Eigen::Index size) {
+    return matrix.size() > 0 ? matrix : SparseMatrix(size, size);
 }
 
 } // namespace
@@ -122,8 +129,8 @@ HodgeLaplaceEquations::HodgeLaplaceEquations(const CellComplex& complex, const H
     : side(of_side),
       dimension(complex.dimension()),
       k(cell_degree(complex, side, degree)),
-      kept(inclusion(space.relative, k)),
-      kept_below(k > 0 ? inclusion(space.relative, k - 1) : SparseMatrix(0, 0)),
+      kept(kept_cells(space.relative, k)),
+      kept_below(k > 0 ? kept_cells(space.relative, k - 1) : SparseMatrix(0, 0)),
       M(stars[k].matrix()),
       M_below(k > 0 ? stars[k - 1].matrix() : SparseMatrix(0, 0)),
       upper(M.rows(), M.rows()),
@@ -143,7 +150,8 @@ HodgeLaplaceEquations::HodgeLaplaceEquations(const CellComplex& complex, const H
         fix = centers;
         return;
     }
-    const SparseMatrix d = derivative(complex, k), above = inclusion(space.relative, k + 1);
+    const SparseMatrix d = derivative(complex, k),
+                       above = with_derivative(space.relative, fixed, k + 1);
     const SparseMatrix free = transpose_of(above) * d;
     upper = transpose_of(free) * SparseMatrix(transpose_of(above) * stars[k + 1].matrix() * above) *
             free;
@@ -158,8 +166,9 @@ BoundaryLoads HodgeLaplaceEquations::loads(const BoundaryForms& data) const {
     auto& [w, below, b, g] = result;
     if (fix.nonZeros() > 0)
         w += (fix * known.star_w).cwiseQuotient(M.diagonal());
-    b = B * known.star_dw - load * known.star_dw - upper * w - down.transpose() * below;
-    g = M_below * below - down * w + B_below * known.star_w - robin_below.cwiseProduct(known.below);
+    b = B * known.star_dw - load * known.star_dw - upper * w - robin * w - down.transpose() * below;
+    g = M_below * below + robin_below * below - down * w + B_below * known.star_w -
+        robin_below * known.below;
     return result;
 }
 

@@ -31,11 +31,11 @@ struct HodgeLaplaceEquations {
     SparseMatrix kept, kept_below; // from the values that are free to all
     Vector given, given_below;     // 1 at cells whose values data fix, else 0
     SparseMatrix M, M_below;       // of all cells, as are those behind
-    SparseMatrix upper;            // d^T M_(k+1) d, without what is given
+    SparseMatrix upper;            // d^T M_(k+1) d, but for dw that data give
     SparseMatrix down;             // d^T M_k
     SparseMatrix B, B_below;
     SparseMatrix fix, load;    // where n-cells have their centers on the boundary: star w, star dw
-    Vector robin, robin_below; // what Robin's condition adds to upper, and to M_below
+    SparseMatrix robin, robin_below; // what Robin's condition adds to upper, and to M_below
 };
 
 } // namespace polydec

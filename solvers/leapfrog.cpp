@@ -45,7 +45,7 @@ ConditionedComplex built_in(const CellComplex& complex, const HodgeStars& stars,
 ConditionedComplex conditioned(const Discretization& mesh, const BoundaryConditions& conditions,
                                Side side, int degree) {
     degrees(mesh.complex(), side, degree);
-    return conditioned_complex(mesh, side, degree, conditions);
+    return conditioned_complex(mesh.complex(), mesh.stars(), side, degree, conditions);
 }
 
 void check_stars(const CellComplex& complex, const HodgeStars& stars, Side side, int degree) {

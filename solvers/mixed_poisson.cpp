@@ -2,6 +2,7 @@
 #include "solvers/mixed_poisson.h"
 
 #include "base/errors.h"
+#include "complex/relative.h"
 #include "dec/forms/derivative.h"
 
 #include <fmt/format.h>
@@ -20,16 +21,6 @@ std::vector<Index> facets_of_unknown_flux(const CellComplex& complex,
     for (Index f = 0; f < complex.size(complex.dimension() - 1); ++f)
         if (counts[f] != 1 || essential[f])
             result.push_back(f);
-    return result;
-}
-
-/// The columns of some facets: their values to those of all.
-SparseMatrix inclusion(const std::vector<Index>& facets, Index size) {
-    SparseMatrix result(size, static_cast<Index>(facets.size()));
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    for (std::size_t i = 0; i < facets.size(); ++i)
-        entries.emplace_back(facets[i], i, 1.0);
-    result.setFromTriplets(entries.begin(), entries.end());
     return result;
 }
 

@@ -2,6 +2,7 @@
 #include "solvers/poisson.h"
 
 #include "base/errors.h"
+#include "dec/boundary_star.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/gram.h"
 #include "dec/forms/laplacian.h"
@@ -184,10 +185,11 @@ struct PoissonSolver::Problem {
     std::unique_ptr<MixedPoisson> mixed = nullptr; // in place of the system and of loads
     Vector robin = {};
 
-    /// shares() are what vertices have of facets.
-    template <class Shares>
+    /// shares() are what vertices have of facets, boundary(weights) is the star within the boundary.
+    template <class Shares, class BoundaryStar>
     static Problem primal(const CellComplex& complex, const HodgeStars& stars,
-                          const PoissonOptions& options, Stiffness stiffness, Shares shares) {
+                          const PoissonOptions& options, Stiffness stiffness, Shares shares,
+                          BoundaryStar boundary) {
         const int n = complex.dimension();
         const Index size = complex.size(0);
         const auto essential = essential_cells(complex, options.boundary);
@@ -197,13 +199,14 @@ struct PoissonSolver::Problem {
         if (!natural.isZero(0))
             flux_load = shares() * natural.asDiagonal();
         const Vector robin = robin_coefficients(complex, options.boundary);
-        const Vector of_vertices = flux_load * robin;
         std::vector<bool> tied(size, false);
-        for (Index v = 0; v < size; ++v)
-            if (of_vertices[v] > 0) {
-                stiffness.matrix.coeffRef(v, v) += of_vertices[v];
-                tied[v] = true;
-            }
+        if (!robin.isZero(0)) {
+            const SparseMatrix weights = boundary(robin);
+            const Vector of_vertices = weights.diagonal();
+            for (Index v = 0; v < size; ++v)
+                tied[v] = of_vertices[v] > 0;
+            stiffness.matrix += weights;
+        }
         SparseMatrix fix(size, size);
         fix.setIdentity();
         return {Side::primal,
@@ -281,7 +284,10 @@ struct PoissonSolver::Problem {
         Problem problem = options.side == Side::primal
                               ? primal(mesh.complex(), mesh.stars(), options,
                                        stiffness(mesh, options.conductivity),
-                                       [&] { return shares_of_vertices(mesh); })
+                                       [&] { return shares_of_vertices(mesh); },
+                                       [&](const Vector& weights) {
+                                           return boundary_star(mesh, 0, weights);
+                                       })
                               : dual(mesh.complex(), mesh.stars(), options,
                                      facet_duals(mesh, options.conductivity));
         problem.sites = options.side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
@@ -297,7 +303,12 @@ struct PoissonSolver::Problem {
                                "are divided among them is not known; give a mesh");
         Problem problem = options.side == Side::primal
                               ? primal(complex, stars, options, stiffness(complex, stars),
-                                       [&] { return shares_of_vertices(complex, stars); })
+                                       [&] { return shares_of_vertices(complex, stars); },
+                                       [&](const Vector& weights) {
+                                           const Vector of_vertices =
+                                               shares_of_vertices(complex, stars) * weights;
+                                           return SparseMatrix(of_vertices.asDiagonal());
+                                       })
                               : dual(complex, stars, options, facet_duals(complex, stars));
         problem.sites.resize(problem.mass.rows(), 0);
         problem.flux_sites.resize(complex.size(complex.dimension() - 1), 0);

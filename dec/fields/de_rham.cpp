@@ -8,7 +8,9 @@
 #include "dec/fields/transfer.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/exterior_product.h"
+#include "dec/metric/inverse_star.h"
 #include "dec/metric/quadrature.h"
+#include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/surfaces/places.h"
 
@@ -35,6 +37,22 @@ Vector checked_value(const SmoothForm& form, const Vector& point, Index size, co
     return value;
 }
 
+/// The mean of the coefficients over the simplex whose corners are the rows.
+Vector mean_of(const SmoothForm& form, const SimplexQuadrature& rule, const DenseMatrix& corners,
+               Index coefficients) {
+    Vector mean = Vector::Zero(coefficients);
+    for (Index q = 0; q < rule.weights.size(); ++q) {
+        const Vector point = (rule.points.row(q) * corners).transpose();
+        mean += rule.weights[q] * checked_value(form, point, coefficients, "form");
+    }
+    return mean;
+}
+
+void require_form(const SmoothForm& form) {
+    if (!form)
+        throw InvalidInput("an empty function is given for a smooth form");
+}
+
 /// Integrals of one k-form over simplices given by their corners.
 class Integral {
 public:
@@ -43,19 +61,13 @@ public:
           rule_(grundmann_moeller(k, quadrature_degree)),
           product_(static_cast<int>(N), k),
           factorial_(std::tgamma(k + 1.0)) {
-        if (!form)
-            throw InvalidInput("an empty function is given for a smooth form");
+        require_form(form);
     }
 
     /// Over the simplex whose corners are the k+1 rows.
     double operator()(const DenseMatrix& corners) const {
-        Vector mean = Vector::Zero(product_.size());
-        for (Index q = 0; q < rule_.weights.size(); ++q) {
-            const Vector point = (rule_.points.row(q) * corners).transpose();
-            mean += rule_.weights[q] * checked_value(form_, point, mean.size(), "form");
-        }
         const DenseMatrix edges = corners.bottomRows(corners.rows() - 1).rowwise() - corners.row(0);
-        return product_(edges).dot(mean) / factorial_;
+        return product_(edges).dot(mean_of(form_, rule_, corners, product_.size())) / factorial_;
     }
 
 private:
@@ -129,6 +141,86 @@ private:
     std::vector<Points> centers_; // by degree
 };
 
+/// The mean coefficients of a form over the k-simplices, a row each.
+DenseMatrix means_over(const Pieces& complex, const Points& points, int k, const SmoothForm& form,
+                       Index coefficients, int quadrature_degree) {
+    const auto rule = grundmann_moeller(k, quadrature_degree);
+    DenseMatrix result(complex.size(k), coefficients);
+    for (Index s = 0; s < complex.size(k); ++s)
+        result.row(s) = mean_of(form, rule, points(vertices(complex.simplices(k), s), Eigen::all),
+                                coefficients);
+    return result;
+}
+
+/// Integrals of a j-form on the boundary against the Whitney forms of its k-simplices,
+/// k! sum over i of (-1)^i lambda_i d lambda_0 ^ .. without i .. ^ d lambda_k.
+class WhitneyMoments {
+public:
+    WhitneyMoments(const Pieces& pieces, const Points& points, int j, const SmoothForm& form,
+                   int quadrature_degree)
+        : pieces_(pieces),
+          points_(points),
+          form_(form),
+          m_(pieces.dimension() - 1),
+          k_(m_ - j),
+          coefficients_(ExteriorProduct(static_cast<int>(points.cols()), j).size()),
+          rule_(grundmann_moeller(m_, quadrature_degree + 1)),
+          star_(static_cast<int>(points.cols()), m_, j),
+          faces_(pieces, m_, k_),
+          result_(Vector::Zero(pieces.size(k_))) {}
+
+    Vector all() {
+        const int n = pieces_.dimension();
+        const auto& cofaces = pieces_.coface_counts(m_);
+        for (Index t = 0; t < pieces_.size(n); ++t)
+            for (int omitted = 0; omitted <= n; ++omitted)
+                if (const Index f = pieces_.face(n, t, omitted); cofaces[f] == 1)
+                    add(f, pieces_.sign(n, t, omitted));
+        return std::move(result_);
+    }
+
+private:
+    /// The means of the form's coefficients over facet f, times each barycentric coordinate.
+    DenseMatrix means(const DenseMatrix& corners) const {
+        DenseMatrix result = DenseMatrix::Zero(m_ + 1, coefficients_);
+        for (Index q = 0; q < rule_.weights.size(); ++q) {
+            const Vector point = (rule_.points.row(q) * corners).transpose();
+            result += rule_.weights[q] * rule_.points.row(q).transpose() *
+                      checked_value(form_, point, coefficients_, "form").transpose();
+        }
+        return result;
+    }
+
+    void add(Index f, int orientation) {
+        const auto vertices_of_facet = vertices(pieces_.simplices(m_), f);
+        const DenseMatrix corners = points_(vertices_of_facet, Eigen::all);
+        star_.look_at(corners, orientation);
+        const DenseMatrix gradients = barycentric_gradients(points_, vertices_of_facet),
+                          by_corner = means(corners);
+        const auto& list = faces_.of(f);
+        for (std::size_t s = 0; s < list.size(); ++s)
+            for (int i = 0; i <= k_; ++i) {
+                auto others = faces_.positions()[s];
+                const int corner = others[i];
+                others.erase(others.begin() + i);
+                const double sign = i % 2 == 0 ? 1 : -1;
+                result_[list[s]] += sign * std::tgamma(k_ + 1.0) * star_.volume() *
+                                    star_.at(gradients(others, Eigen::all))
+                                        .dot(by_corner.row(corner));
+            }
+    }
+
+    const Pieces& pieces_;
+    const Points& points_;
+    const SmoothForm& form_;
+    int m_, k_;
+    Index coefficients_;
+    SimplexQuadrature rule_;
+    InverseStar star_;
+    SimplexFaces faces_;
+    Vector result_;
+};
+
 } // namespace
 
 SmoothForm function_form(std::function<double(const Vector& point)> function) {
@@ -187,11 +279,27 @@ Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const Sm
     return DualIntegrals(complex, points.cols(), k, integral, centers_of).all();
 }
 
+Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
+                            const SmoothForm& form, int quadrature_degree) {
+    const int k = cell_degree(complex, Side::dual, j);
+    require_straight(complex, points, "the de Rham map");
+    require_form(form);
+    const auto N = static_cast<int>(points.cols());
+    const DenseMatrix means =
+        means_over(complex, points, k, form, ExteriorProduct(N, j).size(), quadrature_degree);
+    return inverse_star_means(complex, points, j, [&](Index, Index s) { return means.row(s); });
+}
+
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree) {
     const auto N = mesh.points().cols();
     require_points(N, "the de Rham map");
     const int k = cell_degree(mesh.pieces(), Side::dual, j);
+    if (!mesh.chosen_stars().is_over_duals(k)) {
+        const Vector primal = inverse_star_de_rham(mesh.input(), mesh.input_points(), j, form,
+                                                   quadrature_degree);
+        return star(mesh.complex(), mesh.stars(), to_merged(mesh, {Side::primal, k, primal}));
+    }
     const Integral integral(form, static_cast<Index>(N), j, quadrature_degree);
     const Places places(mesh.passage(), mesh.points());
     const auto centers_of = [&](int i) {
@@ -214,6 +322,10 @@ Vector boundary_de_rham(const Discretization& mesh, int j, const SmoothForm& for
     const int n = mesh.dimension();
     require_points(N, "the de Rham map");
     check_number("boundary data of dual forms of degree", j, 0, n - 1);
+    require_form(form);
+    if (j > 0 && !mesh.stars()[n - j].is_diagonal())
+        return mesh.lift()[n - 1 - j].transpose() *
+               WhitneyMoments(mesh.pieces(), mesh.points(), j, form, quadrature_degree).all();
     const Integral integral(form, static_cast<Index>(N), j, quadrature_degree);
     const Places places(mesh.passage(), mesh.points());
     const Centers of_facets =

@@ -47,7 +47,16 @@ Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form,
 Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
                     int quadrature_degree = 5, const Centers& centers = {});
 
-/// The same over the duals of merged cells: the mean by volume over the pieces. After flips the
+/// The primal (n-j)-form that has this j-form as its star: the integrals of the inverse star over
+/// the k-simplices, k = n-j, as they are oriented, in the planes of the n-simplices around; where
+/// these have different ones the mean by volume. Size size(k). The form is asked for values in the
+/// simplices alone. Throws like de_rham.
+Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
+                            const SmoothForm& form, int quadrature_degree = 5);
+
+/// The dual j-form on merged cells, by the stars of the mesh: over the circumcentric duals, the
+/// mean by volume over the pieces, where the stars are these (see ChosenStars::is_over_duals); else
+/// the star of inverse_star_de_rham, since a star that is a matrix knows no duals. After flips the
 /// centers are those of cell_centers, on the surface, and elementary simplices are straight between
 /// them: Stokes' theorem holds as before.
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
@@ -57,7 +66,9 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
 /// n-j-1: what boundary data of dual forms are made of (see dual_boundary_derivative, also for
 /// their orientation). One value for each (n-j-1)-cell, 0 off the boundary; for j = 0 the values at
 /// facet_sites, where they are on bent cells the mean over pieces. With the dual_derivative of a
-/// smooth form it is exact: Stokes' theorem holds to the accuracy of the quadrature.
+/// smooth form it is exact: Stokes' theorem holds to the accuracy of the quadrature. Where the star
+/// of cells of degree n-j is a matrix they are integrals against the Whitney forms of the cells on
+/// the boundary, as Galerkin's equations have them.
 /// Throws like de_rham, and for another degree than 0..n-1.
 Vector boundary_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                         int quadrature_degree = 5);

@@ -7,6 +7,7 @@
 #include "dec/forms/star.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/dual_parts.h"
+#include "dec/metric/inverse_star.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/surfaces/places.h"
 
@@ -135,11 +136,30 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
         mesh, places, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
 }
 
+/// The stars of the fluxes of the vectors, where stars know no duals: of the simplices of the input
+/// for a field at vertices, of the pieces for one on cells.
+Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const DenseMatrix& field) {
+    const Pieces& K = at_vertices ? mesh.input() : mesh.pieces();
+    const Points& points = at_vertices ? mesh.input_points() : mesh.points();
+    const int n = mesh.dimension();
+    const Points of_facets =
+        at_vertices ? means(K, field.topRows(K.size(0)), n - 1) : Points();
+    const Points of_cells = at_vertices ? Points() : copied_to_pieces(mesh, field);
+    const Cochain fluxes{Side::primal, n - 1,
+                         inverse_star_means(K, points, 1, [&](Index t, Index f) {
+                             return at_vertices ? of_facets.row(f) : of_cells.row(t);
+                         })};
+    return star(mesh.complex(), mesh.stars(),
+                at_vertices ? to_merged(mesh, fluxes) : on_cells(mesh, fluxes));
+}
+
 } // namespace
 
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     require_points(mesh.points().cols(), "a flat");
     check_field(mesh, is_at_vertices(kind), field);
+    if (!is_primal(kind) && !mesh.chosen_stars().is_over_duals(mesh.dimension() - 1))
+        return star_of_fluxes(mesh, is_at_vertices(kind), field);
     if (!is_primal(kind))
         return on_cells(mesh, {Side::dual, 1, along_dual_edges(mesh, kind, field)});
     if (kind == Flat::dpp)

@@ -28,6 +28,9 @@ enum class Flat {
 /// All is computed on the simplices, over which a merged cell's vector is copied, and mapped to
 /// merged cells by sums (primal) or means by volume (dual). The dual edge of a boundary facet ends
 /// at the facet's circumcenter. Source: Hirani 2003, ch. 5.
+/// Where the star of (n-1)-cells knows no duals (see ChosenStars::is_over_duals) dual forms are the
+/// stars of the fluxes through the facets, of the mean of their vertices' vectors or of those of
+/// the cells beside them, by volume.
 /// After flips ppp and pdp go by the edges of the input and the passage. For dpp an edge goes from
 /// its one end to the other, which is all that the integral of a constant depends on; dual edges
 /// are straight between the centers of cell_centers, where ppd has the field that is linear on the

@@ -212,12 +212,8 @@ HodgeStars relative_stars(const RelativeComplex& relative, const HodgeStars& sta
     for (int k = 0; k <= stars.dimension(); ++k) {
         if (stars[k].is_diagonal())
             continue;
-        std::vector<Eigen::Triplet<double, Index>> kept;
-        for (const Index cell : relative.cells[k])
-            kept.emplace_back(static_cast<Index>(kept.size()), cell, 1.0);
-        SparseMatrix rows(static_cast<Index>(kept.size()), stars[k].size());
-        rows.setFromTriplets(kept.begin(), kept.end());
-        result = result.with(k, rows * stars[k].matrix() * SparseMatrix(rows.transpose()));
+        const SparseMatrix kept = inclusion(relative.cells[k], relative.whole_sizes[k]);
+        result = result.with(k, SparseMatrix(kept.transpose()) * stars[k].matrix() * kept);
     }
     return result;
 }

@@ -23,6 +23,11 @@ ChosenStars::ChosenStars(const HodgeStars& stars_, StarKind kind_)
                                 ? 0
                                 : static_cast<std::size_t>(stars_[stars_.dimension()].size()))) {}
 
+bool ChosenStars::is_over_duals(int k) const {
+    return stars[k].is_diagonal() && (kind == StarKind::circumcentric || kind == StarKind::own ||
+                                      k == stars.dimension());
+}
+
 double ChosenStars::galerkin_share() const {
     const auto count = std::count(galerkin.begin(), galerkin.end(), true);
     return galerkin.empty() ? 0 : static_cast<double>(count) / static_cast<double>(galerkin.size());

@@ -37,6 +37,10 @@ struct ChosenStars {
     /// Without Galerkin's.
     explicit ChosenStars(const HodgeStars& stars, StarKind kind = StarKind::own);
 
+    /// Whether the star of k-cells is between the circumcentric duals of the volumes, so that forms
+    /// on duals are integrals over these. Where it is not they are stars of primal forms.
+    bool is_over_duals(int k) const;
+
     /// How many of the n-cells these are, 0 to 1.
     double galerkin_share() const;
 };

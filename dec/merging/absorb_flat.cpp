@@ -6,11 +6,28 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace polydec {
 
 namespace {
+
+/// The values, those equal but for rounding with the least of them.
+std::vector<double> without_rounding(const std::vector<double>& values) {
+    constexpr double tie = 1e-12;
+    std::vector<double> least = values;
+    std::sort(least.begin(), least.end());
+    std::size_t kept = 0;
+    for (const double value : least)
+        if (kept == 0 || value > least[kept - 1] * (1 + tie))
+            least[kept++] = value;
+    least.resize(kept);
+    std::vector<double> result;
+    for (const double value : values)
+        result.push_back(*std::prev(std::upper_bound(least.begin(), least.end(), value)));
+    return result;
+}
 
 /// What classes of ordinary simplices may take.
 class Absorption {
@@ -63,7 +80,7 @@ private:
     bool are_near(Index t, Index root, Index other) const;
     void hand_over();
     void hand_over_to(Index root, const std::vector<Index>& simplices);
-    std::vector<Index> in_order_of_space() const;
+    std::vector<Index> in_order_of_size() const;
 
     const Pieces& complex_;
     const Points& points_;
@@ -134,33 +151,51 @@ bool Absorption::unite_cut_classes() {
     return any;
 }
 
-/// All candidates, by the ascending places of their corners.
-std::vector<Index> Absorption::in_order_of_space() const {
+/// All candidates by volume, of equal ones by the radius of their spheres; where both are equal but
+/// for rounding, by the ascending places of their corners.
+std::vector<Index> Absorption::in_order_of_size() const {
+    std::map<Index, std::vector<Index>> corners;
+    std::map<Index, double> volume;
+    for (const auto& [t, roots] : candidates_)
+        for (const Index root : roots)
+            corners[root];
+    for (Index t = 0; t < std::ssize(roots_); ++t)
+        if (const auto found = corners.find(roots_[t]); found != corners.end()) {
+            const auto simplex = complex_.simplices(n()).row(t);
+            found->second.insert(found->second.end(), simplex.begin(), simplex.end());
+            volume[roots_[t]] += flat_[t] ? 0 : volumes_.primal(n())[t];
+        }
     const auto before = [this](Index v, Index w) {
         const auto a = points_.row(v), b = points_.row(w);
         return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
     };
-    std::map<Index, std::vector<Index>> corners;
-    for (const auto& [t, roots] : candidates_)
-        for (const Index root : roots)
-            corners[root];
-    for (std::size_t t = 0; t < roots_.size(); ++t)
-        if (const auto found = corners.find(roots_[t]); found != corners.end())
-            for (const Index v : complex_.simplices(n()).row(static_cast<Index>(t)))
-                found->second.push_back(v);
-    std::vector<Index> order;
+    std::vector<Index> roots;
+    std::vector<double> volumes, radii;
     for (auto& [root, list] : corners) {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
         std::sort(list.begin(), list.end(), before);
-        order.push_back(root);
+        roots.push_back(root);
+        volumes.push_back(volume[root]);
+        radii.push_back(spheres_.radius(root));
     }
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-        const auto &first = corners.at(a), &second = corners.at(b);
+    volumes = without_rounding(volumes);
+    radii = without_rounding(radii);
+    std::vector<std::size_t> order(roots.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        if (volumes[i] != volumes[j])
+            return volumes[i] < volumes[j];
+        if (radii[i] != radii[j])
+            return radii[i] < radii[j];
+        const auto &first = corners.at(roots[i]), &second = corners.at(roots[j]);
         return std::lexicographical_compare(first.begin(), first.end(), second.begin(),
                                             second.end(), before);
     });
-    return order;
+    std::vector<Index> result;
+    for (const std::size_t i : order)
+        result.push_back(roots[i]);
+    return result;
 }
 
 /// To one class after the other what is left of its candidates and hangs together with it.
@@ -169,7 +204,7 @@ void Absorption::hand_over() {
     for (const auto& [t, roots] : candidates_)
         for (const Index root : roots)
             by_root[root].push_back(t);
-    for (const Index root : in_order_of_space())
+    for (const Index root : in_order_of_size())
         hand_over_to(root, by_root[root]);
 }
 

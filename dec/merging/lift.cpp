@@ -147,7 +147,7 @@ void Lift::fill_cell(int m, Index F) {
         rows_[m].begin(piece);
         rows_[m].append(piece, F, s.value() * volumes_.primal(m)[piece] / volume);
     }
-    for (int j = m - 1; j > 0 && pieces.size() > 1; --j)
+    for (int j = m - 1; j >= 0 && pieces.size() > 1; --j)
         if (!inside_[m][j][F].empty())
             fill_degree(m, F, j);
 }
@@ -195,7 +195,7 @@ void Lift::fill_degree(int m, Index F, int j) {
     D.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SparseQR<ColumnMajor, Eigen::COLAMDOrdering<Index>> qr(D);
     DenseMatrix x = qr.solve(right_side);
-    if (!inside_[m][j - 1][F].empty())
+    if (j > 0 && !inside_[m][j - 1][F].empty())
         x = least_energy(m, F, j, std::move(x), cells);
 
     constexpr double rounding = 1e-15;

@@ -9,7 +9,8 @@ namespace polydec {
 
 /// The lifts S_0, .., S_n of forms on merged cells to the simplices: S_k is size of K times size of
 /// P, with dia_k S_k = I and d_k S_k = S_(k+1) d^P_k, so Stokes' theorem holds inside every merged
-/// cell. S_n shares a cell's value among its pieces in proportion to volume, S_0 = I. Where the
+/// cell. S_n shares a cell's value among its pieces in proportion to volume, S_0 = I unless
+/// pieces have vertices inside of cells. Where the
 /// values inside a cell are not unique, those of least Whitney energy are taken; then the integrals
 /// of every constant form over a flat cell are returned exactly. Dimensionless.
 ///

@@ -4,14 +4,15 @@
 #include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/parallel.h"
-#include "base/random.h"
 #include "complex/disjoint_sets.h"
+#include "dec/metric/simplex_faces.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 
 namespace polydec {
@@ -20,16 +21,6 @@ namespace {
 
 using Row = IncidenceMatrix::InnerIterator;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 31, 31>;
-
-/// Lines through every vertex; each makes two rays.
-constexpr int lines = 2;
-constexpr int rays = 2 * lines;
-
-/// What one n-simplex says.
-struct Sight {
-    std::int8_t sign = 0;         ///< of its determinant; 0 if that is rounding
-    std::array<Index, rays> from; ///< of which vertex each ray begins in it, or -1
-};
 
 /// The coordinates that are not the same everywhere.
 std::vector<Eigen::Index> varying_coordinates(const Points& points) {
@@ -40,64 +31,38 @@ std::vector<Eigen::Index> varying_coordinates(const Points& points) {
     return axes;
 }
 
-DenseMatrix some_directions(Index n) {
-    DenseMatrix directions(n, Index{lines});
-    Noise(7).fill(directions.reshaped());
-    return directions;
-}
+/// The edges of an n-simplex from its first corner, each over its largest coordinate, so that no
+/// scale matters, and the sign of their determinant, 0 if that is rounding.
+struct Sight {
+    Square edges;
+    Vector lengths;
+    std::int8_t sign = 0;
+};
 
-/// With the edges e_j from corner 0 and sum_j w_j e_j = d, w_0 = -sum_j w_j, the ray along d from
-/// a corner begins in the simplex iff the weight of that corner alone is negative.
-Sight look(const Points& points, std::span<const Index> corners, const DenseMatrix& directions) {
+Sight look(const Points& points, std::span<const Index> corners) {
     const auto n = static_cast<Eigen::Index>(corners.size()) - 1;
-    Square edges(n, n);
-    Eigen::Array<double, Eigen::Dynamic, 1, 0, 31, 1> lengths(n);
+    Sight sight{Square(n, n), Vector(n)};
     for (Eigen::Index j = 0; j < n; ++j) {
-        edges.col(j) = (points.row(corners[j + 1]) - points.row(corners[0])).transpose();
-        lengths[j] = edges.col(j).lpNorm<Eigen::Infinity>();
-        edges.col(j) /= lengths[j]; // so that no scale matters
+        const auto edge = points.row(corners[j + 1]) - points.row(corners[0]);
+        sight.lengths[j] = edge.lpNorm<Eigen::Infinity>();
+        sight.edges.row(j) = edge / sight.lengths[j];
     }
-    Sight sight;
-    sight.from.fill(-1);
-    const Eigen::PartialPivLU<Square> factors(edges);
-    const double determinant = factors.determinant();
+    const double determinant = sight.edges.determinant();
     const double rounding = 64 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
-    if (!(std::abs(determinant) > rounding))
-        return sight;
-    sight.sign = determinant > 0 ? 1 : -1;
-
-    const double shortest = lengths.minCoeff();
-    for (int line = 0; line < lines; ++line) {
-        Eigen::Array<double, Eigen::Dynamic, 1, 0, 32, 1> weights(n + 1);
-        weights.tail(n) = factors.solve(directions.col(line)).array();
-        // by Cramer's rule the error of a weight is that of a determinant, over the determinant
-        const double error = rounding / std::abs(determinant) * weights.tail(n).abs().maxCoeff();
-        weights.tail(n) *= shortest / lengths;
-        weights[0] = -weights.tail(n).sum();
-        const auto negative = (weights < -error).count(), positive = (weights > error).count();
-        Eigen::Index corner = 0;
-        if (negative == 1 && positive == n) {
-            weights.minCoeff(&corner);
-            sight.from[2 * line] = corners[corner];
-        }
-        if (positive == 1 && negative == n) {
-            weights.maxCoeff(&corner);
-            sight.from[2 * line + 1] = corners[corner];
-        }
-    }
+    if (std::abs(determinant) > rounding)
+        sight.sign = determinant > 0 ? 1 : -1;
     return sight;
 }
 
-std::vector<Sight> look_at_all(const Pieces& complex, const Points& points) {
+std::vector<std::int8_t> signs_of_all(const Pieces& complex, const Points& points) {
     const int n = complex.dimension();
-    const DenseMatrix directions = some_directions(n);
-    std::vector<Sight> sights(static_cast<std::size_t>(complex.size(n)));
+    std::vector<std::int8_t> signs(static_cast<std::size_t>(complex.size(n)));
     constexpr Index part_size = 1 << 12;
     for_each_part(complex.size(n), part_size, [&](Index begin, Index end) {
         for (Index t = begin; t < end; ++t)
-            sights[t] = look(points, vertices(complex.simplices(n), t), directions);
+            signs[t] = look(points, vertices(complex.simplices(n), t)).sign;
     });
-    return sights;
+    return signs;
 }
 
 /// An n-simplex at a facet, and on which of its sides it lies.
@@ -108,7 +73,7 @@ struct Half {
 
 /// Connects cells across facets with two cofaces by whether they lie on different sides, and marks
 /// those that share a side of a branching facet with an earlier one.
-void compare_sides(const Pieces& complex, const std::vector<Sight>& sights, DisjointSets& parts,
+void compare_sides(const Pieces& complex, const std::vector<std::int8_t>& signs, DisjointSets& parts,
                    std::vector<bool>& folded) {
     const int n = complex.dimension();
     const IncidenceMatrix cofaces = complex.boundary(n);
@@ -117,8 +82,8 @@ void compare_sides(const Pieces& complex, const std::vector<Sight>& sights, Disj
         around.clear();
         for (Row t(cofaces, f); t; ++t) {
             const auto cell = static_cast<Index>(t.col());
-            if (sights[cell].sign != 0)
-                around.push_back({cell, t.value() * complex.orientation(cell) * sights[cell].sign});
+            if (signs[cell] != 0)
+                around.push_back({cell, t.value() * complex.orientation(cell) * signs[cell]});
         }
         if (complex.coface_counts(n - 1)[f] == 2 && around.size() == 2) {
             const bool agree =
@@ -139,15 +104,15 @@ void compare_sides(const Pieces& complex, const std::vector<Sight>& sights, Disj
 
 /// The smaller half of each part that lies on two sides, of equal ones that without the part's
 /// first cell; and those too many at branching facets.
-std::vector<Index> find_folded(const Pieces& complex, const std::vector<Sight>& sights) {
-    const auto cells = static_cast<Index>(sights.size());
+std::vector<Index> find_folded(const Pieces& complex, const std::vector<std::int8_t>& signs) {
+    const auto cells = static_cast<Index>(signs.size());
     DisjointSets parts(cells);
-    std::vector<bool> folded(sights.size(), false);
-    compare_sides(complex, sights, parts, folded);
+    std::vector<bool> folded(signs.size(), false);
+    compare_sides(complex, signs, parts, folded);
 
     // at the root of each part: how many lie as its first cell does, and how many do not
-    std::vector<std::int8_t> first(sights.size(), 0);
-    std::vector<std::array<Index, 2>> halves(sights.size(), {0, 0});
+    std::vector<std::int8_t> first(signs.size(), 0);
+    std::vector<std::array<Index, 2>> halves(signs.size(), {0, 0});
     const auto half = [&](Index t) {
         const auto root = parts.find(t);
         return root.sign == first[root.element] ? 0 : 1;
@@ -167,25 +132,54 @@ std::vector<Index> find_folded(const Pieces& complex, const std::vector<Sight>& 
     return result;
 }
 
-/// Vertices from which a ray begins in two cells, none of those around folded.
-std::vector<Index> find_wound(const Pieces& complex, const std::vector<Sight>& sights,
-                              const std::vector<Index>& folded, Index points) {
-    const Simplices& cells = complex.simplices(complex.dimension());
-    std::vector<bool> left_out(static_cast<std::size_t>(points), false), found = left_out;
-    for (const Index t : folded)
-        for (const Index v : cells.row(t))
-            left_out[v] = true;
-    for (int ray = 0; ray < rays; ++ray) {
-        std::vector<bool> seen(static_cast<std::size_t>(points), false);
-        for (const Sight& sight : sights)
-            if (const Index v = sight.from[ray]; v >= 0) {
-                if (seen[v] && !left_out[v])
-                    found[v] = true;
-                seen[v] = true;
-            }
+/// The angles of the cells around each (n-2)-simplex, added up.
+Vector angle_sums(const Pieces& complex, const Points& points) {
+    const int n = complex.dimension();
+    SimplexFaces faces(complex, n, n - 2);
+    Vector sums = Vector::Zero(complex.size(n - 2));
+    for (Index t = 0; t < complex.size(n); ++t) {
+        const Sight sight = look(points, vertices(complex.simplices(n), t));
+        if (sight.sign == 0)
+            continue;
+        // of the barycentric coordinates: normals of the facets
+        DenseMatrix gradients(n + 1, n);
+        const Square inverse = sight.edges.inverse();
+        const double shortest = sight.lengths.minCoeff();
+        for (int i = 1; i <= n; ++i)
+            gradients.row(i) = inverse.col(i - 1).transpose() * (shortest / sight.lengths[i - 1]);
+        gradients.row(0) = -gradients.bottomRows(n).colwise().sum();
+        gradients.rowwise().normalize();
+        const auto& list = faces.of(t);
+        for (std::size_t s = 0; s < list.size(); ++s) {
+            std::vector<int> omitted;
+            for (int i = 0; i <= n; ++i)
+                if (!std::ranges::binary_search(faces.positions()[s], i))
+                    omitted.push_back(i);
+            const auto a = gradients.row(omitted[0]), b = gradients.row(omitted[1]);
+            sums[list[s]] += 2 * std::atan2((a + b).norm(), (a - b).norm());
+        }
     }
+    return sums;
+}
+
+/// The vertices of (n-2)-simplices with more than a full turn of cells around, none of them folded.
+std::vector<Index> find_wound(const Pieces& complex, const Points& points,
+                              const std::vector<Index>& folded) {
+    const int n = complex.dimension();
+    if (n < 2)
+        return {};
+    constexpr double turn = 2 * std::numbers::pi + 1e-6;
+    const Vector angles = angle_sums(complex, points);
+    std::vector<bool> left_out(static_cast<std::size_t>(points.rows()), false), found = left_out;
+    for (const Index t : folded)
+        for (const Index v : complex.simplices(n).row(t))
+            left_out[v] = true;
+    for (Index s = 0; s < angles.size(); ++s)
+        if (angles[s] > turn)
+            for (const Index v : complex.simplices(n - 2).row(s))
+                found[v] = !left_out[v];
     std::vector<Index> result;
-    for (Index v = 0; v < points; ++v)
+    for (Index v = 0; v < points.rows(); ++v)
         if (found[v])
             result.push_back(v);
     return result;
@@ -199,10 +193,9 @@ Overlaps find_overlaps(const Pieces& complex, const Points& all) {
     if (static_cast<int>(axes.size()) != complex.dimension())
         return {};
     const Points points = all(Eigen::all, axes);
-    const auto sights = look_at_all(complex, points);
     Overlaps result;
-    result.folded = find_folded(complex, sights);
-    result.wound = find_wound(complex, sights, result.folded, static_cast<Index>(points.rows()));
+    result.folded = find_folded(complex, signs_of_all(complex, points));
+    result.wound = find_wound(complex, points, result.folded);
     return result;
 }
 

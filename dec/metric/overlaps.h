@@ -15,16 +15,16 @@ struct Overlaps {
     /// lie on the same side of such a facet as their neighbor, the smaller number of each part; and
     /// those on one side of a branching facet together with another. Ascending.
     std::vector<Index> folded;
-    /// Vertices whose cells overlap without a fold, as they do where they wind around it twice.
+    /// Vertices of (n-2)-simplices around which the angles of the cells add up to more than a full
+    /// turn, without a fold, as they do where cells wind around a vertex of the plane twice.
     /// Ascending.
     std::vector<Index> wound;
 };
 
-/// Looks at every facet, and from every vertex in some fixed directions: of the cells around a
-/// vertex one at most contains what lies there. So around inner vertices every overlap without
-/// folds is found; at the boundary those that these directions meet. What is no more than rounding
-/// (a cell that is flat to the last digits) speaks neither for nor against. Linear time; products
-/// of n lengths must be ordinary numbers. Empty unless n coordinates vary.
+/// Looks at every facet, and adds up the angles around every (n-2)-simplex: so neither numbers nor
+/// axes matter, and around inner vertices every overlap without folds is found. What is no more
+/// than rounding (a cell that is flat to the last digits) speaks neither for nor against. Linear
+/// time; products of n lengths must be ordinary numbers. Empty unless n coordinates vary.
 /// Throws InvalidInput unless there is a point for each vertex.
 Overlaps find_overlaps(const Pieces& complex, const Points& points);
 

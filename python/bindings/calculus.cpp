@@ -173,8 +173,7 @@ BoundaryConditions conditions_of(const std::vector<bool>& essential, const Vecto
 
 ConditionedComplex conditioned(const Calculus& of, Side side, int degree,
                                const BoundaryConditions& conditions) {
-    return of.mesh ? conditioned_complex(*of.mesh, side, degree, conditions)
-                   : conditioned_complex(of.complex, of.stars, side, degree, conditions);
+    return conditioned_complex(of.complex, of.stars, side, degree, conditions);
 }
 
 void add_calculus(py::module_& module) {

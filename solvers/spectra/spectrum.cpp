@@ -29,20 +29,17 @@ void check_count(const CellComplex& complex, const SpectrumOptions& options, int
                                        complex.size(k), k, complex.size(k)));
 }
 
-/// The pencil of the Laplacian with these weights, if there are, added on the diagonal.
+/// The pencil of the Laplacian with these weights, if there are, added.
 Pencil pencil_of(const CellComplex& complex, const HodgeStars& stars, int k,
-                 const Vector& weights) {
+                 const SparseMatrix& weights) {
     Pencil pencil = laplacian_pencil(complex, stars, k);
-    if (weights.size() > 0) {
-        SparseMatrix identity(weights.size(), weights.size());
-        identity.setIdentity();
-        pencil.parts.push_back({std::move(identity), weights});
-    }
+    pencil.C = weights;
     return pencil;
 }
 
 /// Of a complex under conditions, of which Robin's adds weights.
-Spectrum spectrum_with(const CellComplex& complex, const HodgeStars& stars, const Vector& weights,
+Spectrum spectrum_with(const CellComplex& complex, const HodgeStars& stars,
+                       const SparseMatrix& weights,
                        const SpectrumOptions& options) {
     const int k = cell_degree(complex, options.side, options.degree);
     check_count(complex, options, k);

@@ -213,8 +213,7 @@ Questions of_diagnoses(const Sample& s) {
          }},
         {"boundary_facets_without_dual",
          [&s, n](Inputs&) {
-             return fit(std::ssize(boundary_facets_without_dual(s.mesh)) == s.size(n - 1) &&
-                        std::ssize(boundary_facets_without_dual(s.P(), s.V())) == s.size(n - 1));
+             return fit(std::ssize(boundary_facets_without_dual(s.P(), s.V())) == s.size(n - 1));
          }},
         {"find_overlaps",
          [&s](Inputs& in) {
@@ -233,7 +232,7 @@ Questions of_diagnoses(const Sample& s) {
          [&s, n](Inputs& in) {
              BoundaryConditions conditions;
              conditions.facets = in.list(s.size(n - 1), BoundaryCondition::natural);
-             const auto there = conditioned_complex(s.mesh, Side::primal, in.degree(0), conditions);
+             const auto there = conditioned_complex(s.P(), s.mesh.stars(), Side::primal, in.degree(0), conditions);
              return fit(there.stars[0].diagonal(), there.relative.complex.size(0));
          }},
         {"diagnose",

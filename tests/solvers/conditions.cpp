@@ -161,7 +161,7 @@ TEST(Conditions, exchange_with_the_star) {
         const int n = mesh.dimension();
         for (int k = 0; k <= n; ++k)
             for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
-                const auto space = conditioned_complex(mesh, Side::primal, 0, conditions);
+                const auto space = conditioned_complex(mesh.complex(), mesh.stars(), Side::primal, 0, conditions);
                 const Index count = std::min<Index>(2, space.relative.complex.size(k));
                 if (count == 0)
                     continue;
@@ -184,7 +184,7 @@ TEST(HeatUnderConditions, makes_modes_decay_with_their_eigenvalues) {
         for (const Side side : sides)
             for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
                 const int k = side == Side::primal ? 0 : mesh.dimension();
-                if (conditioned_complex(mesh, side, 0, conditions).relative.complex.size(k) < 2)
+                if (conditioned_complex(mesh.complex(), mesh.stars(), side, 0, conditions).relative.complex.size(k) < 2)
                     continue; // fcc1 has one vertex inside, at most
                 const auto modes = spectrum(mesh, conditions, {.side = side, .count = 2});
                 const double dt = 1e-3;
@@ -240,7 +240,7 @@ TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
     for (const Side side : sides) {
         // by which the boundary is left out
         const auto& conditions = side == Side::primal ? dirichlet : neumann;
-        const auto space = conditioned_complex(mesh, side, 0, conditions);
+        const auto space = conditioned_complex(mesh.complex(), mesh.stars(), side, 0, conditions);
         ASSERT_LT(space.relative.complex.size(1), mesh.complex().size(1));
         ASSERT_NE(star(space.stars, 1).zeros(), zero);
         for (const auto& message :
@@ -342,10 +342,10 @@ TEST(VerdictsOnSpectra, do_without_the_duals_of_boundary_facets_as_dual_function
 TEST(HodgeUnderConditions, sees_the_homology_of_the_dual_complex) {
     // values 0 on the boundary of a square: no harmonic dual function, one harmonic dual 2-form
     const auto mesh = discretize(crossed_squares(4));
-    const auto space = conditioned_complex(mesh, Side::dual, 0, dirichlet);
+    const auto space = conditioned_complex(mesh.complex(), mesh.stars(), Side::dual, 0, dirichlet);
     EXPECT_EQ(harmonic_forms(space.relative.complex, space.stars, Side::dual, 0).cols(), 0);
     EXPECT_EQ(harmonic_forms(space.relative.complex, space.stars, Side::dual, 1).cols(), 0);
-    const auto free = conditioned_complex(mesh, Side::dual, 0, neumann);
+    const auto free = conditioned_complex(mesh.complex(), mesh.stars(), Side::dual, 0, neumann);
     EXPECT_EQ(harmonic_forms(free.relative.complex, free.stars, Side::dual, 0).cols(), 1);
 }
 

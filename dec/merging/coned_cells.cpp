@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "dec/merging/coned_cells.h"
+
+#include "base/errors.h"
+#include "complex/simplicial_complex.h"
+#include "dec/metric/simplex_geometry.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+using Row = IncidenceMatrix::InnerIterator;
+
+/// The new pieces, and how they belong to the cells.
+class Cones {
+public:
+    Cones(const Merging& merging, const Points& points, const std::vector<bool>& flat)
+        : merging_(merging),
+          n_(merging.pieces().dimension()),
+          center_of_(merging.merged().size(n_), -1) {
+        find_centers(points, flat);
+        pieces_ = std::make_unique<SimplicialComplex>(top_simplices());
+        for (int k = 0; k <= n_; ++k)
+            find_carriers(k);
+        require_seen();
+    }
+
+    ConedCells cells() && {
+        return {Merging(*pieces_, merging_.merged(), std::move(carriers_), std::move(diamonds_)),
+                std::move(points_)};
+    }
+
+private:
+    const Pieces& old() const { return merging_.pieces(); }
+
+    void find_centers(const Points& points, const std::vector<bool>& flat) {
+        for (std::size_t t = 0; t < flat.size(); ++t)
+            if (flat[t])
+                center_of_[merging_.carriers(n_)[t].cell] = 0;
+        Index next = old().size(0);
+        for (Index& center : center_of_)
+            if (center == 0)
+                center = next++;
+        points_.resize(next, points.cols());
+        points_.topRows(points.rows()) = points;
+        for (Index cell = 0; cell < std::ssize(center_of_); ++cell)
+            if (const Index center = center_of_[cell]; center >= 0) {
+                const auto corners = merging_.vertices(n_, cell);
+                cell_of_center_.push_back(cell);
+                points_.row(center) = points(corners, Eigen::all).colwise().mean();
+            }
+    }
+
+    Simplices top_simplices() const {
+        std::vector<std::vector<Index>> rows;
+        const auto add = [&](std::span<const Index> corners, Index last) {
+            rows.emplace_back(corners.begin(), corners.end());
+            if (last >= 0)
+                rows.back().push_back(last);
+        };
+        for (Index cell = 0; cell < std::ssize(center_of_); ++cell) {
+            if (center_of_[cell] < 0) {
+                for (Row t(merging_.diamond(n_), cell); t; ++t)
+                    add(vertices(old().simplices(n_), static_cast<Index>(t.col())), -1);
+                continue;
+            }
+            for (const SignedFace& facet : merging_.merged().incidences(n_ - 1)[cell])
+                for (Row f(merging_.diamond(n_ - 1), facet.face); f; ++f)
+                    add(vertices(old().simplices(n_ - 1), static_cast<Index>(f.col())),
+                        center_of_[cell]);
+        }
+        Simplices tops(std::ssize(rows), n_ + 1);
+        for (Index t = 0; t < tops.rows(); ++t)
+            std::copy(rows[t].begin(), rows[t].end(), &tops(t, 0));
+        return tops;
+    }
+
+    /// The old numbers of the new k-simplices; -1 where a center is the last corner.
+    std::vector<Index> old_numbers(int k) const {
+        const Simplices &simplices = pieces_->simplices(k), &before = old().simplices(k);
+        std::vector<Index> result(simplices.rows(), -1);
+        Index s = 0; // both stand in lexicographic order
+        for (Index t = 0; t < simplices.rows(); ++t)
+            if (simplices(t, k) < old().size(0)) {
+                while (!std::ranges::equal(vertices(before, s), vertices(simplices, t)))
+                    ++s;
+                result[t] = s;
+            }
+        return result;
+    }
+
+    void find_carriers(int k) {
+        const auto numbers = old_numbers(k);
+        auto& carriers = carriers_.emplace_back();
+        std::vector<Eigen::Triplet<IncidenceMatrix::Scalar, Index>> signs;
+        for (Index t = 0; t < std::ssize(numbers); ++t) {
+            if (const Index s = numbers[t]; s >= 0)
+                carriers.push_back(merging_.carriers(k)[s]);
+            else
+                carriers.push_back(
+                    {n_, cell_of_center_[pieces_->simplices(k)(t, k) - old().size(0)]});
+            const auto [dimension, cell] = carriers.back();
+            if (dimension == k)
+                signs.emplace_back(cell, t,
+                                   numbers[t] < 0 ? sign_of_cone(cell, t)
+                                                  : merging_.diamond(k).coeff(cell, numbers[t]) *
+                                                        turned(k, numbers[t], t));
+        }
+        diamonds_.emplace_back(merging_.merged().size(k), std::ssize(carriers))
+            .setFromTriplets(signs.begin(), signs.end());
+    }
+
+    int turned(int k, Index before, Index now) const {
+        return k < n_ ? 1 : old().orientation(before) * pieces_->orientation(now);
+    }
+
+    /// By the facet without the center, the last corner.
+    int sign_of_cone(Index cell, Index t) const {
+        const Index f = pieces_->face(n_, t, n_), facet = carriers_[n_ - 1][f].cell;
+        return merging_.merged().coboundary(n_ - 1).coeff(cell, facet) *
+               diamonds_[n_ - 1].coeff(facet, f) * pieces_->sign(n_, t, n_);
+    }
+
+    /// All determinants with the signs that the pieces have in a cell must agree.
+    void require_seen() const {
+        for (Index cell = 0; cell < std::ssize(center_of_); ++cell) {
+            if (center_of_[cell] < 0)
+                continue;
+            double least = std::numeric_limits<double>::infinity(), most = -least;
+            for (Row t(diamonds_[n_], cell); t; ++t) {
+                const auto corners = points_(
+                    vertices(pieces_->simplices(n_), static_cast<Index>(t.col())), Eigen::all);
+                const DenseMatrix edges =
+                    corners.bottomRows(n_).rowwise() - corners.row(0);
+                const double signed_volume =
+                    t.value() * pieces_->orientation(static_cast<Index>(t.col())) *
+                    edges.determinant();
+                least = std::min(least, signed_volume);
+                most = std::max(most, signed_volume);
+            }
+            if (least <= 0 && most >= 0)
+                throw InvalidInput(
+                    fmt::format("{}-cell {} with the vertices {} has pieces as flat as an area, "
+                                "and not all of it is seen from the mean of its vertices, so it "
+                                "has no star by Galerkin: choose another tolerance of merging",
+                                n_, cell,
+                                fmt::join(old().vertex_numbers(merging_.vertices(n_, cell)), ", ")),
+                    {.degree = n_, .cells = {cell}});
+        }
+    }
+
+    const Merging& merging_;
+    int n_;
+    std::vector<Index> center_of_, cell_of_center_; // -1: none
+    Points points_;
+    std::unique_ptr<SimplicialComplex> pieces_;
+    std::vector<std::vector<Merging::Carrier>> carriers_;
+    std::vector<IncidenceMatrix> diamonds_;
+};
+
+} // namespace
+
+ConedCells cone_flat_cells(const Merging& merging, const Points& points,
+                           const std::vector<bool>& flat) {
+    return Cones(merging, points, flat).cells();
+}
+
+} // namespace polydec

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "complex/pieces.h"
+#include "dec/metric/exterior_product.h"
+#include "dec/metric/simplex_faces.h"
+#include "dec/metric/simplex_geometry.h"
+
+#include <vector>
+
+namespace polydec {
+
+/// The inverse Hodge stars of constant j-forms on R^N in the planes of m-simplices.
+class InverseStar {
+public:
+    InverseStar(int N, int m, int j);
+
+    /// Looks at the simplex between m+1 points, a row each, whose orientation is 1 or -1 against
+    /// their order.
+    void look_at(const DenseMatrix& corners, int orientation);
+
+    double volume() const { return volume_; }
+
+    /// The inverse star at m-j vectors, a row each, in the plane: what it is for each coefficient
+    /// of the form, at dx_I with I in lexicographic order.
+    Eigen::RowVectorXd at(const DenseMatrix& vectors) const;
+
+    /// Its integrals over the faces of degree m-j, oriented by the order of the points: a row for
+    /// each, in the order of subsets(m+1, m-j+1).
+    DenseMatrix over_faces() const;
+
+private:
+    int m_, j_;
+    ExteriorProduct minors_, tangents_;
+    std::vector<std::vector<int>> faces_, axes_; // axes of j-forms in the plane
+    DenseMatrix corners_, frame_, wedge_;        // an orthonormal frame; e_1 ^ .. ^ form by axes
+    double volume_ = 0;
+};
+
+/// The integrals over the k-simplices, k = n-j, of the inverse star of a form with the coefficients
+/// (t, s) on simplex s in the plane of n-simplex t: the means by volume over these. Size size(k).
+template <class Coefficients>
+Vector inverse_star_means(const Pieces& complex, const Points& points, int j,
+                          Coefficients coefficients) {
+    const int n = complex.dimension();
+    InverseStar star(static_cast<int>(points.cols()), n, j);
+    SimplexFaces faces(complex, n, n - j);
+    Vector sums = Vector::Zero(complex.size(n - j)), volumes = sums;
+    for (Index t = 0; t < complex.size(n); ++t) {
+        star.look_at(points(vertices(complex.simplices(n), t), Eigen::all),
+                     complex.orientation(t));
+        const DenseMatrix rows = star.over_faces();
+        const auto& list = faces.of(t);
+        for (Index i = 0; i < rows.rows(); ++i) {
+            sums[list[i]] += star.volume() * rows.row(i).dot(coefficients(t, list[i]));
+            volumes[list[i]] += star.volume();
+        }
+    }
+    return (volumes.array() > 0).select(sums.cwiseQuotient(volumes), 0);
+}
+
+} // namespace polydec

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "dec/metric/plane.h"
+
+#include <limits>
+#include <vector>
+
+namespace polydec {
+
+Points plane_points(const Points& points, int n) {
+    if (points.cols() <= n || points.rows() <= n)
+        return {};
+    std::vector<Eigen::Index> axes;
+    for (Eigen::Index c = 0; c < points.cols(); ++c)
+        if ((points.col(c).array() != points(0, c)).any())
+            axes.push_back(c);
+    if (static_cast<int>(axes.size()) == n)
+        return points(Eigen::all, axes);
+
+    // along the directions to what is farthest from the plane so far
+    const double rounding =
+        32 * std::numeric_limits<double>::epsilon() * points.cwiseAbs().maxCoeff();
+    Points off = points.rowwise() - points.row(0), result(points.rows(), n);
+    for (int i = 0; i < n; ++i) {
+        Eigen::Index farthest = 0;
+        if (off.rowwise().squaredNorm().maxCoeff(&farthest) == 0)
+            return {};
+        const Vector axis = off.row(farthest).normalized();
+        result.col(i) = off * axis;
+        off -= result.col(i) * axis.transpose();
+    }
+    return off.cwiseAbs().maxCoeff() <= rounding ? result : Points();
+}
+
+} // namespace polydec
