@@ -14,6 +14,7 @@
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/overlaps.h"
 #include "dec/metric/plane.h"
+#include "dec/metric/rounding.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
 
@@ -128,6 +129,32 @@ void look_at_flat_cells(const CosphericalMerging& merged, const SimplexMetric& m
     warn_of_jitter(flat, nearly.interior - at.interior, wider, warnings);
 }
 
+/// Where a center lies beyond the boundary, but within the tolerance, it counts as lying on it: the
+/// dual of such a facet as zero (see HodgeStar::zeros), whatever rounding or jitter made of it.
+CellVolumes without_duals_beyond_the_boundary(const CellVolumes& volumes, const Merging& merging,
+                                              const DegenerateFacets& degenerate) {
+    const int facets = merging.merged().dimension() - 1;
+    const auto& counts = merging.merged().coface_counts(facets);
+    const Vector& duals = volumes.dual(facets);
+    Vector terms;
+    for (Index f = 0; f < duals.size(); ++f) {
+        if (counts[f] != 1 || !(duals[f] < 0) || is_zero(duals[f], volumes.terms(facets)[f]))
+            continue;
+        bool counts_as_zero = true;
+        for (IncidenceMatrix::InnerIterator piece(merging.diamond(facets), f); piece; ++piece)
+            counts_as_zero = counts_as_zero && degenerate[static_cast<Index>(piece.col())];
+        if (!counts_as_zero)
+            continue;
+        if (terms.size() == 0)
+            terms = volumes.terms(facets).vector();
+        constexpr double above = 1.1;
+        terms[f] = above * std::abs(duals[f]) / rounding_of(1);
+    }
+    if (terms.size() == 0)
+        return volumes;
+    return volumes.with_dual(facets, duals, terms, volumes.rounding(facets).vector());
+}
+
 using Progress = std::function<void(std::string_view)>;
 
 void begin(const Progress& stage, std::string_view what) {
@@ -232,7 +259,8 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     auto merged = merge_cospherical(passage.pieces(), metric, of_pieces, options, stays);
     refuse_flat_cells(given, merged.merging);
     look_at_flat_cells(merged, metric, of_pieces, options, mesh.warnings);
-    const auto volumes = merged_volumes(merged.merging, merged.volumes);
+    const auto volumes = without_duals_beyond_the_boundary(
+        merged_volumes(merged.merging, merged.volumes), merged.merging, merged.degenerate);
     if (!merged.flat.empty())
         of_input = merged.volumes; // alone, flat simplices have no duals
     const auto centers = merged.centers.are_circumcenters() ? options.centers : merged.centers;
@@ -250,10 +278,11 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
                                  std::move(cell_tags), std::move(lengths), unit,
                                  std::move(isolated), std::move(merged_facet_tags), centers,
                                  std::move(mesh.groups), std::move(merged.flat), std::move(plane)});
-    if (options.star == StarKind::circumcentric)
-        return result;
-    begin(stage, "stars");
-    return result.with_stars(choose_stars(result, options.star));
+    if (options.star != StarKind::circumcentric && options.star != StarKind::automatic) {
+        begin(stage, "stars");
+        result.chosen_stars(); // or why there are none
+    }
+    return result;
 }
 
 /// Flips do away with them, and merging takes them for pieces of their neighbors' cells.
@@ -304,7 +333,7 @@ Discretization::Discretization(Parts parts)
                       complex.size(complex.dimension() - 1));
     const auto made = std::make_shared<Parts>(std::move(parts));
     parts_ = made;
-    stars_ = std::make_shared<const ChosenStars>(made->volumes, StarKind::circumcentric);
+    stars_ = std::make_shared<Lazy<ChosenStars>>();
     if (made->degenerate.marks.empty())
         made->degenerate = facet_defects(pieces(), metric(), piece_volumes(), options()).degenerate;
 }
@@ -314,7 +343,13 @@ Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
     parts.volumes = volumes;
     Discretization result(std::move(parts));
     result.lift_ = lift_;
+    result.stars_ =
+        std::make_shared<Lazy<ChosenStars>>(ChosenStars(volumes, StarKind::circumcentric));
     return result;
+}
+
+const ChosenStars& Discretization::chosen_stars() const& {
+    return stars_->get([this] { return choose_stars(*this, options().star); });
 }
 
 Discretization Discretization::with_stars(const ChosenStars& chosen) const {
@@ -322,7 +357,7 @@ Discretization Discretization::with_stars(const ChosenStars& chosen) const {
     check_as_many("marks of cells with Galerkin's stars", Index(chosen.galerkin.size()),
                   complex().size(dimension()));
     Discretization result = *this;
-    result.stars_ = std::make_shared<const ChosenStars>(chosen);
+    result.stars_ = std::make_shared<Lazy<ChosenStars>>(chosen);
     return result;
 }
 

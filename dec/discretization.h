@@ -60,12 +60,14 @@ public:
     const CellVolumes& volumes() const& { return parts_->volumes; }
     CellVolumes volumes() && { return volumes(); }
 
-    /// The Hodge stars of the cells: those that the volumes make, unless others are chosen.
+    /// The Hodge stars of the cells, as options().star says, unless others are chosen: made when
+    /// they are first asked for, once for all copies. By default those that the volumes make, where
+    /// these are positive.
     const HodgeStars& stars() const& { return chosen_stars().stars; }
     HodgeStars stars() && { return stars(); }
 
     /// And of which kind they are.
-    const ChosenStars& chosen_stars() const& { return *stars_; }
+    const ChosenStars& chosen_stars() const&;
     ChosenStars chosen_stars() && { return chosen_stars(); }
 
     /// The same with other stars, as choose_stars makes them, for operators and solvers. Products
@@ -175,7 +177,7 @@ public:
 
 private:
     std::shared_ptr<const Parts> parts_;
-    std::shared_ptr<const ChosenStars> stars_;
+    std::shared_ptr<const Lazy<ChosenStars>> stars_;
     std::shared_ptr<const Lazy<std::vector<SparseMatrix>>> lift_;
 };
 

@@ -31,7 +31,7 @@ struct DiscretizeOptions {
     Materials materials = Materials::join;
     /// Other centers than circumcenters need no merging: nothing is merged then.
     Centers centers = {};
-    StarKind star = StarKind::circumcentric; ///< see choose_stars
+    StarKind star = StarKind::automatic; ///< see choose_stars
 
     operator MergeOptions() const { return {criterion, tolerance}; }
 };

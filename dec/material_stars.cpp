@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "dec/galerkin_mass.h"
 #include "dec/metric/simplex_geometry.h"
+#include "dec/metric/rounding.h"
 #include "dec/parts_of_products.h"
 
 #include <fmt/format.h>
@@ -43,6 +44,30 @@ DenseMatrix flux_products(const Points& corners, const DenseMatrix& G, double vo
     const double moments = (out * G * out.transpose()).trace() / ((n + 1) * (n + 2));
     return (out * G * out.transpose() + DenseMatrix::Constant(out.rows(), out.rows(), moments)) /
            (n * n * volume);
+}
+
+/// The parts in the n-cells of what the diagonal star of k-cells is made of, |E||*E|.
+SparseMatrix parts_of_star(const Discretization& mesh, int k) {
+    const ChosenStars& chosen = mesh.chosen_stars();
+    if (chosen.is_over_duals(k))
+        return parts_of_products(mesh, k, mesh.centers());
+    SparseMatrix thirds = parts_of_products(mesh, k, Centers::centroids());
+    if (chosen.kind != StarKind::hybrid)
+        return thirds;
+    SparseMatrix parts = parts_of_products(mesh, k, mesh.centers());
+    const auto of = [&](SparseMatrix& matrix, bool galerkin) {
+        matrix.prune([&](Eigen::Index t, Eigen::Index, double) {
+            return chosen.galerkin[t] == galerkin;
+        });
+        return matrix;
+    };
+    return of(parts, false) + of(thirds, true);
+}
+
+/// 1 for each entry.
+SparseMatrix pattern(SparseMatrix matrix) {
+    matrix.coeffs().setOnes();
+    return matrix;
 }
 
 } // namespace
@@ -100,17 +125,18 @@ Vector cell_means(const Discretization& mesh, int k, const Vector& weights) {
                                            "at least 0",
                                            n, cell, weights[cell]),
                                {.degree = n, .cells = {cell}});
-    const SparseMatrix parts = parts_of_products(mesh, k, mesh.centers()).cwiseAbs();
+    const SparseMatrix parts = parts_of_star(mesh, k);
     const Vector sums = parts.transpose() * Vector::Ones(parts.rows());
-    const Vector means = (parts.transpose() * weights).cwiseQuotient(sums);
-    if (means.allFinite())
-        return means;
+    Vector means = (parts.transpose() * weights).cwiseQuotient(sums);
     // cells without dual: the mean of the n-cells they touch
-    SparseMatrix where = parts;
-    where.coeffs().setOnes();
+    const SparseMatrix where = pattern(parts);
     const Vector plain =
         (where.transpose() * weights).cwiseQuotient(where.transpose() * Vector::Ones(parts.rows()));
-    return (sums.array() > 0).select(means, plain);
+    const auto& volumes = mesh.volumes();
+    for (Index cell = 0; cell < means.size(); ++cell)
+        if (is_zero(sums[cell] / volumes.primal(k)[cell], volumes.terms(k)[cell]))
+            means[cell] = plain[cell];
+    return means;
 }
 
 HodgeStars weighted_stars(const Discretization& mesh, int k, const Vector& weights) {
@@ -122,12 +148,22 @@ HodgeStars weighted_stars(const Discretization& mesh, int k, const Vector& weigh
     if (!stars[k].is_diagonal())
         return stars.with(k, material_star(mesh, k, weights));
     const CellVolumes& volumes = stars.volumes();
-    HodgeStars result(
-        volumes.with_dual(k, volumes.dual(k).cwiseProduct(cell_means(mesh, k, weights))));
+    const SparseMatrix parts = parts_of_star(mesh, k);
+    const Vector around = pattern(parts).transpose() * weights;
+    const Vector dual = mesh.chosen_stars().kind == StarKind::own
+                            ? Vector(volumes.dual(k).cwiseProduct(cell_means(mesh, k, weights)))
+                            : Vector((parts.transpose() * weights).cwiseQuotient(volumes.primal(k)));
+    HodgeStars result(volumes.with_dual(k, dual, around.cwiseProduct(volumes.terms(k).vector()),
+                                        around.cwiseProduct(volumes.rounding(k).vector())));
     for (int j = 0; j <= n; ++j)
         if (!stars[j].is_diagonal())
             result = result.with(j, stars[j].matrix());
     return result;
+}
+
+Discretization with_material(const Discretization& mesh, int k, const Vector& weights) {
+    const ChosenStars& now = mesh.chosen_stars();
+    return mesh.with_stars(ChosenStars(weighted_stars(mesh, k, weights), now.kind, now.galerkin));
 }
 
 } // namespace polydec

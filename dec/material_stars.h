@@ -23,17 +23,24 @@ SparseMatrix material_star(const Discretization& mesh, int k, const Vector& weig
 /// place (not flipped) and of known points.
 SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors);
 
-/// The mean of a weight around each k-cell, by the size of the parts of |s||*s| in the n-cells:
-/// what the diagonal star of a material is to that of none, one value for each k-cell. Weights are
-/// at least 0, such as conductivity over permittivity. Throws InvalidInput, naming the cell, for
+/// The mean of a weight around each k-cell, by the signed parts of |s||*s| in the n-cells: what the
+/// diagonal star of a material is to that of none, one value for each k-cell. Where the star is a
+/// matrix the parts are those between centroids; around cells without dual all n-cells count alike.
+/// Weights are at least 0, such as conductivity over permittivity; where duals have negative parts
+/// a mean may lie outside of what it is the mean of. Throws InvalidInput, naming the cell, for
 /// others and another number of them.
 Vector cell_means(const Discretization& mesh, int k, const Vector& weights);
 
-/// The stars of a mesh with that of k-forms weighted by n-cell: times the means where it is
-/// diagonal, and is so then; else Galerkin's of the material. Of Maxwell's equations with E a
-/// primal 1-form that of degree 1 is weighted by the permittivity, that of degree 2 by the inverse
-/// of the permeability. Throws like material_star.
+/// The stars of a mesh with that of k-forms weighted by n-cell: the sum of the signed shares of the
+/// n-cells, each times its weight, where it is diagonal, and is so then; else Galerkin's of the
+/// material. So on a Delaunay mesh of triangles primal 0-forms have the equations of linear finite
+/// elements. Of Maxwell's equations with E a primal 1-form that of degree 1 is weighted by the
+/// permittivity, that of degree 2 by the inverse of the permeability. Diagonal stars of one's own,
+/// of which shares are not known, are multiplied by the means. Throws like material_star.
 HodgeStars weighted_stars(const Discretization& mesh, int k, const Vector& weights);
+
+/// The mesh with these stars, which are of the same kind.
+Discretization with_material(const Discretization& mesh, int k, const Vector& weights);
 
 /// Throws InvalidInput, naming the n-cell and what is given for it, such as "conductivity", unless
 /// all are positive and finite.

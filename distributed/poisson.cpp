@@ -4,6 +4,8 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/forms/star.h"
+#include "dec/merging/facet_defects.h"
+#include "dec/metric/circumsphere.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/rounding.h"
 #include "distributed/petsc_calls.h"
@@ -96,15 +98,32 @@ void check_fluxes(const DistributedMesh& mesh, const OwnFacets& facets) {
     }
 }
 
-/// 1 for own boundary facets whose dual is zero: see boundary_facets_without_dual.
-Vector facets_without_dual(const DistributedMesh& mesh, const OwnFacets& facets) {
-    const int facet = mesh.dimension() - 1;
-    const Vector& duals = mesh.cells.volumes.dual(facet);
-    const Bounds& terms = mesh.cells.volumes.terms(facet);
+/// 1 for own boundary facets whose dual counts as zero: by rounding, or beyond the boundary within
+/// the tolerance.
+Vector facets_without_dual(const Ranks& ranks, const DistributedMesh& mesh,
+                           const OwnFacets& facets) {
+    const int n = mesh.dimension();
+    const auto& complex = mesh.local.complex;
+    Points sizes(complex.size(n - 1), 2);
+    ranks.together("facets", [&] {
+        sizes.col(0) = 2 * circumradii(complex, mesh.local.points, n - 1);
+        sizes.col(1) = least_heights(complex, mesh.merged.of_pieces, {});
+    });
+    const PieceRows pieces = gather_pieces(ranks, mesh.local, facets.cells, n - 1, sizes);
+    const Vector& duals = mesh.cells.volumes.dual(n - 1);
     Vector result = Vector::Zero(duals.size());
-    for (Index f = 0; f < duals.size(); ++f)
-        if (facets.coface_counts[f] == 1 && is_zero(duals[f], terms[f]))
+    for (Index f = 0; f < duals.size(); ++f) {
+        double scale = 0, height = std::numeric_limits<double>::infinity();
+        for (Index piece = pieces.begins[f]; piece < pieces.begins[f + 1]; ++piece) {
+            scale = std::max(scale, pieces.rows(piece, 0));
+            height = std::min(height, pieces.rows(piece, 1));
+        }
+        const double terms = mesh.cells.volumes.terms(n - 1)[f];
+        const bool beyond =
+            duals[f] < 0 && is_degenerate(duals[f], terms, scale, height, mesh.options.tolerance);
+        if (facets.coface_counts[f] == 1 && (beyond || is_zero(duals[f], terms)))
             result[f] = 1;
+    }
     return result;
 }
 
@@ -206,7 +225,7 @@ SharedPoissonSolver::Problem SharedPoissonSolver::Problem::dual(const Ranks& ran
     const int n = mesh.dimension();
     ranks.together("fluxes", [&] { check_fluxes(mesh, facets); });
     const CellVolumes& volumes = mesh.cells.volumes;
-    const Vector missing = facets_without_dual(mesh, facets);
+    const Vector missing = facets_without_dual(ranks, mesh, facets);
     const auto size = static_cast<Index>(facets.essential.size());
 
     // of a facet on the boundary, the derivative has its one coface with this sign

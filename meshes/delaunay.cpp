@@ -16,6 +16,11 @@ namespace polydec {
 
 namespace {
 
+[[noreturn]] void refuse_rounding() {
+    throw InvalidInput("delaunay_in_cube: rounding spoils the triangulation, since points nearly "
+                       "coincide; give another seed");
+}
+
 constexpr int most_dimensions = 6;
 constexpr Index nobody = -1;
 
@@ -194,7 +199,8 @@ private:
                 Base base{cells_[c], i, outside, 0};
                 base.corners[i] = p;
                 while (outside != nobody && neighbors_[outside][base.back] != c)
-                    ++base.back;
+                    if (++base.back > n_)
+                        refuse_rounding();
                 bases_.push_back(base);
             }
     }
@@ -261,8 +267,7 @@ void check_volumes(const Mesh& mesh) {
         least = std::min(least, volume);
     }
     if (!(least > 0.0) || !(std::abs(sum - 1.0) <= 1e-9))
-        throw InvalidInput("delaunay_in_cube: rounding spoils the triangulation, since points "
-                           "nearly coincide; give another seed");
+        refuse_rounding();
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "base/block_matrix.h"
 #include "base/errors.h"
 #include "base/lazy.h"
+#include "dec/advice.h"
 #include "dec/forms/laplacian.h"
 #include "solvers/hodge_laplace_equations.h"
 #include "solvers/spectra/positive_mass.h"
@@ -133,9 +134,27 @@ SparseMatrix Diffusion::step_matrix(double gamma) const {
 }
 
 void Diffusion::prepare(double gamma) {
-    const SparseMatrix A = step_matrix(gamma);
-    unknowns_ = static_cast<Index>(A.rows());
+    SparseMatrix A = step_matrix(gamma);
+    // forms of different degrees have different units
+    scales_ = A.diagonal().unaryExpr([](double a) { return a == 0 ? 1 : 1 / std::sqrt(std::abs(a)); });
+    if (is_mixed_)
+        A = scales_.asDiagonal() * A * scales_.asDiagonal();
+    else
+        scales_.setOnes();
     solver_->factorize(A, facts_);
+}
+
+/// The resolvent of a semidefinite operator shortens every form.
+void Diffusion::check_growth(const Vector& before, const Vector& after) const {
+    constexpr double rounding = 1e-9;
+    const double from = before.dot(mass_ * before), to = after.dot(mass_ * after);
+    if (!(to <= from * (1 + rounding)))
+        throw SolverFailure(
+            fmt::format("a step of diffusion of {} {}-forms makes their norm larger, by {:.2g} of "
+                        "itself: the Laplacian has negative eigenvalues, as it may by stars with "
+                        "negative duals; take {}",
+                        name(side_), degree_, std::sqrt(to / from) - 1,
+                        positive_stars(mass_.dimension())));
 }
 
 Vector Diffusion::solve(const Vector& values, double explicit_part) const {
@@ -145,8 +164,10 @@ Vector Diffusion::solve(const Vector& values, double explicit_part) const {
     Vector right_side = mass_ * w;
     if (explicit_part > 0)
         right_side -= explicit_part * coefficient_ * (stiffness_ * w);
-    right_side.conservativeResizeLike(Vector::Zero(unknowns_));
-    const Vector next = solver_->solve(right_side).head(w.size());
+    right_side.conservativeResizeLike(Vector::Zero(scales_.size()));
+    const Vector next =
+        solver_->solve(right_side.cwiseProduct(scales_)).cwiseProduct(scales_).head(w.size());
+    check_growth(w, next);
     return primal ? next : mass_ * next;
 }
 
@@ -177,7 +198,7 @@ Vector Diffusion::moved(const Vector& fixed) const {
 
 Vector Diffusion::boundary_rate(const BoundaryForms& data) const {
     const HodgeLaplaceEquations& of = equations();
-    auto [w, below, b, g] = of.loads(data);
+    auto [w, below, b, g, b_terms, g_terms] = of.loads(data);
     const Vector shift = of.kept * moved(w);
     b += of.upper * shift + of.robin * shift;
     g += of.down * shift;

@@ -74,7 +74,9 @@ public:
     /// Gets ready for solving with this gamma > 0. Throws SolverFailure if the engine fails.
     void prepare(double gamma);
 
-    /// x with x + gamma nu Delta x = u - explicit_part nu Delta u. Throws like LinearSolver.
+    /// x with x + gamma nu Delta x = u - explicit_part nu Delta u, explicit_part at most gamma.
+    /// Throws like LinearSolver, and SolverFailure where x is longer than u in its own norm: then
+    /// the Laplacian has negative eigenvalues.
     Vector solve(const Vector& values, double explicit_part = 0) const;
 
 private:
@@ -84,6 +86,7 @@ private:
     SparseMatrix step_matrix(double gamma) const;
     const HodgeLaplaceEquations& equations() const;
     Vector moved(const Vector& fixed) const;
+    void check_growth(const Vector& before, const Vector& after) const;
 
     std::vector<Index> kept_;
     Side side_;
@@ -95,7 +98,7 @@ private:
     bool is_mixed_ = false;
     MatrixFacts facts_;
     std::shared_ptr<LinearSolver> solver_;
-    Index unknowns_ = 0; // solved for in a step
+    Vector scales_; // of rows and columns of what is solved in a step
 
     struct Space;
     std::shared_ptr<const Space> space_; // of forms under conditions

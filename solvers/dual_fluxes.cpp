@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "dec/facets_without_dual.h"
 #include "dec/forms/star.h"
-#include "dec/metric/dual_parts.h"
 #include "dec/metric/rounding.h"
 
 #include <fmt/format.h>
@@ -24,22 +23,12 @@ void check_fluxes_are_defined(const CellComplex& complex, const HodgeStars& star
     const auto& counts = complex.coface_counts(n - 1);
     for (const Index facet : stars[n - 1].zeros())
         if (counts[facet] == 2)
-            throw InvalidInput(
-                fmt::format(
-                    "the dual of {} has no length, so the flux through it is not defined: let "
-                    "cospherical cells be merged",
-                    duals.named(facet)),
-                duals.place(facet));
-    for (Index facet = 0; facet < duals.resistances.size(); ++facet)
-        if (counts[facet] == 2 && is_zero(duals.resistances[facet], duals.terms[facet]))
-            throw InvalidInput(
-                fmt::format(
-                    "the two parts of the dual of {}, each over the conductivity of the cell "
-                    "beside "
-                    "it, cancel, so the flux through it is not defined: change one of the two "
-                    "conductivities, or take a mesh that has no obtuse angle there",
-                    duals.named(facet)),
-                duals.place(facet));
+            throw InvalidInput(fmt::format("the dual of {} has no length, or its parts, each over "
+                                           "the conductivity beside it, cancel, so the flux "
+                                           "through it is not defined: let cospherical cells be "
+                                           "merged, or change one of the conductivities",
+                                           duals.named(facet)),
+                               duals.place(facet));
 }
 
 /// The rows scaled to sum 1: several such facets of one cell meet at its circumcenter.
@@ -83,13 +72,12 @@ FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars) {
     duals.place = [star = stars[facets]](Index f) { return star.place({f}); };
     if (stars[facets].is_diagonal()) {
         duals.resistances = volumes.dual(facets);
-        duals.terms = volumes.terms(facets).vector();
         duals.missing = boundary_facets_without_dual(complex, volumes);
     }
     return duals;
 }
 
-FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
+FacetDuals facet_duals(const Discretization& mesh) {
     const int n = mesh.dimension();
     FacetDuals duals = facet_duals(mesh.complex(), mesh.stars());
     duals.named = [mesh, n](Index facet) {
@@ -100,28 +88,6 @@ FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity) {
         return Error::Place{
             .degree = n - 1, .cells = {facet}, .vertices = cell_vertices(mesh, n - 1, facet)};
     };
-    if (!mesh.stars()[n - 1].is_diagonal())
-        return duals;
-    if (conductivity.size() == 0)
-        return duals;
-    // piece by piece, as resistances in series add up
-    const auto& volumes = mesh.piece_volumes();
-    const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.metric(), volumes, n - 1, n, mesh.centers());
-    const SparseMatrix pieces = mesh.merging().diamond(n).cast<double>().cwiseAbs();
-    const Vector of_pieces = pieces.transpose() * conductivity.cwiseInverse();
-    const SparseMatrix facets = mesh.merging().diamond(n - 1).cast<double>().cwiseAbs();
-    const auto over_merged = [&](const Vector& of_piece_facets) -> Vector {
-        return (facets * volumes.primal(n - 1).cwiseProduct(of_piece_facets))
-            .cwiseQuotient(mesh.volumes().primal(n - 1));
-    };
-    // a part is as exact as the whole dual
-    Vector sums = Vector::Zero(volumes.size(n - 1));
-    for (Index t = 0; t < of_pieces.size(); ++t)
-        for (int i = 0; i <= n; ++i)
-            sums[mesh.pieces().face(n, t, i)] += of_pieces[t];
-    duals.resistances = over_merged(parts.transpose() * of_pieces);
-    duals.terms = over_merged(sums.cwiseProduct(volumes.terms(n - 1).vector()));
     return duals;
 }
 

@@ -11,18 +11,17 @@ namespace polydec {
 
 /// The duals of facets as what flows across them meets them.
 struct FacetDuals {
-    Vector resistances;        ///< dual lengths, each part divided by the conductivity it lies in
-    Vector terms;              ///< sizes of what cancels in these
+    Vector resistances;        ///< dual lengths, by the star
     std::vector<bool> missing; ///< boundary facets whose dual counts as nothing
     std::function<std::string(Index)> named;  ///< a facet in words
     std::function<Error::Place(Index)> place; ///< the same for programs
 };
 
-/// Those of any cells, of conductivity 1; names alone where the star is a matrix.
+/// Those of any cells; names alone where the star is a matrix.
 FacetDuals facet_duals(const CellComplex& complex, const HodgeStars& stars);
 
-/// Those of a discretization: conductivity is kappa of each merged n-cell; empty: 1.
-FacetDuals facet_duals(const Discretization& mesh, const Vector& conductivity);
+/// The same, with the vertices of facets in their names.
+FacetDuals facet_duals(const Discretization& mesh);
 
 /// How values of a dual 0-form and boundary values act on each other through the facets.
 struct DualFluxes {

@@ -20,11 +20,25 @@ namespace polydec {
 
 namespace {
 
-void check_stars(const HodgeStars& stars, Side side, int k) {
+/// The star below counts with the layer that Robin's condition adds to it.
+void check_stars(const ConditionedComplex& space, const RobinParts& robin, Side side, int k) {
+    const HodgeStars& stars = space.stars;
     const auto degree = [&](int j) { return side == Side::primal ? j : stars.dimension() - j; };
     check_positive_mass(stars[k], side, degree(k));
-    if (k > 0)
-        check_positive_mass(stars[k - 1], side, degree(k - 1));
+    if (k == 0)
+        return;
+    HodgeStar below = stars[k - 1];
+    if (below.is_diagonal() && robin.layer.size() > 0) {
+        const CellVolumes& volumes = stars.volumes();
+        const Vector layer =
+            space.relative.restrict(k - 1, Vector(robin.layer.diagonal())).cwiseProduct(
+                volumes.primal(k - 1));
+        below = HodgeStar(volumes.with_dual(k - 1, volumes.dual(k - 1) + layer,
+                                            volumes.terms(k - 1).vector(),
+                                            volumes.rounding(k - 1).vector()),
+                          k - 1);
+    }
+    check_positive_mass(below, side, degree(k - 1));
 }
 
 } // namespace
@@ -90,7 +104,7 @@ HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeSt
       side_(options.side),
       degree_(options.degree),
       k_(cell_degree(complex, options.side, options.degree)) {
-    check_stars(space.stars, side_, k_);
+    check_stars(space, robin, side_, k_);
     auto system =
         std::make_unique<System>(complex, stars, space, robin, side_, degree_, options.boundary);
     system->prepare(space, options.linear_solver);
@@ -110,16 +124,18 @@ FormSolution HodgeLaplaceSolver::solve(const Cochain& f, const BoundaryForms& da
     const bool primal = side_ == Side::primal;
     if (harmonic.size() != 0)
         check_as_many("coefficients of harmonic forms", harmonic.size(), of.harmonic.cols());
-    auto [w, below, b, g] = of.loads(data);
+    auto [w, below, b, g, b_terms, g_terms] = of.loads(data);
     b += primal ? of.M * f.values : f.values;
+    b_terms += primal ? Vector(of.M.cwiseAbs() * f.values.cwiseAbs()) : f.values.cwiseAbs();
     Vector free = of.kept.transpose() * b;
-    const double size = free.norm();
     const Vector excess = of.harmonic.transpose() * free;
     free -= of.weighted * excess;
+    Vector terms(of.kept.cols() + of.kept_below.cols());
+    terms << of.kept.transpose() * b_terms, of.kept_below.transpose() * g_terms;
     constexpr double rounding = 1e-14;
-    if (free.norm() <= rounding * size)
+    if (free.norm() <= rounding * terms.head(free.size()).norm())
         free.setZero(); // what rounding left of harmonic data has a harmonic part itself
-    const auto [x, s, report] = of.solver->solve(free, of.kept_below.transpose() * g);
+    const auto [x, s, report] = of.solver->solve(free, of.kept_below.transpose() * g, terms);
 
     w += of.kept * x;
     below += of.kept_below * s;

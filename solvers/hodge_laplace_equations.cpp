@@ -120,6 +120,12 @@ SparseMatrix or_zeros(const SparseMatrix& matrix, Eigen::Index size) {
     return matrix.size() > 0 ? matrix : SparseMatrix(size, size);
 }
 
+/// 1 at the cells on facets where dual forms have values, else 0.
+Vector asked_for(const CellComplex& complex, Side side, const BoundaryConditions& conditions, int k) {
+    return side == Side::primal ? Vector(Vector::Ones(complex.size(k)))
+                                : ones_at(essential_cells(complex, conditions), k);
+}
+
 } // namespace
 
 HodgeLaplaceEquations::HodgeLaplaceEquations(const CellComplex& complex, const HodgeStars& stars,
@@ -145,6 +151,7 @@ HodgeLaplaceEquations::HodgeLaplaceEquations(const CellComplex& complex, const H
         essential_cells(complex, side == Side::primal ? conditions : exchanged(conditions));
     given = ones_at(fixed, k);
     given_below = ones_at(fixed, k - 1);
+    asked = k > 0 ? asked_for(complex, side, conditions, k - 1) : Vector();
     const SparseMatrix centers = centers_on_the_boundary(complex, space.relative, fixed);
     if (k == dimension) {
         fix = centers;
@@ -160,15 +167,30 @@ HodgeLaplaceEquations::HodgeLaplaceEquations(const CellComplex& complex, const H
 }
 
 BoundaryLoads HodgeLaplaceEquations::loads(const BoundaryForms& data) const {
-    const PrimalData known = primal_data(data, *this);
+    PrimalData known = primal_data(data, *this);
+    known.star_w = known.star_w.cwiseProduct(asked);
     BoundaryLoads result{
-        known.w.cwiseProduct(given), known.below.cwiseProduct(given_below), {}, {}};
-    auto& [w, below, b, g] = result;
+        known.w.cwiseProduct(given), known.below.cwiseProduct(given_below), {}, {}, {}, {}};
+    auto& [w, below, b, g, b_terms, g_terms] = result;
     if (fix.nonZeros() > 0)
         w += (fix * known.star_w).cwiseQuotient(M.diagonal());
-    b = B * known.star_dw - load * known.star_dw - upper * w - robin * w - down.transpose() * below;
-    g = M_below * below + robin_below * below - down * w + B_below * known.star_w -
-        robin_below * known.below;
+    b_terms = b = Vector::Zero(M.rows());
+    g_terms = g = Vector::Zero(M_below.rows());
+    const auto add = [](Vector& sum, Vector& terms, double sign_of, const SparseMatrix& A,
+                        const Vector& x) {
+        sum += sign_of * (A * x);
+        terms += A.cwiseAbs() * x.cwiseAbs();
+    };
+    add(b, b_terms, 1, B, known.star_dw);
+    add(b, b_terms, -1, load, known.star_dw);
+    add(b, b_terms, -1, upper, w);
+    add(b, b_terms, -1, robin, w);
+    add(b, b_terms, -1, SparseMatrix(down.transpose()), below);
+    add(g, g_terms, 1, M_below, below);
+    add(g, g_terms, 1, robin_below, below);
+    add(g, g_terms, -1, down, w);
+    add(g, g_terms, 1, B_below, known.star_w);
+    add(g, g_terms, -1, robin_below, known.below);
     return result;
 }
 

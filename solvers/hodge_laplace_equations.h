@@ -10,6 +10,7 @@ namespace polydec {
 /// right sides with these values taken to them. All have an entry for every cell.
 struct BoundaryLoads {
     Vector w, below, b, g;
+    Vector b_terms, g_terms; // the sizes of what b and g are sums of
 };
 
 /// The equations of a primal k-form w, of which a dual form is the star, and of s = delta w, with M
@@ -30,6 +31,7 @@ struct HodgeLaplaceEquations {
     int dimension, k;
     SparseMatrix kept, kept_below; // from the values that are free to all
     Vector given, given_below;     // 1 at cells whose values data fix, else 0
+    Vector asked;                  // 1 where star w is asked for, else 0
     SparseMatrix M, M_below;       // of all cells, as are those behind
     SparseMatrix upper;            // d^T M_(k+1) d, but for dw that data give
     SparseMatrix down;             // d^T M_k

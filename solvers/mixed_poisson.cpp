@@ -103,8 +103,11 @@ MixedPoisson::Flow MixedPoisson::solve(const Vector& sources, const Vector& boun
     Vector left = sources - divergence_ * flux;
     check_loads("the right-hand side of a flux", drops, n - 1);
     check_loads("the right-hand side of the balance", left, n);
+    Vector terms(unknown_.size() + left.size());
+    terms << Vector(given.cwiseAbs() + M_.cwiseAbs() * flux.cwiseAbs())(unknown_),
+        sources.cwiseAbs() + divergence_.cwiseAbs() * flux.cwiseAbs();
     const Compatibility compatibility = components_.balance(left);
-    auto [x, c, report] = solver_.solve(drops(unknown_), left);
+    auto [x, c, report] = solver_.solve(drops(unknown_), left, terms);
     flux(unknown_) = x;
     Vector values = -c;
     components_.remove_means(values);

@@ -69,18 +69,17 @@ void check_conductivity(const CellComplex& complex, const Vector& conductivity) 
     check_cell_weights("conductivity", conductivity, n);
 }
 
-/// The mesh with the star of flows that belongs to a conductivity, where that is a matrix.
-Discretization with_material(const Discretization& mesh, Side side, int flows,
-                             const Vector& conductivity) {
-    if (mesh.chosen_stars().kind == StarKind::own)
+/// The mesh with the star of flows that belongs to a conductivity.
+Discretization with_conductivity(const Discretization& mesh, Side side, int flows,
+                                 const Vector& conductivity) {
+    if (mesh.chosen_stars().kind == StarKind::own && !mesh.stars()[flows].is_diagonal())
         throw InvalidInput(fmt::format("conductivities are given beside a star of {}-cells of your "
                                        "own that is a matrix, of which the cells' parts are not "
                                        "known: make the star of them (material_star)",
                                        flows),
                            {.degree = flows});
-    const Vector weights =
-        side == Side::primal ? conductivity : Vector(conductivity.cwiseInverse());
-    return mesh.with_stars(mesh.stars().with(flows, material_star(mesh, flows, weights)));
+    return with_material(mesh, flows,
+                         side == Side::primal ? conductivity : Vector(conductivity.cwiseInverse()));
 }
 
 /// What connects the unknowns, and what is known of it.
@@ -97,32 +96,6 @@ Vector edge_weights(const HodgeStar& star) {
     return weights;
 }
 
-/// The same with every part of a dual multiplied by the conductivity of the cell it lies in.
-Vector edge_weights(const Discretization& mesh, const Vector& conductivity) {
-    const auto& volumes = mesh.piece_volumes();
-    const int n = mesh.dimension();
-    const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.metric(), volumes, 1, n, mesh.centers());
-    const SparseMatrix pieces = mesh.merging().diamond(n).cast<double>().cwiseAbs();
-    const SparseMatrix edges = mesh.merging().diamond(1).cast<double>().cwiseAbs();
-    const Vector of_pieces = pieces.transpose() * conductivity;
-    const Vector& lengths = mesh.volumes().primal(1);
-    const auto over_squares = [&](const Vector& of_input_edges) -> Vector {
-        return (edges * of_input_edges).cwiseQuotient(lengths).cwiseQuotient(lengths);
-    };
-    Vector weights = over_squares(volumes.primal(1).cwiseProduct(parts.transpose() * of_pieces));
-
-    // |e| times its part of t is of the size of t, or larger where such terms cancel
-    const SparseMatrix around = parts.cwiseAbs();
-    SparseMatrix where = parts;
-    where.coeffs().setOnes();
-    const Vector sizes =
-        over_squares(volumes.primal(1).cwiseProduct(around.transpose() * of_pieces) +
-                     where.transpose() * of_pieces.cwiseProduct(volumes.primal(n)));
-    constexpr double rounding = 1e-12;
-    return (weights.array().abs() <= rounding * sizes.array()).select(0, weights);
-}
-
 Stiffness by_weights(const CellComplex& complex, const Vector& weights) {
     return {connections(gram_of_columns(complex.incidences(0), weights)), by_sign(weights)};
 }
@@ -134,12 +107,6 @@ Stiffness stiffness(const CellComplex& complex, const HodgeStars& stars) {
     SparseMatrix A = symmetric_laplacian(complex, stars, 0).matrix();
     A.prune(0.0);
     return {std::move(A), Definiteness::semidefinite};
-}
-
-Stiffness stiffness(const Discretization& mesh, const Vector& conductivity) {
-    if (conductivity.size() == 0)
-        return stiffness(mesh.complex(), mesh.stars());
-    return by_weights(mesh.complex(), edge_weights(mesh, conductivity));
 }
 
 /// What each vertex gets of the (n-1)-cells: each piece is shared among its vertices as their duals
@@ -188,8 +155,8 @@ struct PoissonSolver::Problem {
     /// shares() are what vertices have of facets, boundary(weights) is the star within the boundary.
     template <class Shares, class BoundaryStar>
     static Problem primal(const CellComplex& complex, const HodgeStars& stars,
-                          const PoissonOptions& options, Stiffness stiffness, Shares shares,
-                          BoundaryStar boundary) {
+                          const PoissonOptions& options, Shares shares, BoundaryStar boundary) {
+        auto [matrix, definiteness] = stiffness(complex, stars);
         const int n = complex.dimension();
         const Index size = complex.size(0);
         const auto essential = essential_cells(complex, options.boundary);
@@ -205,13 +172,13 @@ struct PoissonSolver::Problem {
             const Vector of_vertices = weights.diagonal();
             for (Index v = 0; v < size; ++v)
                 tied[v] = of_vertices[v] > 0;
-            stiffness.matrix += weights;
+            matrix += weights;
         }
         SparseMatrix fix(size, size);
         fix.setIdentity();
         return {Side::primal,
-                ConstrainedSystem{std::move(stiffness.matrix), essential[0], std::move(tied),
-                                  shares_of_domain.cwiseAbs(), stiffness.definiteness, n},
+                ConstrainedSystem{std::move(matrix), essential[0], std::move(tied),
+                                  shares_of_domain.cwiseAbs(), definiteness, n},
                 stars[0].matrix(),
                 {},
                 SparseMatrix(size, size),
@@ -276,20 +243,18 @@ struct PoissonSolver::Problem {
     static Problem of(const Discretization& mesh, const PoissonOptions& options) {
         const int flows = options.side == Side::primal ? 1 : mesh.dimension() - 1;
         check_conductivity(mesh.complex(), options.conductivity);
-        if (options.conductivity.size() != 0 && !mesh.stars()[flows].is_diagonal()) {
+        if (options.conductivity.size() != 0) {
             PoissonOptions others = options;
             others.conductivity = {};
-            return of(with_material(mesh, options.side, flows, options.conductivity), others);
+            return of(with_conductivity(mesh, options.side, flows, options.conductivity), others);
         }
         Problem problem = options.side == Side::primal
                               ? primal(mesh.complex(), mesh.stars(), options,
-                                       stiffness(mesh, options.conductivity),
                                        [&] { return shares_of_vertices(mesh); },
                                        [&](const Vector& weights) {
                                            return boundary_star(mesh, 0, weights);
                                        })
-                              : dual(mesh.complex(), mesh.stars(), options,
-                                     facet_duals(mesh, options.conductivity));
+                              : dual(mesh.complex(), mesh.stars(), options, facet_duals(mesh));
         problem.sites = options.side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
         problem.flux_sites = facet_sites(mesh);
         return problem;
@@ -302,7 +267,7 @@ struct PoissonSolver::Problem {
             throw InvalidInput("conductivities are given for cells of one's own: how their duals "
                                "are divided among them is not known; give a mesh");
         Problem problem = options.side == Side::primal
-                              ? primal(complex, stars, options, stiffness(complex, stars),
+                              ? primal(complex, stars, options,
                                        [&] { return shares_of_vertices(complex, stars); },
                                        [&](const Vector& weights) {
                                            const Vector of_vertices =

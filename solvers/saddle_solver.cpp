@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -115,12 +116,19 @@ SaddleSolver::SaddleSolver(Vector scales, const SparseMatrix& M, const SparseMat
                                        *negative - D.rows()));
 }
 
-SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g) const {
+SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g,
+                                         const Vector& terms) const {
     check_as_many("values of the upper right-hand side", f.size(), size_);
     check_as_many("values of the lower right-hand side", g.size(), A_.rows() - size_);
     Vector b(A_.rows());
     b << f, g;
     b = b.cwiseProduct(scales_);
+    double size_of_data = b.lpNorm<Eigen::Infinity>();
+    if (terms.size() > 0) {
+        check_as_many("terms of the right-hand side", terms.size(), b.size());
+        size_of_data =
+            std::max(size_of_data, terms.cwiseProduct(scales_).lpNorm<Eigen::Infinity>());
+    }
     Vector y = Vector::Zero(b.size()), left = b;
     // corrections shrink until they are rounding, at the latest that of the residual
     constexpr int most = 100;
@@ -138,7 +146,7 @@ SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g) const
             break;
     }
     const double scale =
-        row_sum_norm(A_) * y.lpNorm<Eigen::Infinity>() + b.lpNorm<Eigen::Infinity>();
+        row_sum_norm(A_) * y.lpNorm<Eigen::Infinity>() + size_of_data;
     const double error = scale > 0 ? left.lpNorm<Eigen::Infinity>() / scale : 0;
     SolveReport report = solver_->report();
     report.backward_error = error;

@@ -37,8 +37,10 @@ public:
         SolveReport report;
     };
 
-    /// Throws SolverFailure if there is no such x: for a g that D does not give.
-    Values solve(const Vector& f, const Vector& g) const;
+    /// `terms` are the sizes of what f, and g behind it, are sums of, by default their own: what is
+    /// rounding beside them counts as 0. Throws SolverFailure if there is no such x: for a g that D
+    /// does not give.
+    Values solve(const Vector& f, const Vector& g, const Vector& terms = {}) const;
 
     int domain_dimension() const { return domain_dimension_; }
 

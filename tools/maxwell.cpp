@@ -83,11 +83,9 @@ public:
 
     Discretization filled() const {
         Discretization result = empty_;
-        const ChosenStars& now = empty_.chosen_stars();
         const auto put = [&](int k, const Vector& weights) {
             if (!weights.isOnes(0))
-                result = result.with_stars(
-                    ChosenStars(weighted_stars(result, k, weights), now.kind, now.galerkin));
+                result = with_material(result, k, weights);
         };
         put(k_, is_primal_ ? permittivity_ : Vector(permittivity_.cwiseInverse()));
         put(is_primal_ ? k_ + 1 : k_ - 1,

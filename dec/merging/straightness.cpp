@@ -3,10 +3,12 @@
 
 #include "complex/components.h"
 #include "dec/merging/facet_defects.h"
+#include "dec/metric/angle_sums.h"
 #include "dec/metric/rounding.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace polydec {
 
@@ -18,8 +20,11 @@ StraightnessTest::StraightnessTest(const Pieces& complex, const SimplexMetric& m
       tolerance_(tolerance),
       angle_(angle),
       layout_(complex, metric) {
-    if (metric.ambient_dimension() == complex.dimension())
+    is_flat_ = metric.ambient_dimension() == complex.dimension();
+    if (complex.dimension() > 2)
         must_be_coplanar_ = boundary_cells(complex);
+    if (!must_be_coplanar_.empty() && !is_flat_)
+        angles_ = angle_sums(complex, metric);
 }
 
 StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
@@ -68,8 +73,11 @@ bool StraightnessTest::operator()(int k, Index s, Index f, Index g) {
 
     if (must_be_coplanar_.empty() || !must_be_coplanar_[k - 1][s])
         return true;
-    const Altitude up = altitude(k, s, f, a.apex), down = altitude(k, s, g, b.apex);
     const double angle_rounding = rounding_of(terms) / lower;
+    if (!is_flat_)
+        return k < complex_.dimension() - 1 ||
+               std::abs(angles_[s] - std::numbers::pi) <= angle_ + angle_rounding;
+    const Altitude up = altitude(k, s, f, a.apex), down = altitude(k, s, g, b.apex);
     return (up.direction + down.direction).norm() <= angle_ + angle_rounding;
 }
 

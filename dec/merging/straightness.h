@@ -8,9 +8,9 @@ namespace polydec {
 
 /// Decides whether two k-simplices f and g are one flat piece across their common (k-1)-face s:
 /// their circumcenters coincide, also against their heights over s, their duals agree, and, where s
-/// lies on the boundary of a flat complex (N = n), they lie in one k-plane, but for an angle.
-/// Inside, the first two imply the third; on a curved complex, and where only lengths are known,
-/// there is no such plane and none is asked for.
+/// lies on the boundary, they lie in one k-plane, but for an angle. Inside, the first two imply the
+/// third. On a curved complex, and where only lengths are known, there is no such plane: the angles
+/// of the n-simplices around s add up to pi, for k = n-1, and for smaller k nothing is asked.
 class StraightnessTest {
 public:
     /// Keeps references, those of the metric too: they must outlive the test.
@@ -42,7 +42,9 @@ private:
     double tolerance_, angle_;
     SimplexLayout layout_;
     Circumsphere sphere_;                             // looks at one simplex after the other
+    bool is_flat_ = false;
     std::vector<std::vector<bool>> must_be_coplanar_; // by degree of s
+    Vector angles_; // around (n-2)-simplices, unless it is flat
 };
 
 } // namespace polydec

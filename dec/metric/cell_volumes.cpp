@@ -100,10 +100,14 @@ Vector CellVolumes::ratios(int k) const {
 }
 
 CellVolumes CellVolumes::with_dual(int k, Vector dual) const {
-    Parts parts = *parts_;
     const Vector terms = dual.cwiseAbs();
+    return with_dual(k, std::move(dual), terms, terms.unaryExpr(&rounding_of));
+}
+
+CellVolumes CellVolumes::with_dual(int k, Vector dual, Vector terms, Vector rounding) const {
+    Parts parts = *parts_;
     parts.terms[checked(k)] = terms;
-    parts.rounding[k] = Vector(terms.unaryExpr(&rounding_of));
+    parts.rounding[k] = rounding;
     parts.dual[k] = std::move(dual);
     CellVolumes result;
     result.parts_ = std::make_shared<Parts>(std::move(parts));

@@ -59,8 +59,10 @@ public:
     /// |*s| / |s|; length^(n-2k).
     Vector ratios(int k) const;
 
-    /// The same with other duals of the k-cells, taken as they are. Throws like the constructor.
+    /// The same with other duals of the k-cells, taken as they are unless terms and rounding go with
+    /// them. Throws like the constructor.
     CellVolumes with_dual(int k, Vector dual) const;
+    CellVolumes with_dual(int k, Vector dual, Vector terms, Vector rounding) const;
 
     /// The same with other numbers for the cells, by which messages name them: those of a relative
     /// complex go by their numbers in the whole one. One list per degree. Throws InvalidInput

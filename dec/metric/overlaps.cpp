@@ -5,7 +5,7 @@
 #include "base/decompositions.h"
 #include "base/parallel.h"
 #include "complex/disjoint_sets.h"
-#include "dec/metric/simplex_faces.h"
+#include "dec/metric/angle_sums.h"
 #include "dec/metric/simplex_geometry.h"
 
 #include <algorithm>
@@ -31,27 +31,17 @@ std::vector<Eigen::Index> varying_coordinates(const Points& points) {
     return axes;
 }
 
-/// The edges of an n-simplex from its first corner, each over its largest coordinate, so that no
-/// scale matters, and the sign of their determinant, 0 if that is rounding.
-struct Sight {
-    Square edges;
-    Vector lengths;
-    std::int8_t sign = 0;
-};
-
-Sight look(const Points& points, std::span<const Index> corners) {
+/// The sign of the determinant of an n-simplex, 0 if that is rounding.
+std::int8_t sign_of(const Points& points, std::span<const Index> corners) {
     const auto n = static_cast<Eigen::Index>(corners.size()) - 1;
-    Sight sight{Square(n, n), Vector(n)};
+    Square edges(n, n);
     for (Eigen::Index j = 0; j < n; ++j) {
-        const auto edge = points.row(corners[j + 1]) - points.row(corners[0]);
-        sight.lengths[j] = edge.lpNorm<Eigen::Infinity>();
-        sight.edges.row(j) = edge / sight.lengths[j];
+        edges.row(j) = points.row(corners[j + 1]) - points.row(corners[0]);
+        edges.row(j) /= edges.row(j).lpNorm<Eigen::Infinity>(); // so that no scale matters
     }
-    const double determinant = sight.edges.determinant();
+    const double determinant = edges.determinant();
     const double rounding = 64 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
-    if (std::abs(determinant) > rounding)
-        sight.sign = determinant > 0 ? 1 : -1;
-    return sight;
+    return std::abs(determinant) > rounding ? (determinant > 0 ? 1 : -1) : 0;
 }
 
 std::vector<std::int8_t> signs_of_all(const Pieces& complex, const Points& points) {
@@ -60,7 +50,7 @@ std::vector<std::int8_t> signs_of_all(const Pieces& complex, const Points& point
     constexpr Index part_size = 1 << 12;
     for_each_part(complex.size(n), part_size, [&](Index begin, Index end) {
         for (Index t = begin; t < end; ++t)
-            signs[t] = look(points, vertices(complex.simplices(n), t)).sign;
+            signs[t] = sign_of(points, vertices(complex.simplices(n), t));
     });
     return signs;
 }
@@ -130,36 +120,6 @@ std::vector<Index> find_folded(const Pieces& complex, const std::vector<std::int
             result.push_back(t);
     }
     return result;
-}
-
-/// The angles of the cells around each (n-2)-simplex, added up.
-Vector angle_sums(const Pieces& complex, const Points& points) {
-    const int n = complex.dimension();
-    SimplexFaces faces(complex, n, n - 2);
-    Vector sums = Vector::Zero(complex.size(n - 2));
-    for (Index t = 0; t < complex.size(n); ++t) {
-        const Sight sight = look(points, vertices(complex.simplices(n), t));
-        if (sight.sign == 0)
-            continue;
-        // of the barycentric coordinates: normals of the facets
-        DenseMatrix gradients(n + 1, n);
-        const Square inverse = sight.edges.inverse();
-        const double shortest = sight.lengths.minCoeff();
-        for (int i = 1; i <= n; ++i)
-            gradients.row(i) = inverse.col(i - 1).transpose() * (shortest / sight.lengths[i - 1]);
-        gradients.row(0) = -gradients.bottomRows(n).colwise().sum();
-        gradients.rowwise().normalize();
-        const auto& list = faces.of(t);
-        for (std::size_t s = 0; s < list.size(); ++s) {
-            std::vector<int> omitted;
-            for (int i = 0; i <= n; ++i)
-                if (!std::ranges::binary_search(faces.positions()[s], i))
-                    omitted.push_back(i);
-            const auto a = gradients.row(omitted[0]), b = gradients.row(omitted[1]);
-            sums[list[s]] += 2 * std::atan2((a + b).norm(), (a - b).norm());
-        }
-    }
-    return sums;
 }
 
 /// The vertices of (n-2)-simplices with more than a full turn of cells around, none of them folded.

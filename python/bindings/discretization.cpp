@@ -197,7 +197,7 @@ void add_stars(py::class_<Discretization>& type) {
         .def("with_material",
              [](const Discretization& mesh, int k, const Numbers& weights) {
                  return unlocked([&, given = vector(weights)] {
-                     return mesh.with_stars(weighted_stars(mesh, k, given));
+                     return with_material(mesh, k, given);
                  });
              })
         .def("cell_means",

@@ -157,7 +157,7 @@ class Cells:
         """
         if self._calculus.is_diagonal(k):
             return self._calculus.inverse_star(k)
-        return _operator(self._calculus.size(k), self._calculus.size(k),
+        return _Operator(self._calculus.size(k), self._calculus.size(k),
                          lambda x: self._calculus.solve_star(k, x))
 
     def zeros(self, k: int) -> Integers:
@@ -257,7 +257,7 @@ class Cells:
         return any(0 <= i <= self.dim and not self._calculus.is_diagonal(i) for i in inverted)
 
     def _applied(self, what: str, side: str, k: int, to: int) -> Any:
-        return _operator(self.size(to, side), self.size(k, side),
+        return _Operator(self.size(to, side), self.size(k, side),
                          lambda x: self._calculus.apply(what, side, k, x)[2])
 
     def __repr__(self) -> str:
@@ -340,10 +340,20 @@ def _matrix(star: Any) -> Any:
     return scipy.sparse.diags(star, format="csr") if isinstance(star, np.ndarray) else star
 
 
-def _operator(rows: int, columns: int, apply: Any) -> Any:
-    return scipy.sparse.linalg.LinearOperator(
-        (rows, columns), matvec=lambda x: apply(np.ascontiguousarray(x, np.float64).ravel()),
-        dtype=np.float64)
+class _Operator(scipy.sparse.linalg.LinearOperator):  # type: ignore[misc]
+    """An operator in which a matrix is solved with, that becomes an array as sparse ones do."""
+
+    def __init__(self, rows: int, columns: int, apply: Any) -> None:
+        super().__init__(np.dtype(np.float64), (rows, columns))
+        self._apply = apply
+
+    def _matvec(self, x: Floats) -> Any:
+        return self._apply(np.ascontiguousarray(x, np.float64).ravel())
+
+    def toarray(self) -> Floats:
+        """Its matrix, which is dense: one product for each column."""
+        columns = [self.matvec(column) for column in np.eye(self.shape[1])]
+        return np.array(columns).reshape(self.shape[::-1]).T
 
 
 def as_form(form: Form, degree: int | None, side: str = "primal") -> tuple[str, int, Floats]:

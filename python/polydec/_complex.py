@@ -292,7 +292,7 @@ class Merging:
 
 def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
                angle_tolerance: float | None = None, merge: bool = True,
-               delaunay: str | None = None, materials: str = "join", star: str = "circumcentric",
+               delaunay: str | None = None, materials: str = "join", star: str = "automatic",
                centers: str = "circumcenters", progress: Progress | None = None) -> Complex:
     """Makes a mesh ready for calculus: complex, merging of cospherical simplices, volumes, stars.
 
@@ -311,8 +311,9 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
         negative. The surface stays as it is.
     materials : {"join", "keep_apart"}
         Whether simplices of different tags may become one cell.
-    star : {"circumcentric", "galerkin", "hybrid", "barycentric", "automatic"}
-        The kind of the Hodge stars; "automatic" is positive on every mesh.
+    star : {"automatic", "circumcentric", "galerkin", "hybrid", "barycentric"}
+        The kind of the Hodge stars. "automatic" is circumcentric wherever that is positive, so on
+        every mesh that is Delaunay after merging, and else positive all the same (see `star_kind`).
     centers : {"circumcenters", "centroids"}
         Between which centers duals are; with centroids nothing is merged.
     progress : callable, optional

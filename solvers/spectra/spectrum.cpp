@@ -37,13 +37,15 @@ Pencil pencil_of(const CellComplex& complex, const HodgeStars& stars, int k,
     return pencil;
 }
 
-/// Of a complex under conditions, of which Robin's adds weights.
-Spectrum spectrum_with(const CellComplex& complex, const HodgeStars& stars,
-                       const SparseMatrix& weights,
-                       const SpectrumOptions& options) {
-    const int k = cell_degree(complex, options.side, options.degree);
+/// Under conditions, of which Robin's adds weights, with modes on all cells; `star` is theirs.
+Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
+                     const SpectrumOptions& options) {
+    const ConditionedComplex& space = given.space;
+    const CellComplex& complex = space.relative.complex;
+    const HodgeStars& stars = space.stars;
+    const SparseMatrix& weights = given.weights;
+    const int k = star.degree();
     check_count(complex, options, k);
-    check_fit(complex, stars);
     check_positive_mass(stars[k], options.side, options.degree);
 
     const bool is_dual_function = k == complex.dimension() && stars[k].is_diagonal();
@@ -59,10 +61,11 @@ Spectrum spectrum_with(const CellComplex& complex, const HodgeStars& stars,
                                  .found = options.found,
                                  .start = options.start});
     auto pairs = solver.smallest(options.count);
+    pairs.vectors = space.relative.extend(k, pairs.vectors);
     if (options.side == Side::dual && !is_dual_function)
-        pairs.vectors = SparseMatrix(stars[k].matrix()) * pairs.vectors;
+        pairs.vectors = SparseMatrix(star.matrix()) * pairs.vectors;
     if (options.side == Side::primal && is_dual_function)
-        pairs.vectors = stars[k].inverse().asDiagonal() * pairs.vectors;
+        pairs.vectors = star.inverse().asDiagonal() * pairs.vectors;
     return {options.side,
             options.degree,
             std::move(pairs.values),
@@ -75,21 +78,16 @@ Spectrum spectrum_with(const CellComplex& complex, const HodgeStars& stars,
             std::move(pairs.rough)};
 }
 
-/// With modes that have values on all cells of the whole.
-Spectrum spectrum_in(const CellComplex& whole, const RobinComplex& given,
-                     const SpectrumOptions& options) {
-    const ConditionedComplex& space = given.space;
-    auto result = spectrum_with(space.relative.complex, space.stars, given.weights, options);
-    result.modes =
-        space.relative.extend(cell_degree(whole, options.side, options.degree), result.modes);
-    return result;
-}
-
 } // namespace
 
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const SpectrumOptions& options) {
-    return spectrum_with(complex, stars, {}, options);
+    const int k = cell_degree(complex, options.side, options.degree);
+    check_fit(complex, stars);
+    CellMarks none;
+    for (int j = 0; j <= complex.dimension(); ++j)
+        none.emplace_back(complex.size(j), false);
+    return spectrum_in({{relative_complex(complex, none), stars}, {}, {}}, stars[k], options);
 }
 
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {
@@ -98,15 +96,16 @@ Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& o
 
 Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
                   const SpectrumOptions& options) {
-    return spectrum_in(discretization.complex(),
-                       with_robin(discretization, options.side, options.degree, conditions),
-                       options);
+    const int k = cell_degree(discretization.complex(), options.side, options.degree);
+    return spectrum_in(with_robin(discretization, options.side, options.degree, conditions),
+                       discretization.stars()[k], options);
 }
 
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const BoundaryConditions& conditions, const SpectrumOptions& options) {
-    return spectrum_in(
-        complex, with_robin(complex, stars, options.side, options.degree, conditions), options);
+    const int k = cell_degree(complex, options.side, options.degree);
+    return spectrum_in(with_robin(complex, stars, options.side, options.degree, conditions),
+                       stars[k], options);
 }
 
 } // namespace polydec

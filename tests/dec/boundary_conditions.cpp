@@ -5,6 +5,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -90,7 +91,7 @@ TEST_P(BoundaryData, with_it_linear_dual_functions_have_their_gradient_on_flat_m
     const auto& input = mesh_named(GetParam());
     if (!is_flat(input) || !mesh().K().orientable())
         return;
-    const auto bundle = discretize(input, {.tolerance = tolerance});
+    const auto bundle = circumcentric(input, {.tolerance = tolerance});
     const int n = mesh().n();
     const Vector slope = random_vector(n, 1);
     const auto centers = [&](int k) {

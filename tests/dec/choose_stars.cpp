@@ -7,6 +7,7 @@
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/dense_laplacian.h"
 #include "tests/support/families.h"
 #include "tests/support/forms.h"
@@ -222,7 +223,8 @@ TEST(ChosenStars, are_an_option_of_discretize) {
     EXPECT_EQ(mesh.chosen_stars().galerkin, expected.galerkin);
     for (int k = 0; k <= 2; ++k)
         EXPECT_EQ(dense(mesh.stars()[k]), dense(expected.stars[k]));
-    EXPECT_EQ(discretize(input).chosen_stars().kind, StarKind::circumcentric);
+    EXPECT_EQ(discretize(input).chosen_stars().kind, StarKind::hybrid) << "by default";
+    EXPECT_EQ(circumcentric(input).chosen_stars().kind, StarKind::circumcentric);
     EXPECT_EQ(mesh.with_stars(mesh.volumes()).chosen_stars().kind, StarKind::own);
     EXPECT_TRUE(says(refusal([&] { choose_stars(mesh, StarKind::own); }), {"hand over", "own"}));
 }
@@ -268,7 +270,7 @@ TEST(ChosenStars, by_galerkin_have_known_spectra) {
 TEST(ChosenStars, hybrid_are_definite_on_shaken_meshes_where_circumcentric_ones_are_not) {
     int indefinite = 0;
     for (unsigned seed = 0; seed < 1000; ++seed) {
-        const auto mesh = discretize(shaken(grid(5, 5), 0.42, seed));
+        const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, seed));
         const auto chosen = choose_stars(mesh, StarKind::automatic);
         EXPECT_EQ(chosen.kind == StarKind::hybrid,
                   !mesh.stars()[1].negatives().empty() || !mesh.stars()[0].negatives().empty());

@@ -5,6 +5,7 @@
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/says.h"
@@ -23,7 +24,7 @@ namespace polydec::test::in_diagnosis {
 namespace {
 
 FacetKinds kinds(const Mesh& mesh) {
-    const auto bundle = discretize(mesh);
+    const auto bundle = circumcentric(mesh);
     return facet_kinds(bundle.input(), bundle.points(), bundle.input_volumes(), bundle.options());
 }
 
@@ -79,13 +80,13 @@ TEST_P(KindsOf, cospherical_pairs_are_those_that_merge_unless_a_guard_forbids) {
 POLYDEC_OVER_MESHES(KindsOf);
 
 TEST(MergedPairs, count_removed_edges_and_the_triangles_beside_them) {
-    const auto squares = merged_pairs(discretize(grid(4, 3)).merging());
+    const auto squares = merged_pairs(circumcentric(grid(4, 3)).merging());
     EXPECT_EQ(squares.facets, 12);
     EXPECT_EQ(squares.simplices, 24);
     // a hexagon of four triangles has three diagonals
     const double r = std::sqrt(5.0);
     const auto fans =
-        merged_pairs(discretize(made_of({{r, 0}, {1, 2}, {-1, 2}, {-r, 0}, {-1, -2}, {1, -2}},
+        merged_pairs(circumcentric(made_of({{r, 0}, {1, 2}, {-1, 2}, {-r, 0}, {-1, -2}, {1, -2}},
                                         {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}))
                          .merging());
     EXPECT_EQ(fans.facets, 3);
@@ -114,10 +115,10 @@ const Verdicts table_1 = {{"star 1 dual", "no"},           {"star 2 primal", "re
 
 TEST(Table1, comes_out_on_every_surface_with_concyclic_triangles) {
     for (const auto& mesh : {grid(4, 4), uv_sphere(12, 6), torus(9, 5), goldberg(2)}) {
-        const auto bundle = discretize(mesh);
+        const auto bundle = circumcentric(mesh);
         EXPECT_EQ(failures(bundle, Stage::input), table_1);
         EXPECT_EQ(failures(bundle, Stage::merged), Verdicts{});
-        const auto plain = discretize(mesh, {.criterion = MergeCriterion::none});
+        const auto plain = circumcentric(mesh, {.criterion = MergeCriterion::none});
         EXPECT_EQ(failures(plain, Stage::input), table_1);
         EXPECT_EQ(failures(plain, Stage::merged), table_1) << "nothing is merged";
     }
@@ -126,7 +127,7 @@ TEST(Table1, comes_out_on_every_surface_with_concyclic_triangles) {
 TEST(Table1, has_no_failures_where_nothing_is_concyclic) {
     for (const auto& mesh : {well_centered(4), icosphere(4)})
         for (const Stage stage : {Stage::input, Stage::merged})
-            EXPECT_EQ(failures(discretize(mesh), stage), Verdicts{});
+            EXPECT_EQ(failures(circumcentric(mesh), stage), Verdicts{});
 }
 
 TEST(Table1, does_not_forget_vertices_whose_dual_area_vanishes) {
@@ -139,14 +140,14 @@ TEST(Table1, does_not_forget_vertices_whose_dual_area_vanishes) {
         points.push_back({r * std::cos(i * M_PI / 3), r * std::sin(i * M_PI / 3)});
         triangles.push_back({0, Index(i + 1), Index((i + 1) % 6 + 1)});
     }
-    const auto found = failures(discretize(made_of(points, triangles)), Stage::merged);
+    const auto found = failures(circumcentric(made_of(points, triangles)), Stage::merged);
     EXPECT_EQ(found.count("star 0 dual"), 1U);
     EXPECT_EQ(found.count("laplacian 0 primal"), 1U);
     EXPECT_EQ(found.count("sharp pp 1 primal"), 1U);
 }
 
 TEST(Table1, names_the_cells_that_spoil_an_operator) {
-    for (const auto& verdict : operator_verdicts(discretize(grid(4, 4)), Stage::input))
+    for (const auto& verdict : operator_verdicts(circumcentric(grid(4, 4)), Stage::input))
         if (verdict.name == "star" && verdict.side == Side::dual && verdict.degree == 1) {
             EXPECT_EQ(verdict.cell_degree, 1);
             EXPECT_EQ(verdict.cells, 16);
@@ -154,14 +155,14 @@ TEST(Table1, names_the_cells_that_spoil_an_operator) {
 }
 
 TEST(Table1, in_space_is_cured_down_to_the_edges) {
-    const auto bundle = discretize(kuhn(3, 2));
+    const auto bundle = circumcentric(kuhn(3, 2));
     EXPECT_EQ(failures(bundle, Stage::input).count("star 1 dual"), 1U);
     EXPECT_EQ(failures(bundle, Stage::input).count("star 2 dual"), 1U);
     EXPECT_EQ(failures(bundle, Stage::merged), Verdicts{});
 }
 
 TEST(Verdicts, tell_their_reason) {
-    for (const auto& verdict : operator_verdicts(discretize(grid(4, 4)), Stage::input)) {
+    for (const auto& verdict : operator_verdicts(circumcentric(grid(4, 4)), Stage::input)) {
         if (verdict.name == "star" && verdict.side == Side::dual && verdict.degree == 1) {
             EXPECT_TRUE(says(reason(verdict), {"16", "1-cells", "dual", "extent"}));
         }
@@ -175,7 +176,7 @@ TEST(Verdicts, tell_their_reason) {
 }
 
 TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
-    const auto mesh = discretize(grid(4, 4));
+    const auto mesh = circumcentric(grid(4, 4));
     const auto before = spectrum_verdicts(mesh.input_volumes());
     ASSERT_EQ(before.size(), 3U);
     EXPECT_TRUE(before[0].exists);
@@ -188,7 +189,7 @@ TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
         EXPECT_EQ(verdict.reason, "");
     }
     const auto flat =
-        discretize(made_of({{-1, 0}, {1, 0}, {0, 0.5}, {0, -0.5}}, {{0, 1, 2}, {0, 3, 1}}));
+        circumcentric(made_of({{-1, 0}, {1, 0}, {0, 0.5}, {0, -0.5}}, {{0, 1, 2}, {0, 3, 1}}));
     const auto verdicts = spectrum_verdicts(flat.volumes());
     EXPECT_FALSE(verdicts[1].exists);
     EXPECT_TRUE(says(verdicts[1].reason, {"mass", "1 1-cell", "negative"}));
@@ -279,12 +280,12 @@ protected:
 };
 
 TEST_P(DiagnosisOf, tells_what_is_counted_otherwise) {
-    const auto bundle = discretize(given());
+    const auto bundle = circumcentric(given());
     EXPECT_EQ(wrong_fact(diagnose(bundle), given(), bundle), "");
 }
 
 TEST_P(DiagnosisOf, is_found_wrong_by_any_fact_that_is) {
-    const auto bundle = discretize(given());
+    const auto bundle = circumcentric(given());
     const auto broken = [&](const std::function<void(Diagnosis&)>& spoil) {
         auto told = diagnose(bundle);
         spoil(told);
@@ -309,7 +310,7 @@ std::size_t not_positive(const Discretization& mesh) {
 }
 
 TEST_P(DiagnosisOf, advises_where_duals_are_not_positive_what_makes_stars_so) {
-    auto bundle = discretize(given());
+    auto bundle = circumcentric(given());
     auto list = diagnose(bundle).advice;
     EXPECT_EQ(list.empty(), not_positive(bundle) == 0);
     // flips may turn a triangle's obtuse angle to the boundary, and then splits are advised; or a
@@ -337,7 +338,7 @@ int number_spoiled(const Diagnosis& told) {
 }
 
 TEST_P(DiagnosisOf, finds_nothing_spoiled_by_stars_that_are_positive) {
-    const auto plain = discretize(given());
+    const auto plain = circumcentric(given());
     EXPECT_LE(number_spoiled(diagnose(plain)) > 0, not_positive(plain) > 0);
     for (const StarKind kind : {StarKind::automatic, StarKind::galerkin, StarKind::barycentric}) {
         const auto told = diagnose(discretize(given(), {.star = kind}));
@@ -354,7 +355,9 @@ TEST_P(DiagnosisOf, finds_nothing_spoiled_by_stars_that_are_positive) {
 
 POLYDEC_OVER_MESHES(DiagnosisOf);
 
-std::vector<std::string> advice(const Mesh& mesh, const DiscretizeOptions& options = {}) {
+std::vector<std::string> advice(const Mesh& mesh, DiscretizeOptions options = {},
+                                StarKind star = StarKind::circumcentric) {
+    options.star = star;
     const auto told = diagnose(discretize(mesh, options));
     std::vector<std::string> list;
     for (const auto& one : told.advice)
@@ -374,10 +377,10 @@ TEST(Advice, names_the_option_for_edges_inside_and_on_the_boundary_and_for_what_
     const auto three = made_of({{0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}, {1, 0, 0.5}, {1, 0, -0.5}},
                                {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
     EXPECT_TRUE(each_says(advice(three), {{"1 negative", "edge", "StarKind::automatic"}}));
-    EXPECT_EQ(advice(three, {.star = StarKind::automatic}), Words{});
+    EXPECT_EQ(advice(three, {}, StarKind::automatic), Words{});
     const auto right = made_of({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
     EXPECT_TRUE(each_says(advice(right), {{"1 dual edge", "volume", "StarKind::automatic"}}));
-    EXPECT_EQ(advice(right, {.star = StarKind::automatic}), Words{});
+    EXPECT_EQ(advice(right, {}, StarKind::automatic), Words{});
     EXPECT_TRUE(each_says(advice(grid(4, 4), {.criterion = MergeCriterion::none}),
                           {{"16 dual edges", "volume", "StarKind::automatic"}}));
     EXPECT_EQ(advice(three, {.centers = Centers::centroids()}), Words{});
@@ -387,11 +390,13 @@ TEST(Advice, gives_options_that_discretize_takes) {
     auto mesh = kite(0.8, 0.9);
     mesh.tags = {1, 2};
     const DiscretizeOptions angle{.criterion = MergeCriterion::angle, .tolerance = 1e-3};
-    for (const auto& options : {angle, DiscretizeOptions{.materials = Materials::keep_apart},
-                                DiscretizeOptions{.centers = Centers::centroids()}})
+    for (auto options : {angle, DiscretizeOptions{.materials = Materials::keep_apart},
+                         DiscretizeOptions{.centers = Centers::centroids()}}) {
+        options.star = StarKind::circumcentric;
         for (const auto remedy : {Remedy::flips, Remedy::splits, Remedy::stars}) {
             EXPECT_EQ(not_positive(discretize(mesh, with(remedy, options))), 0U);
         }
+    }
 }
 
 } // namespace

@@ -1,166 +1,108 @@
 // SPDX-License-Identifier: MIT
-#include "dec/forms/star.h"
-#include "dec/metric/circumcentric_volumes.h"
+#include "dec/choose_stars.h"
+#include "dec/metric/plane.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "tests/support/hand_made.h"
-#include "tests/support/matrices.h"
-#include "tests/support/over_meshes.h"
+#include "tests/support/slivers.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace polydec::test::in_invariance {
 namespace {
 
-class Invariance : public OverMeshes {
-protected:
-    const Mesh& raw() const { return mesh_named(GetParam()); }
-};
-
-/// Whether the same simplices were merged to the same cells.
-bool same_merging(const Merged& a, const Merged& b) {
-    bool same = a.n() == b.n();
-    for (int k = 0; same && k <= a.n(); ++k)
-        same = equal(integers(a.merging().diamond(k)), integers(b.merging().diamond(k))) &&
-               equal(integers(a.P().coboundary(k)), integers(b.P().coboundary(k)));
-    return same;
-}
-
-/// Largest difference between star_k of K and P of the one and factor times that of the other.
-double star_difference(const Merged& a, const Merged& b, int k, double factor) {
-    return std::max(
-        relative_difference(star(a.input_volumes, k).diagonal(),
-                            factor * star(b.input_volumes, k).diagonal()),
-        relative_difference(star(a.volumes, k).diagonal(), factor * star(b.volumes, k).diagonal()));
-}
-
-TEST_P(Invariance, stars_scale_by_powers_of_the_length_and_merging_does_not_change) {
-    for (const double scale : {1e-8, 0.3, 1e8}) {
-        const auto N = static_cast<Index>(raw().points.cols());
-        const auto scaled = make_merged(transformed(raw(), DenseMatrix::Identity(N, N), scale));
-        ASSERT_TRUE(same_merging(scaled, mesh())) << "scale " << scale;
-        for (int k = 0; k <= mesh().n(); ++k) {
-            const int power = mesh().n() - 2 * k;
-            EXPECT_LE(star_difference(scaled, mesh(), k, std::pow(scale, power)), 1e-10)
-                << "scale " << scale << ", k = " << k;
-            EXPECT_GT(star_difference(scaled, mesh(), k, std::pow(scale, power + 1)), 0.1)
-                << "with the wrong power";
-        }
+/// The cells of each degree by their vertices, sorted.
+std::vector<std::vector<std::vector<Index>>> shape(const Discretization& mesh) {
+    std::vector<std::vector<std::vector<Index>>> result;
+    for (int k = 0; k <= mesh.dimension(); ++k) {
+        auto& cells = result.emplace_back();
+        for (Index c = 0; c < mesh.complex().size(k); ++c)
+            cells.push_back(mesh.merging().vertices(k, c));
+        std::sort(cells.begin(), cells.end());
     }
-}
-
-TEST_P(Invariance, rigid_motions_change_no_star_and_no_merging) {
-    for (const unsigned seed : {1U, 2U, 3U}) {
-        const auto N = static_cast<Index>(raw().points.cols());
-        const auto moved = make_merged(transformed(raw(), random_isometry(N, seed), 1.0, 0.7));
-        ASSERT_TRUE(same_merging(moved, mesh()));
-        for (int k = 0; k <= mesh().n(); ++k)
-            EXPECT_LE(star_difference(moved, mesh(), k, 1), 1e-10) << "k = " << k;
-    }
-}
-
-TEST_P(Invariance, more_coordinates_change_no_star_and_no_merging) {
-    // but in N = n alone boundary faces without dual volume are told from bent ones
-    if (mesh().n() > 2 && mesh().result.degenerate.boundary > 0)
-        return;
-    const auto N = static_cast<Index>(raw().points.cols());
-    const DenseMatrix embedding = random_isometry(N + 2, 4).leftCols(N);
-    const auto embedded = make_merged(transformed(raw(), embedding));
-    ASSERT_TRUE(same_merging(embedded, mesh()));
-    for (int k = 0; k <= mesh().n(); ++k)
-        EXPECT_LE(star_difference(embedded, mesh(), k, 1), 1e-10) << "k = " << k;
-}
-
-TEST_P(Invariance, a_shear_changes_the_stars) {
-    const auto N = static_cast<Index>(raw().points.cols());
-    if (mesh().n() < 2)
-        return;
-    DenseMatrix shear = DenseMatrix::Identity(N, N);
-    shear(0, 1) = 0.3;
-    const Mesh sheared = transformed(raw(), shear);
-    const SimplicialComplex K(sheared.simplices);
-    const Points points = vertex_points(K, sheared.points);
-    const auto volumes = circumcentric_volumes(K, points);
-    EXPECT_GT(
-        relative_difference(star(volumes, 1).diagonal(), star(mesh().input_volumes, 1).diagonal()),
-        1e-3);
-}
-
-TEST_P(Invariance, the_order_of_cells_changes_not_a_bit) {
-    Mesh reversed = raw();
-    reversed.simplices = raw().simplices.colwise().reverse();
-    const auto other = make_merged(reversed);
-    ASSERT_TRUE(same_merging(other, mesh()));
-    for (int k = 0; k <= mesh().n(); ++k)
-        EXPECT_EQ(star_difference(other, mesh(), k, 1), 0) << "k = " << k;
-}
-
-using Named = std::pair<std::vector<Index>, double>;
-
-/// Star entries of P by the vertices of the cells, named as `old_number` says, in order.
-std::vector<Named> named_stars(const Merged& m, int k, const std::vector<Index>& old_number) {
-    const Vector values = star(m.volumes, k).diagonal();
-    std::vector<Named> result;
-    for (Index F = 0; F < m.P().size(k); ++F) {
-        auto vertices = m.K().vertex_numbers(m.merging().vertices(k, F));
-        for (Index& v : vertices)
-            v = old_number[v];
-        std::sort(vertices.begin(), vertices.end());
-        result.emplace_back(vertices, values[F]);
-    }
-    std::sort(result.begin(), result.end());
     return result;
 }
 
-void expect_same_stars(const Merged& a, const std::vector<Index>& names_of_a, const Merged& b) {
-    std::vector<Index> own_names(std::size_t(b.K().vertex_number(b.K().size(0) - 1)) + 1);
-    for (std::size_t v = 0; v < own_names.size(); ++v)
-        own_names[v] = static_cast<Index>(v);
-    for (int k = 0; k <= b.n(); ++k) {
-        const auto one = named_stars(a, k, names_of_a), other = named_stars(b, k, own_names);
-        const double scale = star(b.volumes, k).diagonal().cwiseAbs().maxCoeff();
-        ASSERT_EQ(one.size(), other.size()) << "k = " << k;
-        for (std::size_t i = 0; i < one.size(); ++i) {
-            ASSERT_EQ(one[i].first, other[i].first) << "k = " << k;
-            EXPECT_NEAR(one[i].second, other[i].second, 1e-10 * scale) << "k = " << k;
-        }
+std::vector<Mesh> moved(const Mesh& mesh) {
+    std::vector<Mesh> result;
+    const auto n = mesh.points.cols();
+    for (Eigen::Index axis = 0; axis < n; ++axis) {
+        result.push_back(mesh); // reflected
+        result.back().points.col(axis) *= -1;
+        result.push_back(mesh); // axes exchanged
+        result.back().points.col(axis).swap(result.back().points.col((axis + 1) % n));
     }
+    result.push_back(mesh);
+    result.back().points *= 1024;
+    result.push_back(mesh); // in more coordinates, in the middle and behind
+    result.back().points.resize(mesh.points.rows(), n + 2);
+    result.back().points << mesh.points.leftCols(1), Points::Constant(mesh.points.rows(), 1, 7),
+        mesh.points.rightCols(n - 1), Points::Zero(mesh.points.rows(), 1);
+    return result;
 }
 
-TEST_P(Invariance, vertex_numbers_are_only_names) {
-    for (const std::uint64_t seed : {1U, 2U}) {
-        const auto renumbered = shuffled(raw(), seed);
-        expect_same_stars(make_merged(renumbered.mesh), renumbered.vertices, mesh());
-    }
+class Shapes : public testing::TestWithParam<int> {};
+
+TEST_P(Shapes, do_not_depend_on_axes_reflection_scale_or_more_coordinates) {
+    const int seed = GetParam();
+    Index merged = 0;
+    for (const double jitter : {0.0, 1e-8, 1e-6, 3e-5, 1e-4, 3e-4})
+        for (const Mesh& mesh :
+             {delaunay_grid(3, jitter, seed == 3 ? 33 : seed), perturbed(kuhn(3, 2), jitter, seed),
+              perturbed(kuhn(4, 1), jitter, seed), perturbed(grid(4, 4), jitter, seed)}) {
+            const auto exact = discretize(mesh);
+            const auto expected = shape(exact);
+            merged += exact.pieces().size(exact.dimension()) -
+                      exact.complex().size(exact.dimension());
+            for (const Mesh& other : moved(mesh)) {
+                const auto found = discretize(other);
+                EXPECT_EQ(shape(found), expected) << mesh.dimension() << ' ' << jitter;
+                const double scale = other.points.norm() > 100 * mesh.points.norm() ? 1024 : 1;
+                const Vector lengths = exact.volumes().dual(exact.dimension() - 1) * scale;
+                EXPECT_LE((found.volumes().dual(found.dimension() - 1) - lengths).norm(),
+                          1e-9 * lengths.norm())
+                    << mesh.dimension() << ' ' << jitter;
+            }
+        }
+    EXPECT_GT(merged, 100);
 }
 
-POLYDEC_OVER_MESHES(Invariance);
+INSTANTIATE_TEST_SUITE_P(Seeds, Shapes, testing::Range(1, 9));
 
-struct GuardedCase {
-    const char* name;
-    Mesh mesh;
-    double tolerance;
-};
+TEST(Shapes, of_tilted_planes_are_those_of_the_plane) {
+    const Mesh flat = delaunay_grid(3, 3e-5);
+    Mesh tilted = flat;
+    DenseMatrix basis(3, 4); // orthonormal rows in R^4
+    basis << 0.5, 0.5, 0.5, 0.5, 0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, -0.5;
+    tilted.points = flat.points * basis;
+    EXPECT_EQ(plane_points(tilted.points, 3).cols(), 3);
+    EXPECT_EQ(shape(discretize(tilted)), shape(discretize(flat)));
+    EXPECT_EQ(plane_points(perturbed(tilted, 1e-9, 1).points, 3).cols(), 0);
+    EXPECT_EQ(plane_points(flat.points, 3).cols(), 0);
+}
 
-TEST(InvarianceOfGuardedMerging, vertex_numbers_are_only_names_at_tolerances_that_guards_rule) {
-    const std::vector<GuardedCase> cases = {
-        {"sphere", uv_sphere(64, 32), 0.12},
-        {"torus", torus(100, 6), 0.2},
-        {"squares", perturbed(grid(12, 12), 1e-3, 1), 0.02},
-        {"cubes", perturbed(kuhn(3, 3), 2e-3, 1), 0.02},
-        {"bumpy_sphere", perturbed(icosphere(6), 0.03, 3), 0.5}};
-    for (const auto& [name, mesh, tolerance] : cases) {
-        SCOPED_TRACE(name);
-        const MergeOptions options{MergeCriterion::dual_length, tolerance};
-        const auto original = make_merged(mesh, options);
-        EXPECT_LT(original.P().size(original.n()), original.K().size(original.n()));
-        for (const std::uint64_t seed : {1U, 2U, 3U}) {
-            const auto renumbered = shuffled(mesh, seed);
-            expect_same_stars(make_merged(renumbered.mesh, options), renumbered.vertices, original);
-        }
+TEST(HybridStars, do_not_depend_on_the_side_to_which_a_right_angle_is_rounded) {
+    // squares with a diagonal, of which one corner is pulled out
+    Mesh mesh = grid(6, 6);
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        if (mesh.points(v, 0) > 0.99 && mesh.points(v, 1) > 0.99)
+            mesh.points.row(v) << 0.9, 0.85;
+    const auto stars_of = [](const Mesh& turned) {
+        const auto cells = discretize(turned, {.criterion = MergeCriterion::none});
+        return choose_stars(cells, StarKind::hybrid);
+    };
+    const auto expected = stars_of(mesh);
+    EXPECT_GT(expected.galerkin_share(), 0);
+    EXPECT_LT(expected.galerkin_share(), 1);
+    for (int k = 0; k < 40; ++k) {
+        Mesh turned = mesh;
+        turned.points = mesh.points *
+                        Eigen::Rotation2Dd(0.1 + 0.37 * k).toRotationMatrix().transpose();
+        EXPECT_EQ(stars_of(turned).galerkin, expected.galerkin) << k;
     }
 }
 

@@ -10,6 +10,7 @@
 #include "dec/operators.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/forms.h"
 #include "tests/support/glued.h"
@@ -49,7 +50,7 @@ class FieldsAfterFlips : public testing::TestWithParam<std::tuple<std::string, D
 protected:
     Discretization mesh(MergeCriterion criterion = MergeCriterion::dual_length) const {
         const auto& [name, delaunay] = GetParam();
-        return discretize(shaken(mesh_named(name), 0.25, 7),
+        return circumcentric(shaken(mesh_named(name), 0.25, 7),
                           {.criterion = criterion, .delaunay = delaunay});
     }
     SmoothForm constant(const Discretization& mesh) const {
@@ -237,8 +238,8 @@ double off_the_fold(const Points& on_flat, const Points& on_folded) {
 }
 
 TEST(OnAFoldedSheet, centers_and_centroids_are_those_of_the_flat_one_folded) {
-    const auto sheet = discretize(slanted(8), {.delaunay = Delaunay::flips_and_splits});
-    const auto bent = discretize(folded(slanted(8), 1.2), {.delaunay = Delaunay::flips_and_splits});
+    const auto sheet = circumcentric(slanted(8), {.delaunay = Delaunay::flips_and_splits});
+    const auto bent = circumcentric(folded(slanted(8), 1.2), {.delaunay = Delaunay::flips_and_splits});
     ASSERT_GT(bent.passage().flips().statistics.flips, 0);
     for (int k = 0; k <= 2; ++k) {
         EXPECT_LE(off_the_fold(cell_centroids(sheet, k), cell_centroids(bent, k)), rounding) << k;
@@ -248,8 +249,8 @@ TEST(OnAFoldedSheet, centers_and_centroids_are_those_of_the_flat_one_folded) {
 
 TEST(OnAFoldedSheetBroken, combinations_of_the_corners_lie_beside_the_surface) {
     const DiscretizeOptions options{.criterion = MergeCriterion::none, .delaunay = Delaunay::flips};
-    const auto sheet = discretize(slanted(8), options);
-    const auto bent = discretize(folded(slanted(8), 1.2), options);
+    const auto sheet = circumcentric(slanted(8), options);
+    const auto bent = circumcentric(folded(slanted(8), 1.2), options);
     for (int k = 1; k <= 2; ++k) {
         const auto& K = bent.pieces();
         const Points middles = Points::Constant(K.size(k), k + 1, 1.0 / (k + 1));
@@ -266,7 +267,7 @@ TEST(OnAFoldedSheetBroken, combinations_of_the_corners_lie_beside_the_surface) {
 TEST(StokesAfterFlipsBroken, with_the_other_sign_fails) {
     for (const auto& name : {"uv_sphere7x5", "torus9x5", "hex4"})
         for (int j = 0; j < 2; ++j)
-            EXPECT_GT(stokes_defect(discretize(shaken(mesh_named(name), 0.25, 7),
+            EXPECT_GT(stokes_defect(circumcentric(shaken(mesh_named(name), 0.25, 7),
                                                {.criterion = MergeCriterion::none,
                                                 .delaunay = Delaunay::flips}),
                                     j, -1),
@@ -282,7 +283,7 @@ Discretization twisted_sphere(Index parts) {
         mesh.points(v, 0) = std::cos(angle) * x - std::sin(angle) * y;
         mesh.points(v, 1) = std::sin(angle) * x + std::cos(angle) * y;
     }
-    return discretize(mesh, {.delaunay = Delaunay::flips});
+    return circumcentric(mesh, {.delaunay = Delaunay::flips});
 }
 
 /// A field tangential to spheres around the origin, and the same turned by a right angle.

@@ -2,10 +2,12 @@
 #include "tests/support/slivers.h"
 
 #include "base/random.h"
+#include "complex/relative.h"
 #include "dec/choose_stars.h"
 #include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/whitney_interpolation.h"
+#include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
 #include "dec/material_stars.h"
 #include "dec/merging/facet_defects.h"
@@ -228,6 +230,21 @@ TEST(Slivers, leave_fields_and_stars_exact_for_constants) {
             const SparseMatrix twice =
                 material_star(mesh, 1, Vector::Constant(mesh.complex().size(3), 2));
             EXPECT_NEAR(form.values.dot(twice * form.values), 54, 54 * tolerance);
+        }
+    }
+}
+
+TEST(Slivers, leave_no_crack_between_the_forms_of_galerkin) {
+    for (const double jitter : jitters) {
+        const auto mesh = discretize(delaunay_grid(4, jitter));
+        const SparseMatrix d = derivative(mesh.complex(), 0);
+        const auto star = choose_stars(mesh, StarKind::galerkin).stars[1];
+        const auto inside = relative_to_boundary(mesh.complex());
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vector dx = d * mesh.points().col(axis);
+            EXPECT_NEAR(dx.dot(star * dx), 1, 1e-12) << jitter;
+            const Vector flows = d.transpose() * (star * dx);
+            EXPECT_LE(inside.restrict(0, flows).norm(), 1e-12) << jitter;
         }
     }
 }

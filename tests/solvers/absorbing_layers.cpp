@@ -4,6 +4,7 @@
 #include "dec/forms/boundary_conditions.h"
 #include "meshes/generate.h"
 #include "solvers/leapfrog.h"
+#include "tests/support/circumcentric.h"
 
 #include <gtest/gtest.h>
 
@@ -45,10 +46,10 @@ struct Experiment {
 Discretization box_of(const Experiment& experiment, int half) {
     const int n = experiment.n;
     if (experiment.octant)
-        return discretize(kuhn(std::vector<int>(n, half), std::vector<double>(n, half)));
+        return circumcentric(kuhn(std::vector<int>(n, half), std::vector<double>(n, half)));
     Mesh mesh = kuhn(std::vector<int>(n, 2 * half), std::vector<double>(n, 2.0 * half));
     mesh.points.array() -= half;
-    return discretize(mesh);
+    return circumcentric(mesh);
 }
 
 BoundaryConditions conditions_of(const Experiment& experiment, const Discretization& box) {
@@ -138,7 +139,7 @@ double straight_reflection(const std::function<Mesh(int length)>& mesh,
                            const AbsorbingLayer& layer) {
     constexpr double height = 24, until = 70;
     const auto low_values = [&](int length, bool with_layer) {
-        const auto box = discretize(mesh(length));
+        const auto box = circumcentric(mesh(length));
         const BoundaryConditions free{BoundaryCondition::natural};
         const double step = 0.4;
         const Leapfrog waves(box, free, Side::primal, 0,

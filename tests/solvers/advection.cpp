@@ -7,6 +7,7 @@
 #include "dec/forms/derivative.h"
 #include "dec/metric/exterior_product.h"
 #include "tests/dec/discretized.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -112,7 +113,7 @@ TEST_P(Advections, need_no_points) {
         return;
     const int n = whole.dimension();
     const auto other =
-        discretize(length_mesh(mesh_named(GetParam())), {MergeCriterion::dual_length, tolerance});
+        circumcentric(length_mesh(mesh_named(GetParam())), {MergeCriterion::dual_length, tolerance});
     const Vector z = random_vector(whole.complex().size(n - 2), 1);
     const Vector w = random_vector(whole.complex().size(n - 1), 2);
     EXPECT_LE(relative_difference(Advection(other)(z, w), (*advection)(z, w)), 1e-8);

@@ -8,6 +8,7 @@
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "solvers/poisson.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
@@ -52,7 +53,7 @@ DenseMatrix outward_normals(const Discretization& mesh) {
 
 class FlatMeshes : public testing::TestWithParam<std::string> {
 protected:
-    FlatMeshes() : mesh_(discretize(mesh_named(GetParam()))) {}
+    FlatMeshes() : mesh_(circumcentric(mesh_named(GetParam()))) {}
     const Discretization& mesh() const { return mesh_; }
 
     /// Largest error for a linear function with its values on the facets beyond the middle of the
@@ -102,7 +103,7 @@ double wave(const Vector& p) {
 
 /// L2 error of the wave on a grid with values on the left half of the boundary.
 double wave_error(Side side, int cells) {
-    const auto mesh = discretize(grid(cells, cells));
+    const auto mesh = circumcentric(grid(cells, cells));
     const Points sites = PoissonSolver(mesh).flux_sites();
     PoissonSolver solver(
         mesh, {.side = side,
@@ -134,7 +135,7 @@ TEST(MixedConditions, converge_with_order_2) {
 }
 
 TEST(NaturalConditions, say_how_far_fluxes_are_from_balanced) {
-    const auto mesh = discretize(grid(4, 4));
+    const auto mesh = circumcentric(grid(4, 4));
     for (const Side side : sides) {
         PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
         const Vector zero = Vector::Zero(solver.sites().rows());
@@ -168,7 +169,7 @@ Vector harmonic_extension(const Discretization& mesh, int k, const Vector& w) {
 TEST(EssentialConditions, of_every_degree_determine_constant_forms) {
     for (const char* name :
          {"grid4", "wellcentred4", "rectangles", "kuhn3", "boxes", "tesseracts2"}) {
-        const auto mesh = discretize(mesh_named(name));
+        const auto mesh = circumcentric(mesh_named(name));
         const int n = mesh.dimension();
         for (int k = 0; k < n; ++k) {
             const Vector coefficients = random_vector(test::coefficients(n, k), 1);
@@ -178,13 +179,13 @@ TEST(EssentialConditions, of_every_degree_determine_constant_forms) {
         }
     }
     // what is not harmonic is not returned
-    const auto mesh = discretize(grid(4, 4));
+    const auto mesh = circumcentric(grid(4, 4));
     const Vector bump = random_vector(mesh.complex().size(1), 2);
     EXPECT_GT(relative_difference(harmonic_extension(mesh, 1, bump), bump), 0.1);
 }
 
 TEST(BoundaryDataErrors, name_what_does_not_fit) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     PoissonSolver solver(mesh);
     EXPECT_TRUE(
         says(refusal([&] { solver.solve(Vector::Zero(9), Vector::Zero(9), Vector::Zero(9)); }),

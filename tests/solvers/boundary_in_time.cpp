@@ -7,6 +7,7 @@
 #include "solvers/evolution.h"
 #include "solvers/poisson.h"
 #include "tests/solvers/wave_problems.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
@@ -23,7 +24,7 @@ constexpr Side sides[] = {Side::primal, Side::dual};
 constexpr StarKind kinds[] = {StarKind::circumcentric, StarKind::galerkin};
 
 Discretization with(const Mesh& input, StarKind kind) {
-    const auto mesh = discretize(input);
+    const auto mesh = circumcentric(input);
     return kind == StarKind::circumcentric ? mesh : mesh.with_stars(choose_stars(mesh, kind));
 }
 
@@ -142,7 +143,7 @@ TEST(BoundaryInTime, forms_with_data_that_change_converge) {
 TEST(OutwardFlow, of_0_forms_is_the_normal_derivative_of_poisson_problems) {
     for (const Mesh& input : {kuhn(1, 5), grid(4, 4), hexagons(4), well_centered(3), kuhn(3, 2)})
         for (const Side side : sides) {
-            const auto mesh = discretize(input);
+            const auto mesh = circumcentric(input);
             const Points sites = facet_sites(mesh);
             const BoundaryConditions mixed =
                 essential_where(sites, [](const Vector& x) { return x[0] < 1e-9; });

@@ -3,6 +3,7 @@
 // Distances on surfaces where more than two triangles meet at edges.
 #include "base/random.h"
 #include "solvers/surfaces/geodesic_distance.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -63,7 +64,7 @@ struct Errors {
 };
 
 Errors errors(const Book& book, const GeodesicOptions& options = {}) {
-    const auto mesh = discretize(book.mesh);
+    const auto mesh = circumcentric(book.mesh);
     const int n = static_cast<int>(std::lround(std::sqrt(book.mesh.simplices.rows() / 6)));
     const Index source[] = {static_cast<Index>(n + 1 + (n / 2 - 1) * (n + 1) + n / 4)};
     const Vector d = geodesic_distance(mesh, source, options);
@@ -87,7 +88,7 @@ Errors errors(const Book& book, const GeodesicOptions& options = {}) {
 }
 
 TEST(BranchingGeodesics, cross_the_spine_of_a_book_straight) {
-    ASSERT_NE(refusal([] { GluedSurface(discretize(book(3, 4, 0.2).mesh).pieces()); }), "accepted");
+    ASSERT_NE(refusal([] { GluedSurface(circumcentric(book(3, 4, 0.2).mesh).pieces()); }), "accepted");
     const auto coarse = errors(book(3, 24, 0.25)), fine = errors(book(3, 48, 0.25));
     EXPECT_LT(fine.across, 0.03);
     EXPECT_LT(fine.within, 0.01);
@@ -98,7 +99,7 @@ TEST(BranchingGeodesics, cross_the_spine_of_a_book_straight) {
 
 TEST(BranchingGeodesics, are_equal_on_equal_pages) {
     const auto pages = book(4, 12, 0.25);
-    const auto mesh = discretize(pages.mesh);
+    const auto mesh = circumcentric(pages.mesh);
     const Index source[] = {static_cast<Index>(13 + 5)};
     const Vector d = geodesic_distance(mesh, source);
     const Index inside = 12 * 13;
@@ -111,12 +112,12 @@ TEST(BranchingGeodesics, are_equal_on_equal_pages) {
 
 /// Where no edge has more than two triangles, nothing changes.
 TEST(BranchingGeodesics, are_those_of_glued_triangles_where_these_can_be_glued) {
-    const auto mesh = discretize(book(2, 8, 0.25).mesh);
+    const auto mesh = circumcentric(book(2, 8, 0.25).mesh);
     const Index source[] = {3};
     const Vector glued =
         geodesic_distance(GluedSurface(mesh.pieces()), mesh.piece_volumes().primal(1), source);
     EXPECT_EQ(geodesic_distance(mesh, source), glued);
-    EXPECT_TRUE(says(refusal([] { GeodesicDistance solver(discretize(mesh_named("kuhn3"))); }),
+    EXPECT_TRUE(says(refusal([] { GeodesicDistance solver(circumcentric(mesh_named("kuhn3"))); }),
                      {"dimension 3", "surfaces"}));
 }
 

@@ -6,6 +6,7 @@
 #include "solvers/spectra/certified_eigensolver.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/solvers/dense_spectrum.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/merged.h"
 #include "tests/support/read_golden.h"
@@ -74,7 +75,7 @@ void register_faulty_engines() {
 TEST(FaultyEigensolver, is_found_out_and_the_answer_complete_all_the_same) {
     register_faulty_engines();
     for (const auto& generated : {icosphere(4), torus(16, 8), kuhn(3, 4)}) {
-        const auto mesh = discretize(generated);
+        const auto mesh = circumcentric(generated);
         for (int k = 0; k <= mesh.dimension(); ++k) {
             const Vector exact = dense_spectrum(mesh, k);
             for (const std::string engine : {"half", "second"})
@@ -94,7 +95,7 @@ TEST(FaultyEigensolver, is_found_out_and_the_answer_complete_all_the_same) {
 /// The broken twin of the test above: without the proof it would fail.
 TEST(FaultyEigensolver, goes_unnoticed_where_the_proof_is_waived) {
     register_faulty_engines();
-    const auto mesh = discretize(icosphere(4));
+    const auto mesh = circumcentric(icosphere(4));
     const Vector exact = dense_spectrum(mesh, 0);
     const auto found = spectrum(
         mesh, {.count = 6, .eigen_solver = "second", .certification = Certification::waived});
@@ -104,7 +105,7 @@ TEST(FaultyEigensolver, goes_unnoticed_where_the_proof_is_waived) {
 }
 
 TEST(ShareOfASpectrum, grows_without_being_computed_anew) {
-    const auto mesh = discretize(icosphere(4));
+    const auto mesh = circumcentric(icosphere(4));
     const Vector exact = dense_spectrum(mesh, 2);
     CertifiedEigensolver solver(symmetric_laplacian(mesh.complex(), mesh.volumes(), 2),
                                 star(mesh.volumes(), 2).diagonal());
@@ -116,7 +117,7 @@ TEST(ShareOfASpectrum, grows_without_being_computed_anew) {
 }
 
 TEST(ShareOfASpectrum, is_taken_by_blocks_where_it_is_large) {
-    const auto mesh = discretize(icosphere(8));
+    const auto mesh = circumcentric(icosphere(8));
     EXPECT_EQ(spectrum(mesh, {.count = 6}).eigen_solver, "spectra");
     EXPECT_EQ(spectrum(mesh, {.count = 40}).eigen_solver, "block-lanczos");
     const Vector exact = dense_spectrum(mesh, 0);
@@ -132,7 +133,7 @@ TEST(ShareOfASpectrum, is_taken_by_blocks_where_it_is_large) {
 }
 
 TEST(WholeSpectrum, is_complete_without_a_count) {
-    const auto mesh = discretize(icosphere(2));
+    const auto mesh = circumcentric(icosphere(2));
     const Index size = mesh.complex().size(0);
     Index counts = 0;
     const auto found = spectrum(mesh, {.count = size, .progress = [&](std::string_view what) {
@@ -183,7 +184,7 @@ std::vector<Mesh> meshes_with_negative_duals() {
 
 TEST(SpuriousEigenvalues, of_dual_0_forms_over_negative_duals_are_all_found) {
     for (const auto& obtuse : meshes_with_negative_duals()) {
-        const auto mesh = discretize(obtuse);
+        const auto mesh = circumcentric(obtuse);
         const int n = mesh.dimension();
         const Vector exact = dense_spectrum(mesh, n);
         const Index spurious = number_below(exact, -1e-9 * exact.cwiseAbs().maxCoeff());
@@ -205,7 +206,7 @@ TEST(SpuriousEigenvalues, of_dual_0_forms_over_negative_duals_are_all_found) {
 using test::refusal;
 
 std::string refusal(const std::string& golden, const SpectrumOptions& options) {
-    const auto mesh = discretize(read_golden(golden + ".nsc"));
+    const auto mesh = circumcentric(read_golden(golden + ".nsc"));
     return refusal([&] { spectrum(mesh, options); });
 }
 

@@ -11,6 +11,7 @@
 #include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
 #include "solvers/spectra/spectrum.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
@@ -56,7 +57,7 @@ Mesh in_single_precision(Mesh mesh) {
 }
 
 double first_eigenvalue(const Mesh& input, Side side, const BoundaryConditions& conditions) {
-    return spectrum(discretize(input), conditions, {.side = side, .degree = 0, .count = 1})
+    return spectrum(circumcentric(input), conditions, {.side = side, .degree = 0, .count = 1})
         .eigenvalues[0];
 }
 
@@ -70,13 +71,13 @@ BoundaryConditions left_part(const Discretization& mesh) {
 
 TEST(CrossedSquares, have_one_dual_spectrum_exact_jittered_and_in_single_precision) {
     const Mesh exact = crossed_squares(10);
-    ASSERT_EQ(discretize(exact).degenerate().boundary, 40);
+    ASSERT_EQ(circumcentric(exact).degenerate().boundary, 40);
     EXPECT_NEAR(first_eigenvalue(exact, Side::dual, dirichlet), 19.5774, 5e-5);
     for (const auto& other : {perturbed(exact, 1e-7, 1), perturbed(exact, 1e-7, 2),
                               in_single_precision(exact), perturbed(exact, 1e-12, 3)})
         EXPECT_NEAR(first_eigenvalue(other, Side::dual, dirichlet), 19.5774, 5e-5);
     // dual 0-forms have Dirichlet's condition by themselves
-    const auto mesh = discretize(exact);
+    const auto mesh = circumcentric(exact);
     EXPECT_NEAR(spectrum(mesh, {.side = Side::dual, .count = 1}).eigenvalues[0], 19.5774, 5e-5);
 }
 
@@ -88,7 +89,7 @@ std::vector<Mesh> with_centers_on_the_boundary() {
 /// The solver of the Poisson problem knows eigenfunctions, and eigenvalues those of its matrix.
 TEST(DualSpectra, have_the_modes_of_the_Poisson_problem_under_the_same_conditions) {
     for (const auto& input : with_centers_on_the_boundary()) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         ASSERT_GT(mesh.degenerate().boundary, 0);
         for (const auto& conditions : {dirichlet, left_part(mesh)}) {
             const auto found =
@@ -114,7 +115,7 @@ TEST(DualSpectra, have_the_modes_of_the_Poisson_problem_under_the_same_condition
 TEST(DualSpectra, with_values_on_a_part_of_the_boundary_do_not_mind_jitter) {
     for (const auto& input : with_centers_on_the_boundary()) {
         const auto values = [](const Mesh& mesh) {
-            const auto bundle = discretize(mesh);
+            const auto bundle = circumcentric(mesh);
             return spectrum(bundle, left_part(bundle),
                             {.side = Side::dual, .degree = 0, .count = 3})
                 .eigenvalues;
@@ -128,7 +129,7 @@ TEST(DualSpectra, with_values_on_a_part_of_the_boundary_do_not_mind_jitter) {
 
 TEST(DualSpectra, without_flow_have_the_constants_at_0) {
     for (const auto& input : with_centers_on_the_boundary()) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const auto found = spectrum(mesh, neumann, {.side = Side::dual, .degree = 0, .count = 2});
         EXPECT_NEAR(found.eigenvalues[0], 0, 1e-9 * found.eigenvalues[1]);
         EXPECT_GT(found.eigenvalues[1], 0.1);
@@ -143,7 +144,7 @@ TEST(Conditions, of_both_sides_lead_to_the_same_eigenvalues) {
     // exact: 2 pi^2, 0, and pi^2 / 4 for values on one side of the unit square
     const double squared = M_PI * M_PI;
     const Mesh square = grid(24, 24);
-    const auto mesh = discretize(square);
+    const auto mesh = circumcentric(square);
     const auto one_side =
         essential_where(cell_centers(mesh, 1), [](const Vector& site) { return site[0] < 1e-9; });
     for (const Side side : sides) {
@@ -157,7 +158,7 @@ TEST(Conditions, of_both_sides_lead_to_the_same_eigenvalues) {
 
 TEST(Conditions, exchange_with_the_star) {
     for (const char* name : {"grid4", "ring6", "kuhn3", "solid_torus3", "kuhn4"}) {
-        const auto mesh = discretize(mesh_named(name));
+        const auto mesh = circumcentric(mesh_named(name));
         const int n = mesh.dimension();
         for (int k = 0; k <= n; ++k)
             for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
@@ -180,7 +181,7 @@ TEST(Conditions, exchange_with_the_star) {
 
 TEST(HeatUnderConditions, makes_modes_decay_with_their_eigenvalues) {
     for (const auto& input : with_centers_on_the_boundary()) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         for (const Side side : sides)
             for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
                 const int k = side == Side::primal ? 0 : mesh.dimension();
@@ -206,7 +207,7 @@ TEST(HeatUnderConditions, makes_modes_decay_with_their_eigenvalues) {
 /// On the complex of the conditions the gradients of modes are modes of dual 1-forms.
 TEST(DualSpectra, of_1_forms_have_those_of_functions_among_them) {
     for (const auto& input : with_centers_on_the_boundary()) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const auto of_degree = [&](int degree, Index count) {
             return spectrum(mesh, {.side = Side::dual, .degree = degree, .count = count})
                 .eigenvalues;
@@ -220,13 +221,13 @@ TEST(DualSpectra, of_1_forms_have_those_of_functions_among_them) {
 
 /// Without the mechanism, what cannot be inverted is refused or, moved a little, means nothing.
 TEST(DualSpectraBroken, with_the_duals_of_centers_on_the_boundary_make_no_sense) {
-    const auto exact = discretize(crossed_squares(10));
+    const auto exact = circumcentric(crossed_squares(10));
     EXPECT_TRUE(says(refusal([&] {
                          spectrum(exact.complex(), exact.volumes(),
                                   {.side = Side::dual, .count = 1});
                      }),
                      {"inverse star", "degree 1", "zero"}));
-    const auto moved = discretize(perturbed(crossed_squares(10), 1e-7, 1));
+    const auto moved = circumcentric(perturbed(crossed_squares(10), 1e-7, 1), {.tolerance = 0});
     EXPECT_LT(
         spectrum(moved.complex(), moved.volumes(), {.side = Side::dual, .count = 1}).eigenvalues[0],
         -1e6);
@@ -234,7 +235,7 @@ TEST(DualSpectraBroken, with_the_duals_of_centers_on_the_boundary_make_no_sense)
 
 TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
     // the diagonals, of which none is on the boundary
-    const auto mesh = discretize(grid(4, 4), {.criterion = MergeCriterion::none});
+    const auto mesh = circumcentric(grid(4, 4), {.criterion = MergeCriterion::none});
     const auto zero = star(mesh.volumes(), 1).zeros();
     const auto cells = "(cells " + star(mesh.volumes(), 1).numbers(zero) + ")";
     for (const Side side : sides) {
@@ -256,7 +257,7 @@ TEST(ConditionedErrors, name_cells_by_their_numbers_in_the_mesh) {
 }
 
 TEST(ConditionedErrors, know_the_mesh_through_several_relative_complexes) {
-    const auto mesh = discretize(grid(4, 4), {.criterion = MergeCriterion::none});
+    const auto mesh = circumcentric(grid(4, 4), {.criterion = MergeCriterion::none});
     const auto inside = relative_to_boundary(mesh.complex());
     const auto volumes = relative_volumes(inside, mesh.volumes());
     CellMarks marks;
@@ -280,7 +281,7 @@ TEST(ConditionedErrors, of_waves_name_the_edge_of_the_mesh) {
         {{4, 5, 6}, {4, 7, 5}, {0, 7, 4}, {0, 1, 7}, {1, 5, 7}, {1, 2, 5}, {2, 6, 5}, {2, 3, 6},
          {3, 4, 6}, {3, 0, 4}});
     // clang-format on
-    const auto mesh = discretize(ring);
+    const auto mesh = circumcentric(ring);
     const auto inside = relative_to_boundary(mesh.complex());
     const auto volumes = relative_volumes(inside, mesh.volumes());
     const auto negative = star(volumes, 1).negatives();
@@ -317,14 +318,14 @@ class VerdictsOnSpectra : public OverMeshes {};
 
 TEST_P(VerdictsOnSpectra, say_what_spectrum_does) {
     for (const auto criterion : {MergeCriterion::none, MergeCriterion::dual_length})
-        expect_verdicts_that_hold(discretize(mesh_named(GetParam()), {.criterion = criterion}));
+        expect_verdicts_that_hold(circumcentric(mesh_named(GetParam()), {.criterion = criterion}));
 }
 
 POLYDEC_OVER_MESHES(VerdictsOnSpectra);
 
 TEST(VerdictsOnSpectra, do_without_the_duals_of_boundary_facets_as_dual_functions_do) {
     for (const int m : {1, 2, 4}) {
-        const auto mesh = discretize(crossed_squares(m));
+        const auto mesh = circumcentric(crossed_squares(m));
         expect_verdicts_that_hold(mesh);
         // of one square every triangle has its circumcenter on the boundary
         const auto verdicts = spectrum_verdicts(mesh, Side::dual);
@@ -341,7 +342,7 @@ TEST(VerdictsOnSpectra, do_without_the_duals_of_boundary_facets_as_dual_function
 
 TEST(HodgeUnderConditions, sees_the_homology_of_the_dual_complex) {
     // values 0 on the boundary of a square: no harmonic dual function, one harmonic dual 2-form
-    const auto mesh = discretize(crossed_squares(4));
+    const auto mesh = circumcentric(crossed_squares(4));
     const auto space = conditioned_complex(mesh.complex(), mesh.stars(), Side::dual, 0, dirichlet);
     EXPECT_EQ(harmonic_forms(space.relative.complex, space.stars, Side::dual, 0).cols(), 0);
     EXPECT_EQ(harmonic_forms(space.relative.complex, space.stars, Side::dual, 1).cols(), 0);

@@ -8,6 +8,7 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/poisson.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
@@ -81,7 +82,7 @@ class Conductivity : public OverMeshes {};
 TEST_P(Conductivity, weighs_every_simplex_as_if_it_were_alone) {
     const Mesh& input = mesh_named(GetParam());
     for (const auto& merge : merges) {
-        const auto mesh = discretize(input, merge);
+        const auto mesh = circumcentric(input, merge);
         const Vector kappa = random_conductivity(mesh, 5);
         const DenseMatrix A = sum_over_simplices(mesh, on_simplices(mesh, kappa));
         EXPECT_LE(error_of_solution(mesh, kappa, A), 1e-9) << int(merge.criterion);
@@ -128,7 +129,7 @@ std::vector<Mesh> random_triangulations() {
 TEST(TrianglesWithConductivity, are_linear_finite_elements) {
     for (const auto& input : random_triangulations())
         for (const auto& merge : merges) {
-            const auto mesh = discretize(input, merge);
+            const auto mesh = circumcentric(input, merge);
             const Vector kappa = random_conductivity(mesh, 3);
             const auto A = finite_elements(mesh, on_simplices(mesh, kappa));
             EXPECT_LE(error_of_solution(mesh, kappa, A), 1e-10);
@@ -160,7 +161,7 @@ Vector conductive_half(const Discretization& mesh) {
 }
 
 TEST(ConcyclicEdges, between_different_conductivities_conduct) {
-    const auto mesh = discretize(trapezoid_in_ring(), {.criterion = MergeCriterion::none});
+    const auto mesh = circumcentric(trapezoid_in_ring(), {.criterion = MergeCriterion::none});
     const Vector kappa = conductive_half(mesh);
     PoissonSolver solver(mesh, {.conductivity = kappa});
     const Vector squares = solver.boundary_sites().col(0).cwiseAbs2();
@@ -179,7 +180,7 @@ Mesh obtuse_beside_acute() {
 
 TEST(DualFluxes, whose_resistances_cancel_are_refused_by_the_facet) {
     // the centers are at -3/4 and -15/8: parts of the dual -3/4 and 15/8
-    const auto mesh = discretize(obtuse_beside_acute());
+    const auto mesh = circumcentric(obtuse_beside_acute());
     const auto solved = [&](double obtuse, double acute) {
         Vector kappa(2);
         for (Index t = 0; t < 2; ++t)
@@ -195,7 +196,7 @@ TEST(DualFluxes, whose_resistances_cancel_are_refused_by_the_facet) {
 
 TEST(ConcyclicEdgesBroken, that_are_left_out_give_another_solution) {
     const Mesh input = trapezoid_in_ring();
-    const auto mesh = discretize(input, {.criterion = MergeCriterion::none});
+    const auto mesh = circumcentric(input, {.criterion = MergeCriterion::none});
     const Vector kappa = conductive_half(mesh);
     DenseMatrix A = finite_elements(mesh, kappa);
     EXPECT_LE(error_of_solution(mesh, kappa, A), 1e-12);

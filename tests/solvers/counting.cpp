@@ -7,6 +7,7 @@
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/scaled_pencil.h"
 #include "solvers/spectra/spectrum.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -55,9 +56,9 @@ TEST(Inertia, of_graded_matrices_is_that_of_their_small_entries) {
 /// densities have the eigenvalues -3999988.000052, -1.600000000016e-5 and 15.999984000096, by 60
 /// digits.
 TEST(Inertia, of_three_triangles_counts_small_eigenvalues_beside_a_huge_one) {
-    const auto mesh = discretize(made_of({{0, 0}, {1, 0}, {0.5, -1e-6}, {0.5, 1e-6}, {0.5, -1}},
+    const auto mesh = circumcentric(made_of({{0, 0}, {1, 0}, {0.5, -1e-6}, {0.5, 1e-6}, {0.5, -1}},
                                          {{0, 1, 3}, {0, 1, 2}, {0, 2, 4}}),
-                                 {.criterion = MergeCriterion::none});
+                                 {.criterion = MergeCriterion::none, .tolerance = 0});
     const ScaledPencil pencil(laplacian_pencil(mesh.complex(), mesh.stars(), 2));
     const double unit = pencil.eigenvalue(1);
     InertiaCounter counter(pencil.matrices(), "auto", 2, pencil.doubt());
@@ -113,7 +114,7 @@ TEST(PencilRefuses, what_is_no_number_or_no_share) {
 }
 
 TEST(CoexactSpectrum, of_forms_that_there_are_not_is_refused_at_once) {
-    const auto mesh = discretize(kuhn(3, 6));
+    const auto mesh = circumcentric(kuhn(3, 6));
     const auto refused = [&](int k, Index count) {
         return refusal([&] {
             coexact_spectrum(mesh.complex(), mesh.volumes(), {.degree = k, .count = count});
@@ -144,7 +145,7 @@ TEST(CoexactSpectrum, names_its_own_rough_values) {
         strip.simplices.row(i) << i, i + 1, count + 1 + i;
     for (Index i = 0; i + 1 < count; ++i)
         strip.simplices.row(count + i) << i + 1, count + 2 + i, count + 1 + i;
-    const auto mesh = discretize(strip);
+    const auto mesh = circumcentric(strip);
     const auto found = coexact_spectrum(mesh.complex(), mesh.volumes(), {.degree = 0, .count = 1});
     ASSERT_EQ(found.eigenvalues.size(), 1);
     for (const Index i : found.rough)
@@ -156,7 +157,7 @@ TEST(CoexactSpectrum, names_its_own_rough_values) {
 TEST(RadiiAfterFlips, hold_what_the_last_digits_of_lengths_can_do) {
     const auto check = [](const std::vector<std::vector<double>>& points, double exact) {
         const Mesh mesh = made_of(points, {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}});
-        const auto found = spectrum(discretize(mesh, {.delaunay = Delaunay::flips}),
+        const auto found = spectrum(circumcentric(mesh, {.delaunay = Delaunay::flips}),
                                     {BoundaryCondition::natural}, {.side = Side::dual, .count = 3});
         EXPECT_LE(std::abs(found.eigenvalues[0]), found.radii[0]);
         EXPECT_NEAR(found.eigenvalues[1], exact, found.radii[1]);

@@ -6,6 +6,7 @@
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
@@ -20,7 +21,7 @@ namespace {
 
 class FlatDarcy : public testing::TestWithParam<std::string> {
 protected:
-    FlatDarcy() : mesh_(discretize(mesh_named(GetParam()))) {}
+    FlatDarcy() : mesh_(circumcentric(mesh_named(GetParam()))) {}
     const Discretization& mesh() const { return mesh_; }
 
     /// Pressures given where the first coordinate is small, fluxes elsewhere.
@@ -89,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Bounded, FlatDarcy,
 
 TEST(DarcyCorners, cells_with_several_facets_without_dual_balance_as_a_whole) {
     // pressures at the corners of an FCC box are given thrice, and fluxes there by their sum alone
-    const auto mesh = discretize(mesh_named("fcc1"));
+    const auto mesh = circumcentric(mesh_named("fcc1"));
     DarcySolver solver(mesh);
     const Vector slope = Vector::LinSpaced(3, 1, 2);
     const Vector source = random_vector(mesh.complex().size(3), 1);
@@ -116,7 +117,7 @@ struct Orders {
 
 /// Errors of p in L2 and of the flux in the norm of its star.
 Orders errors(const Mesh& input) {
-    const auto mesh = discretize(input);
+    const auto mesh = circumcentric(input);
     const int n = mesh.dimension();
     DarcySolver solver(mesh);
     Vector p(solver.sites().rows()), boundary(solver.facet_sites().rows());
@@ -168,7 +169,7 @@ TEST(DarcyOrders, are_those_of_an_independent_program) {
 TEST(DarcyLayers, resistances_in_series_are_exact) {
     // two layers of a box, split where cells are: flux 1 needs pressure drops 1/2 and 1/8
     for (const int n : {1, 2, 3}) {
-        const auto mesh = discretize(kuhn(n, 4));
+        const auto mesh = circumcentric(kuhn(n, 4));
         const Points centers = PoissonSolver(mesh, {.side = Side::dual}).sites();
         Vector kappa(centers.rows()), exact(centers.rows());
         for (Index i = 0; i < kappa.size(); ++i) {
@@ -196,7 +197,7 @@ TEST(DarcyLayers, resistances_in_series_are_exact) {
 }
 
 TEST(DarcyErrors, name_what_does_not_fit) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.conductivity = Vector::Ones(3)}); }),
                      {"3 conductivities", "4 2-cells"}));
     Vector kappa = Vector::Ones(4);

@@ -9,6 +9,7 @@
 #include "meshes/generate.h"
 #include "solvers/darcy.h"
 #include "tests/solvers/star_samples.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -193,7 +194,7 @@ TEST_P(DarcyByStars, sites_are_centroids_where_stars_are_those_of_galerkin) {
 POLYDEC_OVER_MESHES(DarcyByStars);
 
 TEST(DarcyByOtherStars, linear_pressures_do_not_come_out) {
-    const auto mesh = discretize(shaken(grid(6, 6), 0.3, 3));
+    const auto mesh = circumcentric(shaken(grid(6, 6), 0.3, 3));
     const auto hybrid = choose_stars(mesh, StarKind::hybrid);
     ASSERT_GT(hybrid.galerkin_share(), 0);
     ASSERT_LT(hybrid.galerkin_share(), 1);
@@ -203,7 +204,7 @@ TEST(DarcyByOtherStars, linear_pressures_do_not_come_out) {
     EXPECT_GT(patch_defects(by_hybrid, slope, -slope, cell_centers(mesh, 2)).pressure, 1e-3);
     EXPECT_GT(patch_defects(by_hybrid, slope, slope, dual_sites(by_hybrid)).flux, 1e-1);
 
-    const auto tets = discretize(shaken(kuhn(3, 3), 0.15, 3));
+    const auto tets = circumcentric(shaken(kuhn(3, 3), 0.15, 3));
     const auto by = [&](StarKind kind) {
         const auto chosen = choose_stars(tets, kind).stars;
         return patch_defects(tets.with_stars(chosen));
@@ -221,7 +222,7 @@ double wave(const Vector& p) {
 
 /// Errors of a manufactured pressure in L2, and of its flux in the norm of the star.
 Defects errors(const Mesh& input, StarKind kind) {
-    const auto bare = discretize(input);
+    const auto bare = circumcentric(input);
     const auto mesh = bare.with_stars(choose_stars(bare, kind).stars);
     const int n = mesh.dimension();
     const DarcySolver solver(mesh);
@@ -270,7 +271,7 @@ DenseMatrix tensor(int n) {
 
 TEST(MaterialStars, of_1_are_those_of_galerkin) {
     for (const char* title : {"obtuse_planar", "hex4", "kuhn3", "split_cubes", "segments4"}) {
-        const auto mesh = discretize(mesh_named(title));
+        const auto mesh = circumcentric(mesh_named(title));
         const int n = mesh.dimension();
         const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
         const Vector ones = Vector::Ones(mesh.complex().size(n));
@@ -287,7 +288,7 @@ TEST(MaterialStars, of_1_are_those_of_galerkin) {
 
 TEST(MaterialStars, carry_linear_pressures_through_anisotropic_media) {
     for (const Mesh& input : {shaken(grid(5, 5), 0.3, 2), shaken(kuhn(3, 3), 0.12, 2)}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const int n = mesh.dimension();
         const DenseMatrix K = tensor(n);
         const std::vector<DenseMatrix> tensors(mesh.complex().size(n), K);
@@ -310,7 +311,7 @@ TEST(MaterialStars, are_exact_for_resistances_in_series) {
         for (Index v = 0; v < input.points.rows() && n > 1; ++v)
             if (const double y = input.points(v, 1); y > 0 && y < 1)
                 input.points(v, 1) += 0.1 * std::sin(10 * input.points(v, 0));
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const Points centroids = cell_centroids(mesh, n);
         Vector kappa(centroids.rows()), exact(centroids.rows());
         for (Index i = 0; i < kappa.size(); ++i) {
@@ -332,14 +333,14 @@ TEST(MaterialStars, are_exact_for_resistances_in_series) {
 }
 
 TEST(MaterialStars, refuse_what_is_no_conductivity) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     std::vector<DenseMatrix> tensors(4, DenseMatrix::Identity(2, 2));
     tensors[2](0, 1) = 1;
     EXPECT_TRUE(says(refusal([&] { material_star(mesh, tensors); }),
                      {"conductivity", "2-cell 2", "2 x 2", "symmetric"}));
     EXPECT_TRUE(says(refusal([&] { material_star(mesh, 1, Eigen::Vector4d(1, 0, 1, 1)); }),
                      {"weight", "2-cell 1", "0"}));
-    const auto sphere = discretize(icosphere(1));
+    const auto sphere = circumcentric(icosphere(1));
     EXPECT_TRUE(says(refusal([&] {
                          material_star(sphere,
                                        std::vector<DenseMatrix>(sphere.complex().size(2),
@@ -349,11 +350,11 @@ TEST(MaterialStars, refuse_what_is_no_conductivity) {
 }
 
 TEST(DarcyByStarsErrors, name_what_does_not_fit) {
-    const auto branching = discretize(mesh_named("branching"));
+    const auto branching = circumcentric(mesh_named("branching"));
     const auto stars = choose_stars(branching, StarKind::galerkin).stars;
     EXPECT_TRUE(says(refusal([&] { DarcySolver(branching.with_stars(stars)); }),
                      {"cells", "facet", "flux"}));
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     const auto by_galerkin = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
     EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.conductivity = Vector::Ones(4)}); }),
                      {"material_star"}));

@@ -10,6 +10,7 @@
 #include "dec/operators.h"
 #include "meshes/generate.h"
 #include "solvers/heat.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -67,7 +68,7 @@ double error_of_heat(const Discretization& mesh, Side side, int degree, double t
 double order_of_heat(const std::function<Mesh(int)>& make, int cells, Side side, int degree,
                      double more_terms = 0) {
     const auto error = [&](int count) {
-        const auto mesh = discretize(make(count));
+        const auto mesh = circumcentric(make(count));
         return error_of_heat(mesh, side, degree, mesh.dimension() + more_terms);
     };
     return std::log2(error(cells) / error(2 * cells));
@@ -118,7 +119,7 @@ double error_after(const Discretization& mesh, const Cochain& start, Index steps
 }
 
 TEST(evolution, steps_are_of_fourth_order_where_diffusion_and_reaction_compete) {
-    for (const auto& mesh : {discretize(kuhn(2, 6)), discretize(kuhn(3, 3))}) {
+    for (const auto& mesh : {circumcentric(kuhn(2, 6)), circumcentric(kuhn(3, 3))}) {
         const Cochain start =
             de_rham(mesh, 0,
                     function_form([](const Vector& x) { return 0.5 + 0.2 * std::cos(pi * x[0]); }));
@@ -154,7 +155,7 @@ TEST(evolution, constant_forms_grow_with_their_values_on_the_boundary) {
     for (const int n : {1, 2, 3})
         for (const Side side : {Side::primal, Side::dual})
             for (int degree = 0; degree < n; ++degree) {
-                const auto mesh = discretize(kuhn(n, 4));
+                const auto mesh = circumcentric(kuhn(n, 4));
                 const auto components = static_cast<Eigen::Index>(subsets(n, degree).size());
                 const Cochain u = on(mesh, side, degree, [&](const Vector&) {
                     return Vector(Vector::LinSpaced(components, 1, 2));
@@ -182,7 +183,7 @@ TEST(evolution, constant_forms_grow_with_their_values_on_the_boundary) {
 TEST(evolution, heat_without_source_is_that_of_the_heat_solver_for_all_stars) {
     const Mesh meshes[] = {kuhn(2, 4), kuhn(3, 2), uv_sphere(8, 6)};
     for (const Mesh& input : meshes) {
-        const auto plain = discretize(input);
+        const auto plain = circumcentric(input);
         for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin}) {
             const auto mesh = plain.with_stars(choose_stars(plain, kind));
             for (int degree = 0; degree <= mesh.dimension(); ++degree) {
@@ -211,7 +212,7 @@ TEST(evolution, heat_without_source_is_that_of_the_heat_solver_for_all_stars) {
 
 TEST(evolution, diffusion_keeps_the_mean_where_nothing_flows_out) {
     for (const auto& [named, input] : meshes()) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const HodgeStar star = polydec::star(mesh, 0);
         if (!star.zeros().empty() || !star.negatives().empty())
             continue;
@@ -243,7 +244,7 @@ Evolution gray_scott(const Discretization& mesh, const std::string& integrator, 
 }
 
 TEST(evolution, all_integrators_give_the_same_forms) {
-    const auto mesh = discretize(uv_sphere(8, 6));
+    const auto mesh = circumcentric(uv_sphere(8, 6));
     for (const Side side : {Side::primal, Side::dual}) {
         auto reference = gray_scott(mesh, "runge-kutta", side);
         reference.march(10);
@@ -260,7 +261,7 @@ TEST(evolution, all_integrators_give_the_same_forms) {
 
 // The twin: without the integrator's memory the bits are others.
 TEST(evolution, a_run_that_is_resumed_ends_in_the_same_bits) {
-    const auto mesh = discretize(uv_sphere(8, 6));
+    const auto mesh = circumcentric(uv_sphere(8, 6));
     auto whole = gray_scott(mesh, "runge-kutta", Side::primal);
     std::vector<std::vector<Vector>> states;
     whole.march({1, 2.5, 4}, [&](const Evolution& now) { states.push_back(now.state()); });
@@ -276,7 +277,7 @@ TEST(evolution, a_run_that_is_resumed_ends_in_the_same_bits) {
 }
 
 TEST(evolution, a_march_stops_where_a_form_has_cooled_to_a_half) {
-    const auto mesh = discretize(kuhn(2, 16));
+    const auto mesh = circumcentric(kuhn(2, 16));
     const Cochain u = dual_de_rham(mesh, 0, eigenform(2, Side::dual, 0));
     Evolution heat(mesh, {{.start = u, .diffusion = 1}}, {},
                    {.steps = {.relative_tolerance = 1e-8},
@@ -290,7 +291,7 @@ TEST(evolution, a_march_stops_where_a_form_has_cooled_to_a_half) {
 }
 
 TEST(evolution, a_stiffness_of_ones_own_does_what_diffusion_does) {
-    const auto mesh = discretize(kuhn(2, 5));
+    const auto mesh = circumcentric(kuhn(2, 5));
     const auto own = std::make_shared<Diffusion>(star(mesh, 0), 0.3 * symmetric_laplacian(mesh, 0),
                                                  Side::primal);
     const Cochain start = de_rham(mesh, 0, eigenform(2, Side::primal, 0));
@@ -302,7 +303,7 @@ TEST(evolution, a_stiffness_of_ones_own_does_what_diffusion_does) {
 }
 
 TEST(evolution, what_does_not_fit_is_refused_by_its_number) {
-    const auto mesh = discretize(kuhn(2, 2));
+    const auto mesh = circumcentric(kuhn(2, 2));
     const Cochain u{Side::primal, 0, Vector::Ones(9)};
     EXPECT_THROW(Evolution(mesh, {{.start = {Side::primal, 0, Vector::Ones(8)}}}), InvalidInput);
     EXPECT_THROW(Evolution(mesh, {{.start = u, .diffusion = -1}}), InvalidInput);

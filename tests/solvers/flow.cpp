@@ -4,6 +4,7 @@
 #include "dec/forms/boundary_conditions.h"
 #include "solvers/hodge.h"
 #include "tests/solvers/flow_samples.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -38,7 +39,7 @@ std::vector<std::pair<std::string, Mesh>> flow_meshes() {
 
 TEST(Flows, keep_their_energy_without_viscosity_on_any_cells) {
     for (const auto& [name, mesh] : flow_meshes()) {
-        const IncompressibleFlow flow(discretize(mesh));
+        const IncompressibleFlow flow(circumcentric(mesh));
         const Vector w = some_flow(flow, 1);
         const double dt = 0.3 * flow.exchange_time(w), before = flow.energy(w);
         const Vector after = marched(flow, w, {.time_step = dt}, 20);
@@ -53,7 +54,7 @@ TEST(Flows, keep_their_energy_without_viscosity_on_any_cells) {
 
 TEST(Flows, lose_what_friction_takes) {
     for (const auto& [name, mesh] : flow_meshes()) {
-        const IncompressibleFlow flow(discretize(mesh), {.viscosity = 0.01});
+        const IncompressibleFlow flow(circumcentric(mesh), {.viscosity = 0.01});
         const Vector w = some_flow(flow, 1);
         const double dt = 0.2 * flow.exchange_time(w);
         const Vector next = marched(flow, w, {.time_step = dt}, 1);
@@ -66,7 +67,7 @@ TEST(Flows, on_surfaces_have_circulations_that_add_to_0) {
     for (const auto& [name, mesh] : flow_meshes()) {
         if (mesh.simplices.cols() > 3)
             continue;
-        const IncompressibleFlow flow(discretize(mesh));
+        const IncompressibleFlow flow(circumcentric(mesh));
         const Vector w = some_flow(flow, 3);
         const Vector around = flow.circulations(w);
         EXPECT_LE(std::abs(flow.total_circulation(w)), 1e-12 * around.cwiseAbs().sum()) << name;
@@ -75,7 +76,7 @@ TEST(Flows, on_surfaces_have_circulations_that_add_to_0) {
 
 TEST(Flows, are_advanced_with_their_harmonic_part) {
     for (const auto& [name, mesh] : {std::pair("torus", torus(16, 10)), {"ring", ring(16, 4)}}) {
-        const auto on = discretize(mesh);
+        const auto on = circumcentric(mesh);
         const IncompressibleFlow flow(on);
         // forms that vanish on the boundary: nothing goes through it
         const auto inside = relative_to_boundary(on.complex());
@@ -92,7 +93,7 @@ TEST(Flows, are_advanced_with_their_harmonic_part) {
 }
 
 TEST(Flows, on_a_turning_sphere_go_around_with_it) {
-    const auto sphere = discretize(icosphere(8));
+    const auto sphere = circumcentric(icosphere(8));
     const IncompressibleFlow flow(
         sphere, {.rotation = at_vertices(sphere, [](const Vector& x) { return 2 * x[2]; })});
     const Vector w = flow_of(sphere, [](const Vector& x) { return x[0]; });
@@ -106,7 +107,7 @@ TEST(Flows, on_a_turning_sphere_go_around_with_it) {
 TEST(Flows, between_turning_cylinders_are_couettes) {
     std::vector<double> errors;
     for (const int n : {8, 16}) {
-        const auto mesh = discretize(ring(6 * n, n));
+        const auto mesh = circumcentric(ring(6 * n, n));
         FlowOptions options{.viscosity = 1, .everywhere = FlowBoundary::no_slip};
         options.wall_velocity = Points::Zero(mesh.complex().size(1), 2);
         const Points facets = cell_centers(mesh, 1);
@@ -131,7 +132,7 @@ TEST(Flows, between_turning_cylinders_are_couettes) {
 TEST(Flows, through_a_channel_are_poiseuilles) {
     std::vector<double> errors;
     for (const int n : {8, 16}) {
-        const auto mesh = discretize(grid(2 * n, n, 2, 1));
+        const auto mesh = circumcentric(grid(2 * n, n, 2, 1));
         const auto stream = [](const Vector& x) { return x[1] * x[1] * (3 - 2 * x[1]); };
         const Vector exact = flow_of(mesh, stream);
         const IncompressibleFlow flow(
@@ -160,7 +161,7 @@ TEST(Flows, through_a_channel_are_poiseuilles) {
 }
 
 TEST(Flows, leave_through_open_boundaries_what_comes_in) {
-    const auto mesh = discretize(grid(16, 8, 2, 1));
+    const auto mesh = circumcentric(grid(16, 8, 2, 1));
     const Points facets = cell_centers(mesh, 1);
     FlowOptions options{.viscosity = 0.1};
     const Vector uniform = flow_of(mesh, [](const Vector& x) { return x[1]; });
@@ -178,7 +179,7 @@ TEST(Flows, leave_through_open_boundaries_what_comes_in) {
 }
 
 TEST(FlowErrors, name_what_is_wrong) {
-    const auto mesh = discretize(grid(4, 4));
+    const auto mesh = circumcentric(grid(4, 4));
     const auto refused = [&](const FlowOptions& options) {
         return refusal([&] { IncompressibleFlow(mesh, options); });
     };

@@ -4,6 +4,7 @@
 #include "dec/fields/cell_centers.h"
 #include "solvers/darcy.h"
 #include "tests/solvers/flow_samples.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
@@ -18,7 +19,7 @@ class FluxTransports : public OverMeshes {};
 
 /// Any fluxes keep the mass but for what crosses the boundary, on any cells.
 TEST_P(FluxTransports, keep_the_mass_to_rounding) {
-    const auto mesh = discretize(mesh_named(GetParam()));
+    const auto mesh = circumcentric(mesh_named(GetParam()));
     const int n = mesh.dimension();
     bool two_sided = mesh.input().orientable();
     for (Index f = 0; f < mesh.complex().size(n - 1); ++f)
@@ -77,7 +78,7 @@ Carried carried_by_darcy(const Discretization& mesh, Sampling sampling) {
 
 TEST(FluxTransport, by_the_flow_of_a_porous_medium_keeps_mass_and_range) {
     for (const char* shape : {"quads", "triangles", "hexagons"}) {
-        const auto mesh = discretize(square(shape, 16));
+        const auto mesh = circumcentric(square(shape, 16));
         const auto upwind = carried_by_darcy(mesh, Sampling::upwind);
         EXPECT_GE(upwind.least, -1e-12) << shape;
         EXPECT_LE(upwind.most, 1 + 1e-12) << shape;
@@ -92,7 +93,7 @@ TEST(FluxTransport, by_the_flow_of_a_porous_medium_keeps_mass_and_range) {
 double error_after_return(int cells, Sampling sampling) {
     Mesh square = grid(cells, cells, 2, 2);
     square.points.array() -= 1;
-    const auto mesh = discretize(square);
+    const auto mesh = circumcentric(square);
     const Vector flux = flow_of(mesh, [](const Vector& x) {
         return -std::pow(std::cos(pi * x[0] / 2) * std::cos(pi * x[1] / 2), 2);
     });
@@ -122,7 +123,7 @@ TEST(FluxTransport, is_of_first_order_upwind_and_of_second_centered) {
 }
 
 TEST(FluxTransportErrors, name_the_numbers) {
-    const FluxTransport transport(discretize(grid(2, 2)));
+    const FluxTransport transport(circumcentric(grid(2, 2)));
     EXPECT_TRUE(says(refusal([&] { transport.rate(Vector::Ones(3), Vector::Ones(4)); }),
                      {"3 fluxes", "12"}));
     EXPECT_TRUE(says(refusal([&] { transport.rate(Vector::Ones(12), Vector::Ones(3)); }),

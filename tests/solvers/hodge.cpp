@@ -10,6 +10,7 @@
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "tests/solvers/hodge_laws.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -141,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Known, Shapes,
 
 TEST(MixedConditions, have_the_harmonic_forms_of_the_pair) {
     // a ring held at the outer circle is that circle times an interval held at one end
-    const auto ring = discretize(annulus(12));
+    const auto ring = circumcentric(annulus(12));
     const auto& P = ring.complex();
     const Points sites = cell_centers(ring.merging(), ring.points(), ring.input_volumes(), 1);
     const double middle =
@@ -158,7 +159,7 @@ TEST(MixedConditions, have_the_harmonic_forms_of_the_pair) {
 TEST(HarmonicForms, on_a_flat_ring_are_the_angle) {
     // |d angle|^2 integrates to 2 pi log(outer / inner), so periods tell the norm
     const auto error = [](int segments) {
-        const auto ring = discretize(annulus(segments));
+        const auto ring = circumcentric(annulus(segments));
         const DenseMatrix H = harmonic_forms(ring.complex(), ring.volumes(), Side::primal, 1);
         const SparseMatrix G = homology_generators(ring.complex(), 1);
         const double period = std::abs((G.transpose() * H)(0, 0));

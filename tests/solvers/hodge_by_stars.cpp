@@ -7,6 +7,7 @@
 #include "solvers/hodge.h"
 #include "tests/solvers/hodge_laws.h"
 #include "tests/solvers/star_samples.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -59,7 +60,7 @@ TEST_P(HodgeByStars, exact_and_coexact_forms_have_no_other_part) {
 POLYDEC_OVER_MESHES(HodgeByStars);
 
 TEST(HodgeByOtherStars, parts_are_orthogonal_in_their_own_inner_product_alone) {
-    const auto mesh = discretize(shaken(grid(6, 6), 0.42, 3));
+    const auto mesh = circumcentric(shaken(grid(6, 6), 0.42, 3));
     const auto stars = choose_stars(mesh, StarKind::automatic).stars;
     const auto other = choose_stars(mesh, StarKind::barycentric).stars;
     ASSERT_FALSE(stars[1].is_diagonal());
@@ -71,7 +72,7 @@ TEST(HodgeByOtherStars, parts_are_orthogonal_in_their_own_inner_product_alone) {
 
 /// Stars of the same cells measured in another unit.
 TEST(HodgeByOtherStars, parts_of_cells_of_every_size_are_the_same) {
-    const auto mesh = discretize(shaken(kuhn(3, 2), 0.3, 3));
+    const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
     const auto& complex = mesh.complex();
     const auto chosen = choose_stars(mesh, StarKind::galerkin).stars;
     const Cochain w{Side::primal, 1, random_vector(complex.size(1), 1)};
@@ -88,7 +89,7 @@ TEST(HodgeByOtherStars, parts_of_cells_of_every_size_are_the_same) {
 }
 
 TEST(HodgeByOtherStars, refuse_a_matrix_that_is_not_definite) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     SparseMatrix M(mesh.complex().size(1), mesh.complex().size(1));
     M.setIdentity();
     M.coeffRef(0, 1) = M.coeffRef(1, 0) = 2;

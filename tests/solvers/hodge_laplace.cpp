@@ -9,6 +9,7 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/solvers/wave_problems.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
@@ -57,7 +58,7 @@ void PrintTo(const Family& family, std::ostream* out) {
 
 double order(const Family& family, Side side, int degree, Where where) {
     const auto e = [&](int cells) {
-        const auto mesh = discretize(family.make(cells));
+        const auto mesh = circumcentric(family.make(cells));
         return error(family.stars == StarKind::circumcentric
                          ? mesh
                          : mesh.with_stars(choose_stars(mesh, family.stars)),
@@ -96,7 +97,7 @@ TEST_P(FormSources, of_every_degree_side_and_condition_converge) {
 TEST_P(FormSources, do_not_converge_to_another_solution) {
     const auto& [name_of, make, coarse, fine, stars, primal_order, dual_order, conditions] =
         GetParam();
-    const auto mesh = discretize(make(coarse));
+    const auto mesh = circumcentric(make(coarse));
     for (const Side side : sides) { // both on vertices, whose duals are positive everywhere
         const int degree = side == Side::primal ? 0 : dimension();
         EXPECT_GT(error(mesh, side, degree, Where::natural, 1.5), 0.05) << name(side);
@@ -121,7 +122,7 @@ Mesh shaken_tetrahedra(int cells) {
     return shaken(bcc(cells), 0.03 / cells);
 }
 
-constexpr auto circumcentric = StarKind::circumcentric, galerkin = StarKind::galerkin;
+constexpr auto by_duals = StarKind::circumcentric, galerkin = StarKind::galerkin;
 
 // Order 2 where cells are alike; 3/2 of values on half duals at a boundary, where they are known at
 // the end and not in the middle, and on triangles that are not alike; 1 of Whitney forms between
@@ -129,16 +130,16 @@ constexpr auto circumcentric = StarKind::circumcentric, galerkin = StarKind::gal
 INSTANTIATE_TEST_SUITE_P(
     Flat, FormSources,
     testing::Values(
-        Family{"grid", [](int m) { return grid(m, m); }, 8, 16, circumcentric, 1.85, 1.45},
-        Family{"triangles", well_centered, 8, 16, circumcentric, 1.4, 1.0},
-        Family{"shaken", shaken_triangles, 8, 16, circumcentric, 1.4, 1.0},
-        Family{"hexagons", hexagons, 8, 16, circumcentric, 1.5, 1.5},
+        Family{"grid", [](int m) { return grid(m, m); }, 8, 16, by_duals, 1.85, 1.45},
+        Family{"triangles", well_centered, 8, 16, by_duals, 1.4, 1.0},
+        Family{"shaken", shaken_triangles, 8, 16, by_duals, 1.4, 1.0},
+        Family{"hexagons", hexagons, 8, 16, by_duals, 1.5, 1.5},
         Family{"shaken_galerkin", shaken_triangles, 8, 16, galerkin, 1.3, 1.0},
         Family{"hexagons_hybrid", hexagons, 8, 16, StarKind::hybrid, 1.0, 0.45},
         Family{"hexagons_galerkin", hexagons, 8, 16, galerkin, 1.0, 0.8},
-        Family{"cubes", [](int m) { return kuhn(3, m); }, 3, 5, circumcentric, 1.6, 1.4},
-        Family{"bcc", [](int m) { return bcc(m); }, 2, 4, circumcentric, 1.35, 1.35},
-        Family{"fcc", [](int m) { return fcc(m); }, 2, 3, circumcentric, 1.0, 1.0},
+        Family{"cubes", [](int m) { return kuhn(3, m); }, 3, 5, by_duals, 1.6, 1.4},
+        Family{"bcc", [](int m) { return bcc(m); }, 2, 4, by_duals, 1.35, 1.35},
+        Family{"fcc", [](int m) { return fcc(m); }, 2, 3, by_duals, 1.0, 1.0},
         Family{"bcc_galerkin", shaken_tetrahedra, 2, 4, galerkin, 1.3, 1.0, 1}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
@@ -150,7 +151,7 @@ std::vector<Mesh> with_harmonic_forms() {
 TEST(HarmonicPart, is_removed_from_the_source_and_given_to_the_solution) {
     int seen = 0;
     for (const Mesh& input : with_harmonic_forms()) {
-        auto mesh = discretize(input);
+        auto mesh = circumcentric(input);
         mesh = mesh.with_stars(choose_stars(mesh, StarKind::automatic));
         const int n = mesh.dimension();
         for (const Side side : sides)
@@ -175,7 +176,7 @@ TEST(HarmonicPart, is_removed_from_the_source_and_given_to_the_solution) {
 }
 
 TEST(CurlCurl, removes_what_is_no_curl_and_keeps_the_gauge) {
-    auto mesh = discretize(kuhn(3, 4));
+    auto mesh = circumcentric(kuhn(3, 4));
     const Vector permeability = Vector::LinSpaced(mesh.complex().size(3), 1, 3);
     for (const bool material : {false, true}) {
         if (material)
@@ -204,7 +205,7 @@ TEST(CurlCurl, removes_what_is_no_curl_and_keeps_the_gauge) {
 }
 
 TEST(FormSourceErrors, name_what_does_not_fit) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     const HodgeLaplaceSolver solver(mesh, {.degree = 1});
     EXPECT_TRUE(says(refusal([&] {
                          solver.solve({Side::primal, 0, Vector::Zero(9)});
@@ -221,7 +222,7 @@ TEST(FormSourceErrors, name_what_does_not_fit) {
 
 TEST(BoundaryDeRham, completes_the_derivative_of_dual_forms) {
     for (const Mesh& input : {hexagons(5), well_centered(3), kuhn(3, 1), bcc(1)}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const int n = mesh.dimension();
         for (int j = 0; j < n; ++j) {
             const WaveForm wave(n, j, 0.7);

@@ -8,6 +8,7 @@
 #include "solvers/poisson.h"
 #include "solvers/spectra/spectrum.h"
 #include "solvers/surfaces/geodesic_distance.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
@@ -19,7 +20,7 @@ namespace polydec::test::in_intrinsic {
 namespace {
 
 Discretization flipped(const Mesh& mesh) {
-    return discretize(mesh, {.delaunay = Delaunay::flips_and_splits});
+    return circumcentric(mesh, {.delaunay = Delaunay::flips_and_splits});
 }
 
 class OnFlippedSurfaces : public testing::TestWithParam<std::string> {
@@ -65,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Family, OnFlippedSurfaces,
                                          "flange8", "grid4", "two_components"));
 
 TEST(OnSurfacesAsTheyAre, forms_have_no_mass_where_duals_are_negative) {
-    const auto mesh = discretize(shaken(icosphere(5), 0.25, 7));
+    const auto mesh = circumcentric(shaken(icosphere(5), 0.25, 7));
     EXPECT_NE(refusal([&] { spectrum(mesh, {.degree = 1, .count = 4}); }), "accepted");
 }
 
@@ -126,7 +127,7 @@ TEST(GeodesicDistance, of_a_bundle_is_that_of_its_triangles_before_or_after_flip
         const Vector exact = (points.rowwise() - points.row(0)).rowwise().norm();
         return (d - exact).cwiseAbs().mean();
     };
-    EXPECT_LT(error(discretize(mesh)), 0.02);
+    EXPECT_LT(error(circumcentric(mesh)), 0.02);
     EXPECT_LT(error(flipped(mesh)), 0.02);
 }
 

@@ -3,6 +3,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/sharp.h"
 #include "tests/solvers/flow_samples.h"
+#include "tests/support/circumcentric.h"
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
@@ -86,7 +87,7 @@ struct Loop {
 
 /// Changes of the circulation around a loop, that the flow carries, and one that stays.
 std::array<double, 2> changes(const char* shape, int cells) {
-    const auto mesh = discretize(square(shape, cells));
+    const auto mesh = circumcentric(square(shape, cells));
     const IncompressibleFlow flow(mesh);
     Vector w = flow.project(flow_of(mesh, [](const Vector& x) {
         return (std::sin(pi * x[0]) + 0.5 * std::sin(2 * pi * x[0])) * std::sin(pi * x[1]);

@@ -2,6 +2,7 @@
 #include "meshes/generate.h"
 #include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/spectrum.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -33,7 +34,7 @@ void expect_same(const Spectrum& one, const Spectrum& other) {
 
 TEST(KeptSpectra, go_on_to_the_same_eigenvalues_on_both_sides_in_every_degree) {
     for (const Mesh& input : {icosphere(6), torus(12, 8), kuhn(3, 3)}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         for (int degree = 0; degree <= mesh.dimension(); ++degree)
             for (const Side side : {Side::primal, Side::dual}) {
                 SpectrumOptions options{.side = side, .degree = degree, .count = 12};
@@ -50,7 +51,7 @@ TEST(KeptSpectra, go_on_to_the_same_eigenvalues_on_both_sides_in_every_degree) {
 
 TEST(KeptSpectra, of_coexact_forms_go_on_as_well) {
     for (const Mesh& input : {icosphere(6), torus(12, 8), kuhn(3, 3)}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         SpectrumOptions options{.degree = 1, .count = 8};
         const auto of = [&] { return coexact_spectrum(mesh.complex(), mesh.stars(), options); };
         const auto whole = of();
@@ -69,7 +70,7 @@ TEST(KeptSpectra, of_coexact_forms_go_on_as_well) {
 }
 
 TEST(KeptSpectra, grow_in_parts_that_are_not_looked_for_again) {
-    const auto mesh = discretize(icosphere(10));
+    const auto mesh = circumcentric(icosphere(10));
     SpectrumOptions options{.count = 100};
     const auto whole = spectrum(mesh, options);
     const auto parts = told_of(mesh, options);
@@ -87,7 +88,7 @@ TEST(KeptSpectra, grow_in_parts_that_are_not_looked_for_again) {
 }
 
 TEST(KeptSpectra, are_right_whatever_they_are_begun_with) {
-    const auto mesh = discretize(icosphere(6));
+    const auto mesh = circumcentric(icosphere(6));
     SpectrumOptions options{.count = 9};
     const auto whole = spectrum(mesh, options);
     const DenseMatrix found = told_of(mesh, options).back();

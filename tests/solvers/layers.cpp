@@ -3,6 +3,7 @@
 #include "meshes/generate.h"
 #include "solvers/poisson.h"
 #include "solvers/spectra/spectrum.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/scales.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 double error_of_linear_solution(const Mesh& input, Side side,
                                 const DiscretizeOptions& options = {}) {
-    const auto mesh = discretize(input, options);
+    const auto mesh = circumcentric(input, options);
     PoissonSolver solver(mesh, {.side = side});
     const auto linear = [&](const Points& sites) {
         const Vector slopes = Vector::LinSpaced(sites.cols(), 1.0, -2.0);
@@ -61,7 +62,7 @@ Mesh partly_thin(int n, int cells, double aspect) {
 
 /// L2 error of the product of cos(pi x_i + 1/4) / (n pi^2), all its values on the boundary given.
 double error_of_wave(const Mesh& input, Side side) {
-    const auto mesh = discretize(input);
+    const auto mesh = circumcentric(input);
     const int n = mesh.dimension();
     PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::essential}});
     const auto wave = [](const Points& sites) {
@@ -89,7 +90,7 @@ TEST(ThinLayers, have_the_orders_of_ordinary_grids) {
 TEST(TwoSpheres, of_radii_1_and_1e_6_have_their_spectra_in_every_degree) {
     Mesh small = icosphere(2);
     small.points *= 1e-6;
-    const auto one = discretize(icosphere(2)), both = discretize(united(icosphere(2), small));
+    const auto one = circumcentric(icosphere(2)), both = circumcentric(united(icosphere(2), small));
     for (int k = 0; k <= 2; ++k) {
         const Vector alone = spectrum(one, {.degree = k, .count = 6}).eigenvalues;
         const Vector found = spectrum(both, {.degree = k, .count = 7}).eigenvalues;
@@ -100,7 +101,7 @@ TEST(TwoSpheres, of_radii_1_and_1e_6_have_their_spectra_in_every_degree) {
 }
 
 TEST(GradedBoxes, have_spectra_in_every_degree) {
-    const auto mesh = discretize(graded(3, 4, 3e4));
+    const auto mesh = circumcentric(graded(3, 4, 3e4));
     for (int k = 0; k <= 3; ++k)
         EXPECT_EQ(spectrum(mesh, {.degree = k, .count = 3}).eigenvalues.size(), 3) << k;
 }

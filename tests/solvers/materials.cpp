@@ -2,6 +2,7 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/poisson.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ double potential(double x) {
 
 double error(const Mesh& input, MergeCriterion criterion, Side side, double second = ratio) {
     const auto mesh =
-        discretize(input, {.criterion = criterion, .materials = Materials::keep_apart});
+        circumcentric(input, {.criterion = criterion, .materials = Materials::keep_apart});
     Vector conductivity(mesh.complex().size(mesh.dimension()));
     for (Index cell = 0; cell < conductivity.size(); ++cell)
         conductivity[cell] = mesh.tags()[cell] == 1 ? 1 : second;
@@ -76,10 +77,10 @@ TEST(TwoMaterials, have_their_exact_solution_where_the_wall_divides_cospherical_
     mesh.simplices << 0, 1, 2, 0, 2, 3, 0, 3, 4, 1, 5, 2;
     mesh = two_materials(mesh);
     EXPECT_LT(error(mesh, MergeCriterion::dual_length, Side::primal), rounding);
-    const auto joined = discretize(mesh);
+    const auto joined = circumcentric(mesh);
     EXPECT_EQ(joined.warnings().size(), 1u);
     EXPECT_LT(joined.complex().size(2),
-              discretize(mesh, {.materials = Materials::keep_apart}).complex().size(2));
+              circumcentric(mesh, {.materials = Materials::keep_apart}).complex().size(2));
 }
 
 } // namespace

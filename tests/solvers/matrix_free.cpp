@@ -6,6 +6,7 @@
 #include "dec/discretization.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -31,7 +32,7 @@ Vector diagonal(const Discretization& cells, int k) {
 
 TEST(matrix_free, solutions_are_those_with_a_matrix_for_every_degree) {
     for (const Mesh& mesh : {torus(24, 12), well_centered(8), kuhn(3, 4), kuhn(4, 2)}) {
-        const auto cells = discretize(mesh);
+        const auto cells = circumcentric(mesh);
         for (int k = 0; k <= cells.dimension(); ++k) {
             const SparseMatrix A = positive(cells, k);
             const auto direct = make_linear_solver("eigen.ldlt");
@@ -51,7 +52,7 @@ TEST(matrix_free, solutions_are_those_with_a_matrix_for_every_degree) {
 TEST(matrix_free, the_diagonal_saves_iterations_where_cells_differ_in_size) {
     Mesh mesh = well_centered(12);
     mesh.points = mesh.points.array().pow(3).matrix(); // small cells near the corner
-    const auto cells = discretize(mesh, {.criterion = MergeCriterion::none});
+    const auto cells = circumcentric(mesh, {.criterion = MergeCriterion::none});
     const Vector mass = star(cells.volumes(), 0).diagonal().cwiseAbs();
     const SymmetricOperator A{cells.complex().size(0),
                               [&](const Vector& x, Vector& y) { y = mass.cwiseProduct(x); }};
@@ -64,7 +65,7 @@ TEST(matrix_free, the_diagonal_saves_iterations_where_cells_differ_in_size) {
 }
 
 TEST(matrix_free, tiny_and_zero_right_hand_sides_have_their_solutions) {
-    const auto cells = discretize(torus(12, 6));
+    const auto cells = circumcentric(torus(12, 6));
     const auto A = shifted_laplacian(cells, 0);
     const Vector b = random_vector(A.size, 7);
     const Vector x = solve_matrix_free(A, b);
@@ -73,7 +74,7 @@ TEST(matrix_free, tiny_and_zero_right_hand_sides_have_their_solutions) {
 }
 
 TEST(matrix_free, what_cannot_be_solved_is_refused) {
-    const auto cells = discretize(torus(12, 6));
+    const auto cells = circumcentric(torus(12, 6));
     const SymmetricOperator A = shifted_laplacian(cells, 0);
     const Vector b = Vector::Ones(A.size);
     const SymmetricOperator without_constants{

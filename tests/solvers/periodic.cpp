@@ -9,6 +9,7 @@
 #include "solvers/hodge_laplace.h"
 #include "solvers/poisson.h"
 #include "solvers/spectra/spectrum.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -41,7 +42,7 @@ Index binomial(int n, int k) {
 TEST(PeriodicBox, is_a_torus_of_equal_cells) {
     for (int n = 1; n <= 3; ++n) {
         const int cells = 4;
-        const auto mesh = discretize(periodic_box(n, cells).quotient);
+        const auto mesh = circumcentric(periodic_box(n, cells).quotient);
         const auto betti = betti_numbers(mesh.complex());
         const auto boxes = static_cast<Index>(std::pow(cells, n));
         for (int k = 0; k <= n; ++k) {
@@ -53,7 +54,7 @@ TEST(PeriodicBox, is_a_torus_of_equal_cells) {
             EXPECT_NEAR(star.maxCoeff(), std::pow(cells, 2 * k - n), 1e-12);
         }
         EXPECT_TRUE(mesh.warnings().empty());
-        const auto open = discretize(kuhn(n, cells));
+        const auto open = circumcentric(kuhn(n, cells));
         EXPECT_GT(open.stars()[0].diagonal().maxCoeff(),
                   open.stars()[0].diagonal().minCoeff() * 1.5);
     }
@@ -63,7 +64,7 @@ TEST(PeriodicBox, is_a_torus_of_equal_cells) {
 TEST(PeriodicBox, has_the_eigenvalues_of_plane_waves) {
     for (int n = 1; n <= 3; ++n) {
         const int cells = n == 3 ? 6 : 12;
-        const auto mesh = discretize(periodic_box(n, cells).quotient);
+        const auto mesh = circumcentric(periodic_box(n, cells).quotient);
         const double first = 4 * std::pow(cells * std::sin(pi / cells), 2);
         EXPECT_NEAR(first, 4 * pi * pi, 0.1 * 4 * pi * pi);
         for (const Side side : {Side::primal, Side::dual})
@@ -90,7 +91,7 @@ SmoothForm waves(int n, int k, double turn = 0) {
 double wave_error(const Mesh& box, int k, Side side, double turn = 0) {
     const int n = box.dimension();
     const auto glued = periodic(box, unit_translations(n));
-    const auto mesh = discretize(glued.quotient);
+    const auto mesh = circumcentric(glued.quotient);
     const HodgeLaplaceSolver solver(mesh, {.side = side, .degree = k});
     Cochain u = de_rham(glued, mesh, side == Side::primal ? k : n - k,
                         waves(n, side == Side::primal ? k : n - k, turn));
@@ -117,7 +118,7 @@ TEST(PeriodicDeRham, commutes_with_d_across_the_seams) {
     for (const Mesh& box : {kuhn(2, 3), bcc(3), kuhn(1, 5)}) {
         const int n = box.dimension();
         const auto glued = periodic(box, unit_translations(n));
-        const auto mesh = discretize(glued.quotient);
+        const auto mesh = circumcentric(glued.quotient);
         const auto f = function_form([](const Vector& x) { return std::sin(2 * pi * x.sum()); });
         const auto df = circulation_form([](const Vector& x) -> Vector {
             return Vector::Constant(x.size(), 2 * pi * std::cos(2 * pi * x.sum()));
@@ -153,7 +154,7 @@ std::vector<Isometry> with_a_twist(int n) {
 
 TEST(Glue, makes_a_klein_bottle_with_the_eigenvalues_of_its_lattice) {
     const int cells = 12;
-    const auto bottle = discretize(glue(grid(cells, cells), with_a_twist(2)).quotient);
+    const auto bottle = circumcentric(glue(grid(cells, cells), with_a_twist(2)).quotient);
     EXPECT_EQ(bottle.complex().size(0), cells * cells);
     EXPECT_EQ(bottle.complex().size(1), 2 * cells * cells);
     EXPECT_EQ(betti_numbers(bottle.complex()), (std::vector<Index>{1, 1, 0}));
@@ -170,13 +171,13 @@ TEST(Glue, makes_a_klein_bottle_with_the_eigenvalues_of_its_lattice) {
     const auto found = spectrum(bottle, {.count = 10});
     for (Index i = 0; i < 10; ++i)
         EXPECT_NEAR(found.eigenvalues[i], expected[i], 1e-8 * expected[3]) << i;
-    const auto torus = spectrum(discretize(periodic_box(2, cells).quotient), {.count = 5});
+    const auto torus = spectrum(circumcentric(periodic_box(2, cells).quotient), {.count = 5});
     EXPECT_GT(std::abs(torus.eigenvalues[4] - expected[4]), 0.1) << "that of a torus";
 }
 
 TEST(Glue, makes_the_half_turn_space) {
     const int cells = 4;
-    const auto space = discretize(glue(kuhn(3, cells), with_a_twist(3)).quotient);
+    const auto space = circumcentric(glue(kuhn(3, cells), with_a_twist(3)).quotient);
     EXPECT_EQ(space.complex().size(0), cells * cells * cells);
     EXPECT_EQ(space.complex().size(3), cells * cells * cells);
     EXPECT_EQ(betti_numbers(space.complex()), (std::vector<Index>{1, 1, 1, 1}));
@@ -218,7 +219,7 @@ TEST(Glue, makes_a_cone_of_a_wedge) {
     const Isometry turn = [](const Vector& x) -> Vector {
         return Vector{{x[0] / 2 - std::sqrt(0.75) * x[1], std::sqrt(0.75) * x[0] + x[1] / 2}};
     };
-    const auto blunt = discretize(glue(sixth(3, 4), {turn}).quotient);
+    const auto blunt = circumcentric(glue(sixth(3, 4), {turn}).quotient);
     EXPECT_EQ(betti_numbers(blunt.complex()), (std::vector<Index>{1, 1, 0}));
     EXPECT_EQ(blunt.complex().size(0), 3 + 4 + 5 + 6 + 7);
     // every vertex inside is a regular one

@@ -19,6 +19,7 @@
 #include "solvers/poisson.h"
 #include "solvers/spectra/positive_mass.h"
 #include "solvers/surfaces/geodesic_distance.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tools/messages.h"
 
@@ -119,7 +120,7 @@ SimplicialComplex complex_of(const std::vector<std::array<Index, 3>>& triangles)
 }
 
 Discretization unmerged_grid() {
-    return discretize(grid(2, 2), {.criterion = MergeCriterion::none});
+    return circumcentric(grid(2, 2), {.criterion = MergeCriterion::none});
 }
 
 const std::vector<Refusal>& refusals() {
@@ -141,13 +142,13 @@ const std::vector<Refusal>& refusals() {
          [] {
              auto mesh = two_triangles();
              mesh.points(1, 0) = nan;
-             discretize(mesh);
+             circumcentric(mesh);
          }},
         {"no such vertex",
          [] {
              auto mesh = two_triangles();
              mesh.simplices(1, 2) = 9;
-             discretize(mesh);
+             circumcentric(mesh);
          }},
         {"no area",
          [] {
@@ -193,13 +194,13 @@ const std::vector<Refusal>& refusals() {
         {"waves",
          [] {
              const auto mesh =
-                 discretize(made_of({{0, 0}, {4, 0}, {2, 1.6}, {2, -1.6}}, {{0, 1, 2}, {0, 3, 1}}));
+                 circumcentric(made_of({{0, 0}, {4, 0}, {2, 1.6}, {2, -1.6}}, {{0, 1, 2}, {0, 3, 1}}));
              stable_step(mesh.complex(), mesh.volumes(), 0);
          }},
         {"flux", [] { PoissonSolver(unmerged_grid(), {.side = Side::dual}); }},
         {"conductivity",
          [] {
-             const auto mesh = discretize(grid(2, 2));
+             const auto mesh = circumcentric(grid(2, 2));
              PoissonSolver(mesh, {.conductivity = Vector{{1, 2, -3, 4}}});
          }},
         {"three triangles",
@@ -212,7 +213,7 @@ const std::vector<Refusal>& refusals() {
          }},
         {"no source",
          [] {
-             const auto mesh = discretize(two_components());
+             const auto mesh = circumcentric(two_components());
              const std::vector<Index> sources{0};
              GeodesicDistance(mesh).to(sources);
          }},

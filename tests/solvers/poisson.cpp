@@ -5,6 +5,7 @@
 #include "complex/components.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/read_golden.h"
 #include "tests/support/refusal.h"
@@ -71,7 +72,7 @@ double franke_laplacian(const Vector& p) {
 }
 
 double franke_error(const Mesh& input, Side side) {
-    const auto mesh = discretize(input);
+    const auto mesh = circumcentric(input);
     PoissonSolver solver(mesh, {.side = side});
     const auto [u, report, compatibility] = solver.solve(values(franke_laplacian, solver.sites()),
                                                          values(franke, solver.boundary_sites()));
@@ -107,7 +108,7 @@ double linear(const Vector& p) {
 }
 
 double error_of_linear_solution(const Mesh& input, Side side) {
-    const auto mesh = discretize(input);
+    const auto mesh = circumcentric(input);
     PoissonSolver solver(mesh, {.side = side});
     const Vector u =
         solver.solve(Vector::Zero(solver.sites().rows()), values(linear, solver.boundary_sites()))
@@ -131,7 +132,7 @@ TEST(LinearFunctions, are_solved_exactly_on_flat_meshes_dual) {
 TEST(LinearFunctions, are_exact_where_boundary_facets_have_no_dual) {
     for (const char* name : {"fcc1.nsc", "hex4.nsc"}) {
         const Mesh mesh = read_golden(name);
-        EXPECT_GT(discretize(mesh).degenerate().boundary, 0) << name;
+        EXPECT_GT(circumcentric(mesh).degenerate().boundary, 0) << name;
         EXPECT_LE(error_of_linear_solution(mesh, Side::dual), 1e-11) << name;
     }
 }
@@ -175,7 +176,7 @@ TEST(NaturalProblem, has_the_solution_of_mean_zero_on_every_component) {
         united(grid(6, 6), transformed(well_centered(3), DenseMatrix::Identity(2, 2), 1.0, 3.0));
     for (const auto& input : {two_components(), two_squares})
         for (const Side side : {Side::primal, Side::dual}) {
-            const auto mesh = discretize(input);
+            const auto mesh = circumcentric(input);
             PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
             const Vector f = values(wave, solver.sites());
             const Vector none = Vector::Zero(solver.boundary_sites().rows());
@@ -199,7 +200,7 @@ TEST(NaturalProblem, converges_to_a_solution_known) {
         return std::cos(M_PI * p[0]) * std::cos(2 * M_PI * p[1]);
     };
     const auto error = [&](int N, Side side) {
-        const auto mesh = discretize(grid(N, N));
+        const auto mesh = circumcentric(grid(N, N));
         PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
         const Vector u = solver
                              .solve(5 * M_PI * M_PI * values(cosines, solver.sites()),
@@ -212,7 +213,7 @@ TEST(NaturalProblem, converges_to_a_solution_known) {
 }
 
 TEST(ClosedSurface, has_no_use_for_boundary_data) {
-    const auto mesh = discretize(torus(16, 8));
+    const auto mesh = circumcentric(torus(16, 8));
     for (const Side side : {Side::primal, Side::dual}) {
         PoissonSolver fixed(mesh, {.side = side});
         PoissonSolver natural(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
@@ -231,7 +232,7 @@ TEST(Solutions, do_not_depend_on_the_unit_of_length) {
         for (const Side side : {Side::primal, Side::dual}) {
             const auto solve = [&](double length) {
                 const auto mesh =
-                    discretize(transformed(hexagons(6), DenseMatrix::Identity(2, 2), length));
+                    circumcentric(transformed(hexagons(6), DenseMatrix::Identity(2, 2), length));
                 PoissonSolver solver(mesh, {.side = side});
                 return solver
                     .solve(values(franke_laplacian, solver.sites() / length) / (length * length),
@@ -243,7 +244,7 @@ TEST(Solutions, do_not_depend_on_the_unit_of_length) {
 }
 
 std::string dual_refusal(const Mesh& mesh) {
-    return refusal([&] { PoissonSolver(discretize(mesh), {.side = Side::dual}); });
+    return refusal([&] { PoissonSolver(circumcentric(mesh), {.side = Side::dual}); });
 }
 
 TEST(DualProblemRefuses, what_has_not_two_sides) {
@@ -256,7 +257,7 @@ TEST(DualProblemRefuses, what_has_not_two_sides) {
 TEST(DualProblemRefuses, interior_facets_without_dual) {
     EXPECT_TRUE(says(refusal([] {
                          const auto mesh =
-                             discretize(grid(2, 2), {.criterion = MergeCriterion::none});
+                             circumcentric(grid(2, 2), {.criterion = MergeCriterion::none});
                          PoissonSolver(mesh, {.side = Side::dual});
                      }),
                      {"dual", "facet 2", "vertices 0, 4", "length"}));
@@ -264,7 +265,7 @@ TEST(DualProblemRefuses, interior_facets_without_dual) {
 
 TEST(PrimalProblem, needs_no_two_sides) {
     for (const auto& input : {moebius(12, 2), read_golden("branching.off")}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         PoissonSolver solver(mesh);
         const Vector ones = Vector::Ones(solver.boundary_sites().rows());
         const Vector u = solver.solve(Vector::Zero(solver.sites().rows()), ones).values;
@@ -273,7 +274,7 @@ TEST(PrimalProblem, needs_no_two_sides) {
 }
 
 TEST(PoissonSolverRefuses, data_that_are_no_numbers_or_too_few) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     PoissonSolver solver(mesh);
     const Vector zeros = Vector::Zero(9);
     Vector bad = zeros;
@@ -288,7 +289,7 @@ TEST(PoissonSolverRefuses, data_that_are_no_numbers_or_too_few) {
 }
 
 TEST(PoissonSolverRefuses, data_that_overflow_with_the_volumes) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     for (const Side side : {Side::primal, Side::dual}) {
         PoissonSolver solver(mesh, {.side = side});
         const Vector f = Vector::Zero(solver.sites().rows());

@@ -2,6 +2,7 @@
 #include "dec/discretization.h"
 #include "meshes/generate.h"
 #include "solvers/poisson.h"
+#include "tests/support/circumcentric.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ constexpr Waves given{pi / 2, 0.3}, free{pi, 0.0};
 
 /// `terms` is n, or else the right-hand side belongs to another solution.
 double l2_error(const Mesh& input, Side side, BoundaryCondition condition, int terms) {
-    const auto mesh = discretize(input);
+    const auto mesh = circumcentric(input);
     const Waves& wave = condition == BoundaryCondition::essential ? given : free;
     PoissonSolver solver(mesh, {.side = side, .boundary = {condition}});
     const Vector exact = wave.at(solver.sites());

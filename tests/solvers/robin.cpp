@@ -8,6 +8,7 @@
 #include "solvers/poisson.h"
 #include "solvers/spectra/spectrum.h"
 #include "tests/solvers/flow_samples.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
@@ -45,7 +46,7 @@ BoundaryConditions varied_robin(const Discretization& mesh, double coefficient) 
 }
 
 Discretization with(const Mesh& input, StarKind kind) {
-    const auto mesh = discretize(input);
+    const auto mesh = circumcentric(input);
     return kind == StarKind::circumcentric ? mesh : mesh.with_stars(choose_stars(mesh, kind));
 }
 
@@ -104,7 +105,7 @@ TEST(Robin, of_a_slab_is_exact) {
     constexpr double alpha = 3, beta = 5;
     constexpr double c = (1 + beta / 2) / (alpha * (1 + beta) + beta);
     for (const Mesh& input : {kuhn(1, 7), grid(5, 5), kuhn(3, 3)}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const int n = mesh.dimension();
         BoundaryConditions ends{BoundaryCondition::natural};
         const Points facets = cell_centers(mesh, n - 1);
@@ -141,7 +142,7 @@ TEST(Robin, of_a_ring_converges_to_the_closed_form) {
     for (const Side side : sides) {
         std::vector<double> errors;
         for (const int m : {12, 24, 48}) {
-            const auto mesh = discretize(ring(6 * m, m));
+            const auto mesh = circumcentric(ring(6 * m, m));
             const PoissonSolver solver(mesh, {.side = side, .boundary = robin(alpha)});
             const Vector u = solver
                                  .solve(Vector::Ones(solver.sites().rows()),
@@ -230,7 +231,7 @@ TEST(Robin, has_the_spectrum_of_the_square) {
 /// Of forms of every degree: heat under the same condition fades at the rates of the spectrum.
 TEST(Robin, has_spectra_by_which_heat_fades) {
     for (const char* name_of : {"grid4", "kuhn3", "wellcentred4"}) {
-        const auto mesh = discretize(mesh_named(name_of));
+        const auto mesh = circumcentric(mesh_named(name_of));
         for (const Side side : sides)
             for (int k = 0; k <= mesh.dimension(); ++k) {
                 const auto found =
@@ -255,7 +256,7 @@ TEST(Robin, has_spectra_by_which_heat_fades) {
 /// It takes more than no flow does from primal forms, and less than held values from dual ones.
 TEST(Robin, takes_energy_from_heat_of_every_degree) {
     for (const char* name_of : {"grid4", "kuhn3", "wellcentred4"}) {
-        const auto mesh = discretize(mesh_named(name_of));
+        const auto mesh = circumcentric(mesh_named(name_of));
         for (const Side side : sides)
             for (int k = 0; k <= mesh.dimension(); ++k) {
                 const int cells = cell_degree(mesh.complex(), side, k);
@@ -299,7 +300,7 @@ TEST(Robin, of_an_infinite_coefficient_is_Dirichlets_and_of_none_Neumanns) {
 }
 
 TEST(Robin, is_refused_where_it_and_a_negative_half_dual_leave_no_resistance) {
-    const auto mesh = discretize(mesh_named("bcc2"));
+    const auto mesh = circumcentric(mesh_named("bcc2"));
     EXPECT_TRUE(
         says(refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .boundary = robin(16)}); }),
              {"facet 0", "vertices 0, 1, 3, 4", "-0.125", "1", "Robin", "-0.0625"}));
@@ -308,7 +309,7 @@ TEST(Robin, is_refused_where_it_and_a_negative_half_dual_leave_no_resistance) {
 }
 
 TEST(Robin, is_refused_by_name_where_it_is_not_known) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     EXPECT_TRUE(says(refusal([&] { conditioned_complex(mesh.complex(), mesh.stars(), Side::primal, 0, robin(1)); }),
                      {"facet 0", "Robin", "PoissonSolver"}));
     EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.boundary = robin(1)}); }),

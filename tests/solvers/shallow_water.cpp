@@ -4,6 +4,7 @@
 #include "dec/fields/cell_centers.h"
 #include "solvers/flow/flow_data.h"
 #include "tests/solvers/flow_samples.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -35,7 +36,7 @@ TEST(ShallowWaters, keep_mass_and_energy_on_any_cells) {
                                      {"sphere", icosphere(4)},
                                      {"goldberg", goldberg(3)},
                                      {"torus", torus(16, 10)}}) {
-        const auto on = discretize(mesh);
+        const auto on = circumcentric(mesh);
         ShallowWaterOptions options{.gravity = 3};
         options.rotation = random_vector(on.complex().size(0), 5);
         options.bottom = 0.2 * random_vector(on.complex().size(2), 6);
@@ -62,7 +63,7 @@ TEST(ShallowWaters, keep_mass_and_energy_on_any_cells) {
 }
 
 TEST(ShallowWaters, at_rest_over_any_bottom_stay_at_rest) {
-    const auto mesh = discretize(goldberg(4));
+    const auto mesh = circumcentric(goldberg(4));
     ShallowWaterOptions options;
     options.bottom = 0.3 * random_vector(mesh.complex().size(2), 3);
     options.rotation = at_vertices(mesh, [](const Vector& x) { return x[2]; });
@@ -75,7 +76,7 @@ TEST(ShallowWaters, at_rest_over_any_bottom_stay_at_rest) {
 /// Williamson's second test: a steady wind around the axis, in balance with the rotation of the
 /// frame. Relative error of the depth after a quarter of a turn.
 double error_of_wind(const Mesh& sphere) {
-    const auto mesh = discretize(sphere);
+    const auto mesh = circumcentric(sphere);
     constexpr double wind = 0.3, omega = 1, gravity = 1;
     ShallowWaterOptions options{.gravity = gravity};
     options.rotation = at_vertices(mesh, [](const Vector& x) { return 2 * omega * x[2]; });
@@ -114,7 +115,7 @@ TEST(ShallowWaters, keep_a_steady_wind_with_order_2_on_quads_and_1_on_hexagons) 
 /// Against a run of steps a sixteenth as long.
 TEST(ShallowWaters, are_of_order_4_in_time) {
     for (const Mesh& input : {grid(5, 4), goldberg(3)}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const ShallowWater water(mesh, {.gravity = 3});
         const State start = some_state(mesh, 1);
         const double length = water.stable_step(start);
@@ -136,13 +137,13 @@ TEST(ShallowWaters, are_of_order_4_in_time) {
 }
 
 TEST(ShallowWaterErrors, name_the_cell_and_the_dimension) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     const ShallowWater water(mesh);
     EXPECT_TRUE(says(refusal([&] {
                          water.rate({Vector{{1, 1, 0, 1}}, Vector::Zero(12)});
                      }),
                      {"water", "cell 2", "0", "depth"}));
-    EXPECT_TRUE(says(refusal([] { ShallowWater{discretize(kuhn(3, 1))}; }),
+    EXPECT_TRUE(says(refusal([] { ShallowWater{circumcentric(kuhn(3, 1))}; }),
                      {"shallow water", "dimension 3", "surface"}));
 }
 

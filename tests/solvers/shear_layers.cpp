@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/periodic.h"
 #include "tests/solvers/flow_samples.h"
+#include "tests/support/circumcentric.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ Vector flow_of_layers(const PeriodicMesh& box, const Discretization& mesh, doubl
 TEST(ShearLayers, keep_energy_and_circulation_while_they_roll_up) {
     for (const char* shape : {"quads", "triangles"}) {
         const auto box = flat_torus(shape, 24);
-        const auto mesh = discretize(box.quotient);
+        const auto mesh = circumcentric(box.quotient);
         const IncompressibleFlow flow(mesh);
         Vector w = flow.project(flow_of_layers(box, mesh, 1. / 15));
         const Vector start = w;
@@ -50,7 +51,7 @@ TEST(ShearLayers, keep_energy_and_circulation_while_they_roll_up) {
 /// Of rolled layers on so many quads to a side, by sixteenths.
 std::map<std::pair<long, long>, double> vorticity_of_layers(int cells, double viscosity) {
     const auto box = flat_torus("quads", cells);
-    const auto mesh = discretize(box.quotient);
+    const auto mesh = circumcentric(box.quotient);
     const IncompressibleFlow flow(mesh, {.viscosity = viscosity});
     Vector w = flow.project(flow_of_layers(box, mesh, 1. / 7));
     constexpr double time = 0.5;

@@ -10,6 +10,7 @@
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/scaled_pencil.h"
 #include "solvers/spectra/spectrum.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/dense_laplacian.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"
@@ -50,7 +51,7 @@ class SpectraOfStars : public testing::TestWithParam<std::string> {};
 
 /// Against all eigenvalues of dense matrices in more digits than a double has.
 TEST_P(SpectraOfStars, hold_the_eigenvalues_within_their_radii) {
-    const auto mesh = discretize(mesh_named(GetParam()), {.tolerance = tolerance});
+    const auto mesh = circumcentric(mesh_named(GetParam()), {.tolerance = tolerance});
     if (largest_size(mesh) > 150)
         return;
     const auto betti = betti_numbers(mesh.complex());
@@ -90,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Family, SpectraOfStars, testing::ValuesIn(names_of_mesh
                          parameter_name);
 
 TEST(SpectraByStars, of_other_stars_lie_outside_of_the_radii) {
-    const auto mesh = discretize(mesh_named("torus8x6"), {.criterion = MergeCriterion::none});
+    const auto mesh = circumcentric(mesh_named("torus8x6"), {.criterion = MergeCriterion::none});
     const auto exact = dense_eigenvalues<long double>(
         mesh.complex(), choose_stars(mesh, StarKind::galerkin).stars, 1);
     const auto other = spectrum(mesh.complex(), choose_stars(mesh, StarKind::barycentric).stars,
@@ -101,7 +102,7 @@ TEST(SpectraByStars, of_other_stars_lie_outside_of_the_radii) {
 /// Shifts about every eigenvalue, near and far: the larger matrix counts what is below.
 TEST(SpectraByStars, count_by_the_inertia_of_a_larger_matrix) {
     for (const char* title : {"ring6", "solid_torus3", "kuhn3", "star_negative"}) {
-        const auto mesh = discretize(mesh_named(title), {.criterion = MergeCriterion::none});
+        const auto mesh = circumcentric(mesh_named(title), {.criterion = MergeCriterion::none});
         const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
         for (int k = 1; k < mesh.dimension(); ++k) {
             const Vector values =
@@ -135,7 +136,7 @@ TEST(SpectraByStars, count_by_the_inertia_of_a_larger_matrix) {
 TEST(SpectraByStars, of_a_cavity_converge) {
     const Vector exact = (Vector(6) << 2, 2, 2, 3, 3, 5).finished();
     const auto errors = [&](Index cells) {
-        const auto mesh = discretize(shaken(kuhn(3, cells), 0.15, 3));
+        const auto mesh = circumcentric(shaken(kuhn(3, cells), 0.15, 3));
         const auto chosen = choose_stars(mesh, StarKind::automatic);
         EXPECT_EQ(chosen.kind, StarKind::galerkin);
         BoundaryConditions walls;
@@ -153,7 +154,7 @@ TEST(SpectraByStars, of_a_cavity_converge) {
 }
 
 TEST(SpectraByStars, refuse_masses_that_are_not_positive_definite) {
-    const auto mesh = discretize(mesh_named("ring6"));
+    const auto mesh = circumcentric(mesh_named("ring6"));
     SparseMatrix M = choose_stars(mesh, StarKind::galerkin).stars[1].matrix();
     M.coeffRef(0, 0) *= 0.1;
     const auto stars = mesh.stars().with(1, M);

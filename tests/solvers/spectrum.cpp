@@ -4,6 +4,7 @@
 #include "complex/homology.h"
 #include "meshes/generate.h"
 #include "tests/solvers/dense_spectrum.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +80,7 @@ double largest_defect(const Discretization& mesh, const Spectrum& found) {
 }
 
 TEST_P(Spectra, agree_with_dense_solutions_and_are_proved_complete) {
-    const auto mesh = discretize(GetParam().make());
+    const auto mesh = circumcentric(GetParam().make());
     const int n = mesh.dimension();
     for (int k = 0; k <= n; ++k) {
         const Vector exact = dense_spectrum(mesh, k);
@@ -100,7 +101,7 @@ TEST_P(Spectra, agree_with_dense_solutions_and_are_proved_complete) {
 }
 
 TEST_P(Spectra, have_as_many_zeros_as_the_Betti_number) {
-    const auto mesh = discretize(GetParam().make());
+    const auto mesh = circumcentric(GetParam().make());
     const auto betti = betti_numbers(mesh.complex());
     for (int k = 0; k <= mesh.dimension(); ++k) {
         const Index count = std::min<Index>(betti[k] + 3, mesh.complex().size(k));
@@ -113,10 +114,10 @@ TEST_P(Spectra, have_as_many_zeros_as_the_Betti_number) {
 TEST_P(Spectra, scale_with_the_inverse_square_of_length) {
     for (const double scale : {1e-8, 1e8}) {
         const Mesh mesh = GetParam().make();
-        const auto one = discretize(mesh);
+        const auto one = circumcentric(mesh);
         const DenseMatrix identity =
             DenseMatrix::Identity(mesh.ambient_dimension(), mesh.ambient_dimension());
-        const auto other = discretize(transformed(mesh, identity, scale));
+        const auto other = circumcentric(transformed(mesh, identity, scale));
         for (int k = 0; k <= one.dimension(); ++k) {
             const Index count = std::min<Index>(12, one.complex().size(k));
             const Vector a = spectrum(one, {.degree = k, .count = count}).eigenvalues;
@@ -155,7 +156,7 @@ void expect_multiplets(const Vector& values, std::vector<std::pair<double, Index
 
 /// Values from an independent program: frequency 16.
 TEST(GoldbergSpectrum, is_that_of_the_sphere_to_three_digits) {
-    const auto mesh = discretize(goldberg(16));
+    const auto mesh = circumcentric(goldberg(16));
     expect_multiplets(spectrum(mesh, {.degree = 0, .count = 9}).eigenvalues,
                       {{0, 1}, {2.000, 3}, {5.997, 5}});
     expect_multiplets(spectrum(mesh, {.degree = 2, .count = 9}).eigenvalues,

@@ -12,6 +12,7 @@
 #include "solvers/hodge.h"
 #include "solvers/poisson.h"
 #include "solvers/spectra/spectrum.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
@@ -59,7 +60,7 @@ void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& s
 }
 
 TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
-    const auto mesh = discretize(shaken(grid(5, 5), 0.42, 3));
+    const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
     ASSERT_TRUE(says(refusal([&] { HeatSolver(mesh, Side::primal, 1, quick); }), {"not positive"}));
     const auto stars = choose_stars(mesh, StarKind::automatic).stars;
     ASSERT_FALSE(stars[1].is_diagonal());
@@ -68,7 +69,7 @@ TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
 }
 
 TEST(HeatByStars, shrinks_eigenforms_on_obtuse_tets) {
-    const auto mesh = discretize(shaken(kuhn(3, 2), 0.3, 3));
+    const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
     const auto chosen = choose_stars(mesh, StarKind::automatic);
     ASSERT_EQ(chosen.kind, StarKind::galerkin);
     for (const int k : {0, 1})
@@ -76,7 +77,7 @@ TEST(HeatByStars, shrinks_eigenforms_on_obtuse_tets) {
 }
 
 TEST(HeatByStars, keeps_conditions_on_the_boundary) {
-    const auto mesh = discretize(shaken(grid(5, 5), 0.42, 3));
+    const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
     const auto stars = choose_stars(mesh, StarKind::automatic).stars;
     BoundaryConditions fixed;
     fixed.everywhere = BoundaryCondition::essential;
@@ -101,7 +102,7 @@ TEST(HeatByStars, has_nothing_to_do_where_conditions_fix_all) {
     triangle.points << 0, 0, 1, 0, 0, 1;
     triangle.simplices.resize(1, 3);
     triangle.simplices << 0, 1, 2;
-    const auto mesh = discretize(triangle);
+    const auto mesh = circumcentric(triangle);
     SparseMatrix twice(3, 3);
     twice.setIdentity();
     twice.coeffs() *= 2;
@@ -118,7 +119,7 @@ TEST(HeatByStars, has_nothing_to_do_where_conditions_fix_all) {
 TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
     for (const Mesh& input :
          {shaken(grid(5, 5), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3), mesh_named("torus8x6")}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
         for (int k = 0; k <= mesh.dimension(); ++k)
             expect_eigenforms_to_shrink(mesh.complex(), stars, k);
@@ -127,7 +128,7 @@ TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
 
 /// After a time far beyond all others of the mesh nothing but harmonic forms is left.
 TEST(HeatByStars, leaves_harmonic_forms_after_the_longest_time) {
-    const auto mesh = discretize(shaken(mesh_named("torus8x6"), 0.2, 3));
+    const auto mesh = circumcentric(shaken(mesh_named("torus8x6"), 0.2, 3));
     const auto stars = choose_stars(mesh, StarKind::hybrid).stars;
     ASSERT_TRUE(stars[0].is_diagonal() && !stars[1].is_diagonal());
     const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 2)};
@@ -142,7 +143,7 @@ TEST(HeatByStars, leaves_harmonic_forms_after_the_longest_time) {
 /// both.
 TEST(OperatorsByStars, have_a_matrix_and_a_diagonal_where_no_matrix_is_inverted) {
     for (const Mesh& input : {shaken(grid(4, 4), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3)}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const auto& complex = mesh.complex();
         const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
         const int n = mesh.dimension();
@@ -208,7 +209,7 @@ double error_of_linear_solution(const Discretization& mesh) {
 }
 
 TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
-    const auto mesh = discretize(shaken(kuhn(3, 3), 0.08, 3), {.criterion = MergeCriterion::none});
+    const auto mesh = circumcentric(shaken(kuhn(3, 3), 0.08, 3), {.criterion = MergeCriterion::none});
     const auto by = [&](StarKind kind) {
         return error_of_linear_solution(mesh.with_stars(choose_stars(mesh, kind).stars));
     };
@@ -218,7 +219,7 @@ TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
 }
 
 TEST(PoissonByStars, makes_the_star_of_conductivities) {
-    const auto mesh = discretize(shaken(kuhn(3, 2), 0.25, 3), {.star = StarKind::automatic});
+    const auto mesh = discretize(shaken(kuhn(3, 2), 0.25, 3));
     ASSERT_EQ(mesh.chosen_stars().kind, StarKind::galerkin);
     Vector kappa(mesh.complex().size(3));
     for (Index cell = 0; cell < kappa.size(); ++cell)
@@ -238,7 +239,7 @@ TEST(PoissonByStars, makes_the_star_of_conductivities) {
 }
 
 TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
-    const auto mesh = discretize(shaken(kuhn(3, 2), 0.25, 3));
+    const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.25, 3));
     const auto stars = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
     const Vector ones = Vector::Ones(mesh.complex().size(3));
     EXPECT_TRUE(

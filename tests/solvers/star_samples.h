@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dec/choose_stars.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 
 #include <string>
@@ -19,8 +20,8 @@ struct StarSample {
 inline std::vector<StarSample> with_star_kinds(const Mesh& input) {
     std::vector<StarSample> result;
     for (const auto& [title, mesh] :
-         {std::pair{"merged", discretize(input)},
-          std::pair{"simplices", discretize(input, {.criterion = MergeCriterion::none})}})
+         {std::pair{"merged", circumcentric(input)},
+          std::pair{"simplices", circumcentric(input, {.criterion = MergeCriterion::none})}})
         for (const StarKind kind : {StarKind::galerkin, StarKind::hybrid, StarKind::automatic}) {
             if ((kind == StarKind::hybrid) != (mesh.dimension() == 2) && kind != StarKind::galerkin)
                 continue; // automatic ones of surfaces are hybrid

@@ -6,6 +6,7 @@
 #include "dec/fields/de_rham.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
@@ -59,7 +60,7 @@ struct Errors {
 /// `turned` is a factor at what is known along walls, 1 for the solution.
 Errors errors(const Mesh& input, StarKind kind, const Openings& open, double turned = 1) {
     constexpr double nu = 0.7;
-    auto mesh = discretize(input);
+    auto mesh = circumcentric(input);
     if (kind != StarKind::circumcentric)
         mesh = mesh.with_stars(choose_stars(mesh, kind));
     const int n = mesh.dimension();
@@ -149,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
 double channel_error(const std::string& shape, int cells, double difference) {
     Mesh strip = shape == "quads" ? grid(2 * cells, cells) : well_centered(cells / 2);
     strip.points.col(0) *= shape == "quads" ? 2 : 1;
-    const auto mesh = discretize(strip);
+    const auto mesh = circumcentric(strip);
     const double length = mesh.points().col(0).maxCoeff();
     const Points facets = facet_sites(mesh);
     const auto at_end = [&](Index f) {
@@ -180,7 +181,7 @@ TEST(Channel, lets_through_what_the_pressure_drives) {
 }
 
 TEST(Channel, whose_walls_hold_nothing_back_is_refused) {
-    const auto mesh = discretize(grid(4, 4));
+    const auto mesh = circumcentric(grid(4, 4));
     const Points facets = facet_sites(mesh);
     StokesOptions options;
     for (Index f = 0; f < facets.rows(); ++f)
@@ -190,9 +191,9 @@ TEST(Channel, whose_walls_hold_nothing_back_is_refused) {
     for (auto& kind : options.facets)
         kind = FlowBoundary::free_slip;
     EXPECT_EQ(refusal([&] { StokesSolver(mesh, options); }), "accepted");
-    EXPECT_EQ(refusal([&] { StokesSolver(discretize(icosphere(2))); }), "accepted");
+    EXPECT_EQ(refusal([&] { StokesSolver(circumcentric(icosphere(2))); }), "accepted");
     EXPECT_TRUE(
-        says(refusal([&] { StokesSolver(discretize(torus(12, 8))); }), {"2 flows", "holes"}));
+        says(refusal([&] { StokesSolver(circumcentric(torus(12, 8))); }), {"2 flows", "holes"}));
 }
 
 // The twin: the same where the other half of the flow is let out.
@@ -205,7 +206,7 @@ TEST(StokesErrors, tell_what_does_not_balance_in_one_of_two_components) {
     const Index cells = two.simplices.rows();
     two.simplices.conservativeResize(cells + other.simplices.rows(), 3);
     two.simplices.bottomRows(other.simplices.rows()) = other.simplices.array() + shift;
-    const auto mesh = discretize(two);
+    const auto mesh = circumcentric(two);
     const StokesSolver solver(mesh);
     const Cochain still{Side::primal, 1, Vector::Zero(mesh.complex().size(1))};
     const auto fluxes = [&](double left, double right) {
@@ -223,7 +224,7 @@ TEST(StokesErrors, tell_what_does_not_balance_in_one_of_two_components) {
 }
 
 TEST(StokesErrors, name_what_does_not_fit) {
-    const auto mesh = discretize(grid(2, 2));
+    const auto mesh = circumcentric(grid(2, 2));
     const Cochain still{Side::primal, 1, Vector::Zero(mesh.complex().size(1))};
     const StokesSolver solver(mesh);
     EXPECT_TRUE(says(refusal([&] {

@@ -4,6 +4,7 @@
 #include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "solvers/leapfrog.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
@@ -51,7 +52,7 @@ std::vector<Waves> samples() {
     const Mesh meshes[] = {well_centered(4), grid(4, 4), hexagons(4), kuhn(3, 3),
                            fcc(2),           bcc(2),     torus(8, 6), kuhn(1, 5)};
     for (const Mesh& mesh : meshes) {
-        const auto cells = discretize(mesh);
+        const auto cells = circumcentric(mesh);
         for (const Side side : {Side::primal, Side::dual})
             for (int degree = 0; degree < cells.dimension(); ++degree)
                 for (const auto kind : kinds) {
@@ -126,7 +127,7 @@ TEST(WavesOfBothSides, keep_their_energy) {
 
 TEST(WavesOfBothSides, are_stars_of_each_other) {
     // with H = star B and D = star E a primal wave of degree k - 1 is a dual one of degree n - k
-    const auto mesh = discretize(kuhn(3, 3));
+    const auto mesh = circumcentric(kuhn(3, 3));
     const int n = 3;
     for (int k = 1; k <= n; ++k) {
         const Waves dual{mesh, Side::dual, n - k, {BoundaryCondition::essential}};
@@ -190,7 +191,7 @@ double energy_left(const Waves& waves, double loss) {
 // A loss that is the same everywhere commutes with every star, so a matrix that is a diagonal one
 // but for rounding must lose as that does.
 TEST(WavesWithLosses, die_away_alike_where_stars_are_matrices) {
-    const auto diagonal = discretize(kuhn(3, 2));
+    const auto diagonal = circumcentric(kuhn(3, 2));
     const Vector ones = Vector::Ones(diagonal.complex().size(3));
     for (const Side side : {Side::primal, Side::dual})
         for (int degree = 0; degree < 3; ++degree) {
@@ -217,7 +218,7 @@ TEST(WavesWithLosses, die_away_alike_where_stars_are_matrices) {
 }
 
 TEST(WavesWithLosses, keep_the_divergence_of_their_fluxes) {
-    const auto mesh = discretize(kuhn(3, 3));
+    const auto mesh = circumcentric(kuhn(3, 3));
     const Waves waves{mesh, Side::primal, 1, {BoundaryCondition::essential}};
     LeapfrogOptions options{.time_step = half_stable(waves)};
     const SparseMatrix out = mesh.complex().coboundary(2).cast<double>();
@@ -237,7 +238,7 @@ TEST(WavesWithLosses, keep_the_divergence_of_their_fluxes) {
 
 TEST(Materials, weigh_diagonal_stars_by_the_parts_of_duals) {
     for (const Mesh& input : {grid(3, 3), kuhn(3, 2), well_centered(3)}) {
-        const auto mesh = discretize(input);
+        const auto mesh = circumcentric(input);
         const int n = mesh.dimension();
         for (int k = 0; k <= n; ++k) {
             const Vector two = Vector::Constant(mesh.complex().size(n), 2);
@@ -258,7 +259,7 @@ TEST(Materials, weigh_diagonal_stars_by_the_parts_of_duals) {
 }
 
 TEST(Materials, slow_waves_down) {
-    const auto mesh = discretize(kuhn(2, 4));
+    const auto mesh = circumcentric(kuhn(2, 4));
     const Vector four = Vector::Constant(mesh.complex().size(2), 4);
     for (const int k : {0, 1}) {
         const auto slow = mesh.with_stars(weighted_stars(mesh, k, four));
@@ -267,7 +268,7 @@ TEST(Materials, slow_waves_down) {
 }
 
 TEST(WaveErrors, name_losses_layers_and_sides) {
-    const auto mesh = discretize(grid(4, 4));
+    const auto mesh = circumcentric(grid(4, 4));
     const BoundaryConditions conditions{BoundaryCondition::natural};
     const double dt = 1e-3;
     const auto made = [&](LeapfrogOptions options) {
@@ -286,7 +287,7 @@ TEST(WaveErrors, name_losses_layers_and_sides) {
                      {"layer", "cells", "mesh"}));
     EXPECT_TRUE(says(refusal([&] { stable_step(mesh, conditions, Side::dual, 2); }),
                      {"waves", "2-forms", "dimension 2", "0", "1"}));
-    const auto triangles = discretize(well_centered(8));
+    const auto triangles = circumcentric(well_centered(8));
     EXPECT_TRUE(
         says(refusal([&] {
                  Leapfrog(triangles, conditions, Side::primal, 0,

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "dec/choose_stars.h"
+#include "dec/conditioned_complex.h"
+#include "dec/fields/flat.h"
+#include "dec/operators.h"
+#include "meshes/generate.h"
+#include "meshes/rearrange.h"
+#include "solvers/diffusion.h"
+#include "solvers/hodge_laplace.h"
+#include "tests/solvers/wave_problems.h"
+#include "tests/support/families.h"
+#include "tests/support/forms.h"
+#include "tests/support/matrices.h"
+#include "tests/support/slivers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace polydec::test::in_harmonic_forms {
+namespace {
+
+/// Constant forms are harmonic, and every consistent scheme has them exactly.
+struct Constant {
+    int n, degree;
+    Vector coefficients;
+
+    SmoothForm form() const {
+        return [c = coefficients](const Vector&) { return c; };
+    }
+    SmoothForm star() const {
+        return [c = euclidean_star(n, degree, coefficients)](const Vector&) { return c; };
+    }
+    Cochain on(const Discretization& mesh, Side side) const {
+        return side == Side::primal ? de_rham(mesh, degree, form())
+                                    : dual_de_rham(mesh, degree, form());
+    }
+    /// All that is known of it; its derivatives are 0.
+    BoundaryForms boundary(const Discretization& mesh, Side side) const {
+        const auto over_cells = [&](int k, const SmoothForm& w) {
+            return k <= n ? de_rham(mesh, k, w).values : Vector();
+        };
+        const auto over_duals = [&](int k, const SmoothForm& w) {
+            return k < n ? boundary_de_rham(mesh, k, w) : Vector();
+        };
+        if (side == Side::primal)
+            return {.values = over_cells(degree, form()),
+                    .flow = degree > 0 ? over_duals(n - degree, star()) : Vector()};
+        return {.values = degree < n ? over_duals(degree, form()) : Vector(),
+                .flow = over_cells(n - degree, star())};
+    }
+};
+
+struct Shape {
+    const char* name;
+    std::function<Mesh()> make;
+    DiscretizeOptions options = {};
+    double jitter = 0; ///< by which what is cospherical is not
+};
+
+void PrintTo(const Shape& shape, std::ostream* out) {
+    *out << shape.name;
+}
+
+Mesh unit_slivers(int m, double jitter) {
+    return delaunay_grid(m, jitter);
+}
+
+class HarmonicForms : public testing::TestWithParam<Shape> {
+protected:
+    static std::vector<Discretization> with_all_stars() {
+        const auto& [name, make, options, jitter] = GetParam();
+        const auto mesh = discretize(make(), options);
+        std::vector<Discretization> result;
+        for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin, StarKind::hybrid,
+                                    StarKind::automatic})
+            if (kind != StarKind::hybrid || mesh.dimension() == 2)
+                result.push_back(mesh.with_stars(choose_stars(mesh, kind)));
+        return result;
+    }
+
+    static bool is_positive(const HodgeStar& star) {
+        return star.zeros().empty() && star.negatives().empty();
+    }
+};
+
+TEST_P(HarmonicForms, are_returned_and_stand_still) {
+    const double rounding = 1e-9 + 100 * GetParam().jitter;
+    int solved = 0;
+    for (const auto& mesh : with_all_stars())
+        for (const Side side : {Side::primal, Side::dual})
+            for (int degree = 0; degree <= mesh.dimension(); ++degree)
+                for (const Where where : everywhere) {
+                    const int n = mesh.dimension(), k = side == Side::primal ? degree : n - degree;
+                    if (!is_positive(mesh.stars()[k]) ||
+                        (k > 0 && !is_positive(mesh.stars()[k - 1])))
+                        continue;
+                    const Constant constant{n, degree,
+                                            random_vector(coefficients(n, degree), 1 + degree)};
+                    const auto conditions = conditions_of(mesh, where);
+                    const Cochain u = constant.on(mesh, side);
+                    BoundaryForms data = constant.boundary(mesh, side);
+                    if (where == Where::robin && side == Side::dual)
+                        continue; // data where facets meet are no integrals of a form
+                    if (where == Where::robin && k < n) {
+                        const double sign = k % 2 == 0 ? 1 : -1; // see HodgeLaplaceEquations
+                        data.derivative_flow =
+                            sign *
+                            dual_boundary_derivative(mesh.complex(), n - 1 - k).transpose() *
+                            Vector(robin_parts(mesh, side, degree, conditions).weights * u.values);
+                    }
+                    const auto told = [&] {
+                        return std::string(name(mesh.chosen_stars().kind)) + ' ' + name(side) +
+                               ' ' + std::to_string(degree) + ", condition " +
+                               std::to_string(static_cast<int>(where));
+                    };
+
+                    const HodgeLaplaceSolver solver(mesh, {side, degree, conditions});
+                    const DenseMatrix H = solver.harmonic_forms();
+                    Vector harmonic(H.cols());
+                    for (Index i = 0; i < harmonic.size(); ++i)
+                        harmonic[i] = inner_product(mesh, u, {side, degree, H.col(i)});
+                    const auto found = solver.solve(0.0 * u, data, harmonic);
+                    const double size = norm(mesh, u);
+                    EXPECT_LE(norm(mesh, found.form - u), rounding * size) << told();
+
+                    const Diffusion diffusion(mesh, side, degree, {.conditions = conditions});
+                    const Vector values = diffusion.values_of(u.values, data);
+                    const Vector rate = diffusion.rate(values) + diffusion.boundary_rate(data);
+                    EXPECT_LE(rate.norm(), rounding * (diffusion.rate(values).norm() + size))
+                        << told();
+                    ++solved;
+                }
+    EXPECT_GT(solved, 6);
+}
+
+TEST_P(HarmonicForms, have_the_norm_of_their_coefficients) {
+    for (const auto& mesh : with_all_stars()) {
+        const int n = mesh.dimension();
+        for (int degree = 0; degree <= n; ++degree) {
+            if (!is_positive(mesh.stars()[n - degree]) ||
+                (degree > 0 && degree < n && mesh.stars()[n - degree].is_diagonal()))
+                continue; // circumcentric duals have it only as a sum over what is around
+            const Constant constant{n, degree, random_vector(coefficients(n, degree), 7)};
+            const Cochain u = constant.on(mesh, Side::dual);
+            EXPECT_NEAR(inner_product(mesh, u, u),
+                        constant.coefficients.squaredNorm() * mesh.volumes().primal(n).sum(),
+                        1e-9 * constant.coefficients.squaredNorm())
+                << name(mesh.chosen_stars().kind) << ' ' << degree;
+        }
+    }
+}
+
+TEST_P(HarmonicForms, are_the_flats_of_their_fields) {
+    for (const auto& mesh : with_all_stars()) {
+        const int n = mesh.dimension();
+        const Vector field = random_vector(n, 3);
+        const Constant constant{n, 1, field};
+        const Cochain u = constant.on(mesh, Side::dual);
+        for (const auto& [kind, rows] :
+             {std::pair{Flat::ppd, mesh.complex().size(0)}, {Flat::pdd, mesh.complex().size(0)},
+              {Flat::dpd, mesh.complex().size(n)}}) {
+            const Cochain a = flat(mesh, kind, DenseMatrix::Ones(rows, 1) * field.transpose());
+            EXPECT_LE((a.values - u.values).norm(), 1e-9 * (1 + u.values.norm()))
+                << name(mesh.chosen_stars().kind);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, HarmonicForms,
+    testing::Values(
+        Shape{"interval", [] { return kuhn(1, 5); }}, //
+        Shape{"grid", [] { return grid(4, 3); }},
+        Shape{"hexagons", [] { return hexagons(3); }},
+        Shape{"triangles", [] { return well_centered(4); }},
+        Shape{"shaken", [] { return perturbed(well_centered(4), 0.06, 1); }},
+        Shape{"shaken_grid", [] { return perturbed(grid(4, 4), 0.03, 2); }},
+        Shape{"shaken_simplices", [] { return perturbed(grid(4, 4), 0.03, 2); },
+              {.criterion = MergeCriterion::none}},
+        Shape{"cubes", [] { return kuhn(3, 2); }}, //
+        Shape{"bcc", [] { return bcc(2); }},
+        Shape{"shaken_cubes", [] { return perturbed(kuhn(3, 2), 0.03, 3); }},
+        Shape{"slivers", [] { return unit_slivers(3, 1e-9); }, {}, 1e-9},
+        Shape{"jittered_slivers", [] { return unit_slivers(3, 1e-5); }, {}, 1e-5},
+        Shape{"four", [] { return kuhn(4, 1); }}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+} // namespace
+} // namespace polydec::test::in_harmonic_forms
