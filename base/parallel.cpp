@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.h"
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 #include <algorithm>
 #include <exception>
 #include <vector>
@@ -26,6 +30,12 @@ void for_each_part(Index count, Index size, const std::function<void(Index, Inde
     for (const auto& exception : thrown)
         if (exception)
             std::rethrow_exception(exception);
+}
+
+void use_one_thread() {
+#ifdef _OPENMP
+    omp_set_num_threads(1);
+#endif
 }
 
 } // namespace polydec

@@ -14,4 +14,8 @@ namespace polydec {
 /// part. If parts throw, the exception of the first of them is passed on when all have ended.
 void for_each_part(Index count, Index size, const std::function<void(Index, Index)>& work);
 
+/// From here on all is done one after the other: for a process that was forked from one with
+/// threads, which it does not have.
+void use_one_thread();
+
 } // namespace polydec

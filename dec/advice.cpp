@@ -96,6 +96,22 @@ std::vector<Advice> advice(const Discretization& discretization) {
     return list;
 }
 
+std::string flip_advice(const Discretization& mesh) {
+    const Remedy next = remedy(mesh);
+    return next == Remedy::flips || next == Remedy::splits ? fmt::format("; add {}", option(next))
+                                                           : "";
+}
+
+std::vector<std::string> warning_of_negative_duals(const Discretization& mesh, int k,
+                                                   std::string_view consequence) {
+    const auto cells = mesh.stars()[k].negatives().size();
+    if (cells == 0)
+        return {};
+    return {fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay there): "
+                        "{}{}",
+                        cells, k, cells == 1 ? "has" : "have", consequence, flip_advice(mesh))};
+}
+
 std::string positive_stars(int dimension) {
     const std::string stars =
         fmt::format("stars that are positive on every mesh ({})", option(Remedy::stars));

@@ -48,6 +48,13 @@ std::string in_words(const Advice& advice, int dimension);
 /// left a dual without volume; splits and stars are advised then, and end it.
 std::vector<Advice> advice(const Discretization& discretization);
 
+/// "; add Delaunay::flips" where that helps against negative duals, else empty.
+std::string flip_advice(const Discretization& mesh);
+
+/// A warning if the star of k-cells has negative entries, and what follows from them in words.
+std::vector<std::string> warning_of_negative_duals(const Discretization& mesh, int k,
+                                                   std::string_view consequence);
+
 /// "stars that are positive on every mesh (StarKind::automatic)", and what else there is: for
 /// refusals of what knows volumes alone.
 std::string positive_stars(int dimension);

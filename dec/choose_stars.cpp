@@ -44,8 +44,8 @@ bool all_positive(const HodgeStars& stars) {
 /// The cells of a surface that get Galerkin's stars. With those beside an edge without positive
 /// dual go all that have a negative part of the dual of an edge which a bad cell has too: so every
 /// edge between good cells has a positive star, and on every other edge good cells add nothing
-/// negative beyond rounding to what is definite. Vertices whose dual is not positive make the cells around them
-/// bad.
+/// negative beyond rounding to what is definite. Vertices whose dual is not positive make the cells
+/// around them bad.
 class BadCells {
 public:
     explicit BadCells(const Discretization& mesh)

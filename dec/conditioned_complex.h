@@ -43,7 +43,7 @@ ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const H
 /// boundary stars, 0 off its facets; 0 x 0 where it adds nothing.
 struct RobinParts {
     SparseMatrix weights = {}; ///< of primal forms, to star Delta
-    SparseMatrix layer = {};   ///< of dual ones, which it holds back as by a layer, to the star below
+    SparseMatrix layer = {}; ///< of dual ones, which it holds back as by a layer, to the star below
 };
 
 /// Throws like robin_coefficients and boundary_star.

@@ -378,8 +378,8 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
     Points isolated = isolated_points(complex, mesh.points);
     mesh.points = vertex_points(complex, mesh.points);
     Points plane = plane_points(mesh.points, complex.dimension());
-    Given given{complex,         std::move(mesh),  std::move(isolated), {}, unit,
-                std::move(flat), std::move(plane)};
+    Given given{complex, std::move(mesh), std::move(isolated), {},
+                unit,    std::move(flat), std::move(plane)};
     if (!can_do_with_flat_cells(given, options))
         refuse_flat_cells(given, unmerged(complex));
     if (options.delaunay != Delaunay::off)

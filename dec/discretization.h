@@ -51,6 +51,10 @@ public:
     /// points with as many coordinates, and lengths, if points are not known, those of the edges.
     explicit Discretization(Parts parts);
 
+    // no moves, which would leave a handle on nothing
+    Discretization(const Discretization&) = default;
+    Discretization& operator=(const Discretization&) = default;
+
     /// The merged complex, and its dimension.
     const CellComplex& complex() const& { return merging().merged(); }
     CellComplex complex() && { return complex(); }

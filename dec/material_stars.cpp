@@ -5,8 +5,8 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/galerkin_mass.h"
-#include "dec/metric/simplex_geometry.h"
 #include "dec/metric/rounding.h"
+#include "dec/metric/simplex_geometry.h"
 #include "dec/parts_of_products.h"
 
 #include <fmt/format.h>
@@ -56,9 +56,8 @@ SparseMatrix parts_of_star(const Discretization& mesh, int k) {
         return thirds;
     SparseMatrix parts = parts_of_products(mesh, k, mesh.centers());
     const auto of = [&](SparseMatrix& matrix, bool galerkin) {
-        matrix.prune([&](Eigen::Index t, Eigen::Index, double) {
-            return chosen.galerkin[t] == galerkin;
-        });
+        matrix.prune(
+            [&](Eigen::Index t, Eigen::Index, double) { return chosen.galerkin[t] == galerkin; });
         return matrix;
     };
     return of(parts, false) + of(thirds, true);
@@ -150,9 +149,10 @@ HodgeStars weighted_stars(const Discretization& mesh, int k, const Vector& weigh
     const CellVolumes& volumes = stars.volumes();
     const SparseMatrix parts = parts_of_star(mesh, k);
     const Vector around = pattern(parts).transpose() * weights;
-    const Vector dual = mesh.chosen_stars().kind == StarKind::own
-                            ? Vector(volumes.dual(k).cwiseProduct(cell_means(mesh, k, weights)))
-                            : Vector((parts.transpose() * weights).cwiseQuotient(volumes.primal(k)));
+    const Vector dual =
+        mesh.chosen_stars().kind == StarKind::own
+            ? Vector(volumes.dual(k).cwiseProduct(cell_means(mesh, k, weights)))
+            : Vector((parts.transpose() * weights).cwiseQuotient(volumes.primal(k)));
     HodgeStars result(volumes.with_dual(k, dual, around.cwiseProduct(volumes.terms(k).vector()),
                                         around.cwiseProduct(volumes.rounding(k).vector())));
     for (int j = 0; j <= n; ++j)

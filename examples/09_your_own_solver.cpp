@@ -56,7 +56,7 @@ int main() {
     const auto solve = [&](const char* engine) {
         polydec::PoissonSolver solver(mesh, {.linear_solver = engine});
         const polydec::Vector one = polydec::Vector::Ones(solver.sites().rows());
-        const auto [u, report, compatibility] = solver.solve(one, 0 * one);
+        const auto [u, report, compatibility, warnings] = solver.solve(one, 0 * one);
         std::cout << report.engine << ": " << report.iterations << " iterations, largest value "
                   << u.maxCoeff() << '\n';
         return u;

@@ -10,7 +10,8 @@
 #include <polydec.h>
 
 int main() {
-    const auto box = polydec::discretize(polydec::fcc({16, 8, 8}, 0.125)); // 2 x 1 x 1
+    const auto box = polydec::discretize(polydec::fcc({16, 8, 8}, 0.125), // 2 x 1 x 1
+                                         {.star = polydec::StarKind::circumcentric});
     const polydec::Points places =
         polydec::PoissonSolver(box, {.side = polydec::Side::dual}).sites();
     polydec::Vector kappa = polydec::Vector::Ones(places.rows());

@@ -12,7 +12,7 @@
 namespace {
 
 void run(const std::string& name, const polydec::Mesh& mesh) {
-    const auto box = polydec::discretize(mesh);
+    const auto box = polydec::discretize(mesh, {.star = polydec::StarKind::circumcentric});
     const auto inside = polydec::relative_to_boundary(box.complex());
     const auto volumes = polydec::relative_volumes(inside, box.volumes());
     const double bound = polydec::stable_step(inside.complex, volumes, 1);

@@ -122,7 +122,19 @@ Fingerprint& Fingerprint::add(const Discretization& mesh) {
             for (const SignedFace& f : mesh.complex().incidences(k - 1)[cell])
                 add(static_cast<std::uint64_t>(2 * std::int64_t{f.face} + (f.sign > 0)));
     }
+    for (int k = 0; k <= n; ++k)
+        add(mesh.stars()[k]);
     return add(name(mesh.chosen_stars().kind));
+}
+
+Fingerprint& Fingerprint::add(const HodgeStar& star) {
+    if (star.is_diagonal())
+        return add(star.diagonal());
+    const SparseMatrix matrix = star.matrix();
+    for (Index row = 0; row < matrix.rows(); ++row)
+        for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+            add(static_cast<std::uint64_t>(entry.col())).add(entry.value());
+    return *this;
 }
 
 struct CheckpointWriter::Words {

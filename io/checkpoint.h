@@ -21,7 +21,10 @@ public:
     Fingerprint& add(std::string_view text);
     Fingerprint& add(const Eigen::Ref<const DenseMatrix>& numbers);
 
-    /// Points, simplices, merged cells and volumes of a mesh.
+    /// Every entry of a star.
+    Fingerprint& add(const HodgeStar& star);
+
+    /// Points, simplices, merged cells, volumes and stars of a mesh.
     Fingerprint& add(const Discretization& mesh);
 
     std::uint64_t value() const { return value_; }

@@ -119,6 +119,16 @@ void FreeComponents::remove_means(Vector& u) const {
             u[i] -= mean[c];
 }
 
+std::vector<std::string> warning_of(const Compatibility& compatibility) {
+    constexpr double rounding = 1e-10;
+    if (compatibility.worst <= rounding)
+        return {};
+    return {fmt::format("the right-hand side does not sum to zero on {} component{} without "
+                        "boundary data (relative {:.2g}): its mean was removed",
+                        compatibility.free_components,
+                        compatibility.free_components == 1 ? "" : "s", compatibility.worst)};
+}
+
 ConstrainedSolver::ConstrainedSolver(ConstrainedSystem&& system, const std::string& engine)
     : solver_(make_linear_solver(engine)) {
     SparseMatrix A; // what moves would be copied
@@ -179,7 +189,7 @@ Solution<Vector> ConstrainedSolver::solve(const Vector& b, const Vector& fixed_v
     if (!u.allFinite())
         throw SolverFailure("the solution has values that are not finite: data or weights leave "
                             "the range of numbers; scale them");
-    return {std::move(u), solver_->report(), compatibility};
+    return {std::move(u), solver_->report(), compatibility, warning_of(compatibility)};
 }
 
 } // namespace polydec

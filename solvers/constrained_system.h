@@ -53,12 +53,16 @@ private:
     Vector weights_of_all_; // of components
 };
 
+/// A warning if a mean was removed that is more than rounding.
+std::vector<std::string> warning_of(const Compatibility& compatibility);
+
 /// What a solve gives, and how it went; of several systems, a column each, the worst.
 template <class Values>
 struct Solution {
     Values values;
     SolveReport report;
     Compatibility compatibility;
+    std::vector<std::string> warnings = {}; ///< why it may be another one than was asked for
 };
 
 /// The solutions for as many columns as b has, of the size of its own: solve(j) is that of column
@@ -67,7 +71,7 @@ template <class Solve>
 Solution<DenseMatrix> by_columns(const DenseMatrix& b, Solve solve) {
     Solution<DenseMatrix> all{DenseMatrix(b.rows(), b.cols()), {}, {}};
     for (Index j = 0; j < b.cols(); ++j) {
-        auto [u, report, compatibility] = solve(j);
+        auto [u, report, compatibility, warnings] = solve(j);
         all.values.col(j) = u;
         report.iterations = std::max(report.iterations, all.report.iterations);
         report.residual = std::max(report.residual, all.report.residual);
@@ -76,6 +80,7 @@ Solution<DenseMatrix> by_columns(const DenseMatrix& b, Solve solve) {
         all.report = std::move(report);
         all.compatibility = compatibility;
     }
+    all.warnings = warning_of(all.compatibility);
     return all;
 }
 

@@ -40,7 +40,10 @@ DarcyFlow DarcySolver::solve(const Vector& source, const Vector& pressures,
     const int n = complex_.dimension();
     if (poisson_.mixed_)
         return mixed_flow(source, pressures, outflow);
-    const auto [p, report, compatibility] = poisson_.solve(source, pressures, -outflow);
+    poisson_.check(source, pressures, -outflow);
+    const auto [columns, report, compatibility, warnings] =
+        poisson_.solve_in_unit(source, pressures, -outflow);
+    const Vector p = columns;
     const SparseMatrix divergence = derivative(complex_, n - 1);
     const Vector &areas = volumes_.primal(n - 1), &weights = poisson_.facet_weights();
 
@@ -69,7 +72,11 @@ DarcyFlow DarcySolver::solve(const Vector& source, const Vector& pressures,
             const SparseMatrix::InnerIterator cell(cofaces, f);
             flux[f] = cell.value() * missing[cell.col()] * open[f] / room[cell.col()];
         }
-    return {{Side::dual, 0, p}, {Side::primal, n - 1, std::move(flux)}, report, compatibility};
+    return {{Side::dual, 0, p},
+            {Side::primal, n - 1, std::move(flux)},
+            report,
+            compatibility,
+            warnings};
 }
 
 DarcyFlow DarcySolver::mixed_flow(const Vector& source, const Vector& pressures,
@@ -81,7 +88,8 @@ DarcyFlow DarcySolver::mixed_flow(const Vector& source, const Vector& pressures,
     return {{Side::dual, 0, std::move(flow.values)},
             {Side::primal, n - 1, std::move(flow.flux)},
             std::move(flow.report),
-            flow.compatibility};
+            flow.compatibility,
+            warning_of(flow.compatibility)};
 }
 
 } // namespace polydec

@@ -12,6 +12,7 @@ struct DarcyFlow {
     Cochain flux;     ///< primal (n-1)-form: through the facets, as they are oriented
     SolveReport report;
     Compatibility compatibility;
+    std::vector<std::string> warnings = {}; ///< why it may be another one than was asked for
 };
 
 /// Darcy's problem: flux = -kappa grad p, div flux = source. The pressure is a dual 0-form, the

@@ -26,7 +26,8 @@ SparseMatrix mixed_step(const CellComplex& complex, const HodgeStars& stars,
                         const SparseMatrix& weights, int k, double t) {
     const Operator mass = Operator::star(stars[k]);
     const Operator below = Operator::derivative(complex, k - 1).transposed();
-    Operator A = weights.size() > 0 ? mass + t * Operator::star({stars.volumes(), k, weights}) : mass;
+    Operator A =
+        weights.size() > 0 ? mass + t * Operator::star({stars.volumes(), k, weights}) : mass;
     if (k < complex.dimension()) {
         const Operator d = Operator::derivative(complex, k);
         A = A + t * (d.transposed() * Operator::star(stars[k + 1]) * d);
@@ -136,7 +137,8 @@ SparseMatrix Diffusion::step_matrix(double gamma) const {
 void Diffusion::prepare(double gamma) {
     SparseMatrix A = step_matrix(gamma);
     // forms of different degrees have different units
-    scales_ = A.diagonal().unaryExpr([](double a) { return a == 0 ? 1 : 1 / std::sqrt(std::abs(a)); });
+    scales_ =
+        A.diagonal().unaryExpr([](double a) { return a == 0 ? 1 : 1 / std::sqrt(std::abs(a)); });
     if (is_mixed_)
         A = scales_.asDiagonal() * A * scales_.asDiagonal();
     else
@@ -149,12 +151,11 @@ void Diffusion::check_growth(const Vector& before, const Vector& after) const {
     constexpr double rounding = 1e-9;
     const double from = before.dot(mass_ * before), to = after.dot(mass_ * after);
     if (!(to <= from * (1 + rounding)))
-        throw SolverFailure(
-            fmt::format("a step of diffusion of {} {}-forms makes their norm larger, by {:.2g} of "
-                        "itself: the Laplacian has negative eigenvalues, as it may by stars with "
-                        "negative duals; take {}",
-                        name(side_), degree_, std::sqrt(to / from) - 1,
-                        positive_stars(mass_.dimension())));
+        throw SolverFailure(fmt::format(
+            "a step of diffusion of {} {}-forms makes their norm larger, by {:.2g} of "
+            "itself: the Laplacian has negative eigenvalues, as it may by stars with "
+            "negative duals; take {}",
+            name(side_), degree_, std::sqrt(to / from) - 1, positive_stars(mass_.dimension())));
 }
 
 Vector Diffusion::solve(const Vector& values, double explicit_part) const {

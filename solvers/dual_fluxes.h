@@ -11,8 +11,8 @@ namespace polydec {
 
 /// The duals of facets as what flows across them meets them.
 struct FacetDuals {
-    Vector resistances;        ///< dual lengths, by the star
-    std::vector<bool> missing; ///< boundary facets whose dual counts as nothing
+    Vector resistances;                       ///< dual lengths, by the star
+    std::vector<bool> missing;                ///< boundary facets whose dual counts as nothing
     std::function<std::string(Index)> named;  ///< a facet in words
     std::function<Error::Place(Index)> place; ///< the same for programs
 };

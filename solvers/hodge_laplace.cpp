@@ -30,9 +30,8 @@ void check_stars(const ConditionedComplex& space, const RobinParts& robin, Side 
     HodgeStar below = stars[k - 1];
     if (below.is_diagonal() && robin.layer.size() > 0) {
         const CellVolumes& volumes = stars.volumes();
-        const Vector layer =
-            space.relative.restrict(k - 1, Vector(robin.layer.diagonal())).cwiseProduct(
-                volumes.primal(k - 1));
+        const Vector layer = space.relative.restrict(k - 1, Vector(robin.layer.diagonal()))
+                                 .cwiseProduct(volumes.primal(k - 1));
         below = HodgeStar(volumes.with_dual(k - 1, volumes.dual(k - 1) + layer,
                                             volumes.terms(k - 1).vector(),
                                             volumes.rounding(k - 1).vector()),
@@ -60,8 +59,7 @@ struct HodgeLaplaceSolver::System : HodgeLaplaceEquations {
         const SparseMatrix P = kept.transpose(), P_below = kept_below.transpose();
         weighted = P * M * kept * harmonic;
         solver = std::make_unique<SaddleSolver>(
-            SparseMatrix(P * (upper + robin) * kept),
-            SparseMatrix(P_below * down * kept),
+            SparseMatrix(P * (upper + robin) * kept), SparseMatrix(P_below * down * kept),
             SparseMatrix(P_below * (M_below + robin_below) * kept_below), engine,
             complex.dimension());
     }
@@ -84,11 +82,11 @@ struct HodgeLaplaceSolver::System : HodgeLaplaceEquations {
 
 HodgeLaplaceSolver::HodgeLaplaceSolver(const Discretization& mesh,
                                        const HodgeLaplaceOptions& options)
-    : HodgeLaplaceSolver(
-          mesh.complex(), mesh.stars(),
-          conditioned_but_for_robin(mesh.complex(), mesh.stars(), options.side, options.degree,
-                                    options.boundary),
-          robin_parts(mesh, options.side, options.degree, options.boundary), options) {}
+    : HodgeLaplaceSolver(mesh.complex(), mesh.stars(),
+                         conditioned_but_for_robin(mesh.complex(), mesh.stars(), options.side,
+                                                   options.degree, options.boundary),
+                         robin_parts(mesh, options.side, options.degree, options.boundary),
+                         options) {}
 
 HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
                                        const HodgeLaplaceOptions& options)

@@ -121,7 +121,8 @@ SparseMatrix or_zeros(const SparseMatrix& matrix, Eigen::Index size) {
 }
 
 /// 1 at the cells on facets where dual forms have values, else 0.
-Vector asked_for(const CellComplex& complex, Side side, const BoundaryConditions& conditions, int k) {
+Vector asked_for(const CellComplex& complex, Side side, const BoundaryConditions& conditions,
+                 int k) {
     return side == Side::primal ? Vector(Vector::Ones(complex.size(k)))
                                 : ones_at(essential_cells(complex, conditions), k);
 }

@@ -36,7 +36,7 @@ struct HodgeLaplaceEquations {
     SparseMatrix upper;            // d^T M_(k+1) d, but for dw that data give
     SparseMatrix down;             // d^T M_k
     SparseMatrix B, B_below;
-    SparseMatrix fix, load;    // where n-cells have their centers on the boundary: star w, star dw
+    SparseMatrix fix, load; // where n-cells have their centers on the boundary: star w, star dw
     SparseMatrix robin, robin_below; // what Robin's condition adds to upper, and to M_below
 };
 

@@ -2,12 +2,14 @@
 #include "solvers/poisson.h"
 
 #include "base/errors.h"
+#include "dec/advice.h"
 #include "dec/boundary_star.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/gram.h"
 #include "dec/forms/laplacian.h"
 #include "dec/material_stars.h"
 #include "dec/metric/dual_parts.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/dual_fluxes.h"
 #include "solvers/mixed_poisson.h"
 
@@ -151,8 +153,11 @@ struct PoissonSolver::Problem {
     std::string engine = {};
     std::unique_ptr<MixedPoisson> mixed = nullptr; // in place of the system and of loads
     Vector robin = {};
+    std::vector<std::string> warnings = {};
+    double unit = 1;
 
-    /// shares() are what vertices have of facets, boundary(weights) is the star within the boundary.
+    /// shares() are what vertices have of facets, boundary(weights) is the star within the
+    /// boundary.
     template <class Shares, class BoundaryStar>
     static Problem primal(const CellComplex& complex, const HodgeStars& stars,
                           const PoissonOptions& options, Shares shares, BoundaryStar boundary) {
@@ -240,23 +245,39 @@ struct PoissonSolver::Problem {
                 .robin = robin};
     }
 
-    static Problem of(const Discretization& mesh, const PoissonOptions& options) {
+    static Problem of(const Discretization& mesh, const PoissonOptions& options,
+                      bool is_in_unit = false) {
         const int flows = options.side == Side::primal ? 1 : mesh.dimension() - 1;
         check_conductivity(mesh.complex(), options.conductivity);
+        if (mesh.unit() != 1 && !options.boundary.coefficients.empty() && !is_in_unit) {
+            PoissonOptions others = options; // 1 over lengths of the input
+            for (double& coefficient : others.boundary.coefficients)
+                coefficient *= mesh.unit();
+            return of(mesh, others, true);
+        }
         if (options.conductivity.size() != 0) {
             PoissonOptions others = options;
             others.conductivity = {};
-            return of(with_conductivity(mesh, options.side, flows, options.conductivity), others);
+            return of(with_conductivity(mesh, options.side, flows, options.conductivity), others,
+                      is_in_unit);
         }
-        Problem problem = options.side == Side::primal
-                              ? primal(mesh.complex(), mesh.stars(), options,
-                                       [&] { return shares_of_vertices(mesh); },
-                                       [&](const Vector& weights) {
-                                           return boundary_star(mesh, 0, weights);
-                                       })
-                              : dual(mesh.complex(), mesh.stars(), options, facet_duals(mesh));
-        problem.sites = options.side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
-        problem.flux_sites = facet_sites(mesh);
+        Problem problem =
+            options.side == Side::primal
+                ? primal(
+                      mesh.complex(), mesh.stars(), options,
+                      [&] { return shares_of_vertices(mesh); },
+                      [&](const Vector& weights) { return boundary_star(mesh, 0, weights); })
+                : dual(mesh.complex(), mesh.stars(), options, facet_duals(mesh));
+        problem.unit = mesh.unit();
+        problem.sites = mesh.unit() * (options.side == Side::primal ? cell_centers(mesh, 0)
+                                                                    : dual_sites(mesh));
+        problem.flux_sites = mesh.unit() * facet_sites(mesh);
+        constexpr const char* spoiled = "the solution may be far off there";
+        problem.warnings = options.side == Side::primal
+                               ? warning_of_negative_duals(mesh, 0, spoiled)
+                               : warning_of_negative_duals(
+                                     mesh, mesh.dimension() - 1,
+                                     fmt::format("{}; compare with Side::primal", spoiled));
         return problem;
     }
 
@@ -266,15 +287,15 @@ struct PoissonSolver::Problem {
         if (options.conductivity.size() != 0)
             throw InvalidInput("conductivities are given for cells of one's own: how their duals "
                                "are divided among them is not known; give a mesh");
-        Problem problem = options.side == Side::primal
-                              ? primal(complex, stars, options,
-                                       [&] { return shares_of_vertices(complex, stars); },
-                                       [&](const Vector& weights) {
-                                           const Vector of_vertices =
-                                               shares_of_vertices(complex, stars) * weights;
-                                           return SparseMatrix(of_vertices.asDiagonal());
-                                       })
-                              : dual(complex, stars, options, facet_duals(complex, stars));
+        Problem problem =
+            options.side == Side::primal
+                ? primal(
+                      complex, stars, options, [&] { return shares_of_vertices(complex, stars); },
+                      [&](const Vector& weights) {
+                          const Vector of_vertices = shares_of_vertices(complex, stars) * weights;
+                          return SparseMatrix(of_vertices.asDiagonal());
+                      })
+                : dual(complex, stars, options, facet_duals(complex, stars));
         problem.sites.resize(problem.mass.rows(), 0);
         problem.flux_sites.resize(complex.size(complex.dimension() - 1), 0);
         return problem;
@@ -300,6 +321,8 @@ PoissonSolver::PoissonSolver(Problem problem)
       fixed_load_(load_of_fixed(problem.system)),
       flux_load_(std::move(problem.flux_load)),
       robin_(std::move(problem.robin)),
+      warnings_(std::move(problem.warnings)),
+      unit_(problem.unit),
       mixed_(std::move(problem.mixed)) {
     if (!mixed_)
         solver_ = std::make_unique<ConstrainedSolver>(std::move(problem.system), problem.engine);
@@ -326,8 +349,8 @@ Solution<Vector> PoissonSolver::solve(const Vector& f, const Vector& boundary_va
 
 Solution<Vector> PoissonSolver::solve(const Vector& f, const Vector& boundary_values,
                                       const Vector& normal_derivatives) const {
-    auto [u, report, compatibility] = solve_all(f, boundary_values, normal_derivatives);
-    return {std::move(u), std::move(report), compatibility};
+    auto [u, report, compatibility, warnings] = solve_all(f, boundary_values, normal_derivatives);
+    return {std::move(u), std::move(report), compatibility, std::move(warnings)};
 }
 
 Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
@@ -340,17 +363,35 @@ Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
                                                const DenseMatrix& boundary_values,
                                                const DenseMatrix& normal_derivatives) const {
     check(f, boundary_values, normal_derivatives);
+    if (unit_ == 1)
+        return solve_in_unit(f, boundary_values, normal_derivatives);
+    // derivatives of second and first order become those of the mesh's unit
+    return solve_in_unit(in_unit(f, 2, "right-hand side"), boundary_values,
+                         in_unit(normal_derivatives, 1, "normal derivatives"));
+}
+
+DenseMatrix PoissonSolver::in_unit(DenseMatrix values, int order, const char* what) const {
+    for (auto column : values.colwise())
+        column = in_input_units(Vector(column), unit_, order, what);
+    return values;
+}
+
+Solution<DenseMatrix> PoissonSolver::solve_in_unit(const DenseMatrix& f,
+                                                   const DenseMatrix& boundary_values,
+                                                   const DenseMatrix& normal_derivatives) const {
     if (mixed_) {
         const DenseMatrix sources = mass_ * f, outflow = -(flux_load_ * normal_derivatives);
         DenseMatrix values = boundary_values;     // which data of Robin's condition over its
         for (Index i = 0; i < robin_.size(); ++i) // coefficient stand for
             if (robin_[i] > 0)
                 values.row(i) = normal_derivatives.row(i) / robin_[i];
-        return by_columns(f, [&](Index j) {
+        auto all = by_columns(f, [&](Index j) {
             auto flow = mixed_->solve(sources.col(j), values.col(j), outflow.col(j));
             return Solution<Vector>{std::move(flow.values), std::move(flow.report),
                                     flow.compatibility};
         });
+        all.warnings.insert(all.warnings.end(), warnings_.begin(), warnings_.end());
+        return all;
     }
     const DenseMatrix load = boundary_load_ * boundary_values + flux_load_ * normal_derivatives;
     const DenseMatrix right_side = mass_ * f + load;
@@ -358,7 +399,9 @@ Solution<DenseMatrix> PoissonSolver::solve_all(const DenseMatrix& f,
     constexpr auto what = "the right-hand side of the system";
     check_loads(what, right_side, degree_);
     check_loads(what, right_side - fixed_load_ * fixed, degree_);
-    return solver_->solve_all(right_side, fixed);
+    auto all = solver_->solve_all(right_side, fixed);
+    all.warnings.insert(all.warnings.end(), warnings_.begin(), warnings_.end());
+    return all;
 }
 
 } // namespace polydec

@@ -57,8 +57,8 @@ public:
     PoissonSolver(PoissonSolver&&) noexcept;
     ~PoissonSolver();
 
-    /// Where f has its values, one row of coordinates each: vertices, or of n-cells circumcenters
-    /// or centroids.
+    /// Where f has its values, one row of coordinates each, as those of the input: vertices, or of
+    /// n-cells circumcenters or centroids. All data and values are in the input's units.
     const Points& sites() const& { return sites_; }
     /// Where boundary values are asked for: vertices (those off the boundary do not matter), or
     /// those of facets (those with two cofaces do not matter).
@@ -88,12 +88,18 @@ public:
     /// where star_(n-1) is a matrix.
     const Vector& facet_weights() const { return facet_weights_; }
 
+    /// What of the mesh may spoil every solution; part of each one's warnings.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
 private:
     friend class DarcySolver;
     struct Problem;
     explicit PoissonSolver(Problem problem);
     void check(const DenseMatrix& f, const DenseMatrix& boundary_values,
                const DenseMatrix& normal_derivatives) const;
+    DenseMatrix in_unit(DenseMatrix values, int order, const char* what) const;
+    Solution<DenseMatrix> solve_in_unit(const DenseMatrix& f, const DenseMatrix& boundary_values,
+                                        const DenseMatrix& normal_derivatives) const;
 
     Side side_;
     int degree_; // of the cells that values belong to
@@ -105,6 +111,8 @@ private:
     SparseMatrix fixed_load_;    // fixed unknowns to right-hand side, for those that are not
     SparseMatrix flux_load_;     // normal derivatives to right-hand side
     Vector robin_;               // coefficients at facets, 0 where there is none
+    std::vector<std::string> warnings_;
+    double unit_; // that the mesh is measured in
     std::unique_ptr<ConstrainedSolver> solver_; // or,
     std::unique_ptr<MixedPoisson> mixed_;       // where fluxes are unknowns too
 };

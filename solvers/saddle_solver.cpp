@@ -145,8 +145,7 @@ SaddleSolver::Values SaddleSolver::solve(const Vector& f, const Vector& g,
         if (size <= rounding * y.lpNorm<Eigen::Infinity>())
             break;
     }
-    const double scale =
-        row_sum_norm(A_) * y.lpNorm<Eigen::Infinity>() + size_of_data;
+    const double scale = row_sum_norm(A_) * y.lpNorm<Eigen::Infinity>() + size_of_data;
     const double error = scale > 0 ? left.lpNorm<Eigen::Infinity>() / scale : 0;
     SolveReport report = solver_->report();
     report.backward_error = error;

@@ -38,6 +38,10 @@ struct Log {
 
     /// Writes "polydec: warning: ..." to stderr, and keeps it.
     void warn(const std::string& text);
+    void warn(const std::vector<std::string>& texts) {
+        for (const auto& text : texts)
+            warn(text);
+    }
 };
 
 /// Text that is made whole before it is printed.

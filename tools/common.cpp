@@ -224,8 +224,7 @@ Discretization load(const MeshArguments& arguments, Log& log) {
             read_glued(arguments));
     });
     log.timing.end();
-    for (const auto& warning : result.warnings())
-        log.warn(warning);
+    log.warn(result.warnings());
     return result;
 }
 
@@ -234,22 +233,6 @@ std::string in_words(const ChosenStars& stars) {
         return fmt::format("hybrid stars, Galerkin's on {:.3g} % of the cells",
                            100 * stars.galerkin_share());
     return fmt::format("{} stars", name(stars.kind));
-}
-
-std::string flip_advice(const Discretization& mesh) {
-    const Remedy next = remedy(mesh);
-    return next == Remedy::flips || next == Remedy::splits ? fmt::format("; add {}", option(next))
-                                                           : "";
-}
-
-void warn_of_negative_duals(const Discretization& mesh, int k, std::string_view consequence,
-                            Log& log) {
-    const auto cells = mesh.stars()[k].negatives().size();
-    if (cells > 0)
-        log.warn(fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay "
-                             "there): {}{}",
-                             cells, k, cells == 1 ? "has" : "have", consequence,
-                             flip_advice(mesh)));
 }
 
 Progress::Progress() : visible_(isatty(STDERR_FILENO) != 0) {}

@@ -52,14 +52,6 @@ CLI::Option* add_side(CLI::App& command, Side& side);
 /// cells", and a member "star" with kind and share.
 std::string in_words(const ChosenStars& stars);
 
-/// "; add DiscretizeOptions::delaunay", told as the option, or what else flips would do against
-/// negative duals; empty if nothing would.
-std::string flip_advice(const Discretization& mesh);
-
-/// Warns of k-cells whose duals have a negative extent, if there are any, and of what follows.
-void warn_of_negative_duals(const Discretization& mesh, int k, std::string_view consequence,
-                            Log& log);
-
 /// Reads, merges and measures the mesh; tells its warnings.
 Discretization load(const MeshArguments& arguments, Log& log);
 

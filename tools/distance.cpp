@@ -90,16 +90,11 @@ void run_distance(const DistanceArguments& arguments) {
     const auto found = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         progress("solve");
-        auto [values, raised] = GeodesicDistance(mesh, arguments.geodesic).to(sources);
-        return Distance{in_input_units(std::move(values), mesh.unit(), 1, "distances"), raised};
+        return GeodesicDistance(mesh, arguments.geodesic).to(sources);
     });
     const Vector& distance = found.values;
     const Index raised = found.raised;
-    warn_of_negative_duals(mesh, 1, "distances may be far off", log);
-    if (raised > 0)
-        log.warn(fmt::format("{} of the distances fell below 0 and were raised to 0: triangles "
-                             "there are far from Delaunay{}",
-                             raised, flip_advice(mesh)));
+    log.warn(found.warnings);
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, distance, log);

@@ -212,10 +212,6 @@ std::shared_ptr<Evolution> integrate(March& march, const Heat& heat) {
     march.shown = [run](const std::vector<Vector>&) {
         return std::vector{NamedForm("u", run->form(0), "the heat")};
     };
-    march.problem.add(heat.arguments.source).add(heat.arguments.boundary);
-    march.problem.add(heat.arguments.flux);
-    march.problem.add(heat.arguments.integrator).add(heat.arguments.tolerance);
-    march.problem.add(heat.arguments.time.time_step);
     return run;
 }
 

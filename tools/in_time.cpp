@@ -13,10 +13,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string_view>
+#include <system_error>
 
 namespace polydec::tools {
 
@@ -60,10 +63,30 @@ void check_numbers(const std::vector<Vector>& state, Index step) {
                                             step));
 }
 
-Fingerprint problem_of(const March& march, Index frames) {
+/// Options that change nothing of the numbers: where answers go and how they are told, how far and
+/// in whose memory, and the mesh, whose content is known.
+constexpr std::array<std::string_view, 8> without_effect{"-h,--help",    "MESH",        "-o,--out",
+                                                         "--checkpoint", "--resume",    "--json",
+                                                         "--timing",     "--max-memory"};
+
+/// Of all that makes the numbers: what files hold, not what they are called.
+Fingerprint problem_of(const March& march, const TimeArguments& arguments, Index frames) {
     auto result = march.problem;
     result.add(march.what).add(static_cast<std::uint64_t>(march.steps.count));
-    return result.add(march.steps.length).add(static_cast<std::uint64_t>(frames));
+    result.add(march.steps.length).add(static_cast<std::uint64_t>(frames));
+    for (const CLI::Option* option : arguments.command->get_options()) {
+        const std::string name = option->get_name(false, true);
+        if (option->count() == 0 ||
+            std::find(without_effect.begin(), without_effect.end(), name) != without_effect.end())
+            continue;
+        result.add(name);
+        for (const std::string& given : option->results()) {
+            std::error_code error;
+            const bool is_file = std::filesystem::is_regular_file(given, error);
+            result.add(is_file ? read_source_file(given).text : given);
+        }
+    }
+    return result;
 }
 
 /// Keeps the states of a march: at frames, when the last one is long ago, and before the program
@@ -119,6 +142,7 @@ Index resume(March& march, const TimeArguments& arguments, std::uint64_t problem
 } // namespace
 
 void add_time(CLI::App& command, TimeArguments& arguments, const std::string& own_step) {
+    arguments.command = &command;
     command.add_option("--until", arguments.until, "the time at the end")
         ->required()
         ->check(CLI::PositiveNumber);
@@ -175,7 +199,7 @@ Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh
     const Index steps = march.steps.count;
     const auto time_after = [&](Index step) { return arguments.until * step / steps; };
     const Index frames = std::min(arguments.frames, steps);
-    const std::uint64_t problem = problem_of(march, frames).value();
+    const std::uint64_t problem = problem_of(march, arguments, frames).value();
     const Index first = resume(march, arguments, problem);
     std::vector<double> times; // of frames that an earlier run has written
     Index frame = 0;
@@ -183,7 +207,7 @@ Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh
         times.push_back(time_after(step_of_frame(frame, frames, steps)));
     std::optional<Series> series;
     if (!arguments.out.empty())
-        series.emplace(arguments.out, mesh, march.text, times);
+        series.emplace(arguments.out, mesh, march.text, times, problem);
     Remaining remaining(march.what, first, steps);
     Keeper keep(arguments.checkpoint, problem);
     for (Index step = first;; ++step) {

@@ -23,6 +23,7 @@ struct TimeArguments {
     Index frames = 20;
     std::filesystem::path out, checkpoint;
     bool resume = false;
+    const CLI::App* command = nullptr; ///< whose options these are among
 };
 
 /// Adds --until, --time-step, --frames, -o, --checkpoint and --resume; what the command takes for a
@@ -50,7 +51,7 @@ struct March {
     std::vector<Vector> state; ///< at the time 0; at the end after run
     std::function<void(std::vector<Vector>&)> step;
     std::function<std::vector<NamedForm>(const std::vector<Vector>&)> shown;
-    Fingerprint problem; ///< of all that makes the numbers, but for the steps
+    Fingerprint problem; ///< of what makes the numbers besides the options of the command
 
     /// Is told by a long step on its way how much of it is done, of 1; may end the program.
     std::function<void(double part)> within = {};

@@ -189,7 +189,7 @@ void add_operators(CLI::App& app) {
     auto* command = app.add_subcommand("operators", "writes every operator and map as files");
     const auto arguments = std::make_shared<OperatorsArguments>();
     add_mesh_arguments(*command, arguments->mesh);
-    add_star(*command, arguments->mesh, StarKind::automatic);
+    add_star(*command, arguments->mesh, StarKind::circumcentric);
     command
         ->add_option("--out", arguments->out, "folder for the files, made or replaced as a whole")
         ->required();

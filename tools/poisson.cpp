@@ -33,7 +33,7 @@ struct PoissonArguments {
 
 Solved describe(const Discretization& mesh, const PoissonArguments& arguments,
                 const Solution<Vector>& solution) {
-    const auto& [u, report, compatibility] = solution;
+    const auto& [u, report, compatibility, warnings] = solution;
     Solved answer(mesh.chosen_stars());
     answer.side = arguments.poisson.side;
     const auto& [natural, essential_where, essential_on, robin] = arguments.conditions;
@@ -129,6 +129,8 @@ void run_poisson(PoissonArguments arguments) {
         throw InvalidInput("--isolines: they are of values at vertices; take --side primal");
     const Discretization mesh = load(arguments.mesh, log);
     arguments.poisson.boundary = data.conditions.on(mesh).value_or(BoundaryConditions{});
+    for (double& coefficient : arguments.poisson.boundary.coefficients)
+        coefficient /= mesh.unit(); // which the solver knows
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
     if (data.conductivity)
@@ -139,25 +141,15 @@ void run_poisson(PoissonArguments arguments) {
         progress("solve");
         return PoissonSolver(mesh, arguments.poisson);
     });
-    // at places of the file; derivatives of second and first order become those of the mesh
-    const Vector f =
-        in_input_units(data.rhs.at(mesh.unit() * solver.sites()), mesh.unit(), 2, "--rhs");
-    const Vector g = data.boundary.at(mesh.unit() * solver.boundary_sites());
-    const Vector h =
-        in_input_units(data.flux.at(mesh.unit() * solver.flux_sites()), mesh.unit(), 1, "--flux");
+    const Vector f = data.rhs.at(solver.sites()), g = data.boundary.at(solver.boundary_sites()),
+                 h = data.flux.at(solver.flux_sites());
     const auto solution = computed_on(arguments.mesh.mesh, [&] { return solver.solve(f, g, h); });
-    warn_of_compatibility(solution.compatibility, log);
-    constexpr const char* spoiled = "the solution may be far off there";
-    if (arguments.poisson.side == Side::primal)
-        warn_of_negative_duals(mesh, 0, spoiled, log);
-    else
-        warn_of_negative_duals(mesh, mesh.dimension() - 1,
-                               fmt::format("{}; compare with --side primal", spoiled), log);
+    log.warn(solution.warnings);
     Solved answer = describe(mesh, arguments, solution);
     answer.conditions = known(mesh, arguments);
     if (data.exact)
         answer.errors = errors(mesh, arguments.poisson.side,
-                               solution.values - data.exact->at(mesh.unit() * solver.sites()));
+                               solution.values - data.exact->at(solver.sites()));
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, solution.values, answer, log);

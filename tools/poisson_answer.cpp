@@ -41,13 +41,4 @@ void Solved::write(Text& text) const {
              errors->l2 ? fmt::format("{:.6e}", *errors->l2) : "out of range", errors->max);
 }
 
-void warn_of_compatibility(const Compatibility& compatibility, Log& log) {
-    constexpr double rounding = 1e-10;
-    if (compatibility.worst > rounding)
-        log.warn(fmt::format("the right-hand side does not sum to zero on {} component{} without "
-                             "boundary data (relative {:.2g}): its mean was removed",
-                             compatibility.free_components,
-                             compatibility.free_components == 1 ? "" : "s", compatibility.worst));
-}
-
 } // namespace polydec::tools

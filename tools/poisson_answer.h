@@ -33,6 +33,4 @@ struct Solved : Answer {
     void write(Text& text) const override;
 };
 
-void warn_of_compatibility(const Compatibility& compatibility, Log& log);
-
 } // namespace polydec::tools

@@ -83,24 +83,6 @@ private:
 
 /// Negative duals make A indefinite; the negative eigenvalues they bring come first and mean
 /// nothing.
-std::optional<std::string> spurious_eigenvalues(const Discretization& mesh,
-                                                const Spectrum& spectrum) {
-    const int k =
-        spectrum.side == Side::primal ? spectrum.degree : mesh.dimension() - spectrum.degree;
-    const auto negative = ((spectrum.eigenvalues + spectrum.radii).array() < 0).count();
-    std::size_t duals = 0;
-    for (const int j : {k - 1, k + 1})
-        if (j >= 0 && j <= mesh.dimension())
-            duals += mesh.stars()[j].negatives().size();
-    if (negative == 0 || duals == 0)
-        return std::nullopt;
-    return fmt::format("{} of the eigenvalues {} negative and spurious: {} next to these forms {} "
-                       "a negative dual (the mesh is not Delaunay there){}",
-                       negative, negative == 1 ? "is" : "are",
-                       duals == 1 ? "1 cell" : fmt::format("{} cells", duals),
-                       duals == 1 ? "has" : "have", flip_advice(mesh));
-}
-
 /// Eigensolvers keep a few vectors for each eigenpair. More than there are is another's to tell.
 void check_cost(const Discretization& mesh, const SpectrumOptions& options) {
     const int k = options.side == Side::primal ? options.degree : mesh.dimension() - options.degree;
@@ -157,10 +139,7 @@ void run_spectrum(SpectrumArguments arguments) {
     });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
 
-    if (const auto spurious = spurious_eigenvalues(mesh, result))
-        log.warn(*spurious);
-    warn_of_rough_values(result, log);
-    use_input_units(result, mesh.unit());
+    log.warn(result.warnings);
     Eigenvalues answer(result, in_words(boundary, mesh.complex(), result.degree),
                        mesh.chosen_stars(), seconds.count());
     answer.resumed = resumed;

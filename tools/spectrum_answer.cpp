@@ -50,31 +50,4 @@ void Eigenvalues::write(Text& text) const {
         text("gone on with {} vectors of a checkpoint\n", *resumed);
 }
 
-void warn_of_rough_values(const Spectrum& spectrum, Log& log) {
-    if (!spectrum.rough.empty())
-        log.warn(
-            fmt::format("{} of the eigenvalues, number {} first, {} not known to 1e-6: rounding "
-                        "beside the largest one hides the rest; mind the radii, and improve "
-                        "cells of extreme shape",
-                        spectrum.rough.size(), spectrum.rough.front(),
-                        spectrum.rough.size() == 1 ? "is" : "are"));
-}
-
-void use_input_units(Spectrum& spectrum, double unit) {
-    if (unit == 1)
-        return;
-    auto& shift = spectrum.certificate.shift; // behind them all, where they are rounding alone
-    const double largest = std::max(spectrum.eigenvalues.cwiseAbs().maxCoeff(), std::abs(shift));
-    in_input_units(Vector::Constant(1, largest), unit, -2, "eigenvalues");
-    const auto convert = [&](double& value) { value = std::ldexp(value, -2 * std::ilogb(unit)); };
-    std::for_each(spectrum.eigenvalues.begin(), spectrum.eigenvalues.end(), convert);
-    std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
-    std::for_each(spectrum.radii.begin(), spectrum.radii.end(), convert);
-    convert(shift);
-    // the value and the radius are each off by half of the least number there is
-    for (double& radius : spectrum.radii)
-        if (radius < std::numeric_limits<double>::min())
-            radius += std::numeric_limits<double>::denorm_min();
-}
-
 } // namespace polydec::tools

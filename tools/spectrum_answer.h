@@ -24,10 +24,4 @@ struct Eigenvalues : Answer {
     void write(Text& text) const override;
 };
 
-void warn_of_rough_values(const Spectrum& spectrum, Log& log);
-
-/// What is measured in length^-2, in the units of the file. What is rounding beside the largest
-/// number may vanish; radii then grow by what is lost there.
-void use_input_units(Spectrum& spectrum, double unit);
-
 } // namespace polydec::tools

@@ -204,9 +204,9 @@ private:
                 const int corner = others[i];
                 others.erase(others.begin() + i);
                 const double sign = i % 2 == 0 ? 1 : -1;
-                result_[list[s]] += sign * std::tgamma(k_ + 1.0) * star_.volume() *
-                                    star_.at(gradients(others, Eigen::all))
-                                        .dot(by_corner.row(corner));
+                result_[list[s]] +=
+                    sign * std::tgamma(k_ + 1.0) * star_.volume() *
+                    star_.at(gradients(others, Eigen::all)).dot(by_corner.row(corner));
             }
     }
 
@@ -296,8 +296,8 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
     require_points(N, "the de Rham map");
     const int k = cell_degree(mesh.pieces(), Side::dual, j);
     if (!mesh.chosen_stars().is_over_duals(k)) {
-        const Vector primal = inverse_star_de_rham(mesh.input(), mesh.input_points(), j, form,
-                                                   quadrature_degree);
+        const Vector primal =
+            inverse_star_de_rham(mesh.input(), mesh.input_points(), j, form, quadrature_degree);
         return star(mesh.complex(), mesh.stars(), to_merged(mesh, {Side::primal, k, primal}));
     }
     const Integral integral(form, static_cast<Index>(N), j, quadrature_degree);

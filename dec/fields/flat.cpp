@@ -142,8 +142,7 @@ Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const Dense
     const Pieces& K = at_vertices ? mesh.input() : mesh.pieces();
     const Points& points = at_vertices ? mesh.input_points() : mesh.points();
     const int n = mesh.dimension();
-    const Points of_facets =
-        at_vertices ? means(K, field.topRows(K.size(0)), n - 1) : Points();
+    const Points of_facets = at_vertices ? means(K, field.topRows(K.size(0)), n - 1) : Points();
     const Points of_cells = at_vertices ? Points() : copied_to_pieces(mesh, field);
     const Cochain fluxes{Side::primal, n - 1,
                          inverse_star_means(K, points, 1, [&](Index t, Index f) {

@@ -24,8 +24,8 @@ ChosenStars::ChosenStars(const HodgeStars& stars_, StarKind kind_)
                                 : static_cast<std::size_t>(stars_[stars_.dimension()].size()))) {}
 
 bool ChosenStars::is_over_duals(int k) const {
-    return stars[k].is_diagonal() && (kind == StarKind::circumcentric || kind == StarKind::own ||
-                                      k == stars.dimension());
+    return stars[k].is_diagonal() &&
+           (kind == StarKind::circumcentric || kind == StarKind::own || k == stars.dimension());
 }
 
 double ChosenStars::galerkin_share() const {

@@ -138,11 +138,10 @@ private:
             for (Row t(diamonds_[n_], cell); t; ++t) {
                 const auto corners = points_(
                     vertices(pieces_->simplices(n_), static_cast<Index>(t.col())), Eigen::all);
-                const DenseMatrix edges =
-                    corners.bottomRows(n_).rowwise() - corners.row(0);
-                const double signed_volume =
-                    t.value() * pieces_->orientation(static_cast<Index>(t.col())) *
-                    edges.determinant();
+                const DenseMatrix edges = corners.bottomRows(n_).rowwise() - corners.row(0);
+                const double signed_volume = t.value() *
+                                             pieces_->orientation(static_cast<Index>(t.col())) *
+                                             edges.determinant();
                 least = std::min(least, signed_volume);
                 most = std::max(most, signed_volume);
             }

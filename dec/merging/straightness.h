@@ -41,10 +41,10 @@ private:
     const CellVolumes& volumes_;
     double tolerance_, angle_;
     SimplexLayout layout_;
-    Circumsphere sphere_;                             // looks at one simplex after the other
+    Circumsphere sphere_; // looks at one simplex after the other
     bool is_flat_ = false;
     std::vector<std::vector<bool>> must_be_coplanar_; // by degree of s
-    Vector angles_; // around (n-2)-simplices, unless it is flat
+    Vector angles_;                                   // around (n-2)-simplices, unless it is flat
 };
 
 } // namespace polydec

@@ -18,8 +18,8 @@ DenseMatrix normals(const Corners& corners) {
     const auto n = static_cast<Eigen::Index>(corners.vertices.size()) - 1;
     DenseMatrix edges(n, corners.points.cols());
     for (Eigen::Index j = 0; j < n; ++j)
-        edges.row(j) = corners.points.row(corners.vertices[j + 1]) -
-                       corners.points.row(corners.vertices[0]);
+        edges.row(j) =
+            corners.points.row(corners.vertices[j + 1]) - corners.points.row(corners.vertices[0]);
     const Vector lengths = edges.rowwise().norm();
     edges = lengths.cwiseInverse().asDiagonal() * edges; // so that no scale matters
     const Eigen::CompleteOrthogonalDecomposition<DenseMatrix> factors(edges);
@@ -27,9 +27,8 @@ DenseMatrix normals(const Corners& corners) {
     if (std::abs(factors.matrixQTZ().diagonal().prod()) <= rounding)
         return {};
     DenseMatrix result(n + 1, edges.cols());
-    result.bottomRows(n) =
-        (lengths.minCoeff() * lengths.cwiseInverse()).asDiagonal() *
-        DenseMatrix(factors.pseudoInverse().transpose());
+    result.bottomRows(n) = (lengths.minCoeff() * lengths.cwiseInverse()).asDiagonal() *
+                           DenseMatrix(factors.pseudoInverse().transpose());
     result.row(0) = -result.bottomRows(n).colwise().sum();
     result.rowwise().normalize();
     return result;

@@ -59,8 +59,8 @@ public:
     /// |*s| / |s|; length^(n-2k).
     Vector ratios(int k) const;
 
-    /// The same with other duals of the k-cells, taken as they are unless terms and rounding go with
-    /// them. Throws like the constructor.
+    /// The same with other duals of the k-cells, taken as they are unless terms and rounding go
+    /// with them. Throws like the constructor.
     CellVolumes with_dual(int k, Vector dual) const;
     CellVolumes with_dual(int k, Vector dual, Vector terms, Vector rounding) const;
 

@@ -63,8 +63,8 @@ struct Half {
 
 /// Connects cells across facets with two cofaces by whether they lie on different sides, and marks
 /// those that share a side of a branching facet with an earlier one.
-void compare_sides(const Pieces& complex, const std::vector<std::int8_t>& signs, DisjointSets& parts,
-                   std::vector<bool>& folded) {
+void compare_sides(const Pieces& complex, const std::vector<std::int8_t>& signs,
+                   DisjointSets& parts, std::vector<bool>& folded) {
     const int n = complex.dimension();
     const IncidenceMatrix cofaces = complex.boundary(n);
     std::vector<Half> around;

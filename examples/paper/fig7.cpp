@@ -119,7 +119,7 @@ private:
     std::string iterations(const std::string& engine) const {
         try {
             PoissonSolver solver(moved_, {.side = Side::dual, .linear_solver = engine});
-            const auto [u, report, compatibility] = solver.solve(
+            const auto [u, report, compatibility, warnings] = solver.solve(
                 values(franke_laplacian, solver.sites()), values(franke, solver.boundary_sites()));
             return std::to_string(report.iterations);
         } catch (const SolverFailure&) {

@@ -4,7 +4,7 @@ diagonal has length zero. Merging takes the diagonals out."""
 import polydec
 
 mesh = polydec.meshes.grid(4, 4)
-before = polydec.discretize(mesh, merge=False)
+before = polydec.discretize(mesh, merge=False, star="circumcentric")
 after = polydec.discretize(mesh)
 
 print(f"2-cells before: {before.size(2)}, after: {after.size(2)}")

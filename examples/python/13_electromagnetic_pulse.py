@@ -10,7 +10,7 @@ Floats = npt.NDArray[np.float64]
 
 
 def run(name: str, mesh: polydec.Mesh) -> None:
-    box = polydec.discretize(mesh)
+    box = polydec.discretize(mesh, star="circumcentric")
     inside = box.conditioned(degree=1)
     steps = int(np.ceil(0.4 / (0.9 * polydec.stable_step(inside, 1))))
     light = polydec.Leapfrog(inside, 1, 0.4 / steps)

@@ -61,16 +61,20 @@ Series::Series(std::filesystem::path path, const Discretization& mesh, std::stri
     : Series(std::move(path), mesh, PageText{.title = std::move(title)}) {}
 
 Series::Series(std::filesystem::path path, const Discretization& mesh, PageText text,
-               const std::vector<double>& times)
-    : Series(std::move(path), Page{.text = std::move(text)}, times) {
+               const std::vector<double>& times, std::uint64_t run)
+    : Series(std::move(path), Page{.text = std::move(text)}, times, run) {
     mesh_ = mesh;
 }
 
 Series::Series(std::filesystem::path path, Page page)
-    : Series(std::move(path), std::move(page), {}) {}
+    : Series(std::move(path), std::move(page), {}, 0) {}
 
-Series::Series(std::filesystem::path path, Page page, const std::vector<double>& times)
-    : path_(std::move(path)), page_(std::move(page)) {
+Series::Series(std::filesystem::path path, Page page, const std::vector<double>& times,
+               std::uint64_t run)
+    : path_(std::move(path)),
+      run_(run),
+      exceptions_(std::uncaught_exceptions()),
+      page_(std::move(page)) {
     const std::string extension = lower_extension(path_);
     if (extension != ".pvd" && extension != ".html")
         throw InvalidInput(fmt::format("cannot write {}: a series is a .pvd file, or a page, .html",
@@ -96,8 +100,26 @@ std::string Series::file_of_step(std::size_t step) const {
     return fmt::format("{0}/{0}_{1:04}.vtu", path_.stem().string(), step);
 }
 
+std::string mark_of(std::uint64_t run) {
+    return fmt::format("<!-- run {:016x} -->", run);
+}
+
+void Series::check_run() const {
+    const bool is_there = std::filesystem::is_regular_file(path_);
+    if (is_there && read_source_file(path_).text.find(mark_of(run_)) != std::string::npos)
+        return;
+    throw InvalidInput(
+        fmt::format("{} {}: give the series of the run that is gone on with, or begin "
+                    "anew under another name",
+                    printable(path_.string()),
+                    is_there ? "was written by another run" : "is not there"),
+        {.path = path_});
+}
+
 /// The list, before anything is removed: never are steps listed that are not there.
 void Series::keep_steps(const std::vector<double>& times) {
+    if (run_ != 0 && !times.empty())
+        check_run();
     for (const double time : times) {
         check_time(time);
         const std::string file = file_of_step(steps_.size());
@@ -116,13 +138,16 @@ void Series::keep_steps(const std::vector<double>& times) {
     std::error_code error;
     if (begun_ > 0)
         write_due(true);
+    else if (run_ != 0 && !is_page_)
+        write_list();
     else if (!is_page_)
         std::filesystem::remove(path_, error);
 }
 
 Series::~Series() {
     try {
-        close();
+        if (!is_page_ || std::uncaught_exceptions() == exceptions_)
+            close();
     } catch (const std::exception&) { // who wants to know of it closes it before
     }
 }
@@ -213,7 +238,10 @@ void Series::write_step(const std::string& time) {
 void Series::write_list() {
     AtomicFile list(path_);
     list.write("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
-               "byte_order=\"LittleEndian\">\n<Collection>\n");
+               "byte_order=\"LittleEndian\">\n");
+    if (run_ != 0)
+        list.write(mark_of(run_) + "\n");
+    list.write("<Collection>\n");
     for (const auto& [time, file] : steps_)
         list.write(fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time,
                                xml_escaped(file)));
@@ -221,10 +249,11 @@ void Series::write_list() {
     list.commit();
 }
 
-/// In times that are together proportional to those of all steps.
+/// A list is written in times that are together proportional to those of all steps, a page when all
+/// are there: until then an old one stays.
 void Series::write_due(bool at_end) {
     const std::size_t missing = steps_.size() - written_;
-    const bool is_due = is_page_ ? missing >= written_ : most_unlisted * missing >= steps_.size();
+    const bool is_due = !is_page_ && most_unlisted * missing >= steps_.size();
     if (missing == 0 || (!at_end && !is_due))
         return;
     if (is_page_)

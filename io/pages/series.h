@@ -4,6 +4,7 @@
 #include "io/pages/draw_page.h"
 #include "io/pages/page.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,9 +14,9 @@ namespace polydec {
 
 /// Pictures of one mesh at ascending times, as a file by its extension: .pvd, a list of .vtu files
 /// in a folder beside it that has its name, as ParaView reads them; or .html, a page in which the
-/// time can be chosen and played. Every file appears whole or not at all, and is written while
-/// steps are added: what a killed program leaves can be read. A .pvd file then lacks at most the
-/// last 1 of 32 steps, whose files are there; a page at most the last half.
+/// time can be chosen and played. Every file appears whole or not at all. The files of a .pvd are
+/// written while steps are added: what a killed program leaves can be read, and lacks at most the
+/// last 1 of 32 steps, whose files are there. A page is written at the end, in place of an old one.
 class Series {
 public:
     /// Removes an earlier series of this name: the list, then its steps. Throws InvalidInput for
@@ -26,14 +27,16 @@ public:
     /// with a .pvd file to which steps at these times were added before, of which any may
     /// not be listed yet: their files stay, all later ones go. Throws likewise; InvalidInput too
     /// for a page, which holds all its steps in memory, and where one of the files is not there.
+    /// `run`, if not 0, is kept in the .pvd file: what is gone on with must have the same, or
+    /// InvalidInput is thrown, since its steps are another run's.
     Series(std::filesystem::path path, const Discretization& mesh, PageText text,
-           const std::vector<double>& times = {});
+           const std::vector<double>& times = {}, std::uint64_t run = 0);
 
     /// The same for cells as write_vtu writes them, in the grid of this page; its arrays and steps
     /// are replaced by those that are added, arrows are left out.
     Series(std::filesystem::path path, Page page);
 
-    /// Closes it, but tells of no error.
+    /// Closes it, but tells of no error; a page is not written where an exception ends it.
     ~Series();
     Series(const Series&) = delete;
     Series& operator=(const Series&) = delete;
@@ -56,7 +59,9 @@ private:
         std::string time, file;
     };
 
-    Series(std::filesystem::path path, Page page, const std::vector<double>& times);
+    Series(std::filesystem::path path, Page page, const std::vector<double>& times,
+           std::uint64_t run);
+    void check_run() const;
     std::string file_of_step(std::size_t step) const;
     void keep_steps(const std::vector<double>& times);
     void check_time(double time) const;
@@ -67,6 +72,8 @@ private:
     void write_due(bool at_end);
 
     std::filesystem::path path_;
+    std::uint64_t run_ = 0;
+    int exceptions_; ///< in flight as it was begun
     bool is_page_ = false, is_closed_ = false;
     std::optional<Discretization> mesh_ = {}; ///< whose cells are not drawn yet
     Page page_;

@@ -4,6 +4,8 @@
 #include "base/errors.h"
 #include "dec/fields/interior_product.h"
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -164,11 +166,22 @@ std::shared_ptr<py::object> shared(const py::object& function) {
 
 std::function<void(std::string_view)> listener(const py::object& function) {
     return [kept = shared(function)](std::string_view what) {
+        Unlocked::wait_at_the_end();
         const py::gil_scoped_acquire lock;
         check_signals();
         if (!kept->is_none())
             (*kept)(std::string(what));
     };
+}
+
+void Unlocked::wait_at_the_end() {
+    while (_Py_IsFinalizing() != 0)
+        pause();
+}
+
+void warn(const std::vector<std::string>& warnings) {
+    if (!warnings.empty())
+        py::module_::import("polydec._errors").attr("warn")(warnings);
 }
 
 } // namespace polydec::python

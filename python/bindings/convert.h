@@ -71,6 +71,9 @@ py::array array(std::vector<Scalar> values) {
     const auto& numbers = *kept;
     return writable(view(numbers.data(), {std::ssize(numbers)}, owner_of(std::move(kept))));
 }
+/// Warns of each as Python does; throws what that raises where warnings are errors.
+void warn(const std::vector<std::string>& warnings);
+
 py::array array(Vector values);
 py::array array(Points rows);
 py::array array(Simplices rows);
@@ -132,10 +135,28 @@ std::function<void(std::string_view)> listener(const py::object& function);
 /// Lets Ctrl-C end what is being done. To be called with or without the interpreter's lock.
 void check_signals();
 
+/// Lets go of the interpreter's lock. Where the interpreter has ended meanwhile, a thread that asked
+/// for the lock again would be unwound, and the program with it: it waits for the end of the process.
+class Unlocked {
+public:
+    Unlocked() : state_(PyEval_SaveThread()) {}
+    ~Unlocked() {
+        wait_at_the_end();
+        PyEval_RestoreThread(state_);
+    }
+    Unlocked(const Unlocked&) = delete;
+    Unlocked& operator=(const Unlocked&) = delete;
+
+    static void wait_at_the_end();
+
+private:
+    PyThreadState* state_;
+};
+
 /// What is done without the interpreter's lock.
 template <class Work>
 auto unlocked(Work work) {
-    const py::gil_scoped_release release;
+    const Unlocked release;
     return work();
 }
 

@@ -196,9 +196,8 @@ void add_stars(py::class_<Discretization>& type) {
              })
         .def("with_material",
              [](const Discretization& mesh, int k, const Numbers& weights) {
-                 return unlocked([&, given = vector(weights)] {
-                     return with_material(mesh, k, given);
-                 });
+                 return unlocked(
+                     [&, given = vector(weights)] { return with_material(mesh, k, given); });
              })
         .def("cell_means",
              [](const Discretization& mesh, int k, const Numbers& weights) {

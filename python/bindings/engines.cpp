@@ -5,6 +5,7 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "python/bindings/convert.h"
 
 #include <fmt/format.h>
@@ -142,6 +143,7 @@ void add_engines(py::module_& module) {
     module.def("load_engine", [](const std::string& path) { load_engine_module(path); });
     module.def("load_named_engine", &load_named);
     module.def("set_memory_limit", &set_memory_limit);
+    module.def("use_one_thread", &use_one_thread);
     module.def("register_linear_solver", &register_solver);
     module.def("register_eigen_solver", &register_eigensolver);
     module.def("solve", [](const MatrixParts& A, const Numbers& right_sides,

@@ -45,11 +45,12 @@ void add_poisson(py::module_& module) {
             [](const Solver& self) { return array(Points(self.solver.flux_sites())); })
         .def("solve",
              [](Solver& self, const Numbers& f, const Numbers& values, const Numbers& derivatives) {
-                 auto [u, report, compatibility] =
+                 auto [u, report, compatibility, warnings] =
                      self.use([&, given = columns(f), at_boundary = columns(values),
                                normal = columns(derivatives)](const PoissonSolver& solver) {
                          return solver.solve_all(given, at_boundary, normal);
                      });
+                 warn(warnings);
                  return py::make_tuple(array(std::move(u)), both_in_words(report, compatibility));
              });
 }
@@ -74,6 +75,7 @@ void add_darcy(py::module_& module) {
                                        out = vector(outflow)](const DarcySolver& solver) {
                 return solver.solve(given, at_boundary, out);
             });
+            warn(flow.warnings);
             return py::make_tuple(parts(std::move(flow.pressure)), parts(std::move(flow.flux)),
                                   both_in_words(flow.report, flow.compatibility));
         });
@@ -113,6 +115,7 @@ void add_distance(py::module_& module) {
                 self.use([&, given = indices(sources)](const GeodesicDistance& distance) {
                     return distance.to(given);
                 });
+            warn(found.warnings);
             return py::make_tuple(array(std::move(found.values)), found.raised);
         });
 }

@@ -59,6 +59,7 @@ py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, In
             space.relative.extend(cell_degree(of.complex, options.side, degree), on_space.modes);
         return on_space;
     });
+    warn(found.warnings);
     auto values = std::move(found.eigenvalues);
     auto modes = std::move(found.modes);
     return pairs_of(std::move(found), std::move(values), std::move(modes));

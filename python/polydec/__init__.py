@@ -12,7 +12,9 @@
 Matrices are ``scipy.sparse.csr_matrix``, forms are arrays or `Cochain` objects, and errors are
 those of this module, which are Python's own too. See `discretize` and `Complex` first.
 """
-from . import meshes
+import os
+
+from . import _core, meshes
 from ._core import __version__
 from ._cells import Cells, ConditionedCells
 from ._checkpoint import Checkpoint, fingerprint, read_checkpoint, write_checkpoint
@@ -21,7 +23,8 @@ from ._complex import CellList, Complex, Merging, Polygons, discretize
 from ._distance import GeodesicDistance, ParallelTransport, geodesic_distance
 from ._engines import (Backend, Solution, backends, load_engine, register_eigen_solver,
                        register_linear_solver, set_memory_limit, solve)
-from ._errors import BackendUnavailable, Error, InvalidInput, IoError, SolverFailure
+from ._errors import (BackendUnavailable, Error, InvalidInput, IoError, PolydecWarning,
+                      SolverFailure)
 from ._evolution import Evolution, HeatSolver, heat
 from ._fields import (LieDerivative, boundary_de_rham, de_rham, flat, flux_form, flux_sharp, gradient, inflow, interior_product,
                       lie_derivative, primal_dual_wedge, sharp_pd, sharp_pp, wedge,
@@ -47,7 +50,7 @@ __all__ = [
     "FlowSolver", "FluxTransport", "FormSolution", "GeodesicDistance", "HeatSolver",
     "HodgeLaplaceSolver", "HodgeParts", "HodgeSolver", "IncompressibleFlow", "InvalidInput",
     "IoError", "Leapfrog", "LengthMesh", "LieDerivative", "Merging", "Mesh", "Page",
-    "ParallelTransport", "PeriodicMesh", "PoissonSolver", "Polygons", "Series", "ShallowWater",
+    "ParallelTransport", "PeriodicMesh", "PoissonSolver", "PolydecWarning", "Polygons", "Series", "ShallowWater",
     "Solution", "SolverFailure", "Spectrum", "StokesFlow", "StokesSolver", "WaveState", "as_mesh",
     "backends", "boundary_de_rham", "darcy", "de_rham", "discretize", "fingerprint", "flat",
     "flow_of_velocity", "flow_of_vorticity", "flux_form", "flux_sharp", "flux_through_boundary",
@@ -59,3 +62,7 @@ __all__ = [
     "to_pyvista", "view", "wave", "wedge", "whitney_at_centroids", "whitney_form",
     "write_checkpoint", "write_lengths", "write_mesh", "write_vtu",
 ]
+
+# a child that is forked has the parent's threads in its memory, but not running
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_core.use_one_thread)

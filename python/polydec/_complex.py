@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import Floats, Integers, floats, marks, matrix_parts
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
-from ._errors import InvalidInput, told
+from ._errors import InvalidInput, told, warn
 from ._given import MeshLike, as_mesh
 from ._mesh import LengthMesh, Mesh
 
@@ -68,7 +68,7 @@ class Complex(Cells):
 
     @property
     def points(self) -> Floats:
-        return self._mesh.points
+        return self._mesh.points if self.unit == 1 else self.unit * self._mesh.points
 
     @property
     def input(self) -> Cells:
@@ -342,6 +342,7 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
     made = _core.discretize(given._mesh, criterion,
                             tolerance if angle_tolerance is None else angle_tolerance,
                             delaunay or "off", materials, star, centers, progress)
+    warn(made.warnings)
     return Complex(made, given, options)
 
 

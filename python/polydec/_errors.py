@@ -2,6 +2,8 @@
 """What goes wrong, as classes that are also Python's own."""
 from __future__ import annotations
 
+import sys
+import warnings
 from typing import Any, Mapping, Sequence
 
 # What messages of the library call by its name in C++, by its name here.
@@ -11,6 +13,7 @@ _WORDING = {
     "Delaunay::flips": "delaunay=\"flips\"",
     "StarKind::": "star=",
     "star=automatic": "star=\"automatic\"",
+    "Side::primal": "side=\"primal\"",
     "peeled(mesh)": "polydec.meshes.peeled(mesh)",
     "set_memory_limit": "polydec.set_memory_limit",
 }
@@ -77,3 +80,18 @@ class BackendUnavailable(Error, ImportError):
 
 class IoError(Error, OSError):
     """A file cannot be opened, read or written, or memory does not suffice for what it holds."""
+
+
+class PolydecWarning(UserWarning):
+    """A result may be another one than was asked for: the text says why, and what helps."""
+
+
+def warn(texts: Sequence[str]) -> None:
+    """Warns of each of these at the line that called the package."""
+    if not texts:
+        return
+    level, frame = 1, sys._getframe().f_back
+    while frame is not None and frame.f_globals.get("__name__", "").startswith("polydec"):
+        level, frame = level + 1, frame.f_back
+    for text in texts:
+        warnings.warn(told(text), PolydecWarning, stacklevel=level)

@@ -34,9 +34,9 @@ _made = {}
 
 
 def complex_of(name):
-    """The merged complex of a mesh, made once."""
+    """The merged complex of a mesh, made once, with circumcentric stars."""
     if name not in _made:
-        _made[name] = polydec.discretize(MAKERS[name]())
+        _made[name] = polydec.discretize(MAKERS[name](), star="circumcentric")
     return _made[name]
 
 

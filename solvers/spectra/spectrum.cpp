@@ -3,13 +3,18 @@
 
 #include "base/errors.h"
 #include "complex/homology.h"
+#include "dec/advice.h"
 #include "dec/conditioned_complex.h"
 #include "dec/forms/cochain.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace polydec {
@@ -37,9 +42,38 @@ Pencil pencil_of(const CellComplex& complex, const HodgeStars& stars, int k,
     return pencil;
 }
 
+std::vector<std::string> warning_of_rough_values(const std::vector<Index>& rough) {
+    if (rough.empty())
+        return {};
+    return {fmt::format("{} of the eigenvalues, number {} first, {} not known to 1e-6: rounding "
+                        "beside the largest one hides the rest; mind the radii, and improve cells "
+                        "of extreme shape",
+                        rough.size(), rough.front(), rough.size() == 1 ? "is" : "are")};
+}
+
+/// `advice` on negative duals is what helps, or empty.
+std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
+                                                    const HodgeStars& stars,
+                                                    const std::string& advice) {
+    const int n = stars.dimension();
+    const int k = spectrum.side == Side::primal ? spectrum.degree : n - spectrum.degree;
+    const auto negative = ((spectrum.eigenvalues + spectrum.radii).array() < 0).count();
+    std::size_t duals = 0;
+    for (const int j : {k - 1, k + 1})
+        if (j >= 0 && j <= n)
+            duals += stars[j].negatives().size();
+    if (negative == 0 || duals == 0)
+        return {};
+    return {fmt::format("{} of the eigenvalues {} negative and spurious: {} next to these forms {} "
+                        "a negative dual (the mesh is not Delaunay there){}",
+                        negative, negative == 1 ? "is" : "are",
+                        duals == 1 ? "1 cell" : fmt::format("{} cells", duals),
+                        duals == 1 ? "has" : "have", advice)};
+}
+
 /// Under conditions, of which Robin's adds weights, with modes on all cells; `star` is theirs.
 Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
-                     const SpectrumOptions& options) {
+                     const SpectrumOptions& options, const std::string& advice = {}) {
     const ConditionedComplex& space = given.space;
     const CellComplex& complex = space.relative.complex;
     const HodgeStars& stars = space.stars;
@@ -66,16 +100,39 @@ Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
         pairs.vectors = SparseMatrix(star.matrix()) * pairs.vectors;
     if (options.side == Side::primal && is_dual_function)
         pairs.vectors = star.inverse().asDiagonal() * pairs.vectors;
-    return {options.side,
-            options.degree,
-            std::move(pairs.values),
-            std::move(pairs.radii),
-            std::move(pairs.vectors),
-            std::move(pairs.residuals),
-            pairs.certificate,
-            std::move(pairs.linear_solver),
-            std::move(pairs.eigen_solver),
-            std::move(pairs.rough)};
+    Spectrum result{options.side,
+                    options.degree,
+                    std::move(pairs.values),
+                    std::move(pairs.radii),
+                    std::move(pairs.vectors),
+                    std::move(pairs.residuals),
+                    pairs.certificate,
+                    std::move(pairs.linear_solver),
+                    std::move(pairs.eigen_solver),
+                    std::move(pairs.rough)};
+    result.warnings = warning_of_negative_values(result, stars, advice);
+    for (auto& warning : warning_of_rough_values(result.rough))
+        result.warnings.push_back(std::move(warning));
+    return result;
+}
+
+/// What is measured in length^-2, in the units of the input. What is rounding beside the largest
+/// number may vanish; radii then grow by what is lost there.
+void use_input_units(Spectrum& spectrum, double unit) {
+    if (unit == 1)
+        return;
+    auto& shift = spectrum.certificate.shift; // behind them all, where they are rounding alone
+    const double largest = std::max(spectrum.eigenvalues.cwiseAbs().maxCoeff(), std::abs(shift));
+    in_input_units(Vector::Constant(1, largest), unit, -2, "eigenvalues");
+    const auto convert = [&](double& value) { value = std::ldexp(value, -2 * std::ilogb(unit)); };
+    std::for_each(spectrum.eigenvalues.begin(), spectrum.eigenvalues.end(), convert);
+    std::for_each(spectrum.residuals.begin(), spectrum.residuals.end(), convert);
+    std::for_each(spectrum.radii.begin(), spectrum.radii.end(), convert);
+    convert(shift);
+    // the value and the radius are each off by half of the least number there is
+    for (double& radius : spectrum.radii)
+        if (radius < std::numeric_limits<double>::min())
+            radius += std::numeric_limits<double>::denorm_min();
 }
 
 } // namespace
@@ -97,8 +154,10 @@ Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& o
 Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
                   const SpectrumOptions& options) {
     const int k = cell_degree(discretization.complex(), options.side, options.degree);
-    return spectrum_in(with_robin(discretization, options.side, options.degree, conditions),
-                       discretization.stars()[k], options);
+    auto result = spectrum_in(with_robin(discretization, options.side, options.degree, conditions),
+                              discretization.stars()[k], options, flip_advice(discretization));
+    use_input_units(result, discretization.unit());
+    return result;
 }
 
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,

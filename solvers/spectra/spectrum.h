@@ -27,7 +27,7 @@ struct SpectrumOptions {
 struct Spectrum {
     Side side;
     int degree;
-    Vector eigenvalues; ///< ascending, with multiplicity; length^-2
+    Vector eigenvalues; ///< ascending, with multiplicity; length^-2, of a mesh in its input's units
     Vector radii;       ///< of each: how far the exact one is at most
     DenseMatrix modes;  ///< columns: cochains of that side and degree, of norm 1 in the star
     Vector residuals;   ///< |A x - lambda M x| / |M x|
@@ -37,6 +37,7 @@ struct Spectrum {
     /// Values that rounding hides: their radius is above 1e-6 of them and of the distance to the
     /// next ones.
     std::vector<Index> rough = {};
+    std::vector<std::string> warnings = {}; ///< of rough values, and of spurious negative ones
 };
 
 /// The `count` smallest eigenpairs of the Laplacian of primal or dual forms of a degree, proved

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/surfaces/geodesic_distance.h"
 
+#include "dec/advice.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/constrained_system.h"
 #include "solvers/surfaces/heat_step.h"
 #include "solvers/surfaces/surface_metric.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -165,7 +169,13 @@ GeodesicDistance::GeodesicDistance(const Triangles& surface, const Vector& lengt
 GeodesicDistance::GeodesicDistance(const Discretization& discretization,
                                    const GeodesicOptions& options)
     : GeodesicDistance(Triangles(discretization.pieces()), discretization.piece_volumes().primal(1),
-                       options) {}
+                       options) {
+    const auto by_duals = discretization.with_stars(
+        ChosenStars(discretization.volumes(), StarKind::circumcentric));
+    warnings_ = warning_of_negative_duals(by_duals, 1, "distances may be far off");
+    advice_ = flip_advice(by_duals);
+    unit_ = discretization.unit();
+}
 
 GeodesicDistance::GeodesicDistance(GeodesicDistance&&) noexcept = default;
 GeodesicDistance::~GeodesicDistance() = default;
@@ -182,7 +192,13 @@ Distance GeodesicDistance::to(std::span<const Index> sources) const {
     for (const Index v : sources)
         distance[v] = 0;
     const auto raised = static_cast<Index>((distance.array() < 0).count());
-    return {metric.unit * distance.cwiseMax(0), raised};
+    Distance result{in_input_units(metric.unit * distance.cwiseMax(0), unit_, 1, "distances"),
+                    raised, warnings_};
+    if (raised > 0)
+        result.warnings.push_back(fmt::format("{} of the distances fell below 0 and were raised to "
+                                              "0: triangles there are far from Delaunay{}",
+                                              raised, advice_));
+    return result;
 }
 
 Vector geodesic_distance(const Triangles& surface, const Vector& lengths,

@@ -18,6 +18,7 @@ struct GeodesicOptions {
 struct Distance {
     Vector values;
     Index raised;
+    std::vector<std::string> warnings = {}; ///< why they may be far off
 };
 
 /// Distance along a surface by the heat method. Heat flows from the sources for a short time; the
@@ -46,7 +47,7 @@ public:
     ~GeodesicDistance();
 
     /// The distance of every vertex from the nearest of the source vertices, in the unit of the
-    /// lengths. 0 at the sources. Triangles far from Delaunay can bring values below 0, which are
+    /// lengths, of a mesh in that of its input. 0 at the sources. Triangles far from Delaunay can bring values below 0, which are
     /// raised to 0 and counted. Throws InvalidInput for a source that is no vertex, and, naming a
     /// vertex, if a component has no source; SolverFailure if the engine does not deliver.
     Distance to(std::span<const Index> sources) const;
@@ -54,6 +55,9 @@ public:
 private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
+    std::vector<std::string> warnings_; // of the mesh
+    std::string advice_;                // on negative duals
+    double unit_ = 1;                   // that the mesh is measured in
 };
 
 /// The distance by a solver made for it.

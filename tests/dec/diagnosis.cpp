@@ -87,7 +87,7 @@ TEST(MergedPairs, count_removed_edges_and_the_triangles_beside_them) {
     const double r = std::sqrt(5.0);
     const auto fans =
         merged_pairs(circumcentric(made_of({{r, 0}, {1, 2}, {-1, 2}, {-r, 0}, {-1, -2}, {1, -2}},
-                                        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}))
+                                           {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}))
                          .merging());
     EXPECT_EQ(fans.facets, 3);
     EXPECT_EQ(fans.simplices, 4);

@@ -16,15 +16,15 @@
 
 namespace polydec::test {
 
-/// A mesh of the family made ready for calculus, once: merged, or as the simplices that it has; with
-/// circumcentric stars.
+/// A mesh of the family made ready for calculus, once: merged, or as the simplices that it has;
+/// with circumcentric stars.
 inline const Discretization& discretized(const std::string& name,
                                          MergeCriterion criterion = MergeCriterion::dual_length) {
     static std::map<std::pair<std::string, MergeCriterion>, std::unique_ptr<Discretization>> made;
     auto& entry = made[{name, criterion}];
     if (!entry)
-        entry =
-            std::make_unique<Discretization>(circumcentric(mesh_named(name), {criterion, tolerance}));
+        entry = std::make_unique<Discretization>(
+            circumcentric(mesh_named(name), {criterion, tolerance}));
     return *entry;
 }
 

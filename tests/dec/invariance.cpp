@@ -56,8 +56,8 @@ TEST_P(Shapes, do_not_depend_on_axes_reflection_scale_or_more_coordinates) {
               perturbed(kuhn(4, 1), jitter, seed), perturbed(grid(4, 4), jitter, seed)}) {
             const auto exact = discretize(mesh);
             const auto expected = shape(exact);
-            merged += exact.pieces().size(exact.dimension()) -
-                      exact.complex().size(exact.dimension());
+            merged +=
+                exact.pieces().size(exact.dimension()) - exact.complex().size(exact.dimension());
             for (const Mesh& other : moved(mesh)) {
                 const auto found = discretize(other);
                 EXPECT_EQ(shape(found), expected) << mesh.dimension() << ' ' << jitter;
@@ -100,8 +100,8 @@ TEST(HybridStars, do_not_depend_on_the_side_to_which_a_right_angle_is_rounded) {
     EXPECT_LT(expected.galerkin_share(), 1);
     for (int k = 0; k < 40; ++k) {
         Mesh turned = mesh;
-        turned.points = mesh.points *
-                        Eigen::Rotation2Dd(0.1 + 0.37 * k).toRotationMatrix().transpose();
+        turned.points =
+            mesh.points * Eigen::Rotation2Dd(0.1 + 0.37 * k).toRotationMatrix().transpose();
         EXPECT_EQ(stars_of(turned).galerkin, expected.galerkin) << k;
     }
 }

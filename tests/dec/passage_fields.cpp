@@ -51,7 +51,7 @@ protected:
     Discretization mesh(MergeCriterion criterion = MergeCriterion::dual_length) const {
         const auto& [name, delaunay] = GetParam();
         return circumcentric(shaken(mesh_named(name), 0.25, 7),
-                          {.criterion = criterion, .delaunay = delaunay});
+                             {.criterion = criterion, .delaunay = delaunay});
     }
     SmoothForm constant(const Discretization& mesh) const {
         return constant_form(random_vector(static_cast<Index>(mesh.points().cols()), 6));
@@ -239,7 +239,8 @@ double off_the_fold(const Points& on_flat, const Points& on_folded) {
 
 TEST(OnAFoldedSheet, centers_and_centroids_are_those_of_the_flat_one_folded) {
     const auto sheet = circumcentric(slanted(8), {.delaunay = Delaunay::flips_and_splits});
-    const auto bent = circumcentric(folded(slanted(8), 1.2), {.delaunay = Delaunay::flips_and_splits});
+    const auto bent =
+        circumcentric(folded(slanted(8), 1.2), {.delaunay = Delaunay::flips_and_splits});
     ASSERT_GT(bent.passage().flips().statistics.flips, 0);
     for (int k = 0; k <= 2; ++k) {
         EXPECT_LE(off_the_fold(cell_centroids(sheet, k), cell_centroids(bent, k)), rounding) << k;
@@ -268,8 +269,8 @@ TEST(StokesAfterFlipsBroken, with_the_other_sign_fails) {
     for (const auto& name : {"uv_sphere7x5", "torus9x5", "hex4"})
         for (int j = 0; j < 2; ++j)
             EXPECT_GT(stokes_defect(circumcentric(shaken(mesh_named(name), 0.25, 7),
-                                               {.criterion = MergeCriterion::none,
-                                                .delaunay = Delaunay::flips}),
+                                                  {.criterion = MergeCriterion::none,
+                                                   .delaunay = Delaunay::flips}),
                                     j, -1),
                       1e-3)
                 << name << j;

@@ -86,7 +86,7 @@ void require_poisson(const Discretization& mesh) {
         accepts<SolverFailure>([&] {
             accepts([&] {
                 PoissonSolver solver(mesh, {.side = side});
-                const auto [u, report, compatibility] =
+                const auto [u, report, compatibility, warnings] =
                     solver.solve(Vector::Ones(solver.sites().rows()),
                                  Vector::LinSpaced(solver.boundary_sites().rows(), 0.0, 1.0));
                 require(u.allFinite() && std::isfinite(report.residual), "solutions are finite");

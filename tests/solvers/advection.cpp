@@ -112,8 +112,8 @@ TEST_P(Advections, need_no_points) {
     if (!advection)
         return;
     const int n = whole.dimension();
-    const auto other =
-        circumcentric(length_mesh(mesh_named(GetParam())), {MergeCriterion::dual_length, tolerance});
+    const auto other = circumcentric(length_mesh(mesh_named(GetParam())),
+                                     {MergeCriterion::dual_length, tolerance});
     const Vector z = random_vector(whole.complex().size(n - 2), 1);
     const Vector w = random_vector(whole.complex().size(n - 1), 2);
     EXPECT_LE(relative_difference(Advection(other)(z, w), (*advection)(z, w)), 1e-8);

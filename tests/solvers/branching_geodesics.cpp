@@ -88,7 +88,8 @@ Errors errors(const Book& book, const GeodesicOptions& options = {}) {
 }
 
 TEST(BranchingGeodesics, cross_the_spine_of_a_book_straight) {
-    ASSERT_NE(refusal([] { GluedSurface(circumcentric(book(3, 4, 0.2).mesh).pieces()); }), "accepted");
+    ASSERT_NE(refusal([] { GluedSurface(circumcentric(book(3, 4, 0.2).mesh).pieces()); }),
+              "accepted");
     const auto coarse = errors(book(3, 24, 0.25)), fine = errors(book(3, 48, 0.25));
     EXPECT_LT(fine.across, 0.03);
     EXPECT_LT(fine.within, 0.01);

@@ -162,7 +162,8 @@ TEST(Conditions, exchange_with_the_star) {
         const int n = mesh.dimension();
         for (int k = 0; k <= n; ++k)
             for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
-                const auto space = conditioned_complex(mesh.complex(), mesh.stars(), Side::primal, 0, conditions);
+                const auto space =
+                    conditioned_complex(mesh.complex(), mesh.stars(), Side::primal, 0, conditions);
                 const Index count = std::min<Index>(2, space.relative.complex.size(k));
                 if (count == 0)
                     continue;
@@ -185,7 +186,8 @@ TEST(HeatUnderConditions, makes_modes_decay_with_their_eigenvalues) {
         for (const Side side : sides)
             for (const auto& conditions : {dirichlet, neumann, left_part(mesh)}) {
                 const int k = side == Side::primal ? 0 : mesh.dimension();
-                if (conditioned_complex(mesh.complex(), mesh.stars(), side, 0, conditions).relative.complex.size(k) < 2)
+                if (conditioned_complex(mesh.complex(), mesh.stars(), side, 0, conditions)
+                        .relative.complex.size(k) < 2)
                     continue; // fcc1 has one vertex inside, at most
                 const auto modes = spectrum(mesh, conditions, {.side = side, .count = 2});
                 const double dt = 1e-3;

@@ -46,7 +46,8 @@ Vector vector(const std::vector<double>& entries) {
 
 TEST(ConstrainedSystem, with_both_ends_fixed_is_a_straight_line) {
     ConstrainedSolver solver(system_of(paths({4}), {true, false, false, true}), "auto");
-    const auto [u, report, compatibility] = solver.solve(Vector::Zero(4), vector({1, 99, 99, 7}));
+    const auto [u, report, compatibility, warnings] =
+        solver.solve(Vector::Zero(4), vector({1, 99, 99, 7}));
     EXPECT_TRUE(u.isApprox(vector({1, 3, 5, 7}), 1e-14)) << u;
     EXPECT_EQ(compatibility.free_components, 0);
     EXPECT_LE(report.residual, 1e-14);
@@ -89,7 +90,8 @@ TEST(ConstrainedSystem, with_nothing_fixed_has_weighted_mean_zero) {
     auto system = system_of(paths({3}), {false, false, false});
     system.weights = vector({1, 2, 5});
     ConstrainedSolver solver(system, "auto");
-    const auto [u, report, compatibility] = solver.solve(vector({1, 1, -2}), Vector::Zero(3));
+    const auto [u, report, compatibility, warnings] =
+        solver.solve(vector({1, 1, -2}), Vector::Zero(3));
     EXPECT_NEAR(system.weights.dot(u), 0, 1e-14);
     EXPECT_TRUE((system.A * u).isApprox(vector({1, 1, -2}), 1e-14));
     EXPECT_EQ(compatibility.free_components, 1);
@@ -100,7 +102,8 @@ TEST(ConstrainedSystem, removes_in_proportion_to_the_weights_what_nothing_can_gi
     auto system = system_of(paths({3}), {false, false, false});
     system.weights = vector({1, 2, 1});
     ConstrainedSolver solver(system, "auto");
-    const auto [u, report, compatibility] = solver.solve(vector({4, 0, 0}), Vector::Zero(3));
+    const auto [u, report, compatibility, warnings] =
+        solver.solve(vector({4, 0, 0}), Vector::Zero(3));
     EXPECT_TRUE((system.A * u).isApprox(vector({3, -2, -1}), 1e-14));
     EXPECT_EQ(compatibility.worst, 1);
 }
@@ -109,7 +112,7 @@ TEST(ConstrainedSystem, treats_each_component_by_itself) {
     // one held at an end, one free, one node alone
     auto system = system_of(paths({2, 2, 1}), {true, false, false, false, false});
     ConstrainedSolver solver(system, "auto");
-    const auto [u, report, compatibility] =
+    const auto [u, report, compatibility, warnings] =
         solver.solve(vector({0, 1, 1, -1, 0}), vector({10, 0, 0, 0, 0}));
     EXPECT_TRUE(u.isApprox(vector({10, 11, 0.5, -0.5, 0}), 1e-14)) << u;
     EXPECT_EQ(compatibility.free_components, 2);
@@ -121,7 +124,7 @@ TEST(ConstrainedSystem, is_regular_where_boundary_data_tie_it_down) {
     auto system = system_of(sparse(A), {false, false});
     system.tied = {true, false};
     ConstrainedSolver solver(system, "auto");
-    const auto [u, report, compatibility] = solver.solve(vector({2, 0}), Vector::Zero(2));
+    const auto [u, report, compatibility, warnings] = solver.solve(vector({2, 0}), Vector::Zero(2));
     EXPECT_TRUE(u.isApprox(vector({1, 1}), 1e-14)) << u;
     EXPECT_EQ(compatibility.free_components, 0);
 }

@@ -57,8 +57,8 @@ TEST(Inertia, of_graded_matrices_is_that_of_their_small_entries) {
 /// digits.
 TEST(Inertia, of_three_triangles_counts_small_eigenvalues_beside_a_huge_one) {
     const auto mesh = circumcentric(made_of({{0, 0}, {1, 0}, {0.5, -1e-6}, {0.5, 1e-6}, {0.5, -1}},
-                                         {{0, 1, 3}, {0, 1, 2}, {0, 2, 4}}),
-                                 {.criterion = MergeCriterion::none, .tolerance = 0});
+                                            {{0, 1, 3}, {0, 1, 2}, {0, 2, 4}}),
+                                    {.criterion = MergeCriterion::none, .tolerance = 0});
     const ScaledPencil pencil(laplacian_pencil(mesh.complex(), mesh.stars(), 2));
     const double unit = pencil.eigenvalue(1);
     InertiaCounter counter(pencil.matrices(), "auto", 2, pencil.doubt());

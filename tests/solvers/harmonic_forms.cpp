@@ -75,8 +75,8 @@ protected:
         const auto& [name, make, options, jitter] = GetParam();
         const auto mesh = discretize(make(), options);
         std::vector<Discretization> result;
-        for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin, StarKind::hybrid,
-                                    StarKind::automatic})
+        for (const StarKind kind :
+             {StarKind::circumcentric, StarKind::galerkin, StarKind::hybrid, StarKind::automatic})
             if (kind != StarKind::hybrid || mesh.dimension() == 2)
                 result.push_back(mesh.with_stars(choose_stars(mesh, kind)));
         return result;
@@ -108,8 +108,7 @@ TEST_P(HarmonicForms, are_returned_and_stand_still) {
                     if (where == Where::robin && k < n) {
                         const double sign = k % 2 == 0 ? 1 : -1; // see HodgeLaplaceEquations
                         data.derivative_flow =
-                            sign *
-                            dual_boundary_derivative(mesh.complex(), n - 1 - k).transpose() *
+                            sign * dual_boundary_derivative(mesh.complex(), n - 1 - k).transpose() *
                             Vector(robin_parts(mesh, side, degree, conditions).weights * u.values);
                     }
                     const auto told = [&] {
@@ -160,9 +159,9 @@ TEST_P(HarmonicForms, are_the_flats_of_their_fields) {
         const Vector field = random_vector(n, 3);
         const Constant constant{n, 1, field};
         const Cochain u = constant.on(mesh, Side::dual);
-        for (const auto& [kind, rows] :
-             {std::pair{Flat::ppd, mesh.complex().size(0)}, {Flat::pdd, mesh.complex().size(0)},
-              {Flat::dpd, mesh.complex().size(n)}}) {
+        for (const auto& [kind, rows] : {std::pair{Flat::ppd, mesh.complex().size(0)},
+                                         {Flat::pdd, mesh.complex().size(0)},
+                                         {Flat::dpd, mesh.complex().size(n)}}) {
             const Cochain a = flat(mesh, kind, DenseMatrix::Ones(rows, 1) * field.transpose());
             EXPECT_LE((a.values - u.values).norm(), 1e-9 * (1 + u.values.norm()))
                 << name(mesh.chosen_stars().kind);
@@ -172,21 +171,21 @@ TEST_P(HarmonicForms, are_the_flats_of_their_fields) {
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, HarmonicForms,
-    testing::Values(
-        Shape{"interval", [] { return kuhn(1, 5); }}, //
-        Shape{"grid", [] { return grid(4, 3); }},
-        Shape{"hexagons", [] { return hexagons(3); }},
-        Shape{"triangles", [] { return well_centered(4); }},
-        Shape{"shaken", [] { return perturbed(well_centered(4), 0.06, 1); }},
-        Shape{"shaken_grid", [] { return perturbed(grid(4, 4), 0.03, 2); }},
-        Shape{"shaken_simplices", [] { return perturbed(grid(4, 4), 0.03, 2); },
-              {.criterion = MergeCriterion::none}},
-        Shape{"cubes", [] { return kuhn(3, 2); }}, //
-        Shape{"bcc", [] { return bcc(2); }},
-        Shape{"shaken_cubes", [] { return perturbed(kuhn(3, 2), 0.03, 3); }},
-        Shape{"slivers", [] { return unit_slivers(3, 1e-9); }, {}, 1e-9},
-        Shape{"jittered_slivers", [] { return unit_slivers(3, 1e-5); }, {}, 1e-5},
-        Shape{"four", [] { return kuhn(4, 1); }}),
+    testing::Values(Shape{"interval", [] { return kuhn(1, 5); }}, //
+                    Shape{"grid", [] { return grid(4, 3); }},
+                    Shape{"hexagons", [] { return hexagons(3); }},
+                    Shape{"triangles", [] { return well_centered(4); }},
+                    Shape{"shaken", [] { return perturbed(well_centered(4), 0.06, 1); }},
+                    Shape{"shaken_grid", [] { return perturbed(grid(4, 4), 0.03, 2); }},
+                    Shape{"shaken_simplices",
+                          [] { return perturbed(grid(4, 4), 0.03, 2); },
+                          {.criterion = MergeCriterion::none}},
+                    Shape{"cubes", [] { return kuhn(3, 2); }}, //
+                    Shape{"bcc", [] { return bcc(2); }},
+                    Shape{"shaken_cubes", [] { return perturbed(kuhn(3, 2), 0.03, 3); }},
+                    Shape{"slivers", [] { return unit_slivers(3, 1e-9); }, {}, 1e-9},
+                    Shape{"jittered_slivers", [] { return unit_slivers(3, 1e-5); }, {}, 1e-5},
+                    Shape{"four", [] { return kuhn(4, 1); }}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 } // namespace

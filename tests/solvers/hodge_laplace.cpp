@@ -129,18 +129,17 @@ constexpr auto by_duals = StarKind::circumcentric, galerkin = StarKind::galerkin
 // degrees 0 and n; 1/2 of dual n-forms where hybrid stars change from one kind to the other.
 INSTANTIATE_TEST_SUITE_P(
     Flat, FormSources,
-    testing::Values(
-        Family{"grid", [](int m) { return grid(m, m); }, 8, 16, by_duals, 1.85, 1.45},
-        Family{"triangles", well_centered, 8, 16, by_duals, 1.4, 1.0},
-        Family{"shaken", shaken_triangles, 8, 16, by_duals, 1.4, 1.0},
-        Family{"hexagons", hexagons, 8, 16, by_duals, 1.5, 1.5},
-        Family{"shaken_galerkin", shaken_triangles, 8, 16, galerkin, 1.3, 1.0},
-        Family{"hexagons_hybrid", hexagons, 8, 16, StarKind::hybrid, 1.0, 0.45},
-        Family{"hexagons_galerkin", hexagons, 8, 16, galerkin, 1.0, 0.8},
-        Family{"cubes", [](int m) { return kuhn(3, m); }, 3, 5, by_duals, 1.6, 1.4},
-        Family{"bcc", [](int m) { return bcc(m); }, 2, 4, by_duals, 1.35, 1.35},
-        Family{"fcc", [](int m) { return fcc(m); }, 2, 3, by_duals, 1.0, 1.0},
-        Family{"bcc_galerkin", shaken_tetrahedra, 2, 4, galerkin, 1.3, 1.0, 1}),
+    testing::Values(Family{"grid", [](int m) { return grid(m, m); }, 8, 16, by_duals, 1.85, 1.45},
+                    Family{"triangles", well_centered, 8, 16, by_duals, 1.4, 1.0},
+                    Family{"shaken", shaken_triangles, 8, 16, by_duals, 1.4, 1.0},
+                    Family{"hexagons", hexagons, 8, 16, by_duals, 1.5, 1.5},
+                    Family{"shaken_galerkin", shaken_triangles, 8, 16, galerkin, 1.3, 1.0},
+                    Family{"hexagons_hybrid", hexagons, 8, 16, StarKind::hybrid, 1.0, 0.45},
+                    Family{"hexagons_galerkin", hexagons, 8, 16, galerkin, 1.0, 0.8},
+                    Family{"cubes", [](int m) { return kuhn(3, m); }, 3, 5, by_duals, 1.6, 1.4},
+                    Family{"bcc", [](int m) { return bcc(m); }, 2, 4, by_duals, 1.35, 1.35},
+                    Family{"fcc", [](int m) { return fcc(m); }, 2, 3, by_duals, 1.0, 1.0},
+                    Family{"bcc_galerkin", shaken_tetrahedra, 2, 4, galerkin, 1.3, 1.0, 1}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 /// A torus, an annulus of merged quads, and a solid torus: Betti numbers 1 2 1, 1 1, 1 1.

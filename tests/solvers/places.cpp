@@ -193,8 +193,8 @@ const std::vector<Refusal>& refusals() {
         {"mass", [] { check_positive_mass(unmerged_grid().stars()[1], Side::primal, 1); }},
         {"waves",
          [] {
-             const auto mesh =
-                 circumcentric(made_of({{0, 0}, {4, 0}, {2, 1.6}, {2, -1.6}}, {{0, 1, 2}, {0, 3, 1}}));
+             const auto mesh = circumcentric(
+                 made_of({{0, 0}, {4, 0}, {2, 1.6}, {2, -1.6}}, {{0, 1, 2}, {0, 3, 1}}));
              stable_step(mesh.complex(), mesh.volumes(), 0);
          }},
         {"flux", [] { PoissonSolver(unmerged_grid(), {.side = Side::dual}); }},

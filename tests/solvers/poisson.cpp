@@ -74,8 +74,8 @@ double franke_laplacian(const Vector& p) {
 double franke_error(const Mesh& input, Side side) {
     const auto mesh = circumcentric(input);
     PoissonSolver solver(mesh, {.side = side});
-    const auto [u, report, compatibility] = solver.solve(values(franke_laplacian, solver.sites()),
-                                                         values(franke, solver.boundary_sites()));
+    const auto [u, report, compatibility, warnings] = solver.solve(
+        values(franke_laplacian, solver.sites()), values(franke, solver.boundary_sites()));
     EXPECT_LE(report.residual, 1e-10);
     return l2(mesh, side, u - values(franke, solver.sites()));
 }
@@ -180,7 +180,7 @@ TEST(NaturalProblem, has_the_solution_of_mean_zero_on_every_component) {
             PoissonSolver solver(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
             const Vector f = values(wave, solver.sites());
             const Vector none = Vector::Zero(solver.boundary_sites().rows());
-            const auto [u, report, compatibility] = solver.solve(f, none);
+            const auto [u, report, compatibility, warnings] = solver.solve(f, none);
             EXPECT_GT(u.norm(), 1e-3);
             ASSERT_EQ(means(mesh, side, u).size(), 2);
             EXPECT_LE(means(mesh, side, u).cwiseAbs().maxCoeff(), 1e-12);
@@ -218,7 +218,7 @@ TEST(ClosedSurface, has_no_use_for_boundary_data) {
         PoissonSolver fixed(mesh, {.side = side});
         PoissonSolver natural(mesh, {.side = side, .boundary = {BoundaryCondition::natural}});
         const Vector f = values(wave, fixed.sites());
-        const auto [u, report, compatibility] =
+        const auto [u, report, compatibility, warnings] =
             fixed.solve(f, Vector::Ones(fixed.boundary_sites().rows()));
         EXPECT_TRUE(u.isApprox(
             natural.solve(f, Vector::Zero(natural.boundary_sites().rows())).values, 1e-12));

@@ -209,7 +209,8 @@ double error_of_linear_solution(const Discretization& mesh) {
 }
 
 TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
-    const auto mesh = circumcentric(shaken(kuhn(3, 3), 0.08, 3), {.criterion = MergeCriterion::none});
+    const auto mesh =
+        circumcentric(shaken(kuhn(3, 3), 0.08, 3), {.criterion = MergeCriterion::none});
     const auto by = [&](StarKind kind) {
         return error_of_linear_solution(mesh.with_stars(choose_stars(mesh, kind).stars));
     };

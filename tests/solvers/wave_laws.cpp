@@ -27,7 +27,8 @@ struct Waves {
     BoundaryConditions conditions;
     int e = side == Side::primal ? degree : mesh.dimension() - degree;
     int b = side == Side::primal ? e + 1 : e - 1;
-    ConditionedComplex space = conditioned_complex(mesh.complex(), mesh.stars(), side, degree, conditions);
+    ConditionedComplex space =
+        conditioned_complex(mesh.complex(), mesh.stars(), side, degree, conditions);
 
     SparseMatrix d() const {
         const SparseMatrix of_lower =
