@@ -3,7 +3,6 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
-#include "base/listed.h"
 #include "dec/choose_stars.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/flat_simplices.h"
@@ -12,14 +11,12 @@
 #include "dec/merging/merged_volumes.h"
 #include "dec/mesh_warnings.h"
 #include "dec/metric/circumcentric_volumes.h"
-#include "dec/metric/overlaps.h"
 #include "dec/metric/plane.h"
 #include "dec/metric/rounding.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -27,44 +24,6 @@
 namespace polydec {
 
 namespace {
-
-std::int64_t branching_facets(const SimplicialComplex& complex) {
-    const auto& counts = complex.coface_counts(complex.dimension() - 1);
-    return std::count_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
-}
-
-void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
-                      std::vector<std::string>& warnings) {
-    const int n = complex.dimension();
-    const auto [folded, wound] = find_overlaps(complex, points);
-    if (!folded.empty())
-        warnings.push_back(fmt::format(
-            "the mesh is folded: {} of {} cells lie{} over {} neighbors (vertices {}): what is "
-            "computed is for the folded mesh, not for the region that it covers",
-            folded.size(), complex.size(n), folded.size() == 1 ? "s" : "",
-            folded.size() == 1 ? "its" : "their", listed(folded, [&](Index t) {
-                return fmt::format("{}", fmt::join(complex.vertex_numbers(n, t), " "));
-            })));
-    if (!wound.empty())
-        warnings.push_back(fmt::format(
-            "the mesh overlaps itself: cells around {} lie over each other without a fold (vertex "
-            "{}): what is computed is for the mesh as it is glued, not for the region that it "
-            "covers",
-            wound.size() == 1 ? "1 vertex" : fmt::format("{} vertices", wound.size()),
-            listed(wound, [&](Index v) { return fmt::format("{}", complex.vertex_number(v)); })));
-}
-
-void warn_of_flips(const IntrinsicStatistics& flips, double unit,
-                   std::vector<std::string>& warnings) {
-    if (flips.added_length > 0)
-        warnings.push_back(fmt::format("a triangle has nearly no area: {:.3g} was added to the "
-                                       "length of every edge before flips (area: +{:.2g} %)",
-                                       unit * flips.added_length, 100 * flips.added_area));
-    if (flips.negative_interior > 0)
-        warnings.push_back(fmt::format("{} interior edges kept a negative dual: rounding is larger "
-                                       "than the triangles there",
-                                       flips.negative_interior));
-}
 
 /// The rows of vertices that no simplex uses.
 Points isolated_points(const SimplicialComplex& complex, const Points& by_number) {

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/mesh_warnings.h"
 
-#include <fmt/format.h>
+#include "base/listed.h"
+#include "dec/metric/overlaps.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace polydec {
@@ -39,6 +44,44 @@ void warn_of_unit(double unit, std::vector<std::string>& warnings) {
         warnings.push_back(fmt::format("the lengths of the mesh are far from 1: it is measured in "
                                        "units of 2^{} = {:.3g}",
                                        std::ilogb(unit), unit));
+}
+
+std::int64_t branching_facets(const SimplicialComplex& complex) {
+    const auto& counts = complex.coface_counts(complex.dimension() - 1);
+    return std::count_if(counts.begin(), counts.end(), [](Index c) { return c > 2; });
+}
+
+void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
+                      std::vector<std::string>& warnings) {
+    const int n = complex.dimension();
+    const auto [folded, wound] = find_overlaps(complex, points);
+    if (!folded.empty())
+        warnings.push_back(fmt::format(
+            "the mesh is folded: {} of {} cells lie{} over {} neighbors (vertices {}): what is "
+            "computed is for the folded mesh, not for the region that it covers",
+            folded.size(), complex.size(n), folded.size() == 1 ? "s" : "",
+            folded.size() == 1 ? "its" : "their", listed(folded, [&](Index t) {
+                return fmt::format("{}", fmt::join(complex.vertex_numbers(n, t), " "));
+            })));
+    if (!wound.empty())
+        warnings.push_back(fmt::format(
+            "the mesh overlaps itself: cells around {} lie over each other without a fold (vertex "
+            "{}): what is computed is for the mesh as it is glued, not for the region that it "
+            "covers",
+            wound.size() == 1 ? "1 vertex" : fmt::format("{} vertices", wound.size()),
+            listed(wound, [&](Index v) { return fmt::format("{}", complex.vertex_number(v)); })));
+}
+
+void warn_of_flips(const IntrinsicStatistics& flips, double unit,
+                   std::vector<std::string>& warnings) {
+    if (flips.added_length > 0)
+        warnings.push_back(fmt::format("a triangle has nearly no area: {:.3g} was added to the "
+                                       "length of every edge before flips (area: +{:.2g} %)",
+                                       unit * flips.added_length, 100 * flips.added_area));
+    if (flips.negative_interior > 0)
+        warnings.push_back(fmt::format("{} interior edges kept a negative dual: rounding is larger "
+                                       "than the triangles there",
+                                       flips.negative_interior));
 }
 
 } // namespace polydec

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "complex/simplicial_complex.h"
+#include "dec/surfaces/intrinsic_delaunay.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,6 +18,14 @@ void warn_of_orientation(std::int64_t turned, std::int64_t cells, bool orientabl
 
 /// facets: those with three or more cells.
 void warn_of_branching(std::int64_t facets, std::vector<std::string>& warnings);
+
+std::int64_t branching_facets(const SimplicialComplex& complex);
+
+void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
+                      std::vector<std::string>& warnings);
+
+void warn_of_flips(const IntrinsicStatistics& flips, double unit,
+                   std::vector<std::string>& warnings);
 
 /// flat: cells that have stayed alone; nearly: facets that would be degenerate at the wider
 /// tolerance and are not at that of the merge. Corners may be off their sphere by about as much.

@@ -11,7 +11,7 @@
 int main() {
     const polydec::Mesh mesh = polydec::grid(4, 4);
     const auto before = polydec::discretize(mesh, {.criterion = polydec::MergeCriterion::none,
-                                                  .star = polydec::StarKind::circumcentric});
+                                                   .star = polydec::StarKind::circumcentric});
     const auto after = polydec::discretize(mesh);
 
     std::cout << "2-cells before: " << before.complex().size(2)

@@ -269,15 +269,15 @@ struct PoissonSolver::Problem {
                       [&](const Vector& weights) { return boundary_star(mesh, 0, weights); })
                 : dual(mesh.complex(), mesh.stars(), options, facet_duals(mesh));
         problem.unit = mesh.unit();
-        problem.sites = mesh.unit() * (options.side == Side::primal ? cell_centers(mesh, 0)
-                                                                    : dual_sites(mesh));
+        problem.sites =
+            mesh.unit() * (options.side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh));
         problem.flux_sites = mesh.unit() * facet_sites(mesh);
         constexpr const char* spoiled = "the solution may be far off there";
-        problem.warnings = options.side == Side::primal
-                               ? warning_of_negative_duals(mesh, 0, spoiled)
-                               : warning_of_negative_duals(
-                                     mesh, mesh.dimension() - 1,
-                                     fmt::format("{}; compare with Side::primal", spoiled));
+        problem.warnings =
+            options.side == Side::primal
+                ? warning_of_negative_duals(mesh, 0, spoiled)
+                : warning_of_negative_duals(mesh, mesh.dimension() - 1,
+                                            fmt::format("{}; compare with Side::primal", spoiled));
         return problem;
     }
 

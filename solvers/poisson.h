@@ -112,7 +112,7 @@ private:
     SparseMatrix flux_load_;     // normal derivatives to right-hand side
     Vector robin_;               // coefficients at facets, 0 where there is none
     std::vector<std::string> warnings_;
-    double unit_; // that the mesh is measured in
+    double unit_;                               // that the mesh is measured in
     std::unique_ptr<ConstrainedSolver> solver_; // or,
     std::unique_ptr<MixedPoisson> mixed_;       // where fluxes are unknowns too
 };

@@ -4,6 +4,7 @@
 #include "base/atomic_file.h"
 #include "base/atomic_folder.h"
 #include "base/errors.h"
+#include "base/memory.h"
 #include "base/printable.h"
 #include "io/matrices/matrix_market.h"
 #include "meshes/unit_of_length.h"
@@ -16,7 +17,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -68,6 +71,7 @@ public:
           log_(log) {}
 
     void write_all() {
+        check_laplacians();
         const auto [diamonds, lifts] = maps(mesh_);
         for (int k = 0; k <= mesh_.dimension(); ++k) {
             if (k < mesh_.dimension())
@@ -110,6 +114,22 @@ private:
             in_input_units(matrix.coeffs().matrix(), mesh_.unit(), power, path.filename().string())
                 .array();
         write_matrix_market(path, matrix);
+    }
+
+    /// All cells around one become neighbors, so what many cells share costs its square.
+    void check_laplacians() const {
+        constexpr double bytes_each = 2 * (sizeof(double) + sizeof(Index));
+        for (int k = 0; k <= mesh_.dimension(); ++k) {
+            double entries = 0;
+            if (k > 0)
+                for (Index s = 0; s < P_.size(k - 1); ++s)
+                    entries += std::pow(P_.coface_counts(k - 1)[s], 2);
+            if (k < mesh_.dimension())
+                for (Index t = 0; t < P_.size(k + 1); ++t)
+                    entries += std::pow(std::ranges::distance(P_.incidences(k)[t]), 2);
+            check_memory(bytes_each * entries,
+                         fmt::format("Laplacians of {}-cells with {:.3g} entries", k, entries));
+        }
     }
 
     /// A Laplacian that would divide by zero, or invert a matrix, is left out.

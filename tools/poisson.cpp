@@ -148,8 +148,8 @@ void run_poisson(PoissonArguments arguments) {
     Solved answer = describe(mesh, arguments, solution);
     answer.conditions = known(mesh, arguments);
     if (data.exact)
-        answer.errors = errors(mesh, arguments.poisson.side,
-                               solution.values - data.exact->at(solver.sites()));
+        answer.errors =
+            errors(mesh, arguments.poisson.side, solution.values - data.exact->at(solver.sites()));
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, solution.values, answer, log);

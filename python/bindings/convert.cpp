@@ -4,10 +4,10 @@
 #include "base/errors.h"
 #include "dec/fields/interior_product.h"
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <unistd.h>
 
 namespace polydec::python {
 

@@ -135,8 +135,9 @@ std::function<void(std::string_view)> listener(const py::object& function);
 /// Lets Ctrl-C end what is being done. To be called with or without the interpreter's lock.
 void check_signals();
 
-/// Lets go of the interpreter's lock. Where the interpreter has ended meanwhile, a thread that asked
-/// for the lock again would be unwound, and the program with it: it waits for the end of the process.
+/// Lets go of the interpreter's lock. Where the interpreter has ended meanwhile, a thread that
+/// asked for the lock again would be unwound, and the program with it: it waits for the end of the
+/// process.
 class Unlocked {
 public:
     Unlocked() : state_(PyEval_SaveThread()) {}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from typing import Any, Callable, NamedTuple, Union
 
 import numpy as np
@@ -12,7 +13,7 @@ from . import _core
 from ._arrays import Floats, Integers, floats, marks, matrix_parts
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
-from ._errors import InvalidInput, told, warn
+from ._errors import InvalidInput, PolydecWarning, told, warn
 from ._given import MeshLike, as_mesh
 from ._mesh import LengthMesh, Mesh
 
@@ -68,7 +69,11 @@ class Complex(Cells):
 
     @property
     def points(self) -> Floats:
-        return self._mesh.points if self.unit == 1 else self.unit * self._mesh.points
+        return self._placed(self._mesh.points)
+
+    def _placed(self, places: Floats) -> Floats:
+        """Places in the units of the input."""
+        return places if self.unit == 1 else self.unit * places
 
     @property
     def input(self) -> Cells:
@@ -140,19 +145,19 @@ class Complex(Cells):
 
     def centers(self, k: int) -> Floats:
         """Circumcenters of the k-cells, a row each."""
-        return self._mesh.centers(k)
+        return self._placed(self._mesh.centers(k))
 
     def centroids(self, k: int) -> Floats:
         """Centroids of the k-cells, where vector fields made of forms belong, a row each."""
-        return self._mesh.centroids(k)
+        return self._placed(self._mesh.centroids(k))
 
     def dual_sites(self) -> Floats:
         """Where values of dual 0-forms are: centers of the n-cells, or centroids by the stars."""
-        return self._mesh.dual_sites()
+        return self._placed(self._mesh.dual_sites())
 
     def facet_sites(self) -> Floats:
         """Where values on the boundary and through it are: places on the (n-1)-cells."""
-        return self._mesh.facet_sites()
+        return self._placed(self._mesh.facet_sites())
 
     def cells(self, k: int) -> CellList:
         """The vertices of the k-cells: around them for k = 2, else ascending.
@@ -346,6 +351,16 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
     return Complex(made, given, options)
 
 
+def _without_options(mesh: MeshLike, in_units: bool) -> Complex:
+    """A mesh as `discretize` makes it ready; where answers are in the units of the input, whichever
+    it is measured in, nothing is to be said of these."""
+    if not in_units:
+        return discretize(mesh)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "the lengths of the mesh are far from 1", PolydecWarning)
+        return discretize(mesh)
+
+
 def facet_marks(cells: Cells, essential: Any) -> list[bool]:
     """Conditions for C++ from those of users, who may mark facets by their places."""
     places = cells.facet_sites() if isinstance(cells, Complex) else np.zeros((0, 0))
@@ -384,14 +399,14 @@ def mesh_of(complex: Complex) -> _core.Discretization:
     return complex._mesh
 
 
-def as_cells(given: CellsLike) -> Cells:
+def as_cells(given: CellsLike, in_units: bool = False) -> Cells:
     """Cells as they are, and a mesh discretized without options."""
-    return given if isinstance(given, Cells) else discretize(given)
+    return given if isinstance(given, Cells) else _without_options(given, in_units)
 
 
-def as_complex(given: CellsLike) -> Complex:
+def as_complex(given: CellsLike, in_units: bool = False) -> Complex:
     """Likewise, for what needs the places of cells."""
     if isinstance(given, Cells) and not isinstance(given, Complex):
         raise InvalidInput(f"{given!r} alone are given: expected the Complex that discretize makes "
                            "of a mesh, since places of cells are needed")
-    return given if isinstance(given, Complex) else discretize(given)
+    return given if isinstance(given, Complex) else _without_options(given, in_units)

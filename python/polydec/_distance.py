@@ -27,7 +27,7 @@ class GeodesicDistance:
 
     def __init__(self, complex: CellsLike, *, time_scale: float = 4.0,
                  engine: str = "auto") -> None:
-        self._solver = _core.GeodesicDistance(as_complex(complex)._mesh, time_scale, engine)
+        self._solver = _core.GeodesicDistance(as_complex(complex, in_units=True)._mesh, time_scale, engine)
 
     def to(self, sources: npt.ArrayLike) -> Floats:
         """The distance of every vertex from the nearest source vertex."""

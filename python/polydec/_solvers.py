@@ -56,7 +56,7 @@ class PoissonSolver:
     def __init__(self, complex: CellsLike, *, side: str = "primal", essential: Any = True,
                  robin: Values | None = None, conductivity: npt.ArrayLike | None = None,
                  engine: str = "auto") -> None:
-        complex = as_cells(complex)
+        complex = as_cells(complex, in_units=True)
         self._solver = _core.PoissonSolver(complex._calculus, side, facet_marks(complex, essential),
                                            facet_coefficients(complex, robin),
                                            _conductivity(conductivity), engine)

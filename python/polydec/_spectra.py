@@ -126,7 +126,7 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
     >>> modes.certificate.complete
     True
     """
-    complex = as_cells(complex)
+    complex = as_cells(complex, in_units=True)
     marked, coefficients = facet_conditions(complex, essential, robin)
     parts = _core.spectrum(complex._calculus, side, degree, count, marked, coefficients, coexact,
                            certified, linear_solver, eigen_solver, progress)

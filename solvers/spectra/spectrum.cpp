@@ -42,15 +42,6 @@ Pencil pencil_of(const CellComplex& complex, const HodgeStars& stars, int k,
     return pencil;
 }
 
-std::vector<std::string> warning_of_rough_values(const std::vector<Index>& rough) {
-    if (rough.empty())
-        return {};
-    return {fmt::format("{} of the eigenvalues, number {} first, {} not known to 1e-6: rounding "
-                        "beside the largest one hides the rest; mind the radii, and improve cells "
-                        "of extreme shape",
-                        rough.size(), rough.front(), rough.size() == 1 ? "is" : "are")};
-}
-
 /// `advice` on negative duals is what helps, or empty.
 std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
                                                     const HodgeStars& stars,
@@ -116,8 +107,17 @@ Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
     return result;
 }
 
-/// What is measured in length^-2, in the units of the input. What is rounding beside the largest
-/// number may vanish; radii then grow by what is lost there.
+} // namespace
+
+std::vector<std::string> warning_of_rough_values(const std::vector<Index>& rough) {
+    if (rough.empty())
+        return {};
+    return {fmt::format("{} of the eigenvalues, number {} first, {} not known to 1e-6: rounding "
+                        "beside the largest one hides the rest; mind the radii, and improve cells "
+                        "of extreme shape",
+                        rough.size(), rough.front(), rough.size() == 1 ? "is" : "are")};
+}
+
 void use_input_units(Spectrum& spectrum, double unit) {
     if (unit == 1)
         return;
@@ -134,8 +134,6 @@ void use_input_units(Spectrum& spectrum, double unit) {
         if (radius < std::numeric_limits<double>::min())
             radius += std::numeric_limits<double>::denorm_min();
 }
-
-} // namespace
 
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const SpectrumOptions& options) {

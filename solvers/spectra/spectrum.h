@@ -68,4 +68,11 @@ Spectrum spectrum(const Discretization& discretization, const BoundaryConditions
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const BoundaryConditions& conditions, const SpectrumOptions& options = {});
 
+/// What is measured in length^-2, of a mesh that is measured in a unit, in those of its input. What
+/// is rounding beside the largest number may vanish; radii then grow by what is lost there.
+void use_input_units(Spectrum& spectrum, double unit);
+
+/// A warning of values that rounding hides, if there are any.
+std::vector<std::string> warning_of_rough_values(const std::vector<Index>& rough);
+
 } // namespace polydec

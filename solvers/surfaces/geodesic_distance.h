@@ -47,9 +47,10 @@ public:
     ~GeodesicDistance();
 
     /// The distance of every vertex from the nearest of the source vertices, in the unit of the
-    /// lengths, of a mesh in that of its input. 0 at the sources. Triangles far from Delaunay can bring values below 0, which are
-    /// raised to 0 and counted. Throws InvalidInput for a source that is no vertex, and, naming a
-    /// vertex, if a component has no source; SolverFailure if the engine does not deliver.
+    /// lengths, of a mesh in that of its input. 0 at the sources. Triangles far from Delaunay can
+    /// bring values below 0, which are raised to 0 and counted. Throws InvalidInput for a source
+    /// that is no vertex, and, naming a vertex, if a component has no source; SolverFailure if the
+    /// engine does not deliver.
     Distance to(std::span<const Index> sources) const;
 
 private:

@@ -313,8 +313,7 @@ TEST_P(DiagnosisOf, advises_where_duals_are_not_positive_what_makes_stars_so) {
     auto bundle = circumcentric(given());
     auto list = diagnose(bundle).advice;
     EXPECT_EQ(list.empty(), not_positive(bundle) == 0);
-    // flips may turn a triangle's obtuse angle to the boundary, and then splits are advised; or a
-    // right one, and then stars
+    // flips may turn an obtuse angle to the boundary, then splits are advised; or a right one, stars
     for (int step = 0; step < 3 && !list.empty(); ++step) {
         // who does nothing is told the same again
         const auto idle = discretize(given(), with(Remedy::none, bundle.options()));
@@ -358,9 +357,8 @@ POLYDEC_OVER_MESHES(DiagnosisOf);
 std::vector<std::string> advice(const Mesh& mesh, DiscretizeOptions options = {},
                                 StarKind star = StarKind::circumcentric) {
     options.star = star;
-    const auto told = diagnose(discretize(mesh, options));
     std::vector<std::string> list;
-    for (const auto& one : told.advice)
+    for (const auto told = diagnose(discretize(mesh, options)); const auto& one : told.advice)
         list.push_back(in_words(one, told.dimension));
     return list;
 }
@@ -387,16 +385,15 @@ TEST(Advice, names_the_option_for_edges_inside_and_on_the_boundary_and_for_what_
 }
 
 TEST(Advice, gives_options_that_discretize_takes) {
-    auto mesh = kite(0.8, 0.9);
+    Mesh mesh = kite(0.8, 0.9);
     mesh.tags = {1, 2};
-    const DiscretizeOptions angle{.criterion = MergeCriterion::angle, .tolerance = 1e-3};
-    for (auto options : {angle, DiscretizeOptions{.materials = Materials::keep_apart},
-                         DiscretizeOptions{.centers = Centers::centroids()}}) {
-        options.star = StarKind::circumcentric;
+    for (auto options : {DiscretizeOptions{.criterion = MergeCriterion::angle, .tolerance = 1e-3},
+                         DiscretizeOptions{.materials = Materials::keep_apart},
+                         DiscretizeOptions{.centers = Centers::centroids()}})
         for (const auto remedy : {Remedy::flips, Remedy::splits, Remedy::stars}) {
+            options.star = StarKind::circumcentric;
             EXPECT_EQ(not_positive(discretize(mesh, with(remedy, options))), 0U);
         }
-    }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/checkpoint.h"
 
+#include "dec/material_stars.h"
 #include "meshes/generate.h"
 #include "tests/io/support.h"
 #include "tests/support/says.h"
@@ -29,6 +30,22 @@ void write_bytes(const std::filesystem::path& path, const std::string& text) {
 }
 
 } // namespace
+
+TEST(Fingerprint, KnowsEveryStarOfAMesh) {
+    const auto of = [](const Discretization& mesh) { return Fingerprint().add(mesh).value(); };
+    const auto mesh = discretize(kuhn(3, 2));
+    const Index cells = mesh.complex().size(3);
+    EXPECT_EQ(of(mesh), of(discretize(kuhn(3, 2))));
+    for (int k = 0; k <= 3; ++k) {
+        Vector weights = Vector::Ones(cells);
+        EXPECT_EQ(of(with_material(mesh, k, weights)), of(mesh)) << k;
+        weights[cells / 2] += 1e-15;
+        EXPECT_NE(of(with_material(mesh, k, weights)), of(mesh)) << k;
+    }
+    const auto galerkin = discretize(kuhn(3, 2), {.star = StarKind::galerkin});
+    EXPECT_NE(of(galerkin), of(mesh));
+    EXPECT_NE(of(with_material(galerkin, 1, Vector::Constant(cells, 2))), of(galerkin));
+}
 
 TEST(Checkpoint, IsReadToTheSameBits) {
     const TemporaryFolder folder;

@@ -25,7 +25,7 @@ std::vector<Index> near_boundary(const GluedSample& square, double distance) {
 double error_from_the_boundary(int n) {
     const auto square = glued(grid(n, n));
     GeodesicDistance solver(square.surface, square.lengths);
-    const auto [d, raised] = solver.to(near_boundary(square, 0));
+    const auto [d, raised, warnings] = solver.to(near_boundary(square, 0));
     EXPECT_EQ((d.array() == 0).count(), 4 * n);
     EXPECT_EQ(raised, 0);
     double sum = 0;
@@ -66,7 +66,7 @@ TEST(GeodesicSources, have_the_values_counted_that_are_raised_to_them) {
     const auto sample = glued(mesh);
     GeodesicDistance solver(sample.surface, sample.lengths);
     const std::vector<Index> sources{1, 38, 75, 112};
-    const auto [d, raised] = solver.to(sources);
+    const auto [d, raised, warnings] = solver.to(sources);
     EXPECT_GE(d.minCoeff(), 0);
     EXPECT_GT(raised, 0);
     EXPECT_EQ((d.array() == 0).count(), raised + 4);

@@ -4,6 +4,7 @@
 #include "complex/homology.h"
 #include "dec/choose_stars.h"
 #include "dec/conditioned_complex.h"
+#include "dec/operators.h"
 #include "meshes/generate.h"
 #include "solvers/spectra/coexact_spectrum.h"
 #include "solvers/spectra/inertia.h"
@@ -163,6 +164,16 @@ TEST(SpectraByStars, refuse_masses_that_are_not_positive_definite) {
             says(refusal([&] { spectrum(mesh.complex(), stars, {.degree = k, .count = 2}); }),
                  {"not positive definite"}))
             << k;
+}
+
+TEST(ModesOfDualForms, have_norm_1_where_no_flow_leaves_and_stars_are_matrices) {
+    const auto mesh = discretize(mesh_named("obtuse_planar"), {.star = StarKind::galerkin});
+    for (const int degree : {1, 2}) {
+        const auto found = spectrum(mesh, {BoundaryCondition::natural},
+                                    {.side = Side::dual, .degree = degree, .count = 4});
+        for (Index i = 0; i < found.modes.cols(); ++i)
+            EXPECT_NEAR(norm(mesh, {Side::dual, degree, found.modes.col(i)}), 1, 1e-9) << degree;
+    }
 }
 
 } // namespace

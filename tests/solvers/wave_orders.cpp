@@ -163,6 +163,7 @@ TEST(WaveOrders, are_2_on_octahedra_and_tetrahedra) {
     const Sampled tetrahedra{[](int n) { return bcc(n); }, 4};
     expect_orders(tetrahedra, {{clamped(3)}, {free_membrane(3)}});
     EXPECT_GT(order(tetrahedra, electric(3), Side::primal), 1.9);
+    EXPECT_GT(order(tetrahedra, electric(3), Side::dual), 1);
 }
 
 } // namespace

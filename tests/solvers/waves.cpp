@@ -260,6 +260,20 @@ TEST(HeatOrders, are_1_and_2_in_time) {
         EXPECT_NEAR(std::log2(error(scheme, 20) / error(scheme, 40)), order, 0.1);
 }
 
+TEST(Heat, of_stars_that_are_matrices_does_not_mind_the_size_of_cells) {
+    const auto largest_at = [](double size) {
+        Mesh mesh = grid(4, 4);
+        mesh.points *= size;
+        const auto given =
+            discretize(mesh, {.criterion = MergeCriterion::none, .star = StarKind::galerkin});
+        const HeatSolver solver(given, Side::dual, 0, {.time_step = 0.05 * size * size});
+        return solver.step({Side::dual, 0, Vector::Ones(given.complex().size(2))})
+            .values.maxCoeff();
+    };
+    for (const int exponent : {-38, -20, 20, 30, 38})
+        EXPECT_NEAR(largest_at(std::ldexp(1, exponent)), largest_at(1), 1e-9) << exponent;
+}
+
 TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
     const auto mesh = circumcentric(perturbed(grid(4, 4), 0.08, 3), {MergeCriterion::none});
     ASSERT_FALSE(star(mesh.volumes(), 1).negatives().empty());

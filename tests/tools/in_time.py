@@ -201,6 +201,46 @@ class InTime(TestCase):
                 2, name, golden("uv8.off"), "--degree", 0, "--initial", "form.txt", "--until", 1,
                 *more), "form.txt", edges, "expected")
 
+    def test_checkpoints_know_every_option_and_what_files_hold(self):
+        """Whatever is changed of what makes the numbers, a run does not go on."""
+        self.succeed("generate", "grid", "--nx", 4, "--ny", 4, "-o", "g.off")
+        ones = "1\n" * 25
+        self.write("one.txt", ones)
+        base = {"--side": "primal", "--initial": "x", "--until": 1, "--time-step": 0.05,
+                "--frames": 4, "--source": "one.txt", "--essential-where": "x<0.001",
+                "--boundary-values": "one.txt"}
+
+        def heat(changed=(), *more):
+            options = {**base, **dict(changed)}
+            return ("heat", "g.off", *[word for pair in options.items() for word in pair],
+                    "--checkpoint", "a.checkpoint", *more)
+
+        self.succeed(*heat())
+        self.succeed(*heat((), "--resume", "--timing"))
+        others = {"--initial": "y", "--until": 2, "--time-step": 0.04, "--frames": 5,
+                  "--source": 2, "--essential-where": "x>0.999", "--boundary-values": 2}
+        for option, value in others.items():
+            with self.subTest(option):
+                told = self.fail_with(2, *heat({option: value}, "--resume"))
+                self.assertSays(told, "a.checkpoint", "another")
+        for more in (("--star", "galerkin"), ("--no-merge",), ("--tolerance", 1e-3),
+                     ("--linear-solver", "eigen.ldlt"), ("--flux", 1), ("--robin", 2),
+                     ("--tolerance-in-time", 1e-3)):
+            with self.subTest(more):
+                self.assertNotEqual(
+                    command.run(*heat((), *more, "--resume"), folder=self.folder).code, 0)
+        self.write("one.txt", "1\n" * 24 + "2\n")
+        self.fail_with(2, *heat((), "--resume"))
+        self.write("same.txt", ones)
+        self.succeed(*heat({"--source": "same.txt", "--boundary-values": "same.txt"}, "--resume"))
+
+    def test_series_know_their_run(self):
+        heat = ("heat", golden("uv8.off"), "--side", "primal", "--until", 1, "-o", "a.pvd")
+        self.succeed(*heat, "--initial", "z", "--checkpoint", "a.checkpoint")
+        self.succeed(*heat, "--initial", "x")
+        self.assertSays(self.fail_with(2, *heat, "--initial", "z", "--checkpoint", "a.checkpoint",
+                                       "--resume"), "a.pvd", "another run")
+
     def test_what_cannot_be_done_is_refused(self):
         heat = ("heat", golden("uv8.off"), "--side", "primal", "--initial", "z", "--until", 1)
         self.succeed(*heat, "--checkpoint", "a.checkpoint")

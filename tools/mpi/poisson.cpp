@@ -131,7 +131,7 @@ void run_poisson(const Ranks& ranks, SharedPoissonArguments arguments) {
     const Vector h =
         in_units(values_at(ranks, mesh, data.flux, n - 1, solver.flux_sites()), 1, "--flux");
     const auto solution = computed_on(file, [&] { return solver.solve(f, g, h); });
-    warn_of_compatibility(solution.compatibility, log);
+    log.warn(warning_of(solution.compatibility));
     warn_of_negative(ranks, mesh, side, log);
 
     constexpr double infinity = std::numeric_limits<double>::infinity();

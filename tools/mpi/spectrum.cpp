@@ -55,7 +55,7 @@ void run_spectrum(const Ranks& ranks, SharedSpectrumArguments arguments) {
         log.begin("write");
         write_pvtu(ranks, arguments.out, mesh, modes_to_show(result, k));
     }
-    warn_of_rough_values(result, log);
+    log.warn(warning_of_rough_values(result.rough));
     use_input_units(result, mesh.unit);
     const auto& facets = mesh.cells.degree(n - 1);
     GlobalIndex on_boundary = 0;
