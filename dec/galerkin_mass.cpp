@@ -13,7 +13,7 @@ GalerkinMass::GalerkinMass(const Discretization& mesh) : mesh_(mesh) {
         flat[t] = mesh.is_flat(static_cast<Index>(t));
     if (std::find(flat.begin(), flat.end(), true) == flat.end())
         return;
-    coned_ = cone_flat_cells(mesh.merging(), mesh.points(), flat);
+    coned_ = cone_flat_cells(mesh.merging(), *mesh.metric().points(), flat);
     const auto volumes = dual_volumes(pieces(), metric(), Centers::centroids());
     lift_ = commuting_lift(merging(), metric(), volumes);
 }

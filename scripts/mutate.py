@@ -63,7 +63,7 @@ MUTANTS = {
                                "std::vector<bool> known = fixed[k];",
                                "std::vector<bool> known(fixed[k].size(), false);"),
     "slivers_left_out": ("dec/galerkin_mass.cpp",
-                         "coned_ = cone_flat_cells(mesh.merging(), mesh.points(), flat);", "return;"),
+                         "coned_ = cone_flat_cells(mesh.merging(), *mesh.metric().points(), flat);", "return;"),
     "dual_forms_over_duals": ("dec/fields/de_rham.cpp",
                               "if (!mesh.chosen_stars().is_over_duals(k)) {", "if (false) {"),
     "flats_over_duals": ("dec/fields/flat.cpp",

@@ -8,10 +8,10 @@
 #include "dec/forms/gram.h"
 #include "dec/forms/laplacian.h"
 #include "dec/material_stars.h"
-#include "dec/metric/dual_parts.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/dual_fluxes.h"
 #include "solvers/mixed_poisson.h"
+#include "solvers/vertex_shares.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -109,34 +109,6 @@ Stiffness stiffness(const CellComplex& complex, const HodgeStars& stars) {
     SparseMatrix A = symmetric_laplacian(complex, stars, 0).matrix();
     A.prune(0.0);
     return {std::move(A), Definiteness::semidefinite};
-}
-
-/// What each vertex gets of the (n-1)-cells: each piece is shared among its vertices as their duals
-/// divide it, equally for finite elements.
-SparseMatrix shares_of_vertices(const Discretization& mesh) {
-    const int n = mesh.dimension();
-    const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 0, n - 1,
-                   mesh.stars()[1].is_diagonal() ? mesh.centers() : Centers::centroids());
-    const SparseMatrix pieces = mesh.merging().diamond(n - 1).cast<double>().cwiseAbs();
-    return SparseMatrix(pieces * parts).transpose();
-}
-
-/// The same where nothing is known of duals: equal shares.
-SparseMatrix shares_of_vertices(const CellComplex& complex, const HodgeStars& stars) {
-    const int n = complex.dimension();
-    SparseMatrix vertices(complex.size(n - 1), complex.size(n - 1));
-    vertices.setIdentity();
-    for (int k = n - 2; k >= 0; --k) {
-        SparseMatrix faces = complex.incidences(k).real_matrix().cwiseAbs();
-        for (const auto& [cell, face] : complex.canceled(k))
-            faces.coeffRef(cell, face) = 1;
-        vertices = SparseMatrix(vertices * faces);
-    }
-    vertices.coeffs().setOnes();
-    const Vector counts = vertices * Vector::Ones(vertices.cols());
-    const Vector shares = stars.volumes().primal(n - 1).cwiseQuotient(counts);
-    return SparseMatrix(shares.asDiagonal() * vertices).transpose();
 }
 
 } // namespace

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -124,9 +123,12 @@ private:
             if (k > 0)
                 for (Index s = 0; s < P_.size(k - 1); ++s)
                     entries += std::pow(P_.coface_counts(k - 1)[s], 2);
-            if (k < mesh_.dimension())
-                for (Index t = 0; t < P_.size(k + 1); ++t)
-                    entries += std::pow(std::ranges::distance(P_.incidences(k)[t]), 2);
+            for (Index t = 0; t < P_.size(k + 1); ++t) {
+                double faces = 0;
+                for ([[maybe_unused]] const SignedFace& face : P_.incidences(k)[t])
+                    ++faces;
+                entries += faces * faces;
+            }
             check_memory(bytes_each * entries,
                          fmt::format("Laplacians of {}-cells with {:.3g} entries", k, entries));
         }

@@ -47,7 +47,8 @@ void first_eigenvalues() {
 }
 
 void dual_boundary_data() {
-    const auto mesh = polydec::discretize(polydec::hexagons(8));
+    const auto mesh =
+        polydec::discretize(polydec::hexagons(8), {.star = polydec::StarKind::circumcentric});
     const auto& P = mesh.complex();
     const auto f = [](const polydec::Vector& p) { return p[0] + 2 * p[1]; };
     const auto w = polydec::dual_de_rham(mesh, 0, polydec::function_form(f));
@@ -65,7 +66,8 @@ void dual_boundary_data() {
 }
 
 void zero_boundary_duals() {
-    const auto mesh = polydec::discretize(polydec::hexagons(8));
+    const auto mesh =
+        polydec::discretize(polydec::hexagons(8), {.star = polydec::StarKind::circumcentric});
     std::cout << "boundary edges of zero dual length: " << mesh.degenerate().boundary << '\n';
     try {
         polydec::star(mesh, 1).inverse();

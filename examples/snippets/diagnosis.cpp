@@ -9,7 +9,7 @@ namespace {
 
 void diagnosis() {
     const auto mesh = polydec::perturbed(polydec::grid(8, 8), 0.02, 1);
-    const auto given = polydec::discretize(mesh);
+    const auto given = polydec::discretize(mesh, {.star = polydec::StarKind::circumcentric});
     const auto told = polydec::diagnose(given);
     std::cout << told.cells.merged[2] << " cells, " << told.stars.merged[1].negative
               << " negative dual edges\n";
@@ -23,7 +23,8 @@ void diagnosis() {
 
 void kinds_of_pairs() {
     for (const double noise : {0.0, 0.01}) {
-        const auto mesh = polydec::discretize(polydec::perturbed(polydec::hexagons(16), noise, 3));
+        const auto mesh = polydec::discretize(polydec::perturbed(polydec::hexagons(16), noise, 3),
+                                              {.star = polydec::StarKind::circumcentric});
         const auto kinds = polydec::facet_kinds(mesh.input(), mesh.points(), mesh.input_volumes());
         std::cout << kinds.well_centered << " well-centered, " << kinds.delaunay << " Delaunay, "
                   << kinds.non_delaunay << " non-Delaunay, " << kinds.cospherical << " concyclic\n";
@@ -31,7 +32,8 @@ void kinds_of_pairs() {
 }
 
 void verdicts() {
-    const auto mesh = polydec::discretize(polydec::torus(24, 12));
+    const auto mesh =
+        polydec::discretize(polydec::torus(24, 12), {.star = polydec::StarKind::circumcentric});
     for (const auto stage : {polydec::Stage::input, polydec::Stage::merged}) {
         std::cout << (stage == polydec::Stage::input ? "input: " : "merged:");
         for (const auto& verdict : polydec::operator_verdicts(mesh, stage))
@@ -45,7 +47,8 @@ void verdicts() {
 void condition_numbers() {
     const polydec::Mesh torus = polydec::perturbed(polydec::torus(24, 12), 1e-7, 1);
     for (const double tolerance : {1e-10, 1e-4}) {
-        const auto mesh = polydec::discretize(torus, {.tolerance = tolerance});
+        const auto mesh = polydec::discretize(
+            torus, {.tolerance = tolerance, .star = polydec::StarKind::circumcentric});
         const polydec::Vector star = polydec::star(mesh, 1).diagonal().cwiseAbs();
         std::cout << "tolerance " << tolerance << ": condition of star_1 "
                   << star.maxCoeff() / star.minCoeff() << ", negative entries "
@@ -64,7 +67,7 @@ void zero_vertex_dual() {
         star.points.row(i + 1) << r * std::cos(angle), r * std::sin(angle);
         star.simplices.row(i) << 0, i + 1, (i + 1) % 6 + 1;
     }
-    const auto mesh = polydec::discretize(star);
+    const auto mesh = polydec::discretize(star, {.star = polydec::StarKind::circumcentric});
     std::cout << "ratio " << ratio << ": vertices without dual area";
     for (const auto v : polydec::star(mesh, 0).zeros())
         std::cout << ' ' << v;

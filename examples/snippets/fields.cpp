@@ -18,7 +18,8 @@ polydec::DenseMatrix sample(const polydec::SmoothForm& field, const polydec::Poi
 }
 
 void there_and_back() {
-    const auto mesh = polydec::discretize(polydec::hexagons(8));
+    const auto mesh =
+        polydec::discretize(polydec::hexagons(8), {.star = polydec::StarKind::circumcentric});
     const polydec::DenseMatrix X =
         polydec::Vector{{2, 3}}.transpose().replicate(mesh.points().rows(), 1);
     const polydec::Cochain w = polydec::flat(mesh, polydec::Flat::ppp, X);
@@ -27,7 +28,8 @@ void there_and_back() {
 }
 
 void velocity_from_fluxes() {
-    const auto mesh = polydec::discretize(polydec::hexagons(8));
+    const auto mesh =
+        polydec::discretize(polydec::hexagons(8), {.star = polydec::StarKind::circumcentric});
     const auto flux = polydec::de_rham(mesh, 1, polydec::flux_form([](const auto&) {
                                            return polydec::Vector{{2, 3}};
                                        }));

@@ -13,7 +13,8 @@ polydec::Vector vortex(const polydec::Vector& p) {
 }
 
 void circulation_and_flux() {
-    const auto mesh = polydec::discretize(polydec::hexagons(8));
+    const auto mesh =
+        polydec::discretize(polydec::hexagons(8), {.star = polydec::StarKind::circumcentric});
     const auto& P = mesh.complex();
     const auto w = polydec::de_rham(mesh, 1, polydec::circulation_form(vortex));
     const auto flux = polydec::de_rham(mesh, 1, polydec::flux_form(vortex));
@@ -22,7 +23,8 @@ void circulation_and_flux() {
 }
 
 void dual_forms_commute() {
-    const auto mesh = polydec::discretize(polydec::hexagons(8));
+    const auto mesh =
+        polydec::discretize(polydec::hexagons(8), {.star = polydec::StarKind::circumcentric});
     const auto f = [](const polydec::Vector& p) { return p[0] * p[1]; };
     const auto gradient = [](const polydec::Vector& p) { return polydec::Vector{{p[1], p[0]}}; };
     const auto values = polydec::dual_de_rham(mesh, 0, polydec::function_form(f));

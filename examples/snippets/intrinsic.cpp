@@ -32,8 +32,9 @@ double largest(const polydec::Vector& values) {
 
 void flips() {
     const polydec::Mesh mesh = pebble(8);
-    const auto before = polydec::discretize(mesh);
-    const auto after = polydec::discretize(mesh, {.delaunay = polydec::Delaunay::flips});
+    const auto before = polydec::discretize(mesh, {.star = polydec::StarKind::circumcentric});
+    const auto after = polydec::discretize(
+        mesh, {.delaunay = polydec::Delaunay::flips, .star = polydec::StarKind::circumcentric});
     const polydec::IntrinsicStatistics& done = after.passage().flips().statistics;
     std::cout << done.negative_before << " negative dual edges, " << done.flips << " flips\n"
               << "smallest star_1 " << polydec::star(before, 1).diagonal().minCoeff()
@@ -66,7 +67,8 @@ void splits() {
     polydec::Mesh mesh = polydec::grid(4, 4);
     mesh.points.col(0) += 2.3 * mesh.points.col(1); // a parallelogram
     for (const auto delaunay : {polydec::Delaunay::flips, polydec::Delaunay::flips_and_splits}) {
-        const auto surface = polydec::discretize(mesh, {.delaunay = delaunay});
+        const auto surface = polydec::discretize(
+            mesh, {.delaunay = delaunay, .star = polydec::StarKind::circumcentric});
         const auto& done = surface.passage().flips().statistics;
         std::cout << done.flips << " flips, " << done.splits
                   << " splits: " << done.negative_boundary

@@ -50,7 +50,8 @@ void magnet() {
 }
 
 void robin() {
-    const auto mesh = polydec::discretize(polydec::hexagons(32));
+    const auto mesh =
+        polydec::discretize(polydec::hexagons(32), {.star = polydec::StarKind::circumcentric});
     const auto cooled =
         polydec::robin_elsewhere({polydec::BoundaryCondition::natural}, 2.0); // du/dnu + 2 u = 0
     const polydec::PoissonSolver solver(mesh, {.side = polydec::Side::dual, .boundary = cooled});

@@ -19,7 +19,7 @@ from ._core import __version__
 from ._cells import Cells, ConditionedCells
 from ._checkpoint import Checkpoint, fingerprint, read_checkpoint, write_checkpoint
 from ._cochain import Cochain
-from ._complex import CellList, Complex, Merging, Polygons, discretize
+from ._complex import Complex, Merging, discretize
 from ._distance import GeodesicDistance, ParallelTransport, geodesic_distance
 from ._engines import (Backend, Solution, backends, load_engine, register_eigen_solver,
                        register_linear_solver, set_memory_limit, solve)
@@ -32,6 +32,7 @@ from ._fields import (LieDerivative, boundary_de_rham, de_rham, flat, flux_form,
 from ._flow import (FlowSolver, FluxTransport, IncompressibleFlow, ShallowWater, flow_of_velocity,
                     flow_of_vorticity, flux_through_boundary)
 from ._given import as_mesh, split_polygons
+from ._lists import CellList, Polygons
 from ._mesh import LengthMesh, Mesh, read_lengths, read_mesh, write_lengths, write_mesh
 from ._periodic import PeriodicMesh, glue, periodic
 from ._plot import plot, to_meshio, to_pyvista

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from typing import Any, Callable, NamedTuple, Union
+from typing import Any, Callable, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -15,33 +15,12 @@ from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
 from ._errors import InvalidInput, PolydecWarning, told, warn
 from ._given import MeshLike, as_mesh
+from ._lists import CellList, Polygons
 from ._mesh import LengthMesh, Mesh
 
 Progress = Callable[[str], object]
 #: Cells, or a mesh that they are made of.
 CellsLike = Union[Cells, MeshLike]
-
-
-class CellList(NamedTuple):
-    """The cells of one degree: cell i has ``corners[offsets[i]:offsets[i + 1]]``."""
-
-    offsets: Integers
-    corners: Integers
-
-    def __len__(self) -> int:
-        return len(self.offsets) - 1
-
-    def cell(self, i: int) -> Integers:
-        """The corners of cell i."""
-        return self.corners[self.offsets[i]:self.offsets[i + 1]]
-
-
-class Polygons(NamedTuple):
-    """Polygons: number i has ``corners[offsets[i]:offsets[i + 1]]``, rows of points, around it."""
-
-    points: Floats
-    offsets: Integers
-    corners: Integers
 
 
 class Complex(Cells):

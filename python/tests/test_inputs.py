@@ -68,7 +68,7 @@ def test_meshes_that_are_refused_say_where():
 
 
 def test_places_of_errors():
-    c = polydec.discretize(polydec.meshes.hexagons(12))
+    c = polydec.discretize(polydec.meshes.hexagons(12), star="circumcentric")
     with pytest.raises(polydec.InvalidInput) as caught:
         c.inverse_star(1)
     assert caught.value.degree == 1 and len(caught.value.cells) == len(c.zeros(1)) > 5
@@ -164,8 +164,8 @@ def test_words_of_messages():
     advice = c.report()["advice"]
     assert advice and not any("::" in text for text in advice)
     with pytest.raises(polydec.InvalidInput) as caught:
-        polydec.spectrum(polydec.discretize(polydec.meshes.perturbed(polydec.meshes.fcc(1), 0.05)),
-                         degree=1)
+        polydec.spectrum(polydec.discretize(polydec.meshes.perturbed(polydec.meshes.fcc(1), 0.05),
+                                            star="circumcentric"), degree=1)
     assert "::" not in str(caught.value) and caught.value.cells
 
 

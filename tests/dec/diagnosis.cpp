@@ -22,7 +22,6 @@
 
 namespace polydec::test::in_diagnosis {
 namespace {
-
 FacetKinds kinds(const Mesh& mesh) {
     const auto bundle = circumcentric(mesh);
     return facet_kinds(bundle.input(), bundle.points(), bundle.input_volumes(), bundle.options());
@@ -313,7 +312,8 @@ TEST_P(DiagnosisOf, advises_where_duals_are_not_positive_what_makes_stars_so) {
     auto bundle = circumcentric(given());
     auto list = diagnose(bundle).advice;
     EXPECT_EQ(list.empty(), not_positive(bundle) == 0);
-    // flips may turn an obtuse angle to the boundary, then splits are advised; or a right one, stars
+    // flips may turn an obtuse angle to the boundary, then splits are advised; or a right one,
+    // stars
     for (int step = 0; step < 3 && !list.empty(); ++step) {
         // who does nothing is told the same again
         const auto idle = discretize(given(), with(Remedy::none, bundle.options()));

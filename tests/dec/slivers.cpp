@@ -236,7 +236,10 @@ TEST(Slivers, leave_fields_and_stars_exact_for_constants) {
 
 TEST(Slivers, leave_no_crack_between_the_forms_of_galerkin) {
     for (const double jitter : jitters) {
-        const auto mesh = discretize(delaunay_grid(4, jitter));
+        Mesh input = delaunay_grid(4, jitter);
+        input.points.conservativeResize(Eigen::NoChange, jitter > 1e-7 ? 4 : 3);
+        input.points.rightCols(input.points.cols() - 3).setZero();
+        const auto mesh = discretize(input);
         const SparseMatrix d = derivative(mesh.complex(), 0);
         const auto star = choose_stars(mesh, StarKind::galerkin).stars[1];
         const auto inside = relative_to_boundary(mesh.complex());

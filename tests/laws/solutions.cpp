@@ -130,7 +130,7 @@ TEST(HostileMeshes, have_the_solutions_of_Poisson_problems_that_dense_matrices_h
         const Vector f = random_vector(mesh.complex().size(0), 3);
         const Vector zero = Vector::Zero(f.size());
         const auto u = unless_refused([&] {
-            PoissonSolver solver(mesh);
+            PoissonSolver solver(mesh.complex(), mesh.volumes());
             const auto [solution, report, compatibility, warnings] = solver.solve(f, zero);
             RC_ASSERT(report.residual <= 1e-6);
             return compatibility.free_components == 0 ? solution : Vector();
