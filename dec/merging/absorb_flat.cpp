@@ -152,13 +152,17 @@ bool Absorption::unite_cut_classes() {
 }
 
 /// All candidates by volume, of equal ones by the radius of their spheres; where both are equal but
-/// for rounding, by the ascending places of their corners.
+/// for rounding, by the ascending places of their corners. What is equal is told among those alone
+/// that flat simplices may go to.
 std::vector<Index> Absorption::in_order_of_size() const {
     std::map<Index, std::vector<Index>> corners;
     std::map<Index, double> volume;
+    DisjointSets together(static_cast<Index>(roots_.size()));
     for (const auto& [t, roots] : candidates_)
-        for (const Index root : roots)
+        for (const Index root : roots) {
             corners[root];
+            together.join(root, roots.front());
+        }
     for (Index t = 0; t < std::ssize(roots_); ++t)
         if (const auto found = corners.find(roots_[t]); found != corners.end()) {
             const auto simplex = complex_.simplices(n()).row(t);
@@ -169,32 +173,35 @@ std::vector<Index> Absorption::in_order_of_size() const {
         const auto a = points_.row(v), b = points_.row(w);
         return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
     };
-    std::vector<Index> roots;
-    std::vector<double> volumes, radii;
+    std::map<Index, std::vector<Index>> parts;
     for (auto& [root, list] : corners) {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
         std::sort(list.begin(), list.end(), before);
-        roots.push_back(root);
-        volumes.push_back(volume[root]);
-        radii.push_back(spheres_.radius(root));
+        parts[together.find(root).element].push_back(root);
     }
-    volumes = without_rounding(volumes);
-    radii = without_rounding(radii);
-    std::vector<std::size_t> order(roots.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-        if (volumes[i] != volumes[j])
-            return volumes[i] < volumes[j];
-        if (radii[i] != radii[j])
-            return radii[i] < radii[j];
-        const auto &first = corners.at(roots[i]), &second = corners.at(roots[j]);
-        return std::lexicographical_compare(first.begin(), first.end(), second.begin(),
-                                            second.end(), before);
-    });
     std::vector<Index> result;
-    for (const std::size_t i : order)
-        result.push_back(roots[i]);
+    for (const auto& [first, roots] : parts) {
+        std::vector<double> volumes, radii;
+        for (const Index root : roots) {
+            volumes.push_back(volume[root]);
+            radii.push_back(spheres_.radius(root));
+        }
+        volumes = without_rounding(volumes);
+        radii = without_rounding(radii);
+        std::vector<std::size_t> order(roots.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+            if (volumes[i] != volumes[j])
+                return volumes[i] < volumes[j];
+            if (radii[i] != radii[j])
+                return radii[i] < radii[j];
+            return std::ranges::lexicographical_compare(corners.at(roots[i]), corners.at(roots[j]),
+                                                        before);
+        });
+        for (const std::size_t i : order)
+            result.push_back(roots[i]);
+    }
     return result;
 }
 
