@@ -3,12 +3,14 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/memory.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_faces.h"
 #include "dec/metric/whitney.h"
 
 #include <Eigen/SparseQR>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +158,12 @@ void Lift::fill_cell(int m, Index F) {
 /// and those of the simplices on its boundary.
 std::vector<Index> Lift::columns(int m, Index F, int j) const {
     std::vector<Index> cells;
+    const auto leave_once = [&] {
+        std::sort(cells.begin(), cells.end());
+        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+        return cells.size();
+    };
+    std::size_t different = 0;
     for (const Index t : inside_[m][j + 1][F]) {
         rows_[j + 1].visit(t, [&](Index upper, double) {
             for (const SignedFace& E : P_.incidences(j)[upper])
@@ -164,9 +172,11 @@ std::vector<Index> Lift::columns(int m, Index F, int j) const {
         for (const SignedFace& s : K_.incidences(j)[t])
             if (!is_inside(m, F, j, s.face))
                 rows_[j].visit(s.face, [&](Index E, double) { cells.push_back(E); });
-        std::sort(cells.begin(), cells.end());
-        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+        constexpr std::size_t spare = 1000; // so that most is not sorted again and again
+        if (cells.size() > 2 * different + spare)
+            different = leave_once();
     }
+    leave_once();
     return cells;
 }
 
@@ -175,6 +185,10 @@ std::vector<Index> Lift::columns(int m, Index F, int j) const {
 void Lift::fill_degree(int m, Index F, int j) {
     const auto unknown = inside_[m][j][F], equations = inside_[m][j + 1][F];
     const auto cells = columns(m, F, j);
+    const auto rows = static_cast<double>(equations.size() + 2 * unknown.size());
+    check_memory(sizeof(double) * 2 * rows * static_cast<double>(cells.size()),
+                 fmt::format("the lift into {}-cell {}, which is merged of {} simplices,", m, F,
+                             inside_[m][m][F].size()));
 
     std::vector<Eigen::Triplet<double, Index>> entries;
     DenseMatrix right_side = DenseMatrix::Zero(equations.size(), cells.size());
