@@ -175,9 +175,8 @@ ChosenStars choose_stars(const Discretization& mesh, StarKind kind) {
     case StarKind::barycentric:
         return ChosenStars(barycentric_volumes(mesh), kind);
     case StarKind::automatic:
-        if (all_positive(mesh.volumes()))
-            return ChosenStars(mesh.volumes(), StarKind::circumcentric);
-        return mesh.dimension() == GluedSurface::dimension ? hybrid(mesh) : galerkin(mesh, 1);
+        kind = automatic_kind(mesh.dimension(), all_positive(mesh.volumes()));
+        return kind == StarKind::galerkin ? galerkin(mesh, 1) : choose_stars(mesh, kind);
     case StarKind::own:
         break;
     }

@@ -2,6 +2,7 @@
 #include "distributed/discretize.h"
 
 #include "base/errors.h"
+#include "dec/forms/star.h"
 #include "dec/merging/flat_simplices.h"
 #include "dec/mesh_warnings.h"
 #include "dec/metric/circumcentric_volumes.h"
@@ -129,6 +130,29 @@ DistributedMesh discretize(const Ranks& ranks, MeshSlice slice, const std::vecto
     begin("cells");
     mesh.cells = distributed_cells(ranks, local, mesh.merged);
     return mesh;
+}
+
+void check_stars(const Ranks& ranks, const DistributedMesh& mesh) {
+    if (mesh.star == StarKind::circumcentric)
+        return;
+    std::string why = "are asked for";
+    if (mesh.star == StarKind::automatic) {
+        GlobalIndex found = 0;
+        int k = -1;
+        while (found == 0 && k < mesh.dimension()) {
+            const HodgeStar star(mesh.cells.volumes, ++k);
+            found = ranks.sum(std::ssize(star.negatives()) + std::ssize(star.zeros()));
+        }
+        const StarKind kind = automatic_kind(mesh.dimension(), found == 0);
+        if (kind == StarKind::circumcentric)
+            return;
+        why = fmt::format("are {} ones here, since the dual of {} of the {}-cells is not positive",
+                          name(kind), found, k);
+    }
+    throw InvalidInput(fmt::format("{} stars {}; several ranks have circumcentric stars alone: "
+                                   "take StarKind::circumcentric if these will do, or solve in "
+                                   "one process",
+                                   name(mesh.star), why));
 }
 
 } // namespace polydec

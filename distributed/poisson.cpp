@@ -166,6 +166,7 @@ struct SharedPoissonSolver::Problem {
 
     static Problem of(const Ranks& ranks, const DistributedMesh& mesh,
                       const SharedPoissonOptions& options) {
+        check_stars(ranks, mesh);
         const int n = mesh.dimension();
         const OwnFacets facets =
             ranks.together("conditions", [&] { return OwnFacets(mesh, options.boundary); });

@@ -20,12 +20,12 @@ struct SharedPoissonOptions {
     SharedEngine engine = {};
 };
 
-/// PoissonSolver over all ranks, by circumcentric stars: the same problem, whose solution is the
-/// same but for what the engine leaves. Vectors and tables have the entries of own cells. Every
-/// function is collective.
+/// PoissonSolver over all ranks, by circumcentric stars (see check_stars): the same problem, whose
+/// solution is the same but for what the engine leaves. Vectors and tables have the entries of own
+/// cells. Every function is collective.
 class SharedPoissonSolver {
 public:
-    /// Throws like PoissonSolver.
+    /// Throws like PoissonSolver and check_stars.
     SharedPoissonSolver(const Ranks& ranks, const DistributedMesh& mesh,
                         const SharedPoissonOptions& options = {});
 

@@ -189,6 +189,7 @@ Spectrum spectrum(const Ranks& ranks, const DistributedMesh& mesh, const Spectru
     if (k < 0 || k > n)
         throw InvalidInput(fmt::format("there are no {} {}-forms: expected a degree from 0 to {}",
                                        name(options.side), options.degree, n));
+    check_stars(ranks, mesh);
     const GlobalIndex size = mesh.cells.degree(k).count;
     if (options.count < 1 || options.count > size)
         throw InvalidInput(fmt::format("{} eigenvalues asked for: there are 1 to {} to be had",

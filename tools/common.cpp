@@ -28,12 +28,16 @@ namespace {
 constexpr std::array star_kinds{StarKind::circumcentric, StarKind::hybrid, StarKind::galerkin,
                                 StarKind::barycentric, StarKind::automatic};
 
+}
+
 StarKind star_kind(const std::string& text) {
     for (const StarKind kind : star_kinds)
         if (text == name(kind))
             return kind;
     return StarKind::circumcentric;
 }
+
+namespace {
 
 /// What was read may have points or lengths alone.
 template <class Read>

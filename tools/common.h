@@ -48,6 +48,9 @@ void add_star(CLI::App& command, MeshArguments& arguments, StarKind kind);
 /// The option --side primal|dual.
 CLI::Option* add_side(CLI::App& command, Side& side);
 
+/// What --star names.
+StarKind star_kind(const std::string& text);
+
 /// Of which kind the stars of a mesh are, for answers: "hybrid stars, Galerkin's on 12.3 % of the
 /// cells", and a member "star" with kind and share.
 std::string in_words(const ChosenStars& stars);

@@ -20,6 +20,7 @@ constexpr std::array wordings{
     Wording{"DiscretizeOptions::delaunay", "--delaunay"},
     Wording{"Delaunay::flips_and_splits", "--delaunay=split-boundary"},
     Wording{"StarKind::automatic", "--star automatic"},
+    Wording{"StarKind::circumcentric", "--star circumcentric"},
     Wording{"Side::primal", "--side primal"},
     Wording{"peeled(mesh)", "--peel"},
     Wording{"set_memory_limit", "--max-memory"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/star_kind.h"
 
+#include "complex/surfaces/glued_surface.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -11,6 +13,12 @@ const char* name(StarKind kind) {
     constexpr std::array names{"circumcentric", "galerkin",  "hybrid",
                                "barycentric",   "automatic", "own"};
     return names[static_cast<std::size_t>(kind)];
+}
+
+StarKind automatic_kind(int dimension, bool every_dual_is_positive) {
+    return every_dual_is_positive                 ? StarKind::circumcentric
+           : dimension == GluedSurface::dimension ? StarKind::hybrid
+                                                  : StarKind::galerkin;
 }
 
 ChosenStars::ChosenStars(const HodgeStars& stars_, StarKind kind_, std::vector<bool> galerkin_)

@@ -25,6 +25,9 @@ enum class StarKind {
 /// "circumcentric", "galerkin" ..
 const char* name(StarKind kind);
 
+/// What automatic becomes.
+StarKind automatic_kind(int dimension, bool every_dual_is_positive);
+
 struct ChosenStars {
     HodgeStars stars;
     StarKind kind; ///< what automatic has become

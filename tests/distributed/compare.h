@@ -3,6 +3,7 @@
 
 #include "distributed/discretize.h"
 #include "tests/distributed/swept.h"
+#include "tests/support/circumcentric.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -27,7 +28,9 @@ inline LocalComplex distributed(const Ranks& ranks, const Mesh& mesh, Ownership 
 
 inline DistributedMesh discretized(const Ranks& ranks, const Mesh& mesh, Ownership by) {
     const MeshSlice slice = slice_of(ranks, mesh);
-    return discretize(ranks, slice, vertex_owners(ranks, slice, by));
+    DistributedMesh made = discretize(ranks, slice, vertex_owners(ranks, slice, by));
+    made.star = StarKind::circumcentric;
+    return made;
 }
 
 /// What differs between the simplices of a rank and those of one process: numbers, owners,

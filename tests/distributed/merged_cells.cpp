@@ -147,7 +147,7 @@ TEST(MergedCells, are_those_of_one_process_where_flat_cells_go_to_their_neighbor
 TEST(MergedCells, of_cells_without_volume_are_those_of_one_process) {
     const auto ranks = Ranks::all();
     const Mesh given = five_to_a_cube(3);
-    const Discretization whole = discretize(given);
+    const Discretization whole = circumcentric(given);
     const DistributedMesh mesh = discretized(ranks, given, Ownership::morton);
     for (int k = 0; k <= 3; ++k) {
         const auto& cells = mesh.cells.degree(k);

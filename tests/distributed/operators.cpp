@@ -122,7 +122,7 @@ TEST(OperatorFiles, stand_in_the_order_of_numbers_for_any_number_of_ranks) {
     const CommonFolder folder(ranks);
     for (const char* name : {"kuhn3", "uv8", "grid4"}) {
         const Mesh& given = mesh_named(name);
-        const Discretization whole = discretize(given);
+        const Discretization whole = circumcentric(given);
         const DistributedMesh mesh = discretized(ranks, given, Ownership::random);
         EXPECT_TRUE(write_operators(ranks, mesh, folder / name).empty());
         const auto file = [&](const std::string& of) { return folder / name / (of + ".petsc"); };

@@ -49,7 +49,7 @@ std::string difference(const DistributedMesh& mesh, const OwnCells& own,
 TEST(OwnCells, have_the_faces_of_one_process_wherever_their_pieces_are) {
     const auto ranks = Ranks::all();
     for (const auto& [name, given] : swept(ranks)) {
-        const Discretization whole = discretize(given);
+        const Discretization whole = circumcentric(given);
         for (const Ownership by : some_ownerships(ranks, name)) {
             const DistributedMesh mesh = discretized(ranks, given, by);
             Points numbers(std::ssize(mesh.local.vertices), 1);

@@ -98,7 +98,7 @@ TEST(DistributedPoisson, has_the_solution_of_one_process_with_all_conditions_on_
     const auto ranks = Ranks::all();
     std::size_t solved = 0;
     for (const auto& [name, given] : swept(ranks, most_cells)) {
-        const Discretization whole = discretize(given);
+        const Discretization whole = circumcentric(given);
         const DistributedMesh mesh = discretized(ranks, given, some_ownerships(ranks, name).back());
         for (const Side side : {Side::primal, Side::dual})
             for (const std::string which : cases)

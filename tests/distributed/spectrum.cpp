@@ -51,7 +51,7 @@ TEST_P(DistributedSpectra, are_those_of_one_process_with_their_certificates) {
     const int k = GetParam();
     std::size_t compared = 0, there_are = 0;
     for (const auto& [name, given] : swept(ranks)) {
-        const Discretization whole = discretize(given);
+        const Discretization whole = circumcentric(given);
         const Index size = k <= whole.dimension() ? whole.complex().size(k) : 0;
         there_are += k <= whole.dimension() ? 1 : 0;
         if (size > most_cells() || size < 2)

@@ -183,6 +183,7 @@ void add_shared_info(CLI::App& app, const Ranks& ranks) {
     auto* command = app.add_subcommand("info", "what the mesh is, before and after merging");
     const auto arguments = std::make_shared<SharedArguments>();
     add_shared_arguments(*command, *arguments);
+    refuse_option(*command, "--star");
     refuse_option(*command, "--out");
     command->footer("Betti numbers and what can be said of operators run in one process: polydec "
                     "info.\n\nExample:\n  mpirun -n 4 polydec-mpi info engine.pdm --json");

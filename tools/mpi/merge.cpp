@@ -57,6 +57,7 @@ void add_shared_merge(CLI::App& app, const Ranks& ranks) {
     auto* command = app.add_subcommand("merge", "writes the merged complex");
     const auto arguments = std::make_shared<SharedMergeArguments>();
     add_shared_arguments(*command, arguments->mesh);
+    refuse_option(*command, "--star");
     add_picture(*command, arguments->out, "polygons or polyhedra", true);
     refuse_option(*command, "--float32");
     command->footer(

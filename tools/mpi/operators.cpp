@@ -53,6 +53,7 @@ void add_shared_operators(CLI::App& app, const Ranks& ranks) {
     auto* command = app.add_subcommand("operators", "writes every operator as files");
     const auto arguments = std::make_shared<SharedOperatorsArguments>();
     add_shared_arguments(*command, arguments->mesh);
+    refuse_option(*command, "--star");
     command
         ->add_option("--out", arguments->out, "folder for the files, made or replaced as a whole")
         ->required();

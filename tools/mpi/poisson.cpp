@@ -163,6 +163,7 @@ void add_shared_poisson(CLI::App& app, const Ranks& ranks) {
     auto* command = app.add_subcommand("poisson", "solves Delta u = f, Delta = -div grad");
     const auto arguments = std::make_shared<SharedPoissonArguments>();
     add_shared_arguments(*command, arguments->mesh);
+    add_star(*command, arguments->mesh.mesh, StarKind::automatic);
     add_side(*command, arguments->poisson.side)->required();
     command->add_option("--rhs", arguments->rhs, "f: an expression in x, y, z, or a file")
         ->required();
@@ -187,11 +188,14 @@ void add_shared_poisson(CLI::App& app, const Ranks& ranks) {
     add_picture(*command, arguments->out, "u", false);
     for (const char* option : {"--conductivity", "--isolines", "--float32"})
         refuse_option(*command, option);
-    command->footer("Stars are circumcentric. Files are as for polydec poisson; every rank reads "
-                    "them whole.\n\nExamples:\n"
-                    "  mpirun -n 4 polydec-mpi poisson engine.pdm --side primal --rhs 1 -o u.pvtu\n"
-                    "  srun polydec-mpi poisson grid.pdm --side dual --rhs 'sin(x)' --natural "
-                    "--petsc '-ksp_view'");
+    command->footer(
+        "Several ranks have circumcentric stars alone: where automatic ones are others, ask for\n"
+        "--star circumcentric, or solve in one process. Files are as for polydec poisson; every "
+        "rank reads "
+        "them whole.\n\nExamples:\n"
+        "  mpirun -n 4 polydec-mpi poisson engine.pdm --side primal --rhs 1 -o u.pvtu\n"
+        "  srun polydec-mpi poisson grid.pdm --side dual --rhs 'sin(x)' --natural "
+        "--petsc '-ksp_view'");
     command->callback([ranks, arguments] { run_poisson(ranks, *arguments); });
 }
 

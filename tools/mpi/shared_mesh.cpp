@@ -116,7 +116,7 @@ void add_shared_arguments(CLI::App& command, SharedArguments& arguments) {
                     "depends on it, results do not")
         ->default_str("morton")
         ->transform(CLI::CheckedTransformer(ownerships).description("morton|file|ptscotch"));
-    for (const char* option : {"--centers", "--keep-groups", "--peel", "--delaunay", "--star"})
+    for (const char* option : {"--centers", "--keep-groups", "--peel", "--delaunay"})
         refuse_option(command, option);
 }
 
@@ -145,6 +145,7 @@ DistributedMesh load(const Ranks& ranks, const SharedArguments& arguments, Share
         return discretize(ranks, std::move(slice), owners, merge_options(arguments.mesh),
                           [&](std::string_view stage) { log.begin(stage); });
     });
+    mesh.star = star_kind(arguments.mesh.star);
     log.end();
     for (const auto& warning : mesh.warnings)
         log.warn(warning);

@@ -77,6 +77,7 @@ void add_shared_spectrum(CLI::App& app, const Ranks& ranks) {
         "spectrum", "smallest eigenpairs of the Laplace-de Rham operator, certified");
     const auto arguments = std::make_shared<SharedSpectrumArguments>();
     add_shared_arguments(*command, arguments->mesh);
+    add_star(*command, arguments->mesh.mesh, StarKind::automatic);
     add_side(*command, arguments->spectrum.side)->required();
     command->add_option("--degree", arguments->spectrum.degree, "degree of the forms")->required();
     command->add_option("--count", arguments->spectrum.count, "how many eigenpairs")
@@ -86,7 +87,8 @@ void add_shared_spectrum(CLI::App& app, const Ranks& ranks) {
     for (const char* option :
          {"--natural", "--essential-where", "--engine", "--eigen-engine", "--float32"})
         refuse_option(*command, option);
-    command->footer("Stars are circumcentric, and must be positive. On the boundary, primal forms "
+    command->footer("Several ranks have circumcentric stars alone, and these must be positive. On "
+                    "the boundary, primal forms "
                     "have no flow\nthrough it (Neumann), dual ones values 0 (Dirichlet).\n\n"
                     "Example:\n  mpirun -n 4 polydec-mpi spectrum sphere.pdm --side dual --degree "
                     "0 --count 20 -o modes.pvtu");
