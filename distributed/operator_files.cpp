@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <petscviewer.h>
 
@@ -75,7 +76,8 @@ public:
     }
 
 private:
-    /// A file is opened, filled and closed by all ranks together.
+    /// A file is opened, filled and closed by all ranks together. Where one cannot write, others
+    /// may wait for it within PETSc for ever; then it throws alone, and the program has to end.
     template <class View>
     void view(const std::string& name, View view) const {
         const petsc::Session session("files of PETSc");
@@ -89,12 +91,16 @@ private:
             error = view(viewer);
         if (const auto closed = PetscViewerDestroy(&viewer); !error)
             error = closed;
-        ranks_.together("write", [&] {
+        const auto check = [&] {
             if (error)
                 throw IoError(fmt::format("cannot write {}: PETSc's error {}", path.string(),
                                           static_cast<int>(error)),
                               {.path = path});
-        });
+        };
+        constexpr double patience = 5; // seconds
+        if (!ranks_.all_come(error ? patience : std::numeric_limits<double>::infinity()))
+            check();
+        ranks_.together("write", check);
     }
 
     void write(const std::string& name, OwnedMat matrix, int row_degree, int column_degree) const {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 #include <span>
@@ -166,9 +167,11 @@ std::int64_t Ranks::bytes_sent() const {
 }
 
 bool Ranks::all_come(double seconds) const {
-    const std::chrono::duration<double> patience(seconds);
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Ibarrier(state_->after_errors, &request);
+    if (std::isinf(seconds))
+        return await({&request, 1});
+    const std::chrono::duration<double> patience(seconds);
     return await({&request, 1},
                  Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
 }

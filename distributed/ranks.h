@@ -169,7 +169,8 @@ public:
     std::int64_t bytes_sent() const;
 
     /// Whether all ranks call this within so many seconds of each other: after an error that was
-    /// not voted on, ranks that do not have it wait for those that do, somewhere else.
+    /// not voted on, ranks that do not have it wait for those that do, somewhere else. It may be
+    /// infinity.
     bool all_come(double seconds) const;
 
     /// Ends the program on all ranks.

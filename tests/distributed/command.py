@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Holds polydec-mpi against polydec, and against faults.
 
-Usage: command.py POLYDEC POLYDEC_MPI MPIEXEC ..; what follows are options of mpiexec. A complaint a
-line; exit code: 0 none, 1 some.
+Usage: command.py POLYDEC POLYDEC_MPI PRELOAD MPIEXEC ..; what follows are options of mpiexec. A
+complaint a line; exit code: 0 none, 1 some.
 """
 
 import json
@@ -33,7 +33,7 @@ EXACT = ["dimension", "ambient_dimension", "cells", "euler", "components", "orie
 
 class Commands:
     def __init__(self, words):
-        self.polydec, self.mpi, *self.mpiexec = words
+        self.polydec, self.mpi, self.preload, *self.mpiexec = words
 
     def alone(self, *words):
         return run_program([self.polydec, *words])
@@ -86,7 +86,7 @@ def hold_poisson(commands, ranks, name, mesh):
         for more in [["--boundary", "x"], ["--natural"], ["--essential-where", "x<.3", "--flux=y"]]:
             words = ["poisson", mesh, "--side", side, "--rhs", "1+x*y", *more]
             one = commands.alone(*words, "--star", "circumcentric", "--json")
-            several = commands.on(ranks, *words, "--json")
+            several = commands.on(ranks, *words, "--star", "circumcentric", "--json")
             expect(one.code == several.code, f"{words}: exit code {several.code}: {several.err}")
             if one.code != 0 or several.code != 0:
                 continue
@@ -137,6 +137,8 @@ def hold_files(commands, folder, mesh):
 def hold_errors(commands, folder, mesh):
     bad = folder / "bad.nsc"
     bad.write_text("2 2 3 1\n0 0\n1 0\n0 1\n0 1 7\n")
+    bent = folder / "bent.nsc"  # an obtuse corner across from the boundary
+    bent.write_text("2 2 4 2\n0 0\n4 0\n2 1\n2 -1\n0 1 2\n1 0 3\n")
     cases = [
         (["info", folder / "none.off"], 4, ["none.off", "No such file"]),
         (["info", bad], 2, ["bad.nsc:5"]),
@@ -150,6 +152,11 @@ def hold_errors(commands, folder, mesh):
         (["spectrum", mesh, "--side", "dual", "--degree", "9"], 2, ["degree"]),
         (["merge", mesh, "-o", folder / "no" / "a.pvtu"], 4, ["a.pvtu", "folder"]),
         (["convert", mesh, "-o", mesh], 2, [".pdm"]),
+        (["spectrum", bent, "--side", "primal", "--degree", "0"], 2,
+         ["automatic", "hybrid", "0-cells", "--star circumcentric"]),
+        (["poisson", bent, "--side", "dual", "--rhs", "1"], 2, ["hybrid", "--star circumcentric"]),
+        (["poisson", mesh, "--side", "dual", "--rhs", "1", "--star", "galerkin"], 2,
+         ["galerkin", "--star circumcentric"]),
     ]
     for words, code, said in cases:
         done = commands.on(3, *words)
@@ -249,6 +256,28 @@ def hold_memory(commands, folder):
     expect(tried > 0, "no memory with which MPI starts each time was found")
 
 
+def hold_full_disks(commands, folder):
+    """Where one rank can write no more, all end before long, and nothing half written is left."""
+    limit = 30  # seconds
+    mesh, full = folder / "cubes.nsc", folder / "full"
+    full.mkdir()
+    kept = ["operators", mesh, "--out", full / "operators"]
+    writing = [(kept, [0]),
+               (["convert", mesh, "-o", full / "a.pdm"], [0]),
+               (["merge", mesh, "-o", full / "a.pvtu"], [0, 1]),
+               (["poisson", mesh, "--side", "dual", "--rhs", "1", "-o", full / "u.pvtu"], [2])]
+    for words, ranks in writing:
+        for rank in ranks:
+            for number in [1, 2, 9] if words is kept else [1]:
+                line = commands.line(3, *words)
+                done = run_program(["env", f"POLYDEC_FULL_DISK={rank} {number} {full}",
+                                    f"LD_PRELOAD={commands.preload}", *line], limit)
+                left = [path.name for path in full.iterdir()]
+                what = f"{words[0]}, rank {rank} from write {number} on"
+                expect(done.code == 4 and not left, f"{what}: code {done.code}, left {left}")
+                expect(says(done.err, "cannot write", str(full)), f"{what}: says {done.err}")
+
+
 def main():
     stop_ignoring_signals()
     commands = Commands(sys.argv[1:])
@@ -265,6 +294,7 @@ def main():
                 hold_poisson(commands, ranks, mesh, file)
         hold_files(commands, folder, folder / "cubes.nsc")
         hold_errors(commands, folder, str(folder / "grid.nsc"))
+        hold_full_disks(commands, folder)
         hold_deaths(commands, folder)
         hold_memory(commands, folder)
     print(f"{len(complaints)} complaint(s)")

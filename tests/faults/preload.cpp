@@ -2,7 +2,9 @@
 //
 // Preloaded into a program, makes one call of the system fail, or all from one on, or sends a
 // signal. The program is loaded once, stops before main, and goes on in a copy of itself for each
-// request that faults.py sends; so what is counted begins at main, and ends with the process.
+// request that faults.py sends; so what is counted begins at main, and ends with the process. Where
+// POLYDEC_FULL_DISK is "RANK NUMBER FOLDER" it goes on itself, and on this rank of MPI each write
+// into that folder from the n-th on finds the disk full.
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -47,6 +49,7 @@ Counts* counts = nullptr;
 Request plan{};
 std::atomic<bool> is_copy{false};
 std::atomic<bool> is_loading{false};
+const char* full_folder = nullptr; // that alone is full
 
 bool fails(Kind kind) {
     if (!is_copy.load(std::memory_order_relaxed))
@@ -64,9 +67,17 @@ bool no_memory() {
     return true;
 }
 
-/// Standard error is spared: what is told there is what the tests read.
+bool is_spared(int file) {
+    if (full_folder == nullptr)
+        return file == STDERR_FILENO; // what is told there is what the tests read
+    char link[64], path[4096];
+    std::snprintf(link, sizeof link, "/proc/self/fd/%d", file);
+    const auto length = ::readlink(link, path, sizeof path - 1);
+    return length < 0 || std::strncmp(path, full_folder, std::strlen(full_folder)) != 0;
+}
+
 bool no_space(int file) {
-    if (file == STDERR_FILENO || !fails(writing))
+    if (is_spared(file) || !fails(writing))
         return false;
     errno = ENOSPC;
     return true;
@@ -74,6 +85,22 @@ bool no_space(int file) {
 
 bool no_space() {
     return no_space(-1);
+}
+
+/// Whether POLYDEC_FULL_DISK is there.
+bool fill_disk() {
+    const char* const told = std::getenv("POLYDEC_FULL_DISK");
+    const char* const rank = std::getenv("OMPI_COMM_WORLD_RANK");
+    long full = 0, number = 0;
+    int at = 0;
+    if (told == nullptr || std::sscanf(told, "%ld %ld %n", &full, &number, &at) != 2)
+        return false;
+    static Counts own{};
+    counts = &own;
+    full_folder = told + at;
+    plan = {writing, 1, number, 0, 0};
+    is_copy = rank != nullptr && std::atol(rank) == full;
+    return true;
 }
 
 bool unreadable() {
@@ -147,7 +174,7 @@ Main* real_main = nullptr;
 int serve(int argc, char** argv, char** environment) {
     const char* const control = std::getenv("POLYDEC_FAULTS");
     int in = -1, out = -1;
-    if (control == nullptr || std::sscanf(control, "%d %d", &in, &out) != 2)
+    if (fill_disk() || control == nullptr || std::sscanf(control, "%d %d", &in, &out) != 2)
         return real_main(argc, argv, environment);
     ::unsetenv("LD_PRELOAD");
     ::unsetenv("POLYDEC_FAULTS");
