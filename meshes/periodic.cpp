@@ -171,6 +171,7 @@ public:
             const auto other = static_cast<Index>(found - edges_.begin());
             edge_classes_.join(e, other);
         }
+        check_distances(to, name);
     }
 
     PeriodicMesh made() {
@@ -193,6 +194,38 @@ public:
     }
 
 private:
+    /// Throws unless vertices are as far apart as their images. Those that are glued are looked at
+    /// from some of them which span all their places, each the farthest from what is spanned so
+    /// far.
+    void check_distances(const std::vector<Index>& to, const std::string& name) const {
+        std::vector<Index> glued;
+        for (Index v = 0; v < std::ssize(to); ++v)
+            if (to[v] >= 0)
+                glued.push_back(v);
+        if (glued.empty())
+            return;
+        const double tolerance =
+            1e-8 * (box_.points.colwise().maxCoeff() - box_.points.colwise().minCoeff()).norm();
+        Points rest = box_.points(glued, Eigen::all);
+        for (Index from = glued.front(), rank = 0; rank <= rest.cols(); ++rank) {
+            for (const Index v : glued)
+                if (std::abs(length({v, from}) - length({to[v], to[from]})) > tolerance)
+                    throw InvalidInput(fmt::format(
+                        "the {} takes the vertices {} and {} to {} and {}, which are not as far "
+                        "apart: expected an isometry",
+                        name, v, from, to[v], to[from]));
+            if (rank == 0)
+                rest.rowwise() -= box_.points.row(from).eval();
+            Index farthest = 0;
+            const double distance = rest.rowwise().norm().maxCoeff(&farthest);
+            if (distance <= tolerance)
+                return;
+            from = glued[farthest];
+            const Eigen::RowVectorXd along = rest.row(farthest) / distance;
+            rest -= (rest * along.transpose()) * along;
+        }
+    }
+
     double length(const Edge& edge) const {
         return (box_.points.row(edge.first) - box_.points.row(edge.second)).norm();
     }

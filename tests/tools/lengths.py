@@ -76,6 +76,10 @@ class Lengths(TestCase):
                          self.ask("info", square, *twist)["cells"])
         self.assertSays(self.refuse("info", square, "--glue", "2*x; 2*y"), f"{square}: ",
                         "isometry 0", "edge", 0, 1, "expected")
+        coarse = self.path("coarse.off")
+        self.succeed("generate", "grid", "--nx", 4, "--ny", 4, "-o", coarse)
+        self.assertSays(self.refuse("info", coarse, "--glue", "x+1; y*y"), f"{coarse}: ",
+                        "isometry 0", "vertices", "as far apart", "expected")
         self.assertSays(self.refuse("info", square, "--glue", "x+1"), f"{square}: ", "--glue",
                         "1 component", "expected 3")
         self.assertSays(self.refuse("info", self.torus, *twist), f"{self.torus}: ", "no places")
