@@ -87,13 +87,8 @@ py::tuple carriers(const Discretization& mesh, int k) {
     return py::make_tuple(array(std::move(dimensions)), array(std::move(numbers)));
 }
 
-/// What the command says of a mesh, as JSON: circumcentric stars are judged unless others were
-/// asked for.
-std::string report(const Discretization& given) {
-    const Discretization mesh =
-        given.options().star == StarKind::automatic
-            ? given.with_stars(ChosenStars(given.volumes(), StarKind::circumcentric))
-            : given;
+/// What the command says of a mesh, as JSON.
+std::string report(const Discretization& mesh) {
     const Diagnosis found = unlocked([&] { return diagnose(mesh); });
     std::vector<std::string> advice;
     for (const Advice& each : found.advice)

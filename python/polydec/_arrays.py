@@ -17,7 +17,9 @@ MatrixParts = Tuple[Floats, Integers, Integers, int]
 Values = Union[float, npt.ArrayLike, Callable[[Floats], Any]]
 
 
-def _array(values: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
+def _array(values: Any, name: str) -> npt.NDArray[Any]:
+    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
+        raise InvalidInput(f"{name} have masked entries: expected a value for each, fill them")
     try:
         array = np.asarray(values)
     except ValueError as error:
@@ -68,7 +70,7 @@ def at_places(values: Values, places: Floats, name: str, columns: int = 1) -> Fl
     """One value, or one row, for each place: those given, or those of a function of all places."""
     if callable(values):
         values = values(places)
-    array = np.asarray(values, dtype=None)
+    array = _array(values, name)
     if array.ndim == 0:
         array = np.full(len(places), array[()])
     result = floats(array, name, array.ndim if array.ndim in (1, 2) else 1)
@@ -95,7 +97,7 @@ def marks(essential: Any, places: Floats, count: int, name: str = "essential") -
     """Conditions for C++: one mark for all facets, or one for each of them."""
     if callable(essential):
         essential = essential(places)
-    array = np.asarray(essential)
+    array = _array(essential, name)
     if array.dtype != bool:
         raise InvalidInput(f"{name} is of the type {array.dtype}: expected True, False, or one of "
                            "them for each facet")

@@ -109,7 +109,8 @@ class Complex(Cells):
         return self._mesh.star_kind
 
     def report(self) -> dict[str, Any]:
-        """What the mesh is, and what can be done on it: what ``polydec info --json`` says.
+        """What the mesh is, and what can be done on it: what ``polydec info --json`` says
+        with the same stars.
 
         >>> import polydec
         >>> report = polydec.discretize(polydec.meshes.torus(8, 6)).report()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from itertools import combinations
 from typing import Any, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
@@ -44,13 +45,32 @@ def as_mesh(given: MeshLike) -> Mesh | LengthMesh:
         is_lengths = _core.is_length_file(os.fspath(given))
         return read_lengths(given) if is_lengths else read_mesh(given)
     if isinstance(given, (tuple, list)) and len(given) == 2:
-        return Mesh(given[0], given[1])
+        return _of_simplices(Mesh(given[0], given[1]))
     if hasattr(given, "points") and hasattr(given, "cells"):
         return _of_meshio(given)
     kind = f"an array of shape {given.shape}" if isinstance(given, np.ndarray) else \
         f"something of the type {type(given).__name__}"
     raise InvalidInput(f"{kind} is given for a mesh: expected a Mesh, the path of a file, a pair "
                        "(points, simplices), or a meshio.Mesh")
+
+
+def _of_simplices(mesh: Mesh) -> Mesh:
+    """Asks about cells of four corners in space that share edges, but none a triangle."""
+    if mesh.points.shape[1] != 3 or mesh.simplices.shape[1] != 4:
+        return mesh
+
+    def are_shared(cells: Integers, corners: int) -> bool:
+        faces = np.sort(np.vstack([cells[:, list(chosen)]
+                                   for chosen in combinations(range(4), corners)]), axis=1)
+        faces = faces[np.lexsort(faces.T)]
+        return bool((faces[1:] == faces[:-1]).all(axis=1).any())
+
+    if any(are_shared(cells, 3) for cells in (mesh.simplices[:1000], mesh.simplices)) \
+            or not are_shared(mesh.simplices, 2):
+        return mesh
+    raise InvalidInput("cells of 4 corners in space are tetrahedra, but of these no two share a "
+                       "triangle, though some share an edge: quadrilaterals are given by "
+                       "split_polygons(points, cells), such tetrahedra as a Mesh")
 
 
 def split_polygons(points: npt.ArrayLike, polygons: Sequence[npt.ArrayLike],

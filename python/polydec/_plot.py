@@ -10,8 +10,9 @@ import numpy.typing as npt
 from ._arrays import Floats, Integers, floats
 from ._cells import Form, as_form
 from ._cochain import Cochain
-from ._complex import CellList, CellsLike, Complex, Polygons, as_complex
+from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput
+from ._lists import CellList, Polygons
 
 
 def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:

@@ -159,8 +159,26 @@ def test_forms_that_do_not_fit(square):
         polydec.de_rham(square, 1, lambda x: x[:, 0])
 
 
+def test_masks_and_quadrilaterals_are_asked_about():
+    square = polydec.discretize(polydec.meshes.grid(3, 3))
+    ones, facets = np.ones(square.size(0)), square.boundary_facets()
+    holes = np.ma.masked_array(ones, mask=np.arange(len(ones)) == 3)
+    for ask in (lambda: polydec.poisson(square, holes),
+                lambda: polydec.poisson(square, 1.0, essential=np.ma.masked_array(facets, facets)),
+                lambda: polydec.poisson(square, lambda x: holes[:len(x)])):
+        with pytest.raises(polydec.InvalidInput, match=said("masked")):
+            ask()
+    assert polydec.poisson(square, np.ma.masked_array(ones)).values.shape == ones.shape
+    corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 1], [2, 1, 1]]
+    with pytest.raises(polydec.InvalidInput, match=said("triangle", "split_polygons")):
+        polydec.discretize((corners, [[0, 1, 2, 3], [1, 4, 5, 2]]))
+    box = polydec.meshes.kuhn([2, 2, 2])
+    assert polydec.discretize((box.points, box.simplices)).size(3) == 8
+
+
 def test_words_of_messages():
-    c = polydec.discretize(polydec.meshes.perturbed(polydec.meshes.grid(9, 9), 0.1, 2))
+    c = polydec.discretize(polydec.meshes.perturbed(polydec.meshes.grid(9, 9), 0.1, 2),
+                           star="circumcentric")
     advice = c.report()["advice"]
     assert advice and not any("::" in text for text in advice)
     with pytest.raises(polydec.InvalidInput) as caught:
