@@ -76,8 +76,7 @@ void add_missing(Registry& registry) {
             .info = {name, EngineKind::integrator, false, description, from}};
     };
     integrator(POLYDEC_ARKODE_FROM, "arkode",
-               "SUNDIALS' ARKODE: Runge-Kutta methods, explicit, implicit or both, of orders 2 .. "
-               "8");
+               "SUNDIALS' ARKODE: Runge-Kutta methods of order 4, explicit, implicit or both");
     integrator(POLYDEC_CVODE_FROM, "cvode",
                "SUNDIALS' CVODE: multistep methods of varying order, BDF where something is stiff, "
                "else Adams");

@@ -44,9 +44,10 @@ def check_tree(prefix, build, headers):
 
 
 def configure(options, consumer, prefix, binary, components, expect_success=True):
+    """For all that this processor can, which the library was not compiled for."""
     return run(options.cmake, "-S", consumer, "-B", binary, "-G", "Ninja",
                f"-DCMAKE_CXX_COMPILER={options.compiler}", f"-DCMAKE_PREFIX_PATH={prefix}",
-               f"-DCOMPONENTS={components}",
+               f"-DCOMPONENTS={components}", "-DCMAKE_CXX_FLAGS=-march=native",
                cwd=prefix.parent, expect_success=expect_success)
 
 
