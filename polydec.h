@@ -34,6 +34,7 @@
 #include "dec/discretize_options.h"
 #include "dec/facets_without_dual.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/chosen_vertices.h"
 #include "dec/fields/de_rham.h"
 #include "dec/fields/dual_wedge.h"
 #include "dec/fields/flat.h"

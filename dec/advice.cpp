@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dec/advice.h"
 
+#include "base/errors.h"
 #include "complex/surfaces/glued_surface.h"
 #include "dec/forms/star.h"
+#include "dec/metric/triangle.h"
 
 #include <fmt/format.h>
 
@@ -25,22 +27,72 @@ DiscretizeOptions with(Remedy remedy, DiscretizeOptions options) {
     if (remedy != Remedy::flips && remedy != Remedy::splits)
         return options;
     if (options.criterion == MergeCriterion::angle)
-        options = {};
+        options = {.star = options.star};
     return {.criterion = options.criterion,
             .tolerance = options.tolerance,
-            .delaunay = remedy == Remedy::flips ? Delaunay::flips : Delaunay::flips_and_splits};
+            .delaunay = remedy == Remedy::flips ? Delaunay::flips : Delaunay::flips_and_splits,
+            .star = options.star};
 }
 
-Remedy remedy(const Discretization& discretization) {
-    const auto& options = discretization.options();
-    if (discretization.chosen_stars().kind != StarKind::circumcentric ||
-        !options.centers.are_circumcenters())
+namespace {
+
+/// Whether the duals of all edges on the boundary are positive, and of all others that merging
+/// leaves.
+bool are_positive(const GluedSurface& surface, const Vector& lengths,
+                  const DiscretizeOptions& options) {
+    Vector stars = Vector::Zero(surface.edges());
+    for (Index h = 0; h < 3 * surface.triangles(); ++h) {
+        const double a = lengths[surface.edge(h)];
+        const double b = lengths[surface.edge(Triangles::next(h))];
+        const double c = lengths[surface.edge(Triangles::previous(h))];
+        stars[surface.edge(h)] += corner_cotangent(a, b, c, triangle_area(a, b, c)) / 2;
+    }
+    for (Index e = 0; e < surface.edges(); ++e)
+        if ((surface.is_boundary(e) || options.criterion == MergeCriterion::none) &&
+            !(stars[e] > options.tolerance))
+            return false;
+    return true;
+}
+
+/// Whether flips, and splits if the options say so, make every dual of a surface positive. An angle
+/// opposite to the boundary only grows by flips.
+bool are_cure(const SimplicialComplex& triangles, const Vector& lengths,
+              const DiscretizeOptions& options) {
+    const bool splits = options.delaunay == Delaunay::flips_and_splits;
+    const GluedSurface surface(triangles);
+    if (!splits && options.criterion != MergeCriterion::none &&
+        !are_positive(surface, lengths, options))
+        return false;
+    try {
+        const auto tried = intrinsic_delaunay(
+            surface, lengths,
+            {splits ? BoundaryEdges::split : BoundaryEdges::keep, options.tolerance});
+        return are_positive(tried.surface, tried.lengths, options);
+    } catch (const Error&) {
+        return false; // at a sharp corner, for instance
+    }
+}
+
+} // namespace
+
+Remedy remedy(const SimplicialComplex& input, const Vector& lengths,
+              const DiscretizeOptions& options) {
+    if (GluedSurface::accepts(input))
+        for (const Remedy next : {Remedy::flips, Remedy::splits}) {
+            const auto tried = with(next, options);
+            if (tried.delaunay > options.delaunay && are_cure(input, lengths, tried))
+                return next;
+        }
+    return Remedy::stars;
+}
+
+Remedy remedy(const Discretization& mesh) {
+    const StarKind kind = mesh.chosen_stars().kind;
+    if (all_positive(mesh.volumes()) || !mesh.options().centers.are_circumcenters() ||
+        (kind != StarKind::circumcentric && kind != StarKind::hybrid))
         return Remedy::none;
-    if (!GluedSurface::accepts(discretization.input()))
-        return Remedy::stars;
-    return options.delaunay == Delaunay::off     ? Remedy::flips
-           : options.delaunay == Delaunay::flips ? Remedy::splits
-                                                 : Remedy::stars;
+    const Remedy found = remedy(mesh.input(), mesh.input_volumes().primal(1), mesh.options());
+    return found == Remedy::stars && kind == StarKind::hybrid ? Remedy::none : found;
 }
 
 std::string in_words(const Advice& advice, int dimension) {
@@ -67,33 +119,23 @@ std::pair<int, std::vector<Index>> of_highest_degree(const CellVolumes& volumes,
 } // namespace
 
 std::vector<Advice> advice(const Discretization& discretization) {
+    const auto& volumes = discretization.volumes();
+    if (discretization.chosen_stars().kind != StarKind::circumcentric)
+        return {};
+    const auto [k, negative] =
+        of_highest_degree(volumes, [](const HodgeStar& star) { return star.negatives(); });
+    const auto [degree, zero] =
+        of_highest_degree(volumes, [](const HodgeStar& star) { return star.zeros(); });
+    if (negative.empty() && !zero.empty())
+        return {{degree, static_cast<Index>(zero.size()), false, false, Remedy::stars}};
     const Remedy next = remedy(discretization);
     if (next == Remedy::none)
         return {};
-    const auto& volumes = discretization.volumes();
-    const auto [k, negative] =
-        of_highest_degree(volumes, [](const HodgeStar& star) { return star.negatives(); });
-    if (negative.empty()) {
-        const auto [degree, zero] =
-            of_highest_degree(volumes, [](const HodgeStar& star) { return star.zeros(); });
-        if (zero.empty())
-            return {};
-        return {{degree, static_cast<Index>(zero.size()), false, false, Remedy::stars}};
-    }
-
-    // flips are of edges inside, and splits of those on the boundary
     const auto& cofaces = discretization.complex().coface_counts(k);
-    const bool of_facets = k == discretization.dimension() - 1;
-    const auto boundary = std::count_if(negative.begin(), negative.end(), [&](Index cell) {
-        return next != Remedy::stars && of_facets && cofaces[cell] == 1;
-    });
-    const auto inside = static_cast<Index>(negative.size()) - static_cast<Index>(boundary);
-    std::vector<Advice> list;
-    if (inside > 0 && next != Remedy::splits)
-        list.push_back({k, inside, true, false, next});
-    if (boundary > 0)
-        list.push_back({k, static_cast<Index>(boundary), true, true, Remedy::splits});
-    return list;
+    const bool on_boundary =
+        k == discretization.dimension() - 1 &&
+        std::all_of(negative.begin(), negative.end(), [&](Index f) { return cofaces[f] == 1; });
+    return {{k, static_cast<Index>(negative.size()), true, on_boundary, next}};
 }
 
 std::string flip_advice(const Discretization& mesh) {
@@ -110,6 +152,24 @@ std::vector<std::string> warning_of_negative_duals(const Discretization& mesh, i
     return {fmt::format("{} of the {}-cells {} a negative dual (the mesh is not Delaunay there): "
                         "{}{}",
                         cells, k, cells == 1 ? "has" : "have", consequence, flip_advice(mesh))};
+}
+
+void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,
+                          const CellVolumes& volumes, const DiscretizeOptions& options,
+                          std::vector<std::string>& warnings) {
+    const bool is_hybrid =
+        (options.star == StarKind::automatic || options.star == StarKind::hybrid) &&
+        automatic_kind(volumes.dimension(), all_positive(volumes)) == StarKind::hybrid;
+    if (!is_hybrid || !options.centers.are_circumcenters())
+        return;
+    const Remedy cure = remedy(input, lengths, options);
+    if (cure == Remedy::stars)
+        return;
+    const HodgeStar edges = star(volumes, 1);
+    const auto count = edges.negatives().size() + edges.zeros().size();
+    warnings.push_back(fmt::format("{} dual edge{} not positive, so stars are hybrid and answers "
+                                   "less accurate than they can be: add {}",
+                                   count, count == 1 ? " is" : "s are", option(cure)));
 }
 
 std::string positive_stars(int dimension) {

@@ -23,10 +23,15 @@ const char* option(Remedy remedy);
 /// materials kept apart, nor other centers: they are as by default then.
 DiscretizeOptions with(Remedy remedy, DiscretizeOptions options);
 
-/// The first remedy that is not taken yet: flips, then splits, for a surface with two triangles at
-/// an edge at most; stars for other meshes, and behind these. None where other stars or centers are
-/// taken.
-Remedy remedy(const Discretization& discretization);
+/// What makes every dual positive, or else stars, of a mesh with duals that are not: the first of
+/// flips and splits that does, on a surface with two triangles at an edge at most, tried on it;
+/// stars where none does. `lengths` are those of the input's edges. Time of flips.
+Remedy remedy(const SimplicialComplex& input, const Vector& lengths,
+              const DiscretizeOptions& options);
+
+/// The same of a mesh with circumcentric stars, and but for stars of one with hybrid ones. None
+/// where all duals are positive, or where stars or centers are chosen otherwise.
+Remedy remedy(const Discretization& mesh);
 
 /// Cells of one degree with a dual that is not positive, and what helps.
 struct Advice {
@@ -42,14 +47,18 @@ std::string in_words(const Advice& advice, int dimension);
 
 /// On the negative duals of the highest degree that has some, which below n - 1 follow from those
 /// of facets on surfaces; where there are none, on those without volume, against which there are
-/// stars alone. Empty if all duals are positive, or stars or centers are chosen otherwise: so where
-/// a star is not positive, there is something to be done. Who follows the last of it (with, then
-/// discretize again) needs no other, unless flips have turned an obtuse angle to the boundary or
-/// left a dual without volume; splits and stars are advised then, and end it.
+/// stars. Empty if all duals are positive, or stars or centers are chosen otherwise. Who follows it
+/// (with, then discretize again) needs no other.
 std::vector<Advice> advice(const Discretization& discretization);
 
 /// "; add Delaunay::flips" where that helps against negative duals, else empty.
 std::string flip_advice(const Discretization& mesh);
+
+/// Adds a warning if the stars that the options ask for are hybrid ones on a surface whose duals
+/// can be made positive. `lengths` are those of the input's edges, `volumes` those of the cells.
+void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,
+                          const CellVolumes& volumes, const DiscretizeOptions& options,
+                          std::vector<std::string>& warnings);
 
 /// A warning if the star of k-cells has negative entries, and what follows from them in words.
 std::vector<std::string> warning_of_negative_duals(const Discretization& mesh, int k,

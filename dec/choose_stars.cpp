@@ -34,13 +34,6 @@ CellVolumes barycentric_volumes(const Discretization& mesh) {
                           dual_volumes(mesh.pieces(), mesh.metric(), Centers::centroids()));
 }
 
-bool all_positive(const HodgeStars& stars) {
-    for (int k = 0; k <= stars.dimension(); ++k)
-        if (!stars[k].zeros().empty() || !stars[k].negatives().empty())
-            return false;
-    return true;
-}
-
 /// The cells of a surface that get Galerkin's stars. With those beside an edge without positive
 /// dual go all that have a negative part of the dual of an edge which a bad cell has too: so every
 /// edge between good cells has a positive star, and on every other edge good cells add nothing

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/conditioned_complex.h"
 
+#include "base/errors.h"
 #include "dec/boundary_star.h"
 #include "dec/facets_without_dual.h"
 #include "dec/forms/cochain.h"
 #include "dec/forms/operator.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -44,6 +47,19 @@ CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_
                 marks[k][s] = false;
     }
     return marks;
+}
+
+/// Where three n-cells or more meet, a dual 0-form has no difference along the dual of the facet.
+void refuse_branching(const CellComplex& complex, const HodgeStars& stars) {
+    const int facets = complex.dimension() - 1;
+    const auto& counts = complex.coface_counts(facets);
+    for (Index f = 0; f < complex.size(facets); ++f)
+        if (counts[f] > 2)
+            throw InvalidInput(fmt::format("{} cells meet at facet {}, so what flows through it is "
+                                           "no difference of two values of a dual 0-form: take "
+                                           "primal 0-forms",
+                                           counts[f], stars[facets].numbers({f})),
+                               stars[facets].place({f}));
 }
 
 /// The facets without dual at which values are given.
@@ -88,7 +104,12 @@ RobinComplex with(RobinParts parts, ConditionedComplex space, int k) {
 
 BoundaryConditions essential_on(const Discretization& mesh,
                                 const std::vector<std::string>& groups) {
-    return essential_on(mesh.facet_tags(), group_tags(mesh.groups(), mesh.dimension() - 1, groups));
+    const int facets = mesh.dimension() - 1;
+    for (const auto& group : groups) // each of them, not some
+        require_essential(
+            mesh.complex(), essential_on(mesh.facet_tags(), group_tags(mesh.groups(), facets, {group})),
+            fmt::format("the group {}", group));
+    return essential_on(mesh.facet_tags(), group_tags(mesh.groups(), facets, groups));
 }
 
 ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const HodgeStars& stars,
@@ -97,8 +118,9 @@ ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const H
     check_fit(complex, stars);
     cell_degree(complex, side, degree); // which there must be
     const bool densities = side == Side::primal && degree == complex.dimension();
-    const auto left_out =
-        essential_cells(complex, side == Side::dual ? exchanged(conditions) : conditions);
+    if (densities || (side == Side::dual && degree == 0))
+        refuse_branching(complex, stars);
+    const auto left_out = essential_cells(complex, conditions, side, degree);
     auto relative =
         side == Side::dual || densities
             ? relative_complex(

@@ -3,6 +3,7 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "dec/advice.h"
 #include "dec/choose_stars.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/flat_simplices.h"
@@ -220,6 +221,7 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     look_at_flat_cells(merged, metric, of_pieces, options, mesh.warnings);
     const auto volumes = without_duals_beyond_the_boundary(
         merged_volumes(merged.merging, merged.volumes), merged.merging, merged.degenerate);
+    warn_of_hybrid_stars(complex, of_input.primal(1), volumes, options, mesh.warnings);
     if (!merged.flat.empty())
         of_input = merged.volumes; // alone, flat simplices have no duals
     const auto centers = merged.centers.are_circumcenters() ? options.centers : merged.centers;

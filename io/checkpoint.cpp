@@ -127,6 +127,17 @@ Fingerprint& Fingerprint::add(const Discretization& mesh) {
     return add(name(mesh.chosen_stars().kind));
 }
 
+Fingerprint& Fingerprint::add(const BoundaryConditions& conditions) {
+    add(static_cast<std::uint64_t>(conditions.everywhere));
+    for (const auto condition : conditions.facets)
+        add(static_cast<std::uint64_t>(condition));
+    for (const double coefficient : conditions.coefficients)
+        add(coefficient);
+    for (const bool is_fixed : conditions.fixed_vertices)
+        add(std::uint64_t{is_fixed});
+    return *this;
+}
+
 Fingerprint& Fingerprint::add(const HodgeStar& star) {
     if (star.is_diagonal())
         return add(star.diagonal());

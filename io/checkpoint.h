@@ -3,6 +3,7 @@
 
 #include "base/types.h"
 #include "dec/discretization.h"
+#include "dec/forms/boundary_conditions.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,6 +24,9 @@ public:
 
     /// Every entry of a star.
     Fingerprint& add(const HodgeStar& star);
+
+    /// Those of every facet, coefficients, and fixed vertices.
+    Fingerprint& add(const BoundaryConditions& conditions);
 
     /// Points, simplices, merged cells, volumes and stars of a mesh.
     Fingerprint& add(const Discretization& mesh);

@@ -34,33 +34,41 @@ void check_facet_tags(const Mesh& mesh) {
     }
 }
 
+namespace {
+
+bool fits(const GroupName& group, int dimension) {
+    return group.dimension == dimension || group.dimension == -1;
+}
+
+} // namespace
+
+std::optional<Index> group_tag(const std::vector<GroupName>& groups, int dimension,
+                               const std::string& word) {
+    for (const GroupName& group : groups)
+        if (fits(group, dimension) && group.name == word)
+            return group.tag;
+    Index number = 0;
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), end, number);
+    return read.ec == std::errc() && read.ptr == end ? std::optional(number) : std::nullopt;
+}
+
 std::vector<Index> group_tags(const std::vector<GroupName>& groups, int dimension,
                               const std::vector<std::string>& words) {
-    const auto fits = [&](const GroupName& group) {
-        return group.dimension == dimension || group.dimension == -1;
-    };
     std::vector<Index> tags;
     for (const std::string& word : words) {
-        const auto group = std::find_if(groups.begin(), groups.end(), [&](const GroupName& each) {
-            return fits(each) && each.name == word;
-        });
-        Index number = 0;
-        const char* const end = word.data() + word.size();
-        if (group != groups.end()) {
-            tags.push_back(group->tag);
-        } else if (const auto read = std::from_chars(word.data(), end, number);
-                   read.ec == std::errc() && read.ptr == end) {
-            tags.push_back(number);
-        } else {
-            std::vector<std::string> names;
-            for (const GroupName& each : groups)
-                if (fits(each))
-                    names.push_back(each.name);
-            throw InvalidInput(
-                fmt::format("no group of {}-cells is called {}: {}", dimension, word,
-                            names.empty() ? "none has a name; give its number"
-                                          : fmt::format("there are {}", fmt::join(names, ", "))));
+        if (const auto tag = group_tag(groups, dimension, word)) {
+            tags.push_back(*tag);
+            continue;
         }
+        std::vector<std::string> names;
+        for (const GroupName& each : groups)
+            if (fits(each, dimension))
+                names.push_back(each.name);
+        throw InvalidInput(
+            fmt::format("no group of {}-cells is called {}: {}", dimension, word,
+                        names.empty() ? "none has a name; give its number"
+                                      : fmt::format("there are {}", fmt::join(names, ", "))));
     }
     return tags;
 }

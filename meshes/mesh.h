@@ -3,6 +3,7 @@
 
 #include "base/types.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,11 @@ struct Mesh {
 /// Throws InvalidInput, naming the facet, unless every facet with a tag has n vertices of the mesh,
 /// and one tag.
 void check_facet_tags(const Mesh& mesh);
+
+/// The tag of the group of this dimension that has this name, or this number in digits, whether or
+/// not there is one; none for another word.
+std::optional<Index> group_tag(const std::vector<GroupName>& groups, int dimension,
+                               const std::string& word);
 
 /// The tags of groups of this dimension, each given by its name or by its number in digits. Throws
 /// InvalidInput for another word, with the names there are.

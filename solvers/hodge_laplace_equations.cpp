@@ -148,8 +148,7 @@ HodgeLaplaceEquations::HodgeLaplaceEquations(const CellComplex& complex, const H
       load(M.rows(), M.rows()),
       robin(or_zeros(robin_parts.weights, M.rows())),
       robin_below(or_zeros(robin_parts.layer, M_below.rows())) {
-    const auto fixed =
-        essential_cells(complex, side == Side::primal ? conditions : exchanged(conditions));
+    const auto fixed = essential_cells(complex, conditions, side, degree);
     given = ones_at(fixed, k);
     given_below = ones_at(fixed, k - 1);
     asked = k > 0 ? asked_for(complex, side, conditions, k - 1) : Vector();

@@ -136,7 +136,7 @@ struct PoissonSolver::Problem {
         auto [matrix, definiteness] = stiffness(complex, stars);
         const int n = complex.dimension();
         const Index size = complex.size(0);
-        const auto essential = essential_cells(complex, options.boundary);
+        const auto essential = essential_cells(complex, options.boundary, Side::primal, 0);
         const Vector natural = natural_facets(complex, essential);
         const Vector shares_of_domain = stars[0] * Vector::Ones(size).eval();
         SparseMatrix flux_load(size, natural.size());

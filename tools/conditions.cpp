@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tools/conditions.h"
 
+#include "base/errors.h"
 #include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace polydec::tools {
 
@@ -23,6 +28,12 @@ void add_essential_on(CLI::App& command, ConditionArguments& arguments) {
         ->excludes("--essential-where");
 }
 
+void add_fixed(CLI::App& command, ConditionArguments& arguments, const std::string& values) {
+    command.add_option("--fixed-where", arguments.fixed_where,
+                       values + " given at vertices where this is not 0, inside as well;\n"
+                                "on the boundary nothing but what other options say");
+}
+
 void add_robin(CLI::App& command, ConditionArguments& arguments, const std::string& data) {
     command
         .add_option("--robin", arguments.robin,
@@ -37,6 +48,8 @@ ConditionValues::ConditionValues(const ConditionArguments& arguments)
     : natural_(arguments.natural), essential_on_(arguments.essential_on), robin_(arguments.robin) {
     if (!arguments.essential_where.empty())
         essential_where_.emplace("--essential-where", arguments.essential_where);
+    if (!arguments.fixed_where.empty())
+        fixed_where_.emplace("--fixed-where", arguments.fixed_where);
 }
 
 std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh) const {
@@ -49,22 +62,33 @@ std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh
 }
 
 std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretization& mesh) const {
-    if (natural_)
-        return BoundaryConditions{BoundaryCondition::natural};
+    BoundaryConditions result{BoundaryCondition::natural};
     if (!essential_on_.empty())
-        return essential_on(mesh, essential_on_);
-    if (!essential_where_)
+        result = essential_on(mesh, essential_on_);
+    else if (essential_where_) {
+        for (const double value : essential_where_->at(mesh.unit() * facet_sites(mesh)))
+            result.facets.push_back(value != 0 ? BoundaryCondition::essential
+                                               : BoundaryCondition::natural);
+        require_essential(mesh.complex(), result, "--essential-where");
+    } else if (!natural_ && !fixed_where_)
         return std::nullopt;
-    const Points sites = mesh.unit() * facet_sites(mesh);
-    BoundaryConditions result;
-    for (const double value : essential_where_->at(sites))
-        result.facets.push_back(value != 0 ? BoundaryCondition::essential
-                                           : BoundaryCondition::natural);
+    if (fixed_where_) {
+        for (const double value : fixed_where_->at(mesh.unit() * cell_centers(mesh, 0)))
+            result.fixed_vertices.push_back(value != 0);
+        if (std::count(result.fixed_vertices.begin(), result.fixed_vertices.end(), true) == 0)
+            throw InvalidInput(fmt::format("--fixed-where: it is 0 at all {} vertices: expected "
+                                           "some",
+                                           result.fixed_vertices.size()));
+    }
     return result;
 }
 
 std::optional<std::filesystem::path> ConditionValues::file() const {
     return essential_where_ ? essential_where_->file() : std::nullopt;
+}
+
+std::optional<std::filesystem::path> ConditionValues::fixed_file() const {
+    return fixed_where_ ? fixed_where_->file() : std::nullopt;
 }
 
 } // namespace polydec::tools

@@ -18,6 +18,7 @@ struct ConditionArguments {
     bool natural = false;
     std::string essential_where;
     std::vector<std::string> essential_on;
+    std::string fixed_where;
     double robin = 0; ///< coefficient of Robin's condition in place of the natural one; 0: none
 };
 
@@ -29,6 +30,9 @@ CLI::Option* add_conditions(CLI::App& command, ConditionArguments& arguments,
 /// file.
 void add_essential_on(CLI::App& command, ConditionArguments& arguments);
 
+/// The option --fixed-where, of primal 0-forms; `values` is the option that gives them.
+void add_fixed(CLI::App& command, ConditionArguments& arguments, const std::string& values);
+
 /// The option --robin, by which these data are the outward derivative plus ALPHA u.
 void add_robin(CLI::App& command, ConditionArguments& arguments, const std::string& data);
 
@@ -38,12 +42,13 @@ public:
     /// Throws like SiteValues.
     explicit ConditionValues(const ConditionArguments& arguments);
 
-    /// On the facets of this mesh; none if none were asked for. Throws like SiteValues::at and
-    /// polydec::essential_on.
+    /// On the facets of this mesh; none if none were asked for. Throws like SiteValues::at,
+    /// polydec::essential_on and require_essential.
     std::optional<BoundaryConditions> on(const Discretization& mesh) const;
 
-    /// The file that says where, if one does.
+    /// The file that says where, if one does; of facets, and of vertices.
     std::optional<std::filesystem::path> file() const;
+    std::optional<std::filesystem::path> fixed_file() const;
 
 private:
     std::optional<BoundaryConditions> without_robin(const Discretization& mesh) const;
@@ -51,7 +56,7 @@ private:
     bool natural_;
     std::vector<std::string> essential_on_;
     double robin_;
-    std::optional<SiteValues> essential_where_;
+    std::optional<SiteValues> essential_where_, fixed_where_;
 };
 
 } // namespace polydec::tools

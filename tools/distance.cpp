@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "meshes/unit_of_length.h"
+#include "dec/fields/cell_centers.h"
+#include "dec/fields/chosen_vertices.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "tools/commands.h"
 #include "tools/common.h"
+#include "tools/expression.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
@@ -13,7 +15,8 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
+#include <optional>
+#include <ranges>
 
 namespace polydec::tools {
 
@@ -22,35 +25,65 @@ namespace {
 struct DistanceArguments {
     MeshArguments mesh;
     GeodesicOptions geodesic;
-    std::vector<Index> from;
+    std::vector<std::string> from, from_on;
+    std::string from_where;
     PictureArguments picture;
 };
 
-/// The 0-cells of these vertices of the input.
-std::vector<Index> cells_of(const Discretization& mesh, const std::vector<Index>& vertices) {
-    const auto& K = mesh.input();
-    std::vector<Index> numbers(static_cast<std::size_t>(K.size(0))), cells;
-    std::iota(numbers.begin(), numbers.end(), 0);
-    numbers = K.vertex_numbers(std::move(numbers));
-    for (const Index v : vertices) {
-        const auto place = std::lower_bound(numbers.begin(), numbers.end(), v);
-        if (place == numbers.end() || *place != v)
-            throw InvalidInput(fmt::format("--from {}: no triangle has such a vertex; vertices are "
-                                           "numbered from 0, the last one is {}",
-                                           v, numbers.back()));
-        cells.push_back(static_cast<Index>(place - numbers.begin()));
+/// The 0-cell of a vertex of the input.
+Index cell_of(const Discretization& mesh, const std::string& word) {
+    const SimplicialComplex& input = mesh.input();
+    const auto cells = std::views::iota(Index{0}, input.size(0));
+    const auto number = [&](Index cell) { return input.vertex_number(cell); };
+    if (const auto vertex = group_tag({}, 0, word)) {
+        const auto found = std::ranges::lower_bound(cells, *vertex, {}, number);
+        if (found != cells.end() && number(*found) == *vertex)
+            return *found;
     }
+    throw InvalidInput(fmt::format("--from {}: no triangle has such a vertex; vertices are "
+                                   "numbered from 0, the last one is {}; or say boundary",
+                                   word, number(input.size(0) - 1)));
+}
+
+/// The 0-cells that the options choose, ascending.
+std::vector<Index> sources(const Discretization& mesh, const DistanceArguments& arguments,
+                           const std::optional<SiteValues>& where) {
+    std::vector<Index> cells;
+    if (!arguments.from_on.empty())
+        cells = vertices_on(mesh, arguments.from_on);
+    if (where) {
+        const Vector values = where->at(mesh.unit() * cell_centers(mesh, 0));
+        for (Index v = 0; v < values.size(); ++v)
+            if (values[v] != 0)
+                cells.push_back(v);
+        if (values.isZero(0))
+            throw InvalidInput(
+                fmt::format("--from-where: it is 0 at all {} vertices", values.size()));
+    }
+    for (const auto& word : arguments.from)
+        if (word == "boundary")
+            for (const Index v : boundary_vertices(mesh))
+                cells.push_back(v);
+        else
+            cells.push_back(cell_of(mesh, word));
     return cells;
 }
 
-void draw(const Discretization& mesh, const DistanceArguments& arguments, const Vector& distance,
-          const Log& log) {
+std::vector<Index> numbers_of(const Discretization& mesh, std::vector<Index> cells) {
+    for (Index& cell : cells)
+        cell = cell_vertices(mesh, 0, cell).front();
+    return cells;
+}
+
+void draw(const Discretization& mesh, const DistanceArguments& arguments,
+          const std::vector<Index>& from, const Vector& distance, const Log& log) {
     PageText text;
     text.title = fmt::format("{}: geodesic distance", arguments.mesh.mesh.filename().string());
-    text.facts = {fmt::format("Distance along the surface from vertex {}, by the heat method.",
-                              fmt::join(arguments.from, ", "))};
+    text.facts = {fmt::format("Distance along the surface from {}, by the heat method.",
+                              from.size() > 9 ? fmt::format("{} vertices", from.size())
+                                              : fmt::format("vertex {}", fmt::join(from, ", ")))};
     const NamedForm form("distance", {Side::primal, 0, distance}, "in units of length of the file");
-    write_picture(arguments.picture, mesh, {form}, std::move(text), {{"from", arguments.from}},
+    write_picture(arguments.picture, mesh, {form}, std::move(text), {{"from", from}},
                   log);
 }
 
@@ -77,7 +110,11 @@ struct Distances : Answer {
 
 void run_distance(const DistanceArguments& arguments) {
     Log log;
-    check_picture(arguments.picture, arguments.mesh.mesh);
+    std::optional<SiteValues> where;
+    if (!arguments.from_where.empty())
+        where.emplace("--from-where", arguments.from_where);
+    check_picture(arguments.picture, arguments.mesh.mesh,
+                  where && where->file() ? Paths{*where->file()} : Paths{});
     const Discretization mesh = load(arguments.mesh, log);
     if (mesh.dimension() != 2)
         throw InvalidInput(fmt::format("{} has cells of dimension {}: distances are found on "
@@ -86,24 +123,25 @@ void run_distance(const DistanceArguments& arguments) {
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
     log.timing.begin("solve");
-    const auto sources = cells_of(mesh, arguments.from);
+    const auto chosen = sources(mesh, arguments, where);
+    const auto from = numbers_of(mesh, chosen);
     const auto found = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         progress("solve");
-        return GeodesicDistance(mesh, arguments.geodesic).to(sources);
+        return GeodesicDistance(mesh, arguments.geodesic).to(chosen);
     });
     const Vector& distance = found.values;
     const Index raised = found.raised;
     log.warn(found.warnings);
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
-        draw(mesh, arguments, distance, log);
+        draw(mesh, arguments, from, distance, log);
     }
 
     Eigen::Index farthest = 0;
     distance.maxCoeff(&farthest);
     Distances answer;
-    answer.from = arguments.from;
+    answer.from = from;
     answer.farthest = cell_vertices(mesh, 0, static_cast<Index>(farthest)).front();
     answer.max = distance[farthest];
     answer.mean = distance.mean();
@@ -118,7 +156,12 @@ void add_distance(CLI::App& app) {
         app.add_subcommand("distance", "geodesic distance from vertices, by the heat method");
     const auto arguments = std::make_shared<DistanceArguments>();
     add_mesh_arguments(*command, arguments->mesh);
-    command->add_option("--from", arguments->from, "the vertices it is 0 at")->required();
+    command->add_option("--from", arguments->from,
+                        "the vertices it is 0 at, by number, or boundary for all on it");
+    command->add_option("--from-where", arguments->from_where,
+                        "the vertices where this expression, or file, is not 0");
+    command->add_option("--from-on", arguments->from_on,
+                        "the vertices of these physical groups, by name or number");
     command
         ->add_option("--time-scale", arguments->geodesic.time_scale,
                      "heat flows for this times the squared mean length of edges")
@@ -130,8 +173,14 @@ void add_distance(CLI::App& app) {
     command->footer("Every component of the surface needs a vertex. Triangles far from Delaunay "
                     "spoil the\nresult: --delaunay helps.\n\nExamples:\n"
                     "  polydec distance bunny.ply --from 0 -o distance.vtu\n"
+                    "  polydec distance plate.msh --from boundary -o distance.html\n"
+                    "  polydec distance plate.msh --from-where 'x < .01' --json\n"
                     "  polydec distance part.stl --delaunay --from 12 871 --json");
-    command->callback([arguments] { run_distance(*arguments); });
+    command->callback([arguments] {
+        if (arguments->from.empty() && arguments->from_on.empty() && arguments->from_where.empty())
+            throw CLI::RequiredError("--from, --from-where or --from-on");
+        run_distance(*arguments);
+    });
 }
 
 } // namespace polydec::tools

@@ -217,7 +217,8 @@ std::shared_ptr<Evolution> integrate(March& march, const Heat& heat) {
 
 void check_boundary(const HeatArguments& arguments) {
     if (!arguments.boundary.empty() && arguments.side == Side::primal &&
-        arguments.conditions.essential_where.empty() && arguments.conditions.essential_on.empty())
+        arguments.conditions.essential_where.empty() && arguments.conditions.essential_on.empty() &&
+        arguments.conditions.fixed_where.empty())
         throw InvalidInput("--boundary-values of primal forms are values at essential facets: say "
                            "which by --essential-where");
     if (!arguments.boundary.empty() && arguments.conditions.natural)
@@ -238,7 +239,7 @@ void run_heat(const HeatArguments& arguments) {
     auto flux = if_given("--flux", arguments.flux);
     const ConditionValues asked(arguments.conditions);
     check_boundary(arguments);
-    auto inputs = initial.inputs(arguments.mesh.mesh, {asked.file()});
+    auto inputs = initial.inputs(arguments.mesh.mesh, {asked.file(), asked.fixed_file()});
     for (const auto* form : {&source, &boundary, &flux})
         if (*form)
             inputs = (*form)->inputs(arguments.mesh.mesh, {inputs.begin(), inputs.end()});
@@ -278,10 +279,7 @@ void run_heat(const HeatArguments& arguments) {
         integrated = integrate(march, heat);
     else
         take_equal_steps(march, heat);
-    for (const auto condition : conditions.facets)
-        march.problem.add(static_cast<std::uint64_t>(condition));
-    for (const double coefficient : conditions.coefficients)
-        march.problem.add(coefficient);
+    march.problem.add(conditions);
     const Ran ran = run(march, arguments.time, mesh);
     const Cochain end = integrated ? integrated->form(0) : Cochain{side, degree, march.state[0]};
     tell(Cooled(heat, steps, ran, words, end, integrated.get()), log, arguments.mesh.tell);
@@ -339,6 +337,7 @@ void add_heat(CLI::App& app) {
              "well (default: 0)")
         ->required(false);
     add_essential_on(*command, arguments->conditions);
+    add_fixed(*command, arguments->conditions, "values of --boundary-values");
     add_robin(*command, arguments->conditions, "--flux");
     command->add_option("--engine", arguments->heat.linear_solver, "linear solver")
         ->capture_default_str();

@@ -102,8 +102,7 @@ polydec::Fingerprint fingerprint(const WaveProblem& problem, const Discretizatio
     result.add(mesh).add(problem.start).add(problem.source).add(problem.pulse_text);
     result.add(name(problem.side)).add(static_cast<std::uint64_t>(problem.degree));
     result.add(in_words(problem.conditions, mesh.complex(), problem.degree));
-    for (const auto condition : problem.conditions.facets)
-        result.add(static_cast<std::uint64_t>(condition));
+    result.add(problem.conditions);
     result.add(problem.options.loss).add(problem.options.layer.width);
     return result.add(name(problem.options.layer.kind));
 }

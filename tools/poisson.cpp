@@ -36,8 +36,8 @@ Solved describe(const Discretization& mesh, const PoissonArguments& arguments,
     const auto& [u, report, compatibility, warnings] = solution;
     Solved answer(mesh.chosen_stars());
     answer.side = arguments.poisson.side;
-    const auto& [natural, essential_where, essential_on, robin] = arguments.conditions;
-    const bool everywhere = essential_where.empty() && essential_on.empty();
+    const auto& [natural, essential_where, essential_on, fixed_where, robin] = arguments.conditions;
+    const bool everywhere = essential_where.empty() && essential_on.empty() && fixed_where.empty();
     answer.boundary = !everywhere  ? "mixed"
                       : robin != 0 ? "robin"
                       : natural    ? "natural"
@@ -93,7 +93,7 @@ struct Data {
 
     Paths files() const {
         Paths list;
-        for (const auto& file : {rhs.file(), boundary.file(), flux.file(), conditions.file(),
+        for (const auto& file : {rhs.file(), boundary.file(), flux.file(), conditions.file(), conditions.fixed_file(),
                                  exact ? exact->file() : std::nullopt,
                                  conductivity ? conductivity->file() : std::nullopt})
             if (file)
@@ -176,6 +176,7 @@ void add_poisson(CLI::App& app) {
                    "--flux (Neumann) at the others")
         ->excludes(boundary);
     add_essential_on(*command, arguments->conditions);
+    add_fixed(*command, arguments->conditions, "values of --boundary");
     add_robin(*command, arguments->conditions, "--flux");
     command->add_option("--flux", arguments->flux,
                         "outward derivative of u on the rest of the boundary (default 0:\n"

@@ -46,11 +46,7 @@ public:
         problem.add("spectrum").add(mesh).add(name(options.side));
         problem.add(static_cast<std::uint64_t>(options.degree));
         problem.add(in_words(conditions, mesh.complex(), options.degree));
-        for (const auto condition : conditions.facets)
-            problem.add(static_cast<std::uint64_t>(condition));
-        for (const double coefficient : conditions.coefficients)
-            problem.add(coefficient);
-        problem_ = problem.value();
+        problem_ = problem.add(conditions).value();
     }
 
     /// None if there is no file yet.
@@ -111,8 +107,11 @@ void draw(const SpectrumArguments& arguments, const Discretization& mesh, const 
 void run_spectrum(SpectrumArguments arguments) {
     Log log;
     const ConditionValues asked(arguments.conditions);
-    const auto file = asked.file();
-    check_picture(arguments.picture, arguments.mesh.mesh, file ? Paths{*file} : Paths{});
+    Paths files;
+    for (const auto& file : {asked.file(), asked.fixed_file()})
+        if (file)
+            files.push_back(*file);
+    check_picture(arguments.picture, arguments.mesh.mesh, files);
     if (!arguments.checkpoint.empty())
         check_output_file(arguments.checkpoint, {".checkpoint"}, mesh_files(arguments.mesh.mesh));
     const Discretization mesh = load(arguments.mesh, log);
@@ -169,6 +168,7 @@ void add_spectrum(CLI::App& app) {
                    "forms of degree 1 .. n-1 the tangential part; no flow through\n"
                    "the others");
     add_essential_on(*command, arguments->conditions);
+    add_fixed(*command, arguments->conditions, "values 0");
     add_robin(*command, arguments->conditions, "0");
     add_picture(*command, arguments->picture, "the modes");
     auto* checkpoint =

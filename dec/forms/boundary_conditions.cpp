@@ -101,13 +101,18 @@ std::string in_words(const BoundaryConditions& conditions, const CellComplex& co
     check_number(complex, conditions);
     const int n = complex.dimension();
     std::int64_t facets = 0, essential = 0, robin = 0;
+    const auto& marks = conditions.fixed_vertices;
+    const auto fixed = std::count(marks.begin(), marks.end(), true);
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (complex.coface_counts(n - 1)[f] == 1) {
             ++facets;
             essential += conditions.at(f) == BoundaryCondition::essential ? 1 : 0;
             robin += conditions.at(f) == BoundaryCondition::robin ? 1 : 0;
         }
-    return in_words(facets, essential, degree, n, data, robin);
+    return in_words(facets, essential, degree, n, data, robin) +
+           (fixed == 0 ? ""
+                       : fmt::format(", values {} at {} vert{}", data.values ? "given" : "0", fixed,
+                                     fixed == 1 ? "ex" : "ices"));
 }
 
 std::string in_words(std::int64_t facets, std::int64_t essential, int degree, int n,
@@ -128,6 +133,22 @@ std::string in_words(std::int64_t facets, std::int64_t essential, int degree, in
     add(BoundaryCondition::natural, facets - essential - robin);
     add(BoundaryCondition::robin, robin);
     return result;
+}
+
+void require_essential(const CellComplex& complex, const BoundaryConditions& conditions,
+                       const std::string& what) {
+    const auto& cofaces = complex.coface_counts(complex.dimension() - 1);
+    const auto boundary = std::count(cofaces.begin(), cofaces.end(), 1);
+    const auto& fixed = conditions.fixed_vertices;
+    bool any = boundary == 0 || std::find(fixed.begin(), fixed.end(), true) != fixed.end();
+    for (std::size_t f = 0; f < cofaces.size() && !any; ++f)
+        any = cofaces[f] == 1 &&
+              conditions.at(static_cast<Index>(f)) == BoundaryCondition::essential;
+    if (!any)
+        throw InvalidInput(fmt::format("{} gives values on none of the {} facets of the boundary: "
+                                       "expected some; no condition there is the natural one, and "
+                                       "values inside are those of fixed vertices",
+                                       what, boundary));
 }
 
 BoundaryConditions essential_where(const Points& sites,
@@ -174,6 +195,9 @@ BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coeffic
 
 CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions) {
     check_number(complex, conditions);
+    if (!conditions.fixed_vertices.empty())
+        throw InvalidInput("values are given at vertices, which primal 0-forms alone can have: "
+                           "give those of other forms on facets of the boundary");
     const int n = complex.dimension();
     CellMarks marks;
     for (int k = 0; k <= n; ++k)
@@ -182,6 +206,23 @@ CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& 
         marks[n - 1][f] = complex.coface_counts(n - 1)[f] == 1 &&
                           conditions.at(f) == BoundaryCondition::essential;
     mark_faces(complex, marks);
+    return marks;
+}
+
+CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions,
+                          Side side, int degree) {
+    if (side == Side::dual)
+        return essential_cells(complex, exchanged(conditions));
+    auto on_facets = conditions;
+    if (degree == 0)
+        on_facets.fixed_vertices = {};
+    auto marks = essential_cells(complex, on_facets);
+    if (degree > 0 || conditions.fixed_vertices.empty())
+        return marks;
+    check_as_many("marks of fixed vertices", std::ssize(conditions.fixed_vertices),
+                  complex.size(0));
+    for (Index v = 0; v < complex.size(0); ++v)
+        marks[0][v] = marks[0][v] || conditions.fixed_vertices[v];
     return marks;
 }
 

@@ -25,6 +25,9 @@ struct BoundaryConditions {
     std::vector<BoundaryCondition> facets = {};
     /// Of Robin's condition: one for all facets, or one for each; positive, units 1 / length.
     std::vector<double> coefficients = {};
+    /// Empty, or one mark for each 0-cell, inside or on the boundary: where the values of a primal
+    /// 0-form are given besides, as on an electrode. Other forms cannot have it.
+    std::vector<bool> fixed_vertices = {};
 
     BoundaryCondition at(Index facet) const { return facets.empty() ? everywhere : facets[facet]; }
 };
@@ -78,14 +81,25 @@ BoundaryConditions essential_where(const Points& sites,
 BoundaryConditions essential_on(const std::vector<Index>& facet_tags,
                                 const std::vector<Index>& tags);
 
+/// Throws InvalidInput, with the number of boundary facets, where a mesh has a boundary but these
+/// conditions give values on none of it, nor at a vertex; `what` says who gave them.
+void require_essential(const CellComplex& complex, const BoundaryConditions& conditions,
+                       const std::string& what);
+
 /// Conditions with Robin's in place of the natural one.
 BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coefficient);
 
 /// The cells on which an essential condition fixes primal forms: essential boundary facets and all
 /// their faces, in every degree. Relative to these cells a complex carries the forms that vanish
 /// there; relative_complex with none of them is the absolute one, natural everywhere.
-/// Throws InvalidInput if there are conditions but not one for each facet.
+/// Throws InvalidInput if there are conditions but not one for each facet, or fixed vertices.
 CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions);
+
+/// The same for forms of one side and degree: for dual forms the conditions are exchanged first,
+/// and fixed vertices are among the cells for primal 0-forms. Throws InvalidInput for other forms
+/// with these, and for another number of marks.
+CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions,
+                          Side side, int degree);
 
 /// The volumes of the cells of a relative complex, so that every operator that takes a complex and
 /// its volumes acts on forms that vanish on the dropped cells. Errors name cells by their numbers

@@ -15,6 +15,13 @@ const char* name(StarKind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
+bool all_positive(const HodgeStars& stars) {
+    for (int k = 0; k <= stars.dimension(); ++k)
+        if (!stars[k].zeros().empty() || !stars[k].negatives().empty())
+            return false;
+    return true;
+}
+
 StarKind automatic_kind(int dimension, bool every_dual_is_positive) {
     return every_dual_is_positive                 ? StarKind::circumcentric
            : dimension == GluedSurface::dimension ? StarKind::hybrid

@@ -25,6 +25,9 @@ enum class StarKind {
 /// "circumcentric", "galerkin" ..
 const char* name(StarKind kind);
 
+/// Whether no star has a zero or a negative entry.
+bool all_positive(const HodgeStars& stars);
+
 /// What automatic becomes.
 StarKind automatic_kind(int dimension, bool every_dual_is_positive);
 

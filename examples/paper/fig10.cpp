@@ -45,7 +45,7 @@ Report fig10(const Request& request) {
         const int subdivisions = 10 << level;
         if (request.progress)
             request.progress(fmt::format("{} x {} subdivisions", subdivisions, subdivisions));
-        const auto sphere = discretize(uv_sphere(subdivisions, subdivisions));
+        const auto sphere = discretized(uv_sphere(subdivisions, subdivisions));
         const Vector areas = star(sphere.volumes(), 0).diagonal();
         const DenseMatrix normal = laplacian(sphere, 0).matrix() * DenseMatrix(sphere.points());
         const Vector errors = 1 - normal.rowwise().norm().array() / 2;

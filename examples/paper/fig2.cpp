@@ -93,7 +93,7 @@ Report fig2(const Request&) {
                 {}};
     SvgDrawing drawing{.title = "Pairs of triangles, their circumcenters and dual edges"};
     for (const auto& pair : pairs) {
-        const auto mesh = discretize(mesh_of(pair));
+        const auto mesh = discretized(mesh_of(pair));
         draw(drawing, pair, mesh);
         // a center on the edge counts as crossing
         const bool crosses = pair.upper * pair.lower >= 0;

@@ -71,7 +71,7 @@ Report fig6(const Request&) {
     SvgDrawing drawing{.title = "Meshes and their circumcentric duals", .width = 900};
     const double apart = 1.12, below = 1.2;
     for (const auto& family : planar_families()) {
-        const auto mesh = discretize(family.make(0));
+        const auto mesh = discretized(family.make(0));
         const auto i = table.rows.size();
         const SvgPoint shift{apart * static_cast<double>(i % 2),
                              -below * static_cast<double>(i / 2)};

@@ -45,7 +45,7 @@ void add_families(Report& report, const Request& request, Side side, int levels)
             if (request.progress)
                 request.progress(
                     fmt::format("{} 0-forms, {}, {}", name(side), family.name, 8 << level));
-            const auto [length, error] = solve_on(discretize(family.make(level)), side);
+            const auto [length, error] = solve_on(discretized(family.make(level)), side);
             series.x.push_back(length);
             series.y.push_back(error);
             table.rows.push_back({family.name, long{8} << level, length, error,
@@ -75,8 +75,8 @@ std::string plain_bicgstab() {
 class PerturbedProblem {
 public:
     PerturbedProblem(int cells, double perturbation)
-        : original_(discretize(grid(cells, cells), options(perturbation))),
-          moved_(discretize(perturbation == 0 ? grid(cells, cells)
+        : original_(discretized(grid(cells, cells), options(perturbation))),
+          moved_(discretized(perturbation == 0 ? grid(cells, cells)
                                               : perturbed(grid(cells, cells), perturbation, 1),
                             options(perturbation))) {}
 
@@ -202,13 +202,13 @@ void add_conditions(Report& report) {
     Table table{"condition",
                 fmt::format("condition of the dual Laplacian, {} x {} cells", cells, cells),
                 {"mesh", "condition"},
-                {{"merged", condition(discretize(grid(cells, cells)))}}};
+                {{"merged", condition(discretized(grid(cells, cells)))}}};
     for (const int exponent : {3, 5, 7, 9})
         table.rows.push_back(
             {fmt::format("perturbed by 1e-{}", exponent),
-             condition(discretize(perturbed(grid(cells, cells), std::pow(10.0, -exponent), 1),
+             condition(discretized(perturbed(grid(cells, cells), std::pow(10.0, -exponent), 1),
                                   nothing))});
-    const auto plain = discretize(grid(cells, cells), nothing);
+    const auto plain = discretized(grid(cells, cells), nothing);
     const auto lengthened = plain.volumes().with_dual(1, plain.volumes().dual(1).cwiseMax(least));
     table.rows.push_back({"least dual length 1e-5", condition(plain.with_volumes(lengthened))});
     report.tables.push_back(std::move(table));

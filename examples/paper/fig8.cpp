@@ -73,7 +73,7 @@ void add_family(Report& report, const Request& request, const Family& family, in
     std::vector<long> faces;
     std::vector<std::vector<double>> normalized(all.size());
     for (int level = 0; level < levels; ++level) {
-        const auto mesh = discretize(family.make(level));
+        const auto mesh = discretized(family.make(level));
         const auto polygons = polygon_mesh(mesh.merging(), mesh.points());
         faces.push_back(mesh.complex().size(2));
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -106,7 +106,7 @@ void add_files(Report& report, const Request& request) {
         const auto path = request.meshes / file;
         if (request.meshes.empty() || !std::filesystem::exists(path))
             continue;
-        const auto mesh = discretize(read_mesh(path));
+        const auto mesh = discretized(read_mesh(path));
         const auto polygons = polygon_mesh(mesh.merging(), mesh.points());
         for (const auto& method : methods()) {
             const auto error = method.error(mesh, polygons);

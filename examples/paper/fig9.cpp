@@ -26,7 +26,7 @@ const Sign signs[] = {{1, "", "epsilon for 0"}, {-1, "_negative", "-epsilon for 
 Discretization with_least_dual_length(const Mesh& mesh, double epsilon, const Sign& sign) {
     constexpr double rounding = 1e-10; // relative to the edge
     // the tolerance tells boundary edges without dual from others; here none is without
-    const auto bundle = discretize(mesh, {.criterion = MergeCriterion::none, .tolerance = 0});
+    const auto bundle = discretized(mesh, {.criterion = MergeCriterion::none, .tolerance = 0});
     const Vector& edges = bundle.volumes().primal(1);
     Vector lengths = bundle.volumes().dual(1);
     for (Index e = 0; e < lengths.size(); ++e)
@@ -96,7 +96,7 @@ void add_problem(Report& report, const Request& request, const Problem& problem,
     }
     std::vector<Entry> merged{"merged"};
     for (int level = 0; level < levels; ++level)
-        merged.emplace_back(problem.error(discretize(problem.make(8 << level))));
+        merged.emplace_back(problem.error(discretized(problem.make(8 << level))));
     table.rows.push_back(std::move(merged));
     report.tables.push_back(std::move(table));
     report.plots.push_back({name, std::move(plot)});

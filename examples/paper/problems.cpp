@@ -36,6 +36,11 @@ Mesh with_moved_inner_vertices(int cells, double distance) {
 
 } // namespace
 
+Discretization discretized(Mesh mesh, DiscretizeOptions options) {
+    options.star = StarKind::circumcentric;
+    return discretize(std::move(mesh), options);
+}
+
 Vector values(const Function& function, const Points& sites) {
     Vector result(sites.rows());
     for (Index i = 0; i < result.size(); ++i)

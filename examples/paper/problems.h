@@ -25,6 +25,9 @@ double franke_laplacian(const Vector& point);
 /// Laplacian on the unit sphere of eigenvalue 20. The paper prints 7 y^2, which is none.
 double harmonic(const Vector& point);
 
+/// discretize with circumcentric stars, whatever their signs: the paper has no others.
+Discretization discretized(Mesh mesh, DiscretizeOptions options = {});
+
 /// A family of meshes that are refined.
 struct Family {
     std::string name;

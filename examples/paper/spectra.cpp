@@ -56,7 +56,7 @@ void add_degree(Report& report, const Request& request, int k, int levels) {
         for (int level = 0; level < levels; ++level) {
             if (request.progress)
                 request.progress(fmt::format("Delta_{}, {}, level {}", k, family.name, level));
-            const auto mesh = discretize(family.make(level));
+            const auto mesh = discretized(family.make(level));
             const auto all = clusters(k);
             const auto modes =
                 spectrum(mesh, {.degree = k, .count = all.back().first + all.back().count});

@@ -42,7 +42,7 @@ std::string label(const std::pair<std::string, int>& row) {
 } // namespace
 
 Report table1(const Request&) {
-    const auto mesh = discretize(grid(8, 8));
+    const auto mesh = discretized(grid(8, 8));
     const auto before = verdicts(mesh, Stage::input), after = verdicts(mesh, Stage::merged);
     Table table{"table1",
                 "whether operators are well defined on a split grid",

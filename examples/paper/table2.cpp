@@ -104,7 +104,7 @@ Counts count(const Source& source) {
     if (mesh.dimension() != 2)
         throw InvalidInput(
             fmt::format("cells of dimension {}; the table is about surfaces", mesh.dimension()));
-    const auto ours = discretize(std::move(mesh));
+    const auto ours = discretized(std::move(mesh));
     const auto papers =
         merge_cospherical(ours.input(), ours.points(), ours.input_volumes(), papers_test);
     return {ours.input().size(2), {merged_pairs(papers.merging), merged_pairs(ours.merging())}};

@@ -6,6 +6,7 @@
 #include "dec/advice.h"
 #include "dec/choose_stars.h"
 #include "dec/diagnosis.h"
+#include "dec/fields/chosen_vertices.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/material_stars.h"
 #include "io/diagnosis_json.h"
@@ -137,6 +138,12 @@ void add_parts(py::class_<Discretization>& type) {
                                [](const Discretization& mesh) { return mesh.warnings(); })
         .def_property_readonly("tags",
                                [](const Discretization& mesh) { return array(mesh.tags()); })
+        .def("boundary_vertices",
+             [](const Discretization& mesh) { return array(boundary_vertices(mesh)); })
+        .def("vertices_on",
+             [](const Discretization& mesh, const std::vector<std::string>& groups) {
+                 return array(vertices_on(mesh, groups));
+             })
         .def_property_readonly("facet_tags",
                                [](const Discretization& mesh) { return array(mesh.facet_tags()); })
         .def("facets_in",

@@ -108,6 +108,17 @@ class Complex(Cells):
         """Which stars it has: "circumcentric", "galerkin", "hybrid", "barycentric" or "own"."""
         return self._mesh.star_kind
 
+    def boundary_vertices(self) -> Integers:
+        """The vertices on the boundary, ascending. Raises InvalidInput if there is none."""
+        return self._mesh.boundary_vertices()
+
+    def vertices_on(self, *groups: str | int) -> Integers:
+        """The vertices of facets, or else of n-cells, in these groups of the file, ascending.
+
+        Groups are given by names or tags. Raises InvalidInput for one that there is not.
+        """
+        return self._mesh.vertices_on([str(group) for group in groups])
+
     def report(self) -> dict[str, Any]:
         """What the mesh is, and what can be done on it: what ``polydec info --json`` says
         with the same stars.

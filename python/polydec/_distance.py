@@ -10,6 +10,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, floats, integers
 from ._complex import CellsLike, as_complex
+from ._errors import InvalidInput
 
 
 class GeodesicDistance:
@@ -27,21 +28,37 @@ class GeodesicDistance:
 
     def __init__(self, complex: CellsLike, *, time_scale: float = 4.0,
                  engine: str = "auto") -> None:
-        self._solver = _core.GeodesicDistance(as_complex(complex, in_units=True)._mesh, time_scale, engine)
+        self._complex = as_complex(complex, in_units=True)
+        self._solver = _core.GeodesicDistance(self._complex._mesh, time_scale, engine)
 
-    def to(self, sources: npt.ArrayLike) -> Floats:
-        """The distance of every vertex from the nearest source vertex."""
-        return self._solver.to(integers(np.atleast_1d(np.asarray(sources)), "sources"))[0]
+    def to(self, sources: Any) -> Floats:
+        """The distance of every vertex from the nearest source vertex, see `geodesic_distance`."""
+        if callable(sources):
+            sources = np.asarray(sources(self._complex.points))
+        elif isinstance(sources, str) and sources == "boundary":
+            sources = self._complex.boundary_vertices()
+        elif isinstance(sources, str):
+            sources = self._complex.vertices_on(sources)
+        given = np.atleast_1d(np.asarray(sources))
+        if given.dtype == bool:
+            count = self._complex.size(0)
+            if given.shape != (count,) or not given.any():
+                raise InvalidInput(f"sources mark {np.count_nonzero(given)} of {given.size} "
+                                   f"vertices: expected some, of {count}")
+            given = np.flatnonzero(given)
+        return self._solver.to(integers(given, "sources"))[0]
 
 
-def geodesic_distance(complex: CellsLike, sources: npt.ArrayLike, *, time_scale: float = 4.0,
+def geodesic_distance(complex: CellsLike, sources: Any, *, time_scale: float = 4.0,
                       engine: str = "auto") -> Floats:
     """The distance of every vertex from the nearest source vertex, along the surface.
 
     Parameters
     ----------
-    sources : int or array_like of int
-        Numbers of vertices; the others are those of `GeodesicDistance`.
+    sources : int, array_like of int or bool, callable or str
+        Numbers of vertices, or marks of all of them; a callable takes all points, an array
+        (size(0), N), and returns marks; "boundary", or else a group of the file. The other
+        parameters are those of `GeodesicDistance`.
 
     Examples
     --------

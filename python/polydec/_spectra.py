@@ -17,7 +17,7 @@ from ._complex import CellsLike, Progress, as_cells, facet_conditions
 class Certificate:
     """Proof that no eigenvalue is missing, by Sylvester's law of inertia.
 
-    `below_shift` eigenvalues lie below `shift`, which is behind all values returned, and
+    `below_shift` eigenvalues of this mesh lie below `shift`, which is behind all values returned, and
     `returned_below_shift` were computed.
     """
 

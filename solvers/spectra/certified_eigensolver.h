@@ -25,6 +25,8 @@ struct EigensolverOptions {
     /// Whether A is known to be positive semidefinite; if not, its inertia is looked at first.
     Definiteness definiteness = Definiteness::indefinite;
     Index zeros = 0; ///< hint: as many eigenvalues are known to be zero
+    /// Independent vectors, orthogonal in M, that are known to have the eigenvalue zero.
+    DenseMatrix kernel = {};
     std::function<void(std::string_view)> progress = {}; ///< told what is being done, at each step
     /// Told of the eigenvectors found so far, as columns in the solver's own scale, whenever there
     /// are more; they are asked for in parts then.

@@ -145,7 +145,9 @@ Spectrum coexact_spectrum(const CellComplex& complex, const HodgeStars& stars,
         throw InvalidInput(fmt::format("{} coexact {}-forms asked for: there are {}", options.count,
                                        k, all_coexact));
     SpectrumOptions all = options;
-    all.count = options.count > size / 2 - 10 ? size : 2 * options.count + 10;
+    all.count = betti[k] + 2 * options.count + 10;
+    if (all.count > size / 2)
+        all.count = size;
     while (true) {
         Spectrum found = spectrum(complex, stars, all);
         const DenseMatrix modes = coexact_modes(complex, stars, found, betti[k]);

@@ -7,6 +7,7 @@
 #include "dec/conditioned_complex.h"
 #include "dec/forms/cochain.h"
 #include "meshes/unit_of_length.h"
+#include "solvers/hodge.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/positive_mass.h"
 
@@ -62,6 +63,19 @@ std::vector<std::string> warning_of_negative_values(const Spectrum& spectrum,
                         duals == 1 ? "has" : "have", advice)};
 }
 
+/// The forms with the eigenvalue 0, where there are so many of them that a direct way pays.
+DenseMatrix kernel(const ConditionedComplex& space, const SpectrumOptions& options, int k,
+                   Index zeros, bool is_dual_function) {
+    constexpr Index many = 10;
+    if (zeros < many)
+        return {};
+    if (options.progress)
+        options.progress("harmonic forms");
+    const DenseMatrix forms = harmonic_forms(space.relative.complex, space.stars, Side::primal, k,
+                                             options.linear_solver);
+    return is_dual_function ? DenseMatrix(space.stars[k].matrix() * forms) : forms;
+}
+
 /// Under conditions, of which Robin's adds weights, with modes on all cells; `star` is theirs.
 Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
                      const SpectrumOptions& options, const std::string& advice = {}) {
@@ -74,6 +88,7 @@ Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
     check_positive_mass(stars[k], options.side, options.degree);
 
     const bool is_dual_function = k == complex.dimension() && stars[k].is_diagonal();
+    const Index zeros = weights.size() > 0 ? 0 : betti_numbers(complex)[k];
     CertifiedEigensolver solver(is_dual_function ? dual_function_pencil(complex, stars, k)
                                                  : pencil_of(complex, stars, k, weights),
                                 {.linear_solver = options.linear_solver,
@@ -81,7 +96,8 @@ Spectrum spectrum_in(const RobinComplex& given, const HodgeStar& star,
                                  .certification = options.certification,
                                  .domain_dimension = complex.dimension(),
                                  .definiteness = laplacian_definiteness(stars, k),
-                                 .zeros = weights.size() > 0 ? 0 : betti_numbers(complex)[k],
+                                 .zeros = zeros,
+                                 .kernel = kernel(space, options, k, zeros, is_dual_function),
                                  .progress = options.progress,
                                  .found = options.found,
                                  .start = options.start});
@@ -137,12 +153,7 @@ void use_input_units(Spectrum& spectrum, double unit) {
 
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const SpectrumOptions& options) {
-    const int k = cell_degree(complex, options.side, options.degree);
-    check_fit(complex, stars);
-    CellMarks none;
-    for (int j = 0; j <= complex.dimension(); ++j)
-        none.emplace_back(complex.size(j), false);
-    return spectrum_in({{relative_complex(complex, none), stars}, {}, {}}, stars[k], options);
+    return spectrum(complex, stars, built_in_conditions(options.side), options);
 }
 
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {

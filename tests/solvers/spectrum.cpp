@@ -111,6 +111,36 @@ TEST_P(Spectra, have_as_many_zeros_as_the_Betti_number) {
     }
 }
 
+TEST(SpectraOfManyPieces, have_a_zero_for_each_and_for_each_hole) {
+    const Index pieces = 60;
+    const Mesh square = grid(2, 2);
+    Mesh many{Points(pieces * square.points.rows(), 2),
+              Simplices(pieces * square.simplices.rows(), 3), {}};
+    for (Index i = 0; i < pieces; ++i) {
+        const Index vertices = static_cast<Index>(square.points.rows());
+        const Index triangles = static_cast<Index>(square.simplices.rows());
+        many.points.middleRows(i * vertices, vertices) = square.points;
+        many.points.middleRows(i * vertices, vertices).col(0).array() += 2 * i;
+        many.simplices.middleRows(i * triangles, triangles) =
+            square.simplices.array() + i * vertices;
+    }
+    const auto mesh = discretize(many);
+    for (const Side side : {Side::primal, Side::dual})
+        for (const Index count : {4, 60}) {
+            const int degree = side == Side::primal ? 0 : 2;
+            int steps = 0;
+            const auto found = spectrum(mesh, {.side = side,
+                                               .degree = degree,
+                                               .count = count,
+                                               .progress = [&](std::string_view) { ++steps; }});
+            EXPECT_LE(found.eigenvalues.cwiseAbs().maxCoeff(), 1e-9);
+            EXPECT_TRUE(found.certificate.complete);
+            EXPECT_EQ(found.certificate.below_shift, pieces);
+            expect_orthonormal_modes(found, star(mesh.volumes(), 0).diagonal());
+            EXPECT_LE(steps, 150); // no zero is searched for
+        }
+}
+
 TEST_P(Spectra, scale_with_the_inverse_square_of_length) {
     for (const double scale : {1e-8, 1e8}) {
         const Mesh mesh = GetParam().make();

@@ -73,6 +73,38 @@ class Conditions(TestCase):
         self.assertSays(self.fail_with(2, *line, "--no-slip-on", "floor"), "group", "1-cells",
                         "floor")
 
+    def test_that_match_no_facet_of_the_boundary_are_refused(self):
+        lines = (("poisson", "--side", "primal", "--rhs", 1), ("poisson", "--side", "dual", "--rhs", 1),
+                 ("spectrum", "--side", "primal", "--degree", 1),
+                 ("heat", "--side", "dual", "--initial", 1, "--until", 1),
+                 ("hodge", "--side", "primal", "--degree", 1, "--form", "x; y"))
+        inside = square(8).replace(f"Edges\n32\n", "Edges\n33\n41 42 9\n")
+        self.assertIn("41 42 9", inside)
+        for name, *rest in lines:
+            line = (name, self.write("inside.mesh", inside), *rest)
+            for where in ("x > 2", "(x>.4)*(x<.6)*(y>.4)*(y<.6)"):
+                self.assertSays(self.fail_with(2, *line, "--essential-where", where),
+                                "--essential-where", "none", 32)
+            self.assertSays(self.fail_with(2, *line, "--essential-on", 9, LEFT), "group 9", "none", 32)
+            self.assertSays(self.fail_with(2, *line, "--essential-on", 77), 77)
+
+    def test_values_at_vertices_inside_are_those_of_0_forms(self):
+        """u = 1 at the center and 0 at the corners: by rows and columns of the stiffness."""
+        corners = "(abs(x*(1-x))<1e-9)*(abs(y*(1-y))<1e-9)"
+        center = "(abs(x-.5)<.01)*(abs(y-.5)<.01)"
+        line = ("poisson", self.square, "--side", "primal", "--rhs", 0, "--fixed-where",
+                f"{corners}+{center}", "--boundary", center)
+        answer = self.ask(*line, "-o", "u.vtu")
+        self.assertEqual((answer["min"], answer["max"]), (0, 1))
+        self.assertSays(answer["conditions"], "no flow", "values given at 5 vertices")
+        line = ("spectrum", self.square, "--fixed-where", center, "--count", 2)
+        first, second = self.ask(*line, "--side", "primal", "--degree", 0)["eigenvalues"]
+        self.assertTrue(.1 < first < second)
+        for other in (("--side", "primal", "--degree", 1), ("--side", "dual", "--degree", 0)):
+            self.assertSays(self.fail_with(2, *line, *other), "vertices", "primal 0-forms")
+        self.assertSays(self.fail_with(2, "poisson", self.square, "--side", "primal", "--rhs", 1,
+                                       "--fixed-where", "x>2"), "--fixed-where", "81 vertices")
+
     def test_groups_of_facets_are_those_at_their_places(self):
         asked = (
             ("poisson", "--rhs", "1+x", "--boundary", "y", "--side", "primal"),
