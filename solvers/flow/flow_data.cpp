@@ -20,7 +20,8 @@ Vector flow_of_vorticity(const Discretization& mesh, const Vector& vorticity) {
                                        "vertices: expected a surface; else give velocities",
                                        mesh.dimension()));
     const Vector none = Vector::Zero(mesh.complex().size(0));
-    const Vector psi = PoissonSolver(mesh).solve(vorticity, none).values;
+    // in the unit of the mesh, as its flows are
+    const Vector psi = PoissonSolver(mesh.complex(), mesh.stars()).solve(vorticity, none).values;
     return Operator::derivative(mesh.complex(), 0) * psi;
 }
 

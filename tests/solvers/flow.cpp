@@ -178,6 +178,24 @@ TEST(Flows, leave_through_open_boundaries_what_comes_in) {
     EXPECT_LE(flow_error(flow, w, uniform), 1e-8);
 }
 
+TEST(Flows, of_a_vorticity_have_it_in_any_unit) {
+    for (const auto& [name, mesh] : flow_meshes()) {
+        if (mesh.simplices.cols() != 3)
+            continue;
+        Mesh small = mesh;
+        small.points *= std::ldexp(1.0, -60);
+        const auto whole = discretize(mesh), tiny = discretize(small);
+        ASSERT_NE(tiny.unit(), 1) << name;
+        const Vector z = at_vertices(whole, [](const Vector& x) { return x[0] - 2 * x[1]; });
+        const IncompressibleFlow flow(whole), same(tiny);
+        const Vector vorticity = flow.vorticity(flow_of_vorticity(whole, z));
+        EXPECT_GT(vorticity.norm(), 0.1) << name;
+        EXPECT_LE((same.vorticity(flow_of_vorticity(tiny, z)) - vorticity).norm(),
+                  1e-9 * vorticity.norm())
+            << name;
+    }
+}
+
 TEST(FlowErrors, name_what_is_wrong) {
     const auto mesh = circumcentric(grid(4, 4));
     const auto refused = [&](const FlowOptions& options) {
