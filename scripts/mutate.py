@@ -81,6 +81,7 @@ MUTANTS = {
     "negative_boundary_duals_kept": ("dec/discretization.cpp", "!(duals[f] < 0) ||", "!(duals[f] < -1e9) ||"),
     "wound_twice_is_flat": ("dec/metric/overlaps.cpp", "2 * std::numbers::pi + 1e-6",
                             "8 * std::numbers::pi + 1e-6"),
+    "kinds_by_rounding": ("dec/merging/facet_kinds.cpp", "is_zero(dual[f], terms[f])", "dual[f] == 0"),
     "bends_unseen": ("dec/merging/straightness.cpp", "std::abs(angles_[s] - std::numbers::pi) <=",
                      "0 * angles_[s] <="),
     # solvers/

@@ -28,13 +28,15 @@ FacetKinds facet_kinds(const Pieces& complex, const SimplexMetric& metric,
     const int n = complex.dimension();
     const auto degenerate = facet_defects(complex, metric, volumes, options).degenerate;
     const auto centered = centered_cofaces(complex, metric, volumes);
+    const Vector& dual = volumes.dual(n - 1);
+    const Bounds& terms = volumes.terms(n - 1);
     FacetKinds kinds;
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         if (complex.coface_counts(n - 1)[f] != 2)
             continue;
-        if (degenerate[f] || volumes.dual(n - 1)[f] == 0) // flat ones have their cell's center
+        if (degenerate[f] || is_zero(dual[f], terms[f])) // flat ones have their cell's center
             ++kinds.cospherical;
-        else if (volumes.dual(n - 1)[f] < 0)
+        else if (dual[f] < 0)
             ++kinds.non_delaunay;
         else if (centered[f] == 2)
             ++kinds.well_centered;

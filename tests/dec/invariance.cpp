@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/choose_stars.h"
+#include "dec/merging/facet_kinds.h"
 #include "dec/metric/plane.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
@@ -83,6 +84,22 @@ TEST(Shapes, of_tilted_planes_are_those_of_the_plane) {
     EXPECT_EQ(shape(discretize(tilted)), shape(discretize(flat)));
     EXPECT_EQ(plane_points(perturbed(tilted, 1e-9, 1).points, 3).cols(), 0);
     EXPECT_EQ(plane_points(flat.points, 3).cols(), 0);
+}
+
+TEST(Kinds, of_pairs_do_not_depend_on_numbers_where_a_center_is_on_the_facet) {
+    // octahedra that are too flat to merge, whose pieces have one center
+    Mesh mesh = fcc(1);
+    mesh.points.col(2) *= 0.01;
+    const auto kinds_of = [](const Mesh& numbered) {
+        const auto cells = discretize(numbered);
+        const auto kinds = facet_kinds(cells.input(), cells.metric(), cells.input_volumes());
+        return std::vector{kinds.well_centered, kinds.delaunay, kinds.non_delaunay,
+                           kinds.cospherical};
+    };
+    const auto expected = kinds_of(mesh);
+    EXPECT_EQ(expected[3], 2);
+    for (unsigned seed = 1; seed <= 8; ++seed)
+        EXPECT_EQ(kinds_of(shuffled(mesh, seed).mesh), expected) << seed;
 }
 
 TEST(HybridStars, do_not_depend_on_the_side_to_which_a_right_angle_is_rounded) {
