@@ -105,15 +105,17 @@ void examine_metric(const Discretization& mesh, Diagnosis& found) {
     found.advice = advice(mesh);
 }
 
-} // namespace
-
-bool Diagnosis::lacks_numbers() const {
+/// Whether numbers are left out that double precision does not have.
+bool lacks_numbers(const Diagnosis& found) {
     const auto lacks = [](const StarNumbers& star) {
         return !star.min || !star.max || !star.min_abs;
     };
-    return !volume || std::any_of(stars.merged.begin(), stars.merged.end(), lacks) ||
-           std::any_of(stars.input.begin(), stars.input.end(), lacks);
+    const auto& [input, merged] = found.stars;
+    return !found.volume || std::any_of(merged.begin(), merged.end(), lacks) ||
+           std::any_of(input.begin(), input.end(), lacks);
 }
+
+} // namespace
 
 Diagnosis diagnose(const Discretization& discretization,
                    const std::function<void(std::string_view)>& stage) {
@@ -127,6 +129,9 @@ Diagnosis diagnose(const Discretization& discretization,
     if (stage)
         stage("operators");
     examine_metric(discretization, found);
+    if (lacks_numbers(found))
+        found.warnings.emplace_back("volumes that are no numbers of double precision in the units "
+                                    "of the file are left out");
     return found;
 }
 

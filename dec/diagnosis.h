@@ -73,9 +73,7 @@ struct Diagnosis {
     BeforeAndAfter<std::vector<OperatorVerdict>> operators;
     std::vector<LaplacianVerdict> laplacians; ///< by degree
     std::vector<Advice> advice;
-
-    /// Whether numbers are left out that double precision does not have.
-    bool lacks_numbers() const;
+    std::vector<std::string> warnings; ///< of numbers that double precision does not have
 };
 
 /// Finds all of that. Each stage (topology, operators) is told as it begins, if anyone listens.

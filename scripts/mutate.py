@@ -82,6 +82,7 @@ MUTANTS = {
     "wound_twice_is_flat": ("dec/metric/overlaps.cpp", "2 * std::numbers::pi + 1e-6",
                             "8 * std::numbers::pi + 1e-6"),
     "kinds_by_rounding": ("dec/merging/facet_kinds.cpp", "is_zero(dual[f], terms[f])", "dual[f] == 0"),
+    "numbers_lacked_in_silence": ("dec/diagnosis.cpp", "if (lacks_numbers(found))", "if (false)"),
     "bends_unseen": ("dec/merging/straightness.cpp", "std::abs(angles_[s] - std::numbers::pi) <=",
                      "0 * angles_[s] <="),
     # solvers/

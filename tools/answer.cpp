@@ -55,6 +55,10 @@ void Log::warn(const std::string& text) {
     console::tell(fmt::format("polydec: warning: {}\n", warnings.back()));
 }
 
+std::string in_digits(const std::optional<double>& number, int digits) {
+    return number ? fmt::format("{:.{}g}", *number, digits) : "out of range";
+}
+
 void tell(const Answer& answer, Log& log, const TellOptions& options) {
     log.timing.end();
     // made in any case, since it is there that numbers which are none are found

@@ -57,6 +57,9 @@ private:
     fmt::memory_buffer buffer_;
 };
 
+/// A number that double precision may not have in the units of the file.
+std::string in_digits(const std::optional<double>& number, int digits = 10);
+
 /// What a command has found, to be told in one of two ways.
 class Answer {
 public:

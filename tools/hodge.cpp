@@ -57,13 +57,10 @@ struct Divided : Answer {
     }
 
     void write(Text& text) const override {
-        const auto told = [](const std::optional<double>& norm) {
-            return norm ? fmt::format("{:.10g}", *norm) : std::string("out of range");
-        };
         text("Hodge decomposition of a {} {}-form\n", name(side), degree);
         text("  {}\n  {}\n", conditions, in_words(stars));
-        text("  L2 norms: form {}, exact {}, coexact {}, harmonic {}\n", told(form), told(exact),
-             told(coexact), told(harmonic));
+        text("  L2 norms: form {}, exact {}, coexact {}, harmonic {}\n", in_digits(form),
+             in_digits(exact), in_digits(coexact), in_digits(harmonic));
     }
 };
 

@@ -24,16 +24,12 @@ std::vector<std::string> advice_in_words(const Diagnosis& facts) {
     return list;
 }
 
-std::string shown(const std::optional<double>& number, int digits) {
-    return number ? fmt::format("{:.{}g}", *number, digits) : "out of range";
-}
-
 void write_cells(Text& text, const Diagnosis& facts) {
     const int n = facts.dimension;
     text("dimension {} {}, volume {}\n", n,
          facts.ambient_dimension ? fmt::format("in {} coordinates", *facts.ambient_dimension)
                                  : "by lengths of edges alone",
-         shown(facts.volume, 10));
+         in_digits(facts.volume, 10));
     text("cells of degree 0 .. {}\n", n);
     text("  input    {}\n  merged   {}\n", fmt::join(facts.cells.input, ", "),
          fmt::join(facts.cells.merged, ", "));
@@ -86,9 +82,9 @@ void write_stars(Text& text, const Diagnosis& facts, const ChosenStars& stars) {
     };
     for (std::size_t k = 0; k < facts.stars.merged.size(); ++k) {
         const auto& star = facts.stars.merged[k];
-        text("  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n", k, shown(star.min, 6),
-             shown(star.max, 6), shown(star.min_abs, 6), star.negative, star.zero, condition(star),
-             condition(facts.stars.input[k]));
+        text("  {:<7}{:>14}{:>14}{:>14}{:>10}{:>8}{:>12}{:>14}\n", k, in_digits(star.min, 6),
+             in_digits(star.max, 6), in_digits(star.min_abs, 6), star.negative, star.zero,
+             condition(star), condition(facts.stars.input[k]));
     }
 }
 
@@ -209,9 +205,7 @@ void run(const InfoArguments& arguments) {
     const Info answer(arguments.mesh.mesh.string(),
                       diagnose(mesh, [&](std::string_view stage) { log.timing.begin(stage); }),
                       mesh.chosen_stars());
-    if (answer.facts.lacks_numbers())
-        log.warn("volumes that are no numbers of double precision in the units of the file are "
-                 "left out");
+    log.warn(answer.facts.warnings);
     if (!arguments.out.empty()) {
         log.timing.begin("write");
         draw(arguments, mesh, answer, log);

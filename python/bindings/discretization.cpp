@@ -91,6 +91,7 @@ py::tuple carriers(const Discretization& mesh, int k) {
 /// What the command says of a mesh, as JSON.
 std::string report(const Discretization& mesh) {
     const Diagnosis found = unlocked([&] { return diagnose(mesh); });
+    warn(found.warnings);
     std::vector<std::string> advice;
     for (const Advice& each : found.advice)
         advice.push_back(in_words(each, found.dimension));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "dec/diagnosis.h"
 #include "dec/discretization.h"
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
@@ -105,6 +106,18 @@ TEST(Units, are_told_in_a_warning) {
                           {{"units", "2^500", "3.27e+150"}}));
     EXPECT_TRUE(each_says(discretize(scaled(length_mesh(grid(1, 1)), std::exp2(-333))).warnings(),
                           {{"units", "2^-334", "2.86e-101"}}));
+}
+
+TEST(Units, without_numbers_of_double_precision_are_told_of_a_diagnosis) {
+    for (const double size : {1.0, 1e120}) { // whose cube is no double
+        Mesh mesh = kuhn(3, 1);
+        mesh.points *= size;
+        const auto told = diagnose(discretize(mesh));
+        EXPECT_EQ(told.volume.has_value(), size == 1);
+        EXPECT_TRUE(each_says(told.warnings, size == 1
+                                                 ? std::vector<Words>{}
+                                                 : std::vector<Words>{{"volumes", "double"}}));
+    }
 }
 
 TEST(MixedSizes, are_right_or_refused_by_name) {

@@ -246,7 +246,7 @@ Questions of_diagnoses(const Sample& s) {
                  return sum;
              };
              return fit(std::ssize(found.laplacians) == n + 1 &&
-                        found.cells.merged.back() == s.size(n) && !found.lacks_numbers() &&
+                        found.cells.merged.back() == s.size(n) && found.warnings.empty() &&
                         even(found.betti.input) == found.euler.input &&
                         even(found.cells.merged) == found.euler.merged);
          }},
