@@ -3,6 +3,7 @@
 #include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
 #include "io/diagnosis_json.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/flow/flow_data.h"
 #include "solvers/flow/flow_solver.h"
 #include "tools/commands.h"
@@ -50,7 +51,7 @@ struct Given {
     /// Lengths are measured in the units of the mesh.
     FlowOptions options(const Discretization& mesh, FlowOptions options) const {
         const double unit = mesh.unit();
-        options.viscosity /= unit * unit;
+        options.viscosity = options.viscosity / unit / unit;
         const Points facets = unit * facet_sites(mesh);
         options.facets.assign(static_cast<std::size_t>(facets.rows()), FlowBoundary::free_slip);
         const auto mark = [&](const ComponentValues& where, const std::vector<std::string>& groups,
@@ -103,9 +104,8 @@ struct Flowed : Answer {
     TimeSteps steps;
     Ran ran;
     std::string conditions;
-    double viscosity, exchange_time, energy, circulation, divergence, enstrophy;
-    std::optional<double> relative_energy;
-    double most = 0, least = 0;
+    double viscosity, exchange_time, circulation, divergence;
+    std::optional<double> energy, relative_energy, enstrophy, most, least;
     ChosenStars stars;
 
     Flowed(const IncompressibleFlow& flow, const Vector& start, const Vector& w, double nu)
@@ -117,11 +117,11 @@ struct Flowed : Answer {
           stars(flow.mesh().chosen_stars()) {
         const double unit = flow.mesh().unit();
         const int n = flow.mesh().dimension();
-        energy = flow.energy(w) * std::pow(unit, n + 2);
+        energy = in_input_units(flow.energy(w), unit, n + 2);
         const Vector z = flow.vorticity(w);
-        enstrophy = z.dot(flow.mesh().stars()[n - 2] * z) / 2 * std::pow(unit, n);
-        most = z.maxCoeff() * std::pow(unit, n - 2);
-        least = z.minCoeff() * std::pow(unit, n - 2);
+        enstrophy = in_input_units(z.dot(flow.mesh().stars()[n - 2] * z) / 2, unit, n);
+        most = in_input_units(z.maxCoeff(), unit, n - 2);
+        least = in_input_units(z.minCoeff(), unit, n - 2);
     }
 
     void write(JsonWriter& json) const override {
@@ -143,10 +143,10 @@ struct Flowed : Answer {
     void write(Text& text) const override {
         text("incompressible flow of viscosity {:.6g}, {}\n", viscosity, in_words(steps, ran));
         text("  {}\n  {}\n", conditions, in_words(stars));
-        text("  energy {:.10g}{}; enstrophy {:.10g}\n", energy, in_words(relative_energy),
-             enstrophy);
-        text("  circulation {:.3g} in all; divergence {:.2g}; vorticity from {:.6g} to {:.6g}\n",
-             circulation, divergence, least, most);
+        text("  energy {}{}; enstrophy {}\n", in_digits(energy), in_words(relative_energy),
+             in_digits(enstrophy));
+        text("  circulation {:.3g} in all; divergence {:.2g}; vorticity from {} to {}\n",
+             circulation, divergence, in_digits(least, 6), in_digits(most, 6));
     }
 };
 

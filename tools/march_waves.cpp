@@ -4,12 +4,14 @@
 #include "dec/conditioned_complex.h"
 #include "dec/forms/cochain.h"
 #include "io/diagnosis_json.h"
+#include "meshes/unit_of_length.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace polydec::tools {
 
@@ -26,10 +28,9 @@ struct Swung : Answer {
     std::string conditions;
     LayerKind layer = LayerKind::automatic; // none
     double layer_width = 0;
-    double stable_step = 0; // in the units of the file
+    std::optional<double> stable_step; // in the units of the file; none: any step is stable
     double min = 0, max = 0;
-    double energy = 0; // at the end, in the units of the file
-    std::optional<double> relative_energy;
+    std::optional<double> energy, relative_energy; // at the end, in the units of the file
     ChosenStars stars;
 
     Swung(const WaveProblem& problem, const ChosenStars& chosen)
@@ -59,8 +60,9 @@ struct Swung : Answer {
         text("  {}\n  {}\n", conditions, in_words(stars));
         if (layer_width > 0)
             text("  an absorbing layer of the width {:.6g}, {}\n", layer_width, name(layer));
-        text("  steps are stable below {:.6g}\n", stable_step);
-        text("  values from {:.10g} to {:.10g}; energy {:.10g}{}\n", min, max, energy,
+        text("  steps {}\n", stable_step ? fmt::format("are stable below {:.6g}", *stable_step)
+                                         : "of any length are stable");
+        text("  values from {:.10g} to {:.10g}; energy {}{}\n", min, max, in_digits(energy),
              in_words(relative_energy));
     }
 };
@@ -123,12 +125,14 @@ void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArgu
     const int degree = problem.degree;
     log.timing.begin("solve");
     Swung answer(problem, mesh.chosen_stars());
-    answer.stable_step = mesh.unit() * computed_on(arguments.mesh, [&] {
-                             const Progress progress;
-                             progress("find the stable step");
-                             return stable_step(mesh, problem.conditions, side, degree);
-                         });
-    answer.steps = time_steps(time, part_of_stable_step * answer.stable_step);
+    const double stable = mesh.unit() * computed_on(arguments.mesh, [&] {
+                              const Progress progress;
+                              progress("find the stable step");
+                              return stable_step(mesh, problem.conditions, side, degree);
+                          });
+    if (std::isfinite(stable))
+        answer.stable_step = stable;
+    answer.steps = time_steps(time, part_of_stable_step * stable);
     const double length = answer.steps.length / mesh.unit();
     const Leapfrog leapfrog(mesh, problem.conditions, side, degree,
                             in_units_of(mesh, problem.options, length));
@@ -152,7 +156,7 @@ void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArgu
     const double after = leapfrog.energy(march.state[of_E], march.state[of_B]);
     const int power = (side == Side::primal ? 1 : -1) *
                       (mesh.dimension() - 2 * cell_degree(mesh.complex(), side, degree));
-    answer.energy = after * std::pow(mesh.unit(), power);
+    answer.energy = in_input_units(after, mesh.unit(), power);
     answer.relative_energy = part_of(after, before);
     tell(answer, log, arguments.tell);
 }

@@ -29,6 +29,20 @@ class Waves(TestCase):
                         math.sqrt(2) / 2, "--side", "dual", "--natural")
         self.assertGreater(abs(free["min"] + 1), 0.1)
 
+    def test_of_cells_that_are_all_fixed_every_step_is_stable(self):
+        self.succeed("generate", "kuhn", "--cells", 1, "-o", "cube.nsc")
+        answer = self.ask("maxwell", "cube.nsc", "--initial", "y;x;0", "--until", 1)
+        self.assertIsNone(answer["stable_step"])
+        self.assertEqual((answer["max"], answer["energy"]), (0, 0))
+        # of a size that energies have no double for
+        lines = self.read("cube.nsc").split("\n")
+        self.write("large.nsc", "\n".join(lines[:1] + [line.replace("1", "1e150")
+                                                       for line in lines[1:9]] + lines[9:]))
+        answer = self.ask("maxwell", "large.nsc", "--initial", "1;0;0", "--until", 1e150,
+                          "--natural")
+        self.assertIsNone(answer["energy"])
+        self.assertGreater(answer["relative_energy"], 0)
+
     def test_a_layer_swallows_what_a_wall_throws_back(self):
         square = self.make("grid", "--nx", 40, "--ny", 40)
         line = ("maxwell", square, *PULSE, "--until", 2)
