@@ -42,16 +42,16 @@ def partition_flaws(n, volumes, duals, total, relative=1e-11):
     return found
 
 
-def differences(first, second, relative=1e-9, path=""):
-    """Where two JSON objects differ by more than rounding."""
+def differences(first, second, relative=1e-9, path="", zero=1e-12):
+    """Where two JSON objects differ by more than rounding, and by more than what counts as zero."""
     if isinstance(first, dict) and isinstance(second, dict) and set(first) == set(second):
         return [x for key in first
-                for x in differences(first[key], second[key], relative, f"{path}/{key}")]
+                for x in differences(first[key], second[key], relative, f"{path}/{key}", zero)]
     if isinstance(first, list) and isinstance(second, list) and len(first) == len(second):
         return [x for i, (a, b) in enumerate(zip(first, second))
-                for x in differences(a, b, relative, f"{path}/{i}")]
+                for x in differences(a, b, relative, f"{path}/{i}", zero)]
     if isinstance(first, float) and isinstance(second, (int, float)):
-        return [] if math.isclose(first, second, rel_tol=relative, abs_tol=1e-12) else [path]
+        return [] if math.isclose(first, second, rel_tol=relative, abs_tol=zero) else [path]
     return [] if first == second else [path]
 
 

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""Meshes as points and cells, and what else they can be given as."""
+import itertools
+import math
+
+POWERS = [10, 20, 30, 40, 100]
+
+
+def determinant(rows):
+    """Of a matrix without zero pivots, or 0."""
+    rows, result = [list(row) for row in rows], 1.0
+    for i in range(len(rows)):
+        best = max(range(i, len(rows)), key=lambda j: abs(rows[j][i]))
+        if rows[best][i] == 0:
+            return 0.0
+        if best != i:
+            rows[i], rows[best], result = rows[best], rows[i], -result
+        result *= rows[i][i]
+        for row in rows[i + 1:]:
+            part = row[i] / rows[i][i]
+            row[:] = [x - part * y for x, y in zip(row, rows[i])]
+    return result
+
+
+class Mesh:
+    """Points and cells of a mesh of n-simplices in N coordinates."""
+
+    def __init__(self, points, cells):
+        self.points, self.cells = points, cells
+        self.N, self.n = len(points[0]), len(cells[0]) - 1
+
+    @classmethod
+    def of_text(cls, text):
+        rows = [line.split() for line in text.splitlines() if line]
+        vertices = int(rows[0][2])
+        return cls([list(map(float, row)) for row in rows[1:vertices + 1]],
+                   [list(map(int, row)) for row in rows[vertices + 1:]])
+
+    def oriented(self):
+        """With cells oriented as space is, where they fill it: an order of cells that are oriented
+        differently would make a difference."""
+        if self.n == self.N:
+            for cell in self.cells:
+                first, *others = (self.points[v] for v in cell)
+                if determinant([[x - y for x, y in zip(p, first)] for p in others]) < 0:
+                    cell[:2] = cell[1::-1]
+        return self
+
+    def text(self):
+        rows = [[self.N, self.n, len(self.points), len(self.cells)], *self.points, *self.cells]
+        return "".join(" ".join(map(repr, row)) + "\n" for row in rows)
+
+
+class Motion:
+    """What a mesh is given as in another way, and what becomes of expressions and forms then.
+
+    Coordinate axes[j] of the mesh, times signs[j] and the scale, becomes coordinate j; where that
+    is None, the constant signs[j] does."""
+
+    def __init__(self, mesh, draw=None):
+        self.axes, self.signs, self.scale = list(range(mesh.N)), [1] * mesh.N, 1.0
+        self.vertices = list(range(len(mesh.points)))
+        self.cells = list(range(len(mesh.cells)))
+        self.corners = list(range(mesh.n + 1))
+        self.name = "rest"
+        if draw is not None:
+            self.move(mesh, draw)
+
+    def move(self, mesh, draw):
+        self.name = draw.choice(["numbers", "reflection", "axes", "scale", "coordinate"])
+        if self.name == "numbers":
+            for each in (self.vertices, self.cells):
+                draw.shuffle(each)
+            turns = draw.randrange(mesh.n + 1) # an odd permutation would turn the cells over
+            if mesh.n % 2 == 0:
+                self.corners = self.corners[turns:] + self.corners[:turns]
+        elif self.name == "reflection":
+            self.signs = [draw.choice([-1, 1]) for _ in self.axes]
+        elif self.name == "axes":
+            draw.shuffle(self.axes)
+        elif self.name == "scale":
+            self.scale = 2.0**(draw.choice([-1, 1]) * draw.choice(POWERS))
+        else:
+            at = draw.randrange(mesh.N + 1)
+            self.axes.insert(at, None)
+            self.signs.insert(at, draw.choice([0, 0, 1, -3.7]))
+
+    def __str__(self):
+        return f"{self.name} {self.axes} {self.signs} {self.scale}"
+
+    def mesh(self, mesh):
+        points = [None] * len(mesh.points)
+        for v, point in enumerate(mesh.points):
+            points[self.vertices[v]] = [
+                sign if axis is None else sign * point[axis] * self.scale
+                for axis, sign in zip(self.axes, self.signs)]
+        cells = [[self.vertices[mesh.cells[c][i]] for i in self.corners] for c in self.cells]
+        return Mesh(points, cells)
+
+    def reaches(self, axis):
+        """Whether expressions can name this coordinate."""
+        return axis < 3 and axis in self.axes[:3]
+
+    def expression(self, template):
+        """The value of an expression in the coordinates {0}, {1}, .. of the mesh."""
+        names = {}
+        for j, (axis, sign) in enumerate(zip(self.axes, self.signs)):
+            if axis is not None and j < 3:
+                names[axis] = f"({sign}*{'xyz'[j]}/{self.scale!r})"
+        return template.format(*(names.get(axis) for axis in range(max(names) + 1)))
+
+    def form(self, templates, degree):
+        """The coefficients of the form whose values on cells are scale^0 times those."""
+        old = {chosen: template for chosen, template in zip(
+            itertools.combinations(range(len(self.axes) - (None in self.axes)), degree), templates)}
+        result = []
+        for chosen in itertools.combinations(range(len(self.axes)), degree):
+            axes = [self.axes[j] for j in chosen]
+            if None in axes:
+                result.append("0")
+                continue
+            turned = sum(a > b for a, b in itertools.combinations(axes, 2)) % 2
+            factor = math.prod(self.signs[j] for j in chosen) * (-1)**turned / self.scale**degree
+            result.append(f"{factor!r}*({self.expression(old[tuple(sorted(axes))])})")
+        return ";".join(result)
