@@ -2,11 +2,14 @@
 #include "meshes/polygons.h"
 
 #include "base/errors.h"
+#include "meshes/polygon_splitter.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <map>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -14,177 +17,7 @@ namespace polydec {
 
 namespace {
 
-constexpr double least_relative_area = 1e-6;
-constexpr std::size_t most_corners_without_fan = 5000;
-
 using Corners = std::span<const Index>;
-
-/// Splits one polygon after the other. Areas are signed: positive like the polygon's area vector,
-/// the sum of p_i wedge p_(i+1), which in R^3 is Newell's normal and exists in every R^N.
-class PolygonSplitter {
-public:
-    PolygonSplitter(const Points& points, std::vector<Index>& triangles)
-        : points_(points), triangles_(triangles) {}
-
-    /// False if the polygon has no fan and is too large for cutting ears.
-    bool split(Corners corners) {
-        corners_ = corners;
-        measure();
-        for (std::size_t apex = 0; apex < corners_.size(); ++apex) {
-            if (fan_fits(apex)) {
-                add_fan(apex);
-                return true;
-            }
-            if (corners_.size() > most_corners_without_fan)
-                return false;
-        }
-        cut_ears();
-        return true;
-    }
-
-private:
-    double coordinate(std::size_t corner, Eigen::Index axis) const {
-        return points_(corners_[corner], axis);
-    }
-
-    /// The area vector, by pairs of axes; relative to the first corner, for accuracy.
-    void measure() {
-        const auto axes = points_.cols();
-        area_vector_.assign(static_cast<std::size_t>(axes * (axes - 1) / 2), 0.0);
-        for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
-            std::size_t pair = 0;
-            for (Eigen::Index a = 0; a < axes; ++a)
-                for (Eigen::Index b = a + 1; b < axes; ++b)
-                    area_vector_[pair++] += wedge(0, i, i + 1, a, b);
-        }
-        double square = 0.0;
-        for (const double component : area_vector_)
-            square += component * component;
-        length_ = std::sqrt(square);
-    }
-
-    double wedge(std::size_t i, std::size_t j, std::size_t k, Eigen::Index a,
-                 Eigen::Index b) const {
-        const double ua = coordinate(j, a) - coordinate(i, a);
-        const double ub = coordinate(j, b) - coordinate(i, b);
-        const double va = coordinate(k, a) - coordinate(i, a);
-        const double vb = coordinate(k, b) - coordinate(i, b);
-        return ua * vb - ub * va;
-    }
-
-    /// Twice the area of a triangle of corners, as seen along the polygon's area vector.
-    double area(std::size_t i, std::size_t j, std::size_t k) const {
-        double product = 0.0;
-        std::size_t pair = 0;
-        for (Eigen::Index a = 0; a < points_.cols(); ++a)
-            for (Eigen::Index b = a + 1; b < points_.cols(); ++b)
-                product += area_vector_[pair++] * wedge(i, j, k, a, b);
-        return product / length_;
-    }
-
-    double squared_distance(std::size_t i, std::size_t j) const {
-        return (points_.row(corners_[i]) - points_.row(corners_[j])).squaredNorm();
-    }
-
-    /// False also where the polygon has no area at all, and `area` gives NaN.
-    bool has_area(std::size_t i, std::size_t j, std::size_t k) const {
-        const double longest =
-            std::max({squared_distance(i, j), squared_distance(j, k), squared_distance(k, i)});
-        return area(i, j, k) > 2.0 * least_relative_area * longest;
-    }
-
-    bool fan_fits(std::size_t apex) const {
-        const auto size = corners_.size();
-        for (std::size_t step = 1; step + 1 < size; ++step)
-            if (!has_area(apex, (apex + step) % size, (apex + step + 1) % size))
-                return false;
-        return true;
-    }
-
-    void add_fan(std::size_t apex) {
-        const auto size = corners_.size();
-        for (std::size_t step = 1; step + 1 < size; ++step)
-            add(apex, (apex + step) % size, (apex + step + 1) % size);
-    }
-
-    void add(std::size_t i, std::size_t j, std::size_t k) {
-        triangles_.insert(triangles_.end(), {corners_[i], corners_[j], corners_[k]});
-    }
-
-    /// Cuts off, again and again, a convex corner whose triangle holds no other corner. Where there
-    /// is none, because the polygon crosses itself, the rest becomes a fan for later checks to
-    /// judge.
-    void cut_ears() {
-        link_all();
-        std::size_t corner = 0;
-        std::size_t left = corners_.size();
-        std::size_t refused = 0;
-        while (left > 3 && refused < left) {
-            if (is_ear_[corner] != 0) {
-                cut(corner);
-                --left;
-                refused = 0;
-            } else {
-                ++refused;
-            }
-            corner = next_[corner];
-        }
-        for (auto i = next_[corner]; next_[i] != corner; i = next_[i])
-            add(corner, i, next_[i]);
-    }
-
-    void cut(std::size_t ear) {
-        const auto before = previous_[ear];
-        const auto after = next_[ear];
-        add(before, ear, after);
-        next_[before] = after;
-        previous_[after] = before;
-        is_ear_[before] = is_ear(before);
-        is_ear_[after] = is_ear(after);
-    }
-
-    void link_all() {
-        const auto size = corners_.size();
-        next_.resize(size);
-        previous_.resize(size);
-        is_ear_.assign(size, 0);
-        for (std::size_t i = 0; i < size; ++i) {
-            next_[i] = (i + 1) % size;
-            previous_[i] = (i + size - 1) % size;
-        }
-        for (std::size_t i = 0; i < size; ++i)
-            is_ear_[i] = is_ear(i);
-    }
-
-    bool is_ear(std::size_t j) const {
-        const auto i = previous_[j];
-        const auto k = next_[j];
-        if (!has_area(i, j, k))
-            return false;
-        for (auto other = next_[k]; other != i; other = next_[other])
-            if (is_inside(other, i, j, k))
-                return false;
-        return true;
-    }
-
-    /// The border counts as inside, but a corner at the same place does not: polygons with a hole
-    /// visit the ends of their bridge twice.
-    bool is_inside(std::size_t other, std::size_t i, std::size_t j, std::size_t k) const {
-        if (area(i, j, other) < 0.0 || area(j, k, other) < 0.0 || area(k, i, other) < 0.0)
-            return false;
-        return squared_distance(other, i) > 0.0 && squared_distance(other, j) > 0.0 &&
-               squared_distance(other, k) > 0.0;
-    }
-
-    const Points& points_;
-    std::vector<Index>& triangles_;
-    Corners corners_;
-    std::vector<double> area_vector_;
-    double length_ = 0.0;
-    std::vector<std::size_t> next_;
-    std::vector<std::size_t> previous_;
-    std::vector<char> is_ear_;
-};
 
 /// How often something untidy was met, and where first.
 struct Tally {
@@ -213,42 +46,209 @@ Corners without_repeats(Corners corners, std::vector<Index>& kept) {
     return kept;
 }
 
-/// The corners of the triangles; appends to `tags` one for each of them if the faces have tags.
-std::vector<Index> triangles_of(const PolygonMesh& polygons, Tallies& tallies,
-                                std::vector<Index>& tags) {
-    std::vector<Index> triangles;
-    triangles.reserve(polygons.corners.size());
-    PolygonSplitter splitter(polygons.points, triangles);
-    std::vector<Index> kept;
+/// The polygons of a mesh, tidied and in canonical order, and what they are split into.
+class PolygonSplitting {
+public:
+    PolygonSplitting(const PolygonMesh& polygons, Tallies& tallies)
+        : points_(polygons.points), splitter_(polygons.points) {
+        std::vector<Index> kept;
+        const Corners all = polygons.corners;
+        for (std::size_t face = 0; face + 1 < polygons.offsets.size(); ++face) {
+            const auto begin = static_cast<std::size_t>(polygons.offsets[face]);
+            const auto end = static_cast<std::size_t>(polygons.offsets[face + 1]);
+            add_face(all.subspan(begin, end - begin), kept, tallies);
+        }
+    }
 
-    const Corners all = polygons.corners;
-    for (std::size_t face = 0; face + 1 < polygons.offsets.size(); ++face) {
-        const auto begin = static_cast<std::size_t>(polygons.offsets[face]);
-        const auto end = static_cast<std::size_t>(polygons.offsets[face + 1]);
-        auto corners = all.subspan(begin, end - begin);
-        if (corners.size() > 3) {
+    /// Splits all, and those again whose diagonals others have: these few are done in some rounds.
+    void split() {
+        for (std::size_t face = 0; face < faces(); ++face)
+            split(face);
+        constexpr int most_rounds = 20;
+        for (int round = 0; round < most_rounds; ++round) {
+            const auto faces = find_conflicts();
+            if (faces.empty())
+                break;
+            for (const std::size_t face : faces)
+                split(face);
+        }
+    }
+
+    /// The corners of the triangles; appends to `tags` one for each of them if the faces have tags.
+    std::vector<Index> triangles(const std::vector<Index>& tags_of_faces,
+                                 std::vector<Index>& tags) const {
+        std::vector<Index> result;
+        result.reserve(3 * triangles_.size());
+        for (std::size_t face = 0; face < faces(); ++face) {
+            const auto [begin, end] = range(face, 2);
+            for (std::size_t t = begin; t < end; ++t) {
+                const auto [a, b, c] = triangles_[t];
+                result.insert(result.end(), {a, turned_[face] ? c : b, turned_[face] ? b : c});
+            }
+            if (!tags_of_faces.empty())
+                tags.resize(result.size() / 3, tags_of_faces[face]);
+        }
+        return result;
+    }
+
+private:
+    struct Claim {
+        std::size_t face;
+        PolygonDiagonal diagonal;
+    };
+
+    void add_face(Corners corners, std::vector<Index>& kept, Tallies& tallies) {
+        const auto face = faces();
+        const auto before = corners.size();
+        if (before > 3) {
             corners = without_repeats(corners, kept);
-            if (corners.size() < end - begin)
-                tallies.repeats.add(face, end - begin - corners.size());
+            if (corners.size() < before)
+                tallies.repeats.add(face, before - corners.size());
         }
         if (corners.size() < 3) {
             tallies.too_small.add(face);
-        } else if (corners.size() == 3) {
-            triangles.insert(triangles.end(), corners.begin(), corners.end());
-        } else if (splitter.split(corners)) {
+            corners = {};
+        } else if (corners.size() > 3) {
             tallies.split.add(face);
-        } else {
+        }
+        corners_.insert(corners_.end(), corners.begin(), corners.end());
+        const auto own = std::span(corners_).last(corners.size());
+        turned_.push_back(own.size() > 3 && make_canonical(own));
+        offsets_.push_back(corners_.size());
+        small_.push_back(small_.back() + (own.empty() ? 1 : 0));
+        triangles_.resize(range(face, 2).second);
+        diagonals_.resize(range(face, 3).second);
+        if (own.size() == 3)
+            triangles_.back() = {own[0], own[1], own[2]};
+    }
+
+    std::size_t faces() const { return offsets_.size() - 1; }
+
+    Corners corners_of(std::size_t face) const {
+        return std::span(corners_).subspan(offsets_[face], offsets_[face + 1] - offsets_[face]);
+    }
+
+    /// Of each face with n corners n - less things are kept, none of those without corners.
+    std::pair<std::size_t, std::size_t> range(std::size_t face, std::size_t less) const {
+        const auto before = [&](std::size_t f) { return offsets_[f] - less * (f - small_[f]); };
+        return {before(face), before(face + 1)};
+    }
+
+    void split(std::size_t face) {
+        const auto corners = corners_of(face);
+        if (corners.size() <= 3)
+            return;
+        const auto avoided = avoided_.find(face);
+        const bool fits = splitter_.split(
+            corners, avoided == avoided_.end() ? std::vector<EdgeEnds>() : avoided->second);
+        if (!fits) {
             throw InvalidInput(
-                fmt::format("face {} has {} corners and no fan of triangles from its first; "
-                            "expected at most {} corners then; split it before",
-                            face, corners.size(), most_corners_without_fan),
+                fmt::format("face {} has {} corners and no fan of triangles from its corner with "
+                            "the smallest number; expected at most {} corners then; split it "
+                            "before",
+                            face, corners.size(), PolygonSplitter::most_corners_without_fan),
                 {.degree = 2, .cells = {static_cast<Index>(face)}});
         }
-        if (!polygons.tags.empty())
-            tags.resize(triangles.size() / 3, polygons.tags[face]);
+        std::copy(splitter_.triangles().begin(), splitter_.triangles().end(),
+                  triangles_.begin() + static_cast<std::ptrdiff_t>(range(face, 2).first));
+        std::copy(splitter_.diagonals().begin(), splitter_.diagonals().end(),
+                  diagonals_.begin() + static_cast<std::ptrdiff_t>(range(face, 3).first));
     }
-    return triangles;
-}
+
+    /// Adds to the diagonals to avoid, and gives the faces that are to be split again, ascending.
+    std::vector<std::size_t> find_conflicts() {
+        std::vector<std::size_t> faces;
+        const auto claims = sorted_claims();
+        const auto sides = sides_among(claims);
+        for (std::size_t begin = 0, end = 0; begin < claims.size(); begin = end) {
+            const auto& edge = claims[begin].diagonal.ends;
+            while (end < claims.size() && claims[end].diagonal.ends == edge)
+                ++end;
+            const bool is_side = std::binary_search(sides.begin(), sides.end(), edge);
+            if (end - begin == 1 && !is_side)
+                continue;
+            const auto group = std::span(claims).subspan(begin, end - begin);
+            const auto keeper = is_side ? Corners() : corners_of(keeper_of(group));
+            for (const auto& claim : group)
+                if (!std::ranges::equal(corners_of(claim.face), keeper) && avoid(claim.face, edge))
+                    faces.push_back(claim.face);
+        }
+        std::sort(faces.begin(), faces.end());
+        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+        return faces;
+    }
+
+    std::vector<Claim> sorted_claims() const {
+        std::vector<Claim> claims;
+        claims.reserve(diagonals_.size());
+        for (std::size_t face = 0; face < faces(); ++face)
+            for (auto [d, end] = range(face, 3); d < end; ++d)
+                claims.push_back({face, diagonals_[d]});
+        std::sort(claims.begin(), claims.end(), [](const Claim& a, const Claim& b) {
+            return a.diagonal.ends != b.diagonal.ends ? a.diagonal.ends < b.diagonal.ends
+                                                      : a.face < b.face;
+        });
+        return claims;
+    }
+
+    /// The sides of faces that somebody claims as a diagonal, sorted.
+    std::vector<EdgeEnds> sides_among(const std::vector<Claim>& claims) const {
+        std::vector<std::size_t> first(static_cast<std::size_t>(points_.rows()) + 1, 0);
+        for (const auto& claim : claims)
+            ++first[static_cast<std::size_t>(claim.diagonal.ends[0]) + 1];
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        std::vector<EdgeEnds> sides;
+        for (std::size_t face = 0; face < faces(); ++face) {
+            const auto corners = corners_of(face);
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
+                const auto begin = first[static_cast<std::size_t>(low)];
+                const auto end = first[static_cast<std::size_t>(low) + 1];
+                const auto with_low = std::span(claims).subspan(begin, end - begin);
+                if (std::ranges::binary_search(with_low, high, {}, [](const Claim& claim) {
+                        return claim.diagonal.ends[1];
+                    }))
+                    sides.push_back({low, high});
+            }
+        }
+        std::sort(sides.begin(), sides.end());
+        return sides;
+    }
+
+    /// The polygon that loses most without the diagonal; of equal ones the first by its corners.
+    std::size_t keeper_of(std::span<const Claim> group) const {
+        constexpr double rounding = 1e-12;
+        double largest = group[0].diagonal.margin;
+        for (const auto& claim : group)
+            largest = std::max(largest, claim.diagonal.margin);
+        const Claim* keeper = nullptr;
+        for (const auto& claim : group)
+            if (claim.diagonal.margin >= largest - rounding &&
+                (keeper == nullptr || std::ranges::lexicographical_compare(
+                                          corners_of(claim.face), corners_of(keeper->face))))
+                keeper = &claim;
+        return keeper->face;
+    }
+
+    /// False if that was known: then the polygon has no other diagonal.
+    bool avoid(std::size_t face, const EdgeEnds& edge) {
+        auto& edges = avoided_[face];
+        const auto place = std::lower_bound(edges.begin(), edges.end(), edge);
+        const bool is_new = place == edges.end() || *place != edge;
+        if (is_new)
+            edges.insert(place, edge);
+        return is_new;
+    }
+
+    const Points& points_;
+    PolygonSplitter splitter_;
+    std::vector<Index> corners_;
+    std::vector<std::size_t> offsets_{0}, small_{0}; ///< of corners; faces without any before
+    std::vector<char> turned_;
+    std::vector<std::array<Index, 3>> triangles_;
+    std::vector<PolygonDiagonal> diagonals_;
+    std::map<std::size_t, std::vector<EdgeEnds>> avoided_; ///< by face, sorted
+};
 
 std::string counted(std::size_t count, const char* singular, const char* plural) {
     return fmt::format("{} {}", count, count == 1 ? singular : plural);
@@ -326,7 +326,9 @@ Mesh split_polygons(PolygonMesh polygons) {
         mesh.tags = std::move(polygons.tags);
     } else {
         Tallies tallies;
-        mesh.simplices = simplices_from(triangles_of(polygons, tallies, mesh.tags));
+        PolygonSplitting splitting(polygons, tallies);
+        splitting.split();
+        mesh.simplices = simplices_from(splitting.triangles(polygons.tags, mesh.tags));
         mesh.warnings = warnings_of(tallies);
     }
     mesh.points = std::move(polygons.points);

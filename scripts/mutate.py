@@ -126,6 +126,18 @@ MUTANTS = {
                                "gradient.dot(hats[i]) / gradient.norm()"),
     "inertia_hidden": ("solvers/spectra/inertia.cpp", "return *negative - matrices_.hidden;",
                        "return *negative - matrices_.hidden + 1;"),
+    # meshes/
+    "diagonal_by_first_corner": ("meshes/polygon_splitter.cpp",
+                                 "        flip_to_delaunay();\n    keep_result", "    {}\n    keep_result"),
+    "corners_not_canonical": ("meshes/polygon_splitter.cpp", "    rotate_to_first(corners);\n", ""),
+    "ties_by_rounding": ("meshes/polygon_splitter.cpp",
+                         "return 32 * std::numeric_limits<double>::epsilon()",
+                         "return 0 * std::numeric_limits<double>::epsilon()"),
+    "diagonals_twice": ("meshes/polygons.cpp", "if (end - begin == 1 && !is_side)", "if (!is_side)"),
+    "diagonals_are_sides": ("meshes/polygons.cpp",
+                            "std::binary_search(sides.begin(), sides.end(), edge)", "false"),
+    "keeper_by_number": ("meshes/polygons.cpp", "constexpr double rounding = 1e-12;",
+                         "constexpr double rounding = 10;"),
     # io/
     "obj_counted_back": ("io/meshes/read_obj.cpp", "vertices() + number;", "vertices() + number - 1;"),
     "ply_vertex_bound": ("io/meshes/read_ply.cpp", "value < vertices_) || value != std::floor(value)",
@@ -144,7 +156,7 @@ MUTANTS = {
 
 
 # The test program of each folder.
-PROGRAMS = {folder: f"{folder}/test_{folder}" for folder in ("dec", "io", "solvers")}
+PROGRAMS = {folder: f"{folder}/test_{folder}" for folder in ("dec", "io", "meshes", "solvers")}
 SECONDS = 600
 
 

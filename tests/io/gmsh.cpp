@@ -243,7 +243,7 @@ TEST(Gmsh, QuadranglesAreSplitAndTheirTagsFollow) {
         "a.msh", old_start + "$Comments\nanything $EndComment\n$EndComments\n" + square +
                      "$Elements\n4\n1 15 2 1 1 1\n2 1 2 1 1 1 2\n3 3 2 8 1 1 2 3 4\n"
                      "4 2 2 -9 1 3 2 1\n$EndElements\n$NodeData\n1\n\"x\"\n$EndNodeData\n");
-    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}));
+    EXPECT_EQ(rows(mesh.simplices), (Cells{{0, 1, 3}, {1, 2, 3}, {2, 1, 0}}));
     EXPECT_EQ(mesh.tags, (std::vector<Index>{8, 8, 9}));
     EXPECT_EQ(rows(mesh.facet_tags.simplices), (Cells{{0, 1}}));
     EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{1}));
