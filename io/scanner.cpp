@@ -93,11 +93,26 @@ double Scanner::number(std::string_view expected) {
 
     double value = 0.0;
     const auto [last, error] = std::from_chars(first, end_, value);
+    if (error != std::errc::invalid_argument && last != end_ && (*last == 'D' || *last == 'd'))
+        return fortran_number(expected);
     if (error == std::errc::invalid_argument || !ends_word(last))
         fail_at_word("is not a number", expected);
     if (error == std::errc::result_out_of_range)
         value = out_of_range_value({first, static_cast<std::size_t>(last - first)});
     position_ = last;
+    return value;
+}
+
+/// Fortran writes the exponent of a double behind a D.
+double Scanner::fortran_number(std::string_view expected) {
+    std::string text(word_here());
+    text[text.find_first_of("Dd")] = 'e';
+    if (text.find_first_of("Dd") != std::string::npos)
+        fail_at_word("is not a number", expected);
+    Scanner other(name_, text);
+    other.set_line(line_);
+    const double value = other.number(expected);
+    position_ += text.size();
     return value;
 }
 

@@ -37,7 +37,8 @@ public:
     /// The next word on any line; `expected` says what it should be, for the message at the end.
     std::string_view word(std::string_view expected);
 
-    /// The next word on any line as a number, which may be infinite or NaN.
+    /// The next word on any line as a number, which may be infinite or NaN. Its exponent may stand
+    /// behind a D, as Fortran writes it.
     double number(std::string_view expected);
 
     /// The next word on any line as a whole number. It may also end before `end_mark`.
@@ -92,6 +93,7 @@ private:
     bool continues_here() const;
     bool ends_word(const char* place) const;
     void go_to_word(std::string_view expected);
+    double fortran_number(std::string_view expected);
     void skip_blanks();
     void skip_line_break();
     std::string_view word_here() const;

@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/random.h"
 #include "meshes/generate_parts.h"
+#include "meshes/split_cells.h"
 
 #include <fmt/format.h>
 
@@ -81,85 +82,17 @@ Boxes boxes(const std::vector<int>& cells, const std::vector<double>& lengths) {
     return result;
 }
 
-/// Splits boxes one after the other into cones.
-class Splitting {
-public:
-    /// rank[v]: place of vertex v in the order that tells apexes.
-    Splitting(Boxes& boxes, const std::vector<Index>& rank)
-        : boxes_(boxes),
-          rank_(rank),
-          n_(static_cast<Index>(boxes.stride.size())),
-          corners_(n_ + 1),
-          sides_(n_, free) {}
-
-    void split(Index origin) {
-        origin_ = origin;
-        add_cones(0);
-    }
-
-private:
-    static constexpr int free = -1;
-
-    Index corner(const std::vector<int>& sides) const {
-        Index result = origin_;
-        for (Index k = 0; k < n_; ++k)
-            result += sides[k] * boxes_.stride[k];
-        return result;
-    }
-
-    /// Of the face's corners the first in order; the face is where the axes are free.
-    std::vector<int> apex() const {
-        std::vector<Index> axes;
-        for (Index k = 0; k < n_; ++k)
-            if (sides_[k] == free)
-                axes.push_back(k);
-        std::vector<int> best, sides = sides_;
-        for (unsigned bits = 0; bits < 1U << axes.size(); ++bits) {
-            for (std::size_t i = 0; i < axes.size(); ++i)
-                sides[axes[i]] = static_cast<int>(bits >> i & 1U);
-            if (best.empty() || rank_[corner(sides)] < rank_[corner(best)])
-                best = sides;
-        }
-        return best;
-    }
-
-    /// Cones with the apex of the face over its facets that miss it, and so on down to a vertex.
-    void add_cones(Index depth) {
-        const std::vector<int> top = apex();
-        corners_[depth] = corner(top);
-        if (depth == n_) {
-            add_simplex();
-            return;
-        }
-        for (Index k = 0; k < n_; ++k) {
-            if (sides_[k] != free)
-                continue;
-            sides_[k] = 1 - top[k];
-            add_cones(depth + 1);
-            sides_[k] = free;
-        }
-    }
-
-    void add_simplex() {
-        auto simplex = boxes_.mesh.simplices.row(next_++);
-        DenseMatrix edges(n_, n_);
-        for (Index c = 0; c <= n_; ++c)
-            simplex[c] = corners_[c];
-        for (Index c = 0; c < n_; ++c)
-            edges.row(c) =
-                boxes_.mesh.points.row(corners_[c + 1]) - boxes_.mesh.points.row(corners_[0]);
+/// Turns simplices around whose determinant is negative.
+void orient(Mesh& mesh) {
+    const auto n = static_cast<Index>(mesh.points.cols());
+    DenseMatrix edges(n, n);
+    for (auto simplex : mesh.simplices.rowwise()) {
+        for (Index c = 0; c < n; ++c)
+            edges.row(c) = mesh.points.row(simplex[c + 1]) - mesh.points.row(simplex[0]);
         if (edges.determinant() < 0.0)
             std::swap(simplex[0], simplex[1]);
     }
-
-    Boxes& boxes_;
-    const std::vector<Index>& rank_;
-    Index n_;
-    std::vector<Index> corners_; // apexes so far
-    std::vector<int> sides_;     // of each axis 0, 1 or free
-    Index origin_ = 0;
-    Eigen::Index next_ = 0;
-};
+}
 
 } // namespace
 
@@ -196,10 +129,28 @@ Mesh split_boxes(const std::vector<int>& cells, const std::vector<double>& lengt
                  std::uint64_t seed) {
     check_box("split_boxes", cells, lengths);
     Boxes grid = boxes(cells, lengths);
+    const auto n = static_cast<Index>(cells.size());
     const std::vector<Index> rank = Random(seed).order(grid.mesh.points.rows());
-    Splitting splitting(grid, rank);
-    for (const Index origin : grid.origins)
-        splitting.split(origin);
+    std::vector<Index> vertex(rank.size());
+    for (std::size_t v = 0; v < rank.size(); ++v)
+        vertex[rank[v]] = static_cast<Index>(v);
+
+    const CellShape cube = cube_shape(n);
+    std::vector<Index> corners(std::size_t{1} << static_cast<unsigned>(n)), simplices;
+    for (const Index origin : grid.origins) {
+        for (std::size_t c = 0; c < corners.size(); ++c) {
+            Index corner = origin;
+            for (Index k = 0; k < n; ++k)
+                corner += static_cast<Index>(c >> static_cast<unsigned>(k) & 1U) * grid.stride[k];
+            corners[c] = rank[corner];
+        }
+        pull_cell(cube, corners, simplices);
+    }
+    for (Index& corner : simplices)
+        corner = vertex[corner];
+    grid.mesh.simplices = Eigen::Map<const Simplices>(simplices.data(), grid.mesh.simplices.rows(),
+                                                      grid.mesh.simplices.cols());
+    orient(grid.mesh);
     return std::move(grid.mesh);
 }
 

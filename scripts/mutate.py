@@ -149,7 +149,7 @@ MUTANTS = {
     "matrix_market_place": ("io/matrices/read_matrix_market.cpp", "if (place < 1 || place > size)",
                             "if (place < 0 || place > size)"),
     "matrix_market_skew": ("io/matrices/read_matrix_market.cpp", "symmetry == Symmetry::skew ? -value : value", "value"),
-    "vtk_pixel": ("io/meshes/vtk_cells.cpp", "std::swap(corners_[2], corners_[3]);", ""),
+    "vtk_pixel": ("io/meshes/vtk_cells.cpp", "std::swap(corners_[i], corners_[i + 1]);", ""),
     "vtk_strip": ("io/meshes/vtk_cells.cpp", "i % 2 != 0, tag", "i % 2 == 0, tag"),
     "vtk_last_edge": ("io/meshes/vtk_cells.cpp", "i + 1 < corners.size()", "i + 2 < corners.size()"),
 }

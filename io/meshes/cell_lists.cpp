@@ -2,7 +2,9 @@
 #include "io/meshes/cell_lists.h"
 
 #include "io/meshes/readers.h"
-#include "meshes/polygons.h"
+#include "meshes/split_cells.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,46 +29,67 @@ void CellLists::add(int dimension, std::span<const Index> corners, Index tag,
     list.tags.push_back(tag);
 }
 
-/// What has another number of corners is no facet of a simplex.
-TaggedSimplices CellLists::tagged(const List& list, int corners) {
-    TaggedSimplices result;
-    std::vector<Index> vertices;
-    for (std::size_t cell = 0; cell < list.tags.size(); ++cell) {
-        const auto begin = list.corners.begin() + list.offsets[cell];
-        const auto end = list.corners.begin() + list.offsets[cell + 1];
-        if (list.tags[cell] == 0 || end - begin != corners)
+/// Cells of smaller dimension mostly bound those of the mesh. Others would be missed.
+std::vector<std::string> CellLists::warnings_of_lesser(int dimension, Eigen::Index vertices) {
+    std::vector<std::string> warnings;
+    std::vector<char> used(static_cast<std::size_t>(vertices), 0);
+    for (const Index corner : list(dimension).corners)
+        used[static_cast<std::size_t>(corner)] = 1;
+    for (int k = dimension - 1; k > 0; --k) {
+        const auto& [corners, offsets, tags] = list(k);
+        std::size_t count = 0, first = 0, most_corners = 0;
+        for (std::size_t cell = 0; cell < tags.size(); ++cell) {
+            const auto begin = corners.begin() + offsets[cell];
+            const auto end = corners.begin() + offsets[cell + 1];
+            if (std::all_of(begin, end, [&](Index v) { return used[static_cast<std::size_t>(v)]; }))
+                continue;
+            first = count++ == 0 ? cell : first;
+            most_corners = std::max(most_corners, static_cast<std::size_t>(end - begin));
+        }
+        if (count == 0)
             continue;
-        vertices.insert(vertices.end(), begin, end);
-        result.tags.push_back(list.tags[cell]);
+        const char* const name = k == 1 ? "edge" : most_corners == 3 ? "triangle" : "polygon";
+        warnings.push_back(fmt::format(
+            "left out {} {}{} beside the cells of dimension {}; the first has the vertices {}",
+            count, name, count == 1 ? "" : "s", dimension,
+            fmt::join(corners.begin() + offsets[first], corners.begin() + offsets[first + 1],
+                      ", ")));
     }
-    const auto rows = static_cast<Eigen::Index>(result.tags.size());
-    result.simplices = Eigen::Map<const Simplices>(vertices.data(), rows, corners);
-    return result;
+    return warnings;
 }
 
 Mesh CellLists::mesh(Points points) && {
     int dimension = most_dimensions - 1;
-    while (dimension > 1 && lists_[static_cast<std::size_t>(dimension)].tags.empty())
+    while (dimension > 1 && list(dimension).tags.empty())
         --dimension;
-    auto& list = lists_[static_cast<std::size_t>(dimension)];
-    auto tags = tags_or_none(std::move(list.tags));
+    auto warnings = warnings_of_lesser(dimension, points.rows());
+    if (curved_ > 0)
+        warnings.push_back(higher_order_warning(curved_));
+    const auto& lesser = list(dimension - 1);
+    auto facet_tags = pull_tagged(dimension - 1, lesser.corners, lesser.offsets, lesser.tags);
 
-    auto facet_tags = tagged(lists_[static_cast<std::size_t>(dimension - 1)], dimension);
-
-    // Polygons alone can have another number of corners than a simplex.
-    if (!are_uniform(list.offsets, dimension + 1)) {
-        Mesh mesh = split_polygons(
-            {std::move(points), std::move(list.corners), std::move(list.offsets), std::move(tags)});
-        mesh.facet_tags = std::move(facet_tags);
-        return mesh;
-    }
+    auto& cells = list(dimension);
+    auto tags = tags_or_none(std::move(cells.tags));
     Mesh mesh;
-    mesh.points = std::move(points);
-    const auto cells = static_cast<Eigen::Index>(list.offsets.size()) - 1;
-    mesh.simplices = Eigen::Map<const Simplices>(list.corners.data(), cells, dimension + 1);
-    mesh.tags = std::move(tags);
+    if (are_uniform(cells.offsets, dimension + 1)) {
+        mesh.points = std::move(points);
+        const auto rows = static_cast<Eigen::Index>(cells.offsets.size()) - 1;
+        mesh.simplices = Eigen::Map<const Simplices>(cells.corners.data(), rows, dimension + 1);
+        mesh.tags = std::move(tags);
+    } else {
+        mesh = split_cells({std::move(points), std::move(cells.corners), std::move(cells.offsets),
+                            std::move(tags)},
+                           dimension);
+    }
     mesh.facet_tags = std::move(facet_tags);
+    mesh.warnings.insert(mesh.warnings.begin(), warnings.begin(), warnings.end());
     return mesh;
+}
+
+std::string higher_order_warning(std::size_t cells) {
+    return fmt::format("{} of second or higher order read by the corners; the midpoints, and what "
+                       "other nodes there are, left out",
+                       cells == 1 ? "1 cell" : fmt::format("{} cells", cells));
 }
 
 std::optional<Index> tag_from(double number) {

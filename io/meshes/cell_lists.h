@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace polydec {
@@ -16,13 +17,18 @@ class CellLists {
 public:
     static constexpr int most_dimensions = 4;
 
-    /// Appends a cell of dimension 0 to 3: a point, line, polygon or tetrahedron. The tag is the
-    /// number of its physical group, 0 for none. Throws InvalidInput if the cells are too many.
+    /// Appends a cell of dimension 0 to 3, whose number of corners tells its shape (see
+    /// cell_shape): a point, line, polygon or solid. The tag is the number of its physical group, 0
+    /// for none. Throws InvalidInput if the cells are too many.
     void add(int dimension, std::span<const Index> corners, Index tag, const SourceFile& file);
 
+    /// Remembers that the cell added last has so many nodes besides its corners, left out here.
+    void leave_out_nodes(std::size_t count) { curved_ += count > 0 ? 1 : 0; }
+
     /// The cells of the largest dimension that is there, on these points; none if all are points.
-    /// Polygons are split, and their tags follow. Where no cell has a tag, the mesh has none. Of
-    /// the cells of one dimension less it has those with a tag.
+    /// Polygons and solids are split, and their tags follow. Where no cell has a tag, the mesh has
+    /// none. Of the cells of one dimension less it has those with a tag. Warnings count nodes that
+    /// were left out, and cells that lie beside those of the mesh.
     Mesh mesh(Points points) &&;
 
 private:
@@ -32,13 +38,18 @@ private:
         std::vector<Index> tags;
     };
 
-    static TaggedSimplices tagged(const List& list, int corners);
+    List& list(int dimension) { return lists_[static_cast<std::size_t>(dimension)]; }
+    std::vector<std::string> warnings_of_lesser(int dimension, Eigen::Index vertices);
 
     std::array<List, most_dimensions> lists_;
+    std::size_t curved_ = 0;
 };
 
 /// The number of a group that a file holds, if it is a whole one of 32 bits.
 std::optional<Index> tag_from(double number);
+
+/// The warning about cells of which the corners alone are read.
+std::string higher_order_warning(std::size_t cells);
 
 /// No tags at all, if all are 0.
 std::vector<Index> tags_or_none(std::vector<Index> tags);

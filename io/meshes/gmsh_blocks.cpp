@@ -5,24 +5,38 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace polydec {
 
+namespace {
+
+using Kind = GmshKind;
+
+/// Corners come first in all orders.
+constexpr std::array kinds{
+    Kind{15, 0, 1, 1},   Kind{1, 1, 2, 2},   Kind{8, 1, 2, 3},    Kind{26, 1, 2, 4},
+    Kind{27, 1, 2, 5},   Kind{28, 1, 2, 6},  Kind{2, 2, 3, 3},    Kind{9, 2, 3, 6},
+    Kind{20, 2, 3, 9},   Kind{21, 2, 3, 10}, Kind{22, 2, 3, 12},  Kind{23, 2, 3, 15},
+    Kind{24, 2, 3, 15},  Kind{25, 2, 3, 21}, Kind{3, 2, 4, 4},    Kind{10, 2, 4, 9},
+    Kind{16, 2, 4, 8},   Kind{36, 2, 4, 16}, Kind{37, 2, 4, 25},  Kind{38, 2, 4, 36},
+    Kind{39, 2, 4, 12},  Kind{4, 3, 4, 4},   Kind{11, 3, 4, 10},  Kind{29, 3, 4, 20},
+    Kind{30, 3, 4, 35},  Kind{31, 3, 4, 56}, Kind{5, 3, 8, 8},    Kind{12, 3, 8, 27},
+    Kind{17, 3, 8, 20},  Kind{92, 3, 8, 64}, Kind{93, 3, 8, 125}, Kind{6, 3, 6, 6},
+    Kind{13, 3, 6, 18},  Kind{18, 3, 6, 15}, Kind{90, 3, 6, 40},  Kind{91, 3, 6, 75},
+    Kind{7, 3, 5, 5},    Kind{14, 3, 5, 14}, Kind{19, 3, 5, 13},  Kind{118, 3, 5, 30},
+    Kind{119, 3, 5, 55},
+};
+
+} // namespace
+
 const GmshKind& gmsh_kind(std::int64_t type, const GmshSource& source) {
-    static constexpr std::array kinds{GmshKind{15, 0, 1}, GmshKind{1, 1, 2}, GmshKind{2, 2, 3},
-                                      GmshKind{3, 2, 4}, GmshKind{4, 3, 4}};
     for (const auto& kind : kinds)
         if (kind.type == type)
             return kind;
-    constexpr std::array solids{"hexahedra", "prisms", "pyramids"};
-    if (type >= 5 && type <= 7) {
-        source.fail(fmt::format("the mesh has {}; expected tetrahedra, triangles, quadrangles or "
-                                "lines; split them before",
-                                solids[static_cast<std::size_t>(type - 5)]));
-    }
-    source.fail(fmt::format("the mesh has cells of Gmsh's type {}, which are curved or of second "
-                            "or higher order; expected lines, triangles, quadrangles or "
-                            "tetrahedra of first order; set Mesh.ElementOrder = 1 and mesh again",
+    source.fail(fmt::format("the mesh has cells of Gmsh's type {}; expected lines, triangles, "
+                            "quadrangles, tetrahedra, hexahedra, prisms or pyramids, of order 4 at "
+                            "most; set Mesh.ElementOrder = 1 and mesh again",
                             type));
 }
 
@@ -37,17 +51,21 @@ bool is_gmsh_keyword(std::string_view word) {
 
 GmshSection read_gmsh_nodes(GmshSource& source) {
     const auto blocks = source.size("the number of blocks");
-    const Index nodes = source.count("nodes", {.sizes = 1, .reals = 3});
-    source.size("the least number of a node");
-    source.size("the largest number of a node");
+    const Index nodes = source.count("nodes", {.integers = 1, .reals = 3});
+    if (!source.format().is_4_0()) {
+        source.size("the least number of a node");
+        source.size("the largest number of a node");
+    }
     return {blocks, nodes};
 }
 
 GmshSection read_gmsh_elements(GmshSource& source) {
     const auto blocks = source.size("the number of blocks");
-    const Index elements = source.count("elements", {.sizes = 2});
-    source.size("the least number of an element");
-    source.size("the largest number of an element");
+    const Index elements = source.count("elements", {.integers = 2});
+    if (!source.format().is_4_0()) {
+        source.size("the least number of an element");
+        source.size("the largest number of an element");
+    }
     return {blocks, elements};
 }
 
@@ -60,11 +78,23 @@ void check_all_there(const GmshSource& source, const GmshSection& section, Index
     }
 }
 
-GmshNodeBlock read_gmsh_node_block(GmshSource& source, Index before, Index promised) {
+namespace {
+
+std::pair<std::size_t, std::int64_t> read_entity(GmshSource& source) {
+    const bool number_first = source.format().is_4_0();
+    std::int64_t number = number_first ? source.integer("the number of an entity") : 0;
     const auto dimension = source.dimension();
-    source.integer("the number of an entity");
+    if (!number_first)
+        number = source.integer("the number of an entity");
+    return {dimension, number};
+}
+
+} // namespace
+
+GmshNodeBlock read_gmsh_node_block(GmshSource& source, Index before, Index promised) {
+    const auto [dimension, entity] = read_entity(source);
     const bool has_parameters = source.integer("0, or 1 with parameters") != 0;
-    const Index count = source.count("nodes of a block", {.sizes = 1, .reals = 3});
+    const Index count = source.count("nodes of a block", {.integers = 1, .reals = 3});
     if (count > promised - before) {
         source.fail(fmt::format("a block of {} nodes, but only {} of {} are left; expected the "
                                 "sum that was promised; export it again",
@@ -74,11 +104,10 @@ GmshNodeBlock read_gmsh_node_block(GmshSource& source, Index before, Index promi
 }
 
 GmshElementBlock read_gmsh_element_block(GmshSource& source, Index left) {
-    const auto dimension = source.dimension();
-    const auto entity = source.integer("the number of an entity");
+    const auto [dimension, entity] = read_entity(source);
     const auto& kind = gmsh_kind(source.integer("the type of elements"), source);
-    const auto corners = static_cast<std::size_t>(kind.corners);
-    const Index count = source.count("elements of a block", {.sizes = 1 + corners});
+    const auto nodes = static_cast<std::size_t>(kind.nodes);
+    const Index count = source.count("elements of a block", {.integers = 1 + nodes});
     if (count > left) {
         source.fail(fmt::format("a block of {} elements, but only {} are left; expected the "
                                 "sum that was promised; export it again",
@@ -97,6 +126,8 @@ Index read_old_gmsh_element_count(GmshSource& source) {
 
 OldGmshElementBlock read_old_gmsh_element_block(GmshSource& source, Index left) {
     const auto& kind = gmsh_kind(source.integer("the type of an element"), source);
+    if (source.format().major_version == 1)
+        return {kind, 1, 2}; // and behind the tags the number of nodes
     const auto count =
         source.format().order.has_value() ? source.integer("the number of elements") : 1;
     const auto tags = source.integer("the number of tags");

@@ -13,6 +13,7 @@ struct GmshKind {
     int type = 0;
     int dimension = 0;
     int corners = 0;
+    int nodes = 0; ///< the corners and, of cells of higher order, others behind them
 };
 
 /// Throws InvalidInput for cells of other types: leaving them out would silently make a hole.
@@ -48,7 +49,8 @@ struct GmshElementBlock {
 };
 GmshElementBlock read_gmsh_element_block(GmshSource& source, Index left);
 
-/// The same of version 2, where a text file has blocks of one element, and nodes have no blocks.
+/// The same of versions 1 and 2, where a text file has blocks of one element, and nodes have no
+/// blocks.
 Index read_old_gmsh_node_count(GmshSource& source);
 Index read_old_gmsh_element_count(GmshSource& source);
 

@@ -38,7 +38,7 @@ void GmshGroups::read_entity(GmshSource& source, std::size_t dimension, bool is_
         source.integer("the number of the parent");
         source.skip_integers("partitions");
     }
-    source.skip_reals(dimension == 0 ? 3 : 6);
+    source.skip_reals(dimension == 0 && !source.format().is_4_0() ? 3 : 6);
     const Index groups = source.count("physical groups", {.integers = 1});
     for (Index group = 0; group < groups; ++group) {
         const auto tag = group_tag(source.integer("a physical group"), source);
@@ -81,6 +81,7 @@ std::vector<GroupName> read_gmsh_names(Scanner& scanner, const GmshFormat& forma
         }
         group.tag = group_tag(number, GmshSource(scanner, format));
         group.name = quoted_name(scanner);
+        scanner.next_line(); // other programs write words of their own behind it
         names.push_back(std::move(group));
     }
     return names;

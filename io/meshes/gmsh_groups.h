@@ -17,7 +17,7 @@ namespace polydec {
 /// surfaces and volumes. In version 4 the cells have their group from the entity they lie on.
 class GmshGroups {
 public:
-    /// Reads the section Entities, or PartitionedEntities, of version 4.1.
+    /// Reads the section Entities, or PartitionedEntities, of version 4.
     void read(GmshSource& source, bool is_partitioned);
 
     /// The first group of the entity, or 0.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 
 namespace polydec {
@@ -133,8 +134,8 @@ private:
 
     /// What a skipped section holds may be bytes; its end is looked for at the beginning of a line.
     void skip_section(const std::string& name) {
-        if (name == "NOD" || name == "ParametricNodes" || name == "MeshFormat" || name == "Nodes" ||
-            name == "Elements")
+        if (name == "NOD" || name == "ELM" || name == "ParametricNodes" || name == "MeshFormat" ||
+            name == "Nodes" || name == "Elements")
             refuse_layout(file_, "a section at the wrong place");
         const std::string mark = "$End" + name;
         constexpr std::int64_t bytes = 4 << 20;
@@ -174,26 +175,30 @@ private:
         hop(count * stride);
     }
 
-    NumberType size_type() const {
-        return format_->size_bytes == sizeof(std::int64_t) ? NumberType::int64 : NumberType::int32;
+    NumberType number_type() const {
+        return format_->number_bytes() == sizeof(std::int64_t) ? NumberType::int64
+                                                               : NumberType::int32;
     }
 
     void read_nodes() {
         open_section();
         layout_.points = table_of(NumberType::float64, 3);
-        layout_.nodes = table_of(size_type(), 1);
+        layout_.nodes = table_of(number_type(), 1);
         const auto section = read_numbers(read_gmsh_nodes);
-        const auto width = static_cast<std::int64_t>(format_->size_bytes);
+        const auto width = static_cast<std::int64_t>(format_->number_bytes());
         Index before = 0;
         for (std::int64_t b = 0; b < section.blocks; ++b) {
             const auto block = read_numbers([&](GmshSource& source) {
                 return read_gmsh_node_block(source, before, section.records);
             });
-            const Run numbers{block.count, place_, width};
-            hop(block.count * width);
-            const Run points{block.count, place_, (3 + block.parameters) * real_bytes};
-            hop(block.count * points.stride);
-            add_nodes(numbers, points);
+            const std::int64_t point = (3 + block.parameters) * real_bytes;
+            if (format_->is_4_0())
+                add_nodes({block.count, place_, width + point},
+                          {block.count, place_ + width, width + point});
+            else
+                add_nodes({block.count, place_, width},
+                          {block.count, place_ + block.count * width, point});
+            hop(block.count * (width + point));
             before += block.count;
         }
         if (before < section.records)
@@ -206,7 +211,9 @@ private:
     }
 
     void add_cells(const GmshKind& kind, NumberType type, const Run& run) {
-        auto& table = cells_[static_cast<std::size_t>(kind.dimension)][kind.corners == 4 ? 1 : 0];
+        if (kind.nodes > kind.corners)
+            refuse_layout(file_, "there are cells of second or higher order");
+        auto& table = cells_[static_cast<std::size_t>(kind.dimension)][kind.corners];
         if (table.fields.empty())
             table = table_of(type, kind.corners);
         table.runs.push_back(run);
@@ -215,14 +222,14 @@ private:
     void read_new_elements() {
         open_section();
         const auto section = read_numbers(read_gmsh_elements);
-        const auto width = static_cast<std::int64_t>(format_->size_bytes);
+        const auto width = static_cast<std::int64_t>(format_->number_bytes());
         Index before = 0;
         for (std::int64_t b = 0; b < section.blocks; ++b) {
             const auto block = read_numbers([&](GmshSource& source) {
                 return read_gmsh_element_block(source, section.records - before);
             });
-            const std::int64_t stride = width * (1 + block.kind.corners);
-            add_cells(block.kind, size_type(), {block.count, place_ + width, stride});
+            const std::int64_t stride = width * (1 + block.kind.nodes);
+            add_cells(block.kind, number_type(), {block.count, place_ + width, stride});
             hop(block.count * stride);
             before += block.count;
         }
@@ -243,7 +250,7 @@ private:
     }
 
     static std::int64_t stride_of(const OldGmshElementBlock& block) {
-        return integer_bytes * (1 + block.tags + block.kind.corners);
+        return integer_bytes * (1 + block.tags + block.kind.nodes);
     }
 
     Index add_block(const OldGmshElementBlock& block) {
@@ -294,10 +301,10 @@ private:
     /// Those of the largest dimension make the mesh.
     void take_cells() {
         for (int n = CellLists::most_dimensions - 1; n >= 0; --n)
-            for (RecordTable& table : cells_[static_cast<std::size_t>(n)]) {
-                if (table.runs.empty() || table.count() == 0)
+            for (auto& [corners, table] : cells_[static_cast<std::size_t>(n)]) {
+                if (table.count() == 0)
                     continue;
-                const bool are_simplices = std::ssize(table.fields) == n + 1;
+                const bool are_simplices = corners == n + 1;
                 if (layout_.cells.fields.empty() && n > 0 && are_simplices)
                     layout_.cells = std::move(table);
                 else
@@ -315,8 +322,8 @@ private:
     bool has_elements_ = false;
     MeshLayout layout_;
 
-    /// By dimension; four corners apart from fewer.
-    std::array<std::array<RecordTable, 2>, CellLists::most_dimensions> cells_;
+    /// By dimension and number of corners.
+    std::array<std::map<int, RecordTable>, CellLists::most_dimensions> cells_;
 };
 
 } // namespace

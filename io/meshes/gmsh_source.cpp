@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace polydec {
 
@@ -25,12 +26,14 @@ std::endian read_order(Scanner& scanner) {
 } // namespace
 
 GmshFormat read_gmsh_format(Scanner& scanner) {
-    const auto version = scanner.word("a version");
-    const bool is_old = version == "2" || version == "2.0" || version == "2.1" || version == "2.2";
-    if (!is_old && version != "4.1") {
-        scanner.fail(fmt::format("MSH of version {}; expected 2.2 or 4.1; export it again "
-                                 "with -format msh41",
-                                 quote_word(version)));
+    // It is a number that may be spelled as 2, 2.2 or 2.200000.
+    const double version = scanner.number("a version");
+    const double tenths = std::round(10 * version);
+    const bool is_old = tenths >= 20 && tenths <= 22;
+    if (std::abs(10 * version - tenths) > 1e-6 || !(is_old || tenths == 40 || tenths == 41)) {
+        scanner.fail(fmt::format("MSH of version {}; expected 1, 2 to 2.2, 4.0 or 4.1; export it "
+                                 "again with -format msh41",
+                                 version));
     }
     const auto encoding = scanner.integer("0 for text or 1 for bytes");
     const auto size = scanner.integer("the bytes of a number");
@@ -41,7 +44,10 @@ GmshFormat read_gmsh_format(Scanner& scanner) {
                                  encoding, size, is_old ? "8" : "8 or 4"));
     }
     scanner.end_line("the line of the version");
-    GmshFormat format{is_old ? 2 : 4, {}, is_old ? 4 : static_cast<std::size_t>(size)};
+    GmshFormat format{is_old ? 2 : 4,
+                      static_cast<int>(tenths) % 10,
+                      {},
+                      is_old ? 4 : static_cast<std::size_t>(size)};
     if (encoding == 1)
         format.order = read_order(scanner);
     return format;
@@ -61,6 +67,10 @@ std::int64_t GmshSource::integer(std::string_view expected) {
 
 std::int64_t GmshSource::size(std::string_view expected) {
     return whole_number(format_.size_bytes, expected);
+}
+
+std::int64_t GmshSource::number(std::string_view expected) {
+    return whole_number(format_.number_bytes(), expected);
 }
 
 std::size_t GmshSource::dimension() {

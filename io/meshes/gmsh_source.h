@@ -15,13 +15,21 @@ namespace polydec {
 
 /// What the section MeshFormat says.
 struct GmshFormat {
-    int major_version = 4;            ///< 2 or 4
-    std::optional<std::endian> order; ///< of bytes; none in a text file
-    std::size_t size_bytes = 8;       ///< what a number of records takes in a binary file
+    int major_version = 1; ///< 1, which says no version, 2 or 4
+    int minor_version = 0;
+    std::optional<std::endian> order = {}; ///< of bytes; none in a text file
+    std::size_t size_bytes = 4;            ///< what a number of records takes in a binary file
+
+    /// Version 4.0, of 2018, has an order of its own: node by node, and the entity in front of its
+    /// dimension.
+    bool is_4_0() const { return major_version == 4 && minor_version == 0; }
+
+    /// What the number of a node or element takes in a binary file.
+    std::size_t number_bytes() const { return is_4_0() ? 4 : size_bytes; }
 };
 
-/// Reads the section MeshFormat up to its end. Throws InvalidInput for other versions than 2 to 2.2
-/// and 4.1.
+/// Reads the section MeshFormat up to its end. Throws InvalidInput for other versions than 2 to
+/// 2.2, 4.0 and 4.1.
 GmshFormat read_gmsh_format(Scanner& scanner);
 
 /// The numbers of a section, as text or as bytes.
@@ -31,8 +39,11 @@ public:
 
     std::int64_t integer(std::string_view expected);
 
-    /// A number of records or of a node, which is wider than an integer since version 4.
+    /// A number of records, which is wider than an integer since version 4.
     std::int64_t size(std::string_view expected);
+
+    /// The number of a node or element, which is wider than an integer since version 4.1.
+    std::int64_t number(std::string_view expected);
 
     double real(std::string_view expected);
 

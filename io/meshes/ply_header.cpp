@@ -175,7 +175,7 @@ private:
             scanner_.fail("the file ends with its header; expected the elements; export it again, "
                           "it seems cut off");
         }
-        const bool two = breaks_lines_with_two() && text.substr(line_break, 2) == "\r\n";
+        const bool two = !breaks_lines_with_cr() && text.substr(line_break, 2) == "\r\n";
         scanner_.skip(line_break);
         header_.body_begin = file_.text.size() - scanner_.remaining() + (two ? 2 : 1);
         header_.body_line = scanner_.line() + 1;
@@ -183,10 +183,11 @@ private:
             check_count(scanner_, header_.elements[i], header_.encoding, lines_[i]);
     }
 
-    /// The first line decides: after a lone CR a binary body may begin with the byte of LF.
-    bool breaks_lines_with_two() const {
+    /// The first line decides: after a lone CR a binary body may begin with the byte of LF. Where
+    /// lines end with LF, a CR in front of it belongs to the line.
+    bool breaks_lines_with_cr() const {
         const auto first = file_.text.find_first_of("\r\n");
-        return file_.text.compare(first, 2, "\r\n") == 0;
+        return file_.text[first] == '\r' && file_.text.compare(first, 2, "\r\n") != 0;
     }
 
     const SourceFile& file_;

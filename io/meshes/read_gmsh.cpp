@@ -27,7 +27,7 @@ public:
             read_section();
         if (!has_elements_) {
             scanner_.fail("the file ends without the section $Elements; expected $MeshFormat, "
-                          "$Nodes and $Elements; export it again as MSH 2.2 or 4.1");
+                          "$Nodes and $Elements; export it again as MSH 4.1");
         }
         Mesh mesh = std::move(cells_).mesh(std::move(points_));
         mesh.groups = std::move(names_);
@@ -53,15 +53,17 @@ private:
         } else if (name == "PhysicalNames") {
             names_ = read_gmsh_names(scanner_, format_);
         } else if (name == "Entities" || name == "PartitionedEntities") {
-            require(place, has_format_ && format_.major_version == 4, "$MeshFormat of version 4.1");
+            require(place, has_format_ && format_.major_version == 4, "$MeshFormat of version 4");
             auto source = open_section();
             groups_.read(source, name == "PartitionedEntities");
-        } else if (name == "Nodes") {
-            require(place, has_format_ && !has_nodes_, "$MeshFormat and no other $Nodes");
+        } else if (name == "Nodes" || name == "NOD") {
+            require(place, has_format_ != (name == "NOD") && !has_nodes_,
+                    "$MeshFormat and no other $Nodes");
             format_.major_version == 4 ? read_nodes() : read_old_nodes();
             has_nodes_ = true;
-        } else if (name == "Elements") {
-            require(place, has_nodes_ && !has_elements_, "$Nodes and no other $Elements");
+        } else if (name == "Elements" || name == "ELM") {
+            require(place, has_nodes_ && has_format_ != (name == "ELM") && !has_elements_,
+                    "$Nodes and no other $Elements");
             format_.major_version == 4 ? read_elements() : read_old_elements();
             has_elements_ = true;
         } else {
@@ -79,7 +81,8 @@ private:
     }
 
     void read_end(std::string_view name) {
-        const auto expected = fmt::format("$End{}", name);
+        const bool is_old = name == "NOD" || name == "ELM";
+        const auto expected = fmt::format("${}{}", is_old ? "END" : "End", name);
         const auto word = scanner_.word(expected);
         if (word != expected) {
             scanner_.fail(fmt::format("{} where the section ends; expected {}; correct the number "
@@ -90,10 +93,9 @@ private:
 
     /// What a skipped section holds may be bytes; its end is looked for at the beginning of a line.
     void skip_section(const Scanner& place, std::string_view name) {
-        if (name == "NOD" || name == "ParametricNodes") {
-            place.fail(fmt::format("the section ${} of an old version; expected MSH 2.2 or 4.1; "
-                                   "export it again with -format msh41",
-                                   name));
+        if (name == "ParametricNodes") {
+            place.fail("the section $ParametricNodes of an old version; expected $Nodes; export it "
+                       "again with -format msh41");
         }
         const auto rest = scanner_.rest();
         const auto mark = fmt::format("$End{}", name);
@@ -151,12 +153,16 @@ private:
         close_nodes(source);
     }
 
-    /// Numbers first, then places, each maybe with its parameters on the curve or surface.
+    /// Numbers first, then places, each maybe with its parameters on the curve or surface; in
+    /// version 4.0 each place behind its number.
     Index read_node_block(GmshSource& source, Index begin) {
         const auto block = read_gmsh_node_block(source, begin, static_cast<Index>(points_.rows()));
-        for (Index vertex = begin; vertex < begin + block.count; ++vertex)
-            nodes_.add(source.size("the number of a node"), vertex);
+        const bool numbers_first = !format_.is_4_0();
+        for (Index vertex = begin; numbers_first && vertex < begin + block.count; ++vertex)
+            nodes_.add(source.number("the number of a node"), vertex);
         for (Index vertex = begin; vertex < begin + block.count; ++vertex) {
+            if (!numbers_first)
+                nodes_.add(source.number("the number of a node"), vertex);
             read_point(source, vertex);
             source.skip_reals(block.parameters);
         }
@@ -164,9 +170,9 @@ private:
     }
 
     void read_cell(GmshSource& source, const GmshKind& kind, Index tag) {
-        std::array<Index, 4> corners{};
+        std::array<Index, 8> corners{};
         for (int i = 0; i < kind.corners; ++i) {
-            const auto number = source.size("a node of an element");
+            const auto number = source.number("a node of an element");
             const auto vertex = nodes_.find(number);
             if (!vertex) {
                 source.fail(fmt::format("the node {} is not in the section $Nodes; expected one "
@@ -177,6 +183,9 @@ private:
         }
         cells_.add(kind.dimension, std::span(corners).first(static_cast<std::size_t>(kind.corners)),
                    tag, file_);
+        for (int i = kind.corners; i < kind.nodes; ++i)
+            source.number("a node of an element");
+        cells_.leave_out_nodes(static_cast<std::size_t>(kind.nodes - kind.corners));
     }
 
     void read_elements() {
@@ -192,14 +201,14 @@ private:
         const auto block = read_gmsh_element_block(source, left);
         const Index tag = groups_.tag_of(block.entity_dimension, block.entity);
         for (Index element = 0; element < block.count; ++element) {
-            source.size("the number of an element");
+            source.number("the number of an element");
             read_cell(source, block.kind, tag);
         }
         return block.count;
     }
 
-    /// In version 2 each element has tags of its own, the physical group first. A binary file puts
-    /// type and number of tags in front of elements that share them.
+    /// In versions 1 and 2 each element has tags of its own, the physical group first. A binary
+    /// file puts type and number of tags in front of elements that share them.
     void read_old_elements() {
         GmshSource source(scanner_, format_);
         const bool is_binary = format_.order.has_value();
@@ -211,9 +220,21 @@ private:
             for (Index i = 0; i < block.count; ++i) {
                 if (is_binary)
                     source.integer("the number of an element");
-                read_cell(source, block.kind, read_tags(source, block.tags));
+                const Index tag = read_tags(source, block.tags);
+                if (format_.major_version == 1)
+                    read_number_of_nodes(source, block.kind);
+                read_cell(source, block.kind, tag);
             }
             element += block.count;
+        }
+    }
+
+    static void read_number_of_nodes(GmshSource& source, const GmshKind& kind) {
+        const auto nodes = source.integer("the number of nodes");
+        if (nodes != kind.nodes) {
+            source.fail(fmt::format("{} nodes of an element of Gmsh's type {}; expected {}; export "
+                                    "it again",
+                                    nodes, kind.type, kind.nodes));
         }
     }
 

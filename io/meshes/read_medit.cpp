@@ -77,54 +77,74 @@ Points read_vertices(const Sections& sections, int dimension) {
     return points;
 }
 
+/// A section of cells: the corners come first of the nodes of each.
+struct CellSection {
+    const char* keyword;
+    int dimension;
+    std::size_t corners, nodes;
+};
+
+constexpr std::array cell_sections{
+    CellSection{"Edges", 1, 2, 2},          CellSection{"EdgesP2", 1, 2, 3},
+    CellSection{"Triangles", 2, 3, 3},      CellSection{"TrianglesP2", 2, 3, 6},
+    CellSection{"Quadrilaterals", 2, 4, 4}, CellSection{"QuadrilateralsQ2", 2, 4, 9},
+    CellSection{"Tetrahedra", 3, 4, 4},     CellSection{"TetrahedraP2", 3, 4, 10},
+    CellSection{"Hexahedra", 3, 8, 8},      CellSection{"Hexaedra", 3, 8, 8},
+    CellSection{"HexahedraQ2", 3, 8, 27},   CellSection{"Prisms", 3, 6, 6},
+    CellSection{"Wedges", 3, 6, 6},         CellSection{"Pentahedra", 3, 6, 6},
+    CellSection{"PrismsP2", 3, 6, 18},      CellSection{"Pyramids", 3, 5, 5},
+    CellSection{"PyramidsP2", 3, 5, 14},
+};
+
 /// Adds the cells of a section, their references as tags if all are whole numbers. Their number.
-std::size_t read_cells(const Sections& sections, int dimension, Index vertices,
-                       const SourceFile& file, CellLists& cells) {
-    constexpr std::array<const char*, 3> keywords{"Edges", "Triangles", "Tetrahedra"};
-    const char* const keyword = keywords[static_cast<std::size_t>(dimension) - 1];
-    if (!sections.has(keyword))
+std::size_t read_section(const Sections& sections, const CellSection& section, Index vertices,
+                         const SourceFile& file, CellLists& cells) {
+    if (!sections.has(section.keyword))
         return 0;
-    const auto corners = static_cast<std::size_t>(dimension) + 1;
-    Scanner scanner = sections.at(keyword);
-    const auto count = static_cast<std::size_t>(scanner.count(keyword, 2 * (corners + 1)));
-    std::vector<Index> numbers(count * corners), tags(count);
+    Scanner scanner = sections.at(section.keyword);
+    const auto count =
+        static_cast<std::size_t>(scanner.count(section.keyword, 2 * (section.nodes + 1)));
+    std::vector<Index> numbers(count * section.corners), tags(count);
     bool are_tags = true;
     for (std::size_t cell = 0; cell < count; ++cell) {
-        for (std::size_t corner = 0; corner < corners; ++corner)
-            numbers[cell * corners + corner] = scanner.vertex(vertices, 1);
+        for (std::size_t node = 0; node < section.nodes; ++node) {
+            const Index vertex = scanner.vertex(vertices, 1);
+            if (node < section.corners)
+                numbers[cell * section.corners + node] = vertex;
+        }
         const auto tag = tag_from(scanner.number("a reference"));
         tags[cell] = tag.value_or(0);
         are_tags = are_tags && tag.has_value();
     }
-    for (std::size_t cell = 0; cell < count; ++cell)
-        cells.add(dimension, std::span(numbers).subspan(cell * corners, corners),
+    for (std::size_t cell = 0; cell < count; ++cell) {
+        cells.add(section.dimension,
+                  std::span(numbers).subspan(cell * section.corners, section.corners),
                   are_tags ? tags[cell] : 0, file);
+        cells.leave_out_nodes(section.nodes - section.corners);
+    }
     return count;
 }
 
-/// Leaving such cells out would silently make a hole in the mesh.
-void refuse_others(const Sections& sections, std::string_view keyword) {
-    if (sections.has(keyword) && sections.at(keyword).count(keyword, 1) > 0) {
-        sections.at(keyword).fail(fmt::format("the mesh has {}; expected tetrahedra, triangles or "
-                                              "edges; split them before",
-                                              keyword));
-    }
+/// Those of one dimension. Their number.
+std::size_t read_cells(const Sections& sections, int dimension, Index vertices,
+                       const SourceFile& file, CellLists& cells) {
+    std::size_t count = 0;
+    for (const auto& section : cell_sections)
+        if (section.dimension == dimension)
+            count += read_section(sections, section, vertices, file, cells);
+    return count;
 }
 
 } // namespace
 
 Mesh read_medit(const SourceFile& file) {
     const Sections sections({file.name, file.text, {.comment = '#'}});
-    for (const char* solid : {"Hexahedra", "Hexaedra", "Prisms", "Pyramids"})
-        refuse_others(sections, solid);
-
     Points points = read_vertices(sections, read_dimension(sections));
     const auto vertices = static_cast<Index>(points.rows());
     CellLists cells;
     int dimension = 3;
     while (read_cells(sections, dimension, vertices, file, cells) == 0 && dimension > 1)
-        if (--dimension == 2)
-            refuse_others(sections, "Quadrilaterals");
+        --dimension;
     if (dimension > 1)
         read_cells(sections, dimension - 1, vertices, file, cells);
     return std::move(cells).mesh(std::move(points));

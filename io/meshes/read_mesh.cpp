@@ -2,6 +2,7 @@
 #include "io/meshes/read_mesh.h"
 
 #include "base/errors.h"
+#include "io/meshes/foreign_format.h"
 #include "io/meshes/length_file.h"
 #include "io/meshes/readers.h"
 #include "io/source_file.h"
@@ -73,6 +74,13 @@ Mesh parse_mesh(const SourceFile& file) {
                                {.path = file.name});
         }
         return mesh;
+    } catch (const InvalidInput&) {
+        const auto other = foreign_format(file);
+        if (other.empty())
+            throw;
+        throw InvalidInput(fmt::format("{}: expected what {} stands for, but the file is {}",
+                                       file.name, format.extension, other),
+                           {.path = file.name});
     } catch (const std::bad_alloc&) {
         throw IoError(fmt::format("cannot read {}: memory does not suffice", file.name),
                       {.path = file.name});

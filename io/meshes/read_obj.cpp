@@ -25,7 +25,7 @@ public:
         }
         if (farthest_ >= vertices())
             fail_range(farthest_place_, farthest_ + 1);
-        polygons_.points = points_from(coordinates_);
+        polygons_.points = Eigen::Map<const Points>(coordinates_.data(), vertices(), axes_);
         Mesh mesh = split_polygons(std::move(polygons_));
         if (left_out_ > 0) {
             mesh.warnings.push_back(fmt::format("{} records of lines or points left out, the first "
@@ -48,13 +48,21 @@ private:
         }
     }
 
-    /// A weight or a color may follow; it is left out with the rest of the line.
+    /// Two coordinates are of the plane, if all vertices have so many. Behind three, a weight or a
+    /// color may follow; it is left out with the rest of the line.
     void read_vertex() {
-        const Index vertex = checked_count(coordinates_.size() / 3, "vertices", file_);
-        for (int axis = 0; axis < 3; ++axis) {
-            scanner_.stay_on_line("three coordinates of a vertex");
+        const Index vertex = checked_count(static_cast<std::size_t>(vertices()), "vertices", file_);
+        for (int axis = 0; axis < axes_; ++axis) {
+            if (vertex == 0 && axis == 2 && scanner_.at_line_end()) {
+                axes_ = 2;
+                return;
+            }
+            scanner_.stay_on_line("three coordinates of a vertex, or two of every vertex");
             coordinates_.push_back(scanner_.coordinate(vertex));
         }
+        if (axes_ == 2 && !scanner_.at_line_end())
+            scanner_.fail("more than two coordinates, but the first vertex has two; expected two "
+                          "of every vertex, or three; correct the line");
     }
 
     void read_face() {
@@ -79,7 +87,7 @@ private:
         return static_cast<Index>(vertex);
     }
 
-    std::int64_t vertices() const { return static_cast<std::int64_t>(coordinates_.size() / 3); }
+    std::int64_t vertices() const { return std::ssize(coordinates_) / axes_; }
 
     [[noreturn]] void fail_range(const Scanner& place, std::int64_t number) const {
         const char* back = number < 0 ? " counted back from here" : "";
@@ -92,6 +100,7 @@ private:
     const SourceFile& file_;
     Scanner scanner_;
     std::vector<double> coordinates_;
+    int axes_ = 3;
     PolygonMesh polygons_;
     std::int64_t farthest_ = -1;
     Scanner farthest_place_ = scanner_;

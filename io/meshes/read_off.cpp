@@ -27,43 +27,72 @@ std::string_view without_prefixes(std::string_view keyword) {
             return keyword;
 }
 
+/// The text behind the keyword, and the coordinates that it tells of each vertex; 0 for plain OFF.
+struct Beginning {
+    Scanner scanner;
+    Eigen::Index axes = 0;
+};
+
+/// "nOFF" tells the dimension in front of the counts; a 4 stands for one coordinate more.
+Beginning behind_n(Scanner scanner, bool has_four) {
+    constexpr std::int64_t most = 1000;
+    const auto axes = scanner.integer("the dimension of the points");
+    if (axes < 1 || axes > most) {
+        scanner.fail(fmt::format("points of dimension {}; expected 1 to {} behind nOFF; correct it",
+                                 axes, most));
+    }
+    return {scanner, axes + (has_four ? 1 : 0)};
+}
+
 /// Goes behind the keyword, which is optional. Some programs write "OFF8 6 12", without a blank.
-Scanner behind_keyword(const Scanner& start) {
+Beginning behind_keyword(const Scanner& start) {
     Scanner scanner = start;
     const auto word = scanner.word("the keyword OFF");
     if (is_digit(word[0]) || word[0] == '-' || word[0] == '+') {
         const auto digits = std::find_if_not(word.begin() + 1, word.end(), is_digit);
         if (digits == word.end())
-            return start;
+            return {start};
     }
 
     const auto keyword = without_prefixes(word);
-    if (keyword == "4OFF" || keyword.substr(0, 4) == "nOFF" || keyword == "4nOFF") {
-        scanner.fail(fmt::format("{} has vertices of another dimension than 3; expected OFF with "
-                                 "x y z; write the mesh as .nsc",
-                                 quote_word(word)));
-    }
-    if (keyword == "OFF" || keyword == "off") {
-        Scanner next = scanner;
-        if (!next.at_line_end() && next.word("") == "BINARY")
-            scanner.fail("the file is a binary OFF; expected text; convert it to text or PLY");
-        return scanner;
-    }
+    Scanner next = scanner;
+    if (keyword.ends_with("OFF") && !next.at_line_end() && next.word("") == "BINARY")
+        scanner.fail("the file is a binary OFF; expected text; convert it to text or PLY");
+    if (keyword == "nOFF" || keyword == "4nOFF")
+        return behind_n(scanner, keyword[0] == '4');
+    if (keyword == "4OFF")
+        return {scanner, 4};
+    if (keyword == "OFF" || keyword == "off")
+        return {scanner};
     if (keyword.substr(0, 3) == "OFF" && is_digit(keyword[3])) {
         Scanner glued = start;
         glued.at_end();
         glued.skip(word.size() - keyword.size() + 3);
-        return glued;
+        return {glued};
     }
     scanner.fail(fmt::format("the file begins with {}; expected the keyword OFF; check the format",
                              quote_word(word)));
 }
 
+/// Points of the plane have two words in each of the first two lines; all others have three.
+Eigen::Index count_axes(Scanner scanner, Index vertices) {
+    for (Index vertex = 0; vertex < std::min(vertices, Index{2}); ++vertex) {
+        scanner.word("a coordinate");
+        if (scanner.at_line_end())
+            return 3;
+        scanner.word("a coordinate");
+        if (!scanner.at_line_end())
+            return 3;
+        scanner.next_line();
+    }
+    return 2;
+}
+
 /// Colors, normals and texture behind the coordinates are left out with the rest of the line.
-Points read_vertices(Scanner& scanner, Index count) {
-    Points points(count, 3);
+Points read_vertices(Scanner& scanner, Index count, Eigen::Index axes) {
+    Points points(count, axes);
     for (Index vertex = 0; vertex < count; ++vertex) {
-        for (int axis = 0; axis < 3; ++axis)
+        for (Eigen::Index axis = 0; axis < axes; ++axis)
             points(vertex, axis) = scanner.coordinate(vertex);
         scanner.next_line();
     }
@@ -90,13 +119,16 @@ void read_faces(Scanner& scanner, Index count, PolygonMesh& polygons, const Sour
 } // namespace
 
 Mesh read_off(const SourceFile& file) {
-    Scanner scanner = behind_keyword({file.name, file.text, {.comment = '#'}});
-    const Index vertices = scanner.count("vertices", 6);
+    auto [scanner, axes] = behind_keyword({file.name, file.text, {.comment = '#'}});
+    const Index vertices =
+        scanner.count("vertices", 2 * static_cast<std::size_t>(axes == 0 ? 2 : axes));
     const Index faces = scanner.count("faces", 2);
     scanner.integer("the number of edges");
 
     PolygonMesh polygons;
-    polygons.points = read_vertices(scanner, vertices);
+    if (axes == 0)
+        axes = count_axes(scanner, vertices);
+    polygons.points = read_vertices(scanner, vertices, axes);
     read_faces(scanner, faces, polygons, file);
 
     Mesh mesh = split_polygons(std::move(polygons));

@@ -93,17 +93,18 @@ public:
 private:
     void read_vertices(const PlyElement& element) {
         std::vector<int> axis_of(element.properties.size(), -1);
-        for (int axis = 0; axis < 3; ++axis) {
+        const int axes = element.find("z") == element.properties.size() ? 2 : 3;
+        for (int axis = 0; axis < axes; ++axis) {
             const std::string name(1, "xyz"[axis]);
             const auto place = element.find(name);
             if (place == element.properties.size() || element.properties[place].is_list) {
-                source_.fail(fmt::format("the element vertex has no number {}; expected x, y and "
-                                         "z; correct the header",
+                source_.fail(fmt::format("the element vertex has no number {}; expected x, y and, "
+                                         "unless it is a mesh of the plane, z; correct the header",
                                          name));
             }
             axis_of[place] = axis;
         }
-        polygons_.points.resize(element.count, 3);
+        polygons_.points.resize(element.count, axes);
         for (Index vertex = 0; vertex < element.count; ++vertex)
             read_vertex(element, axis_of, vertex);
     }

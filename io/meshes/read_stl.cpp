@@ -86,15 +86,21 @@ Corner binary_corner(const SourceFile& file, std::size_t triangle, std::size_t c
     return read;
 }
 
+/// Of the triangles that the header promises; what follows them is left out.
 Mesh read_binary(const SourceFile& file) {
-    const std::size_t triangles = (file.text.size() - header_bytes) / triangle_bytes;
+    const std::size_t triangles = (promised_bytes(file) - header_bytes) / triangle_bytes;
     checked_count(3 * triangles, "corners of triangles", file);
     std::vector<Corner> corners;
     corners.reserve(3 * triangles);
     for (std::size_t triangle = 0; triangle < triangles; ++triangle)
         for (std::size_t corner = 0; corner < 3; ++corner)
             corners.push_back(binary_corner(file, triangle, corner));
-    return join(std::move(corners));
+    Mesh mesh = join(std::move(corners));
+    if (file.text.size() > promised_bytes(file)) {
+        mesh.warnings.push_back(fmt::format("{} bytes behind the {} triangles left out",
+                                            file.text.size() - promised_bytes(file), triangles));
+    }
+    return mesh;
 }
 
 bool equal_ignoring_case(std::string_view word, std::string_view small) {
@@ -122,18 +128,22 @@ public:
 
 private:
     bool ends_solid() {
-        Scanner ahead = scanner_;
-        if (!equal_ignoring_case(ahead.word("facet or endsolid"), "endsolid"))
-            return false;
-        scanner_ = ahead;
-        return true;
+        const bool ends = comes("endsolid", "facet or endsolid");
+        if (ends)
+            expect("endsolid");
+        return ends;
     }
 
-    /// The normal follows from the vertices; in many files it is wrong or NaN.
+    bool comes(std::string_view keyword, std::string_view expected) const {
+        Scanner ahead = scanner_;
+        return equal_ignoring_case(ahead.word(expected), keyword);
+    }
+
+    /// The normal follows from the vertices; in many files it is wrong, NaN or left out.
     void read_facet() {
         expect("facet");
-        expect("normal");
-        for (int axis = 0; axis < 3; ++axis)
+        constexpr int most_words = 4; // normal x y z
+        for (int word = 0; word < most_words && !comes("outer", "outer"); ++word)
             scanner_.word("a normal");
         expect("outer");
         expect("loop");
@@ -184,13 +194,17 @@ Mesh read_stl(const SourceFile& file) {
         return read_binary(file);
     if (begins_like_text(file))
         return TextReader(file).read();
+    if (has_header && promised_bytes(file) > header_bytes &&
+        promised_bytes(file) < file.text.size())
+        return read_binary(file);
     if (has_header) {
         throw InvalidInput(
             fmt::format(
                 "{}: the file has {} bytes; expected {} for the {} triangles that its header "
-                "promises, or a text that begins with solid; export it again, it seems cut off",
+                "promises, or a text that begins with solid; export it again{}",
                 file.name, file.text.size(), promised_bytes(file),
-                (promised_bytes(file) - header_bytes) / triangle_bytes),
+                (promised_bytes(file) - header_bytes) / triangle_bytes,
+                promised_bytes(file) > file.text.size() ? ", it seems cut off" : ""),
             {.path = file.name});
     }
     throw InvalidInput(fmt::format("{}: the file has {} bytes; expected a binary STL of at least "

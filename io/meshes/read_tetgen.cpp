@@ -75,6 +75,7 @@ Nodes read_nodes(const SourceFile& file) {
 
 /// The words behind the corners of a cell.
 struct Extras {
+    int nodes = 0;      ///< of the option -o2, on the edges
     int attributes = 0; ///< the last of them is the number of the region
     int neighbors = 0;
 };
@@ -92,7 +93,9 @@ Index read_tag(Scanner& scanner, int attributes, bool& are_tags) {
 
 /// The cells, one a line: number, corners, extras.
 Mesh read_cells(Scanner& scanner, Nodes nodes, Index count, int corners, const Extras& extras) {
-    scanner.as_count(count, "cells", 2 * (static_cast<std::size_t>(corners) + 1));
+    scanner.as_count(
+        count, "cells",
+        2 * (static_cast<std::size_t>(corners) + static_cast<std::size_t>(extras.nodes) + 1));
     scanner.next_line();
     Mesh mesh;
     mesh.simplices.resize(count, corners);
@@ -106,12 +109,16 @@ Mesh read_cells(Scanner& scanner, Nodes nodes, Index count, int corners, const E
             scanner.stay_on_line("a cell");
             mesh.simplices(cell, corner) = scanner.vertex(nodes.size(), nodes.first);
         }
+        for (int node = 0; node < extras.nodes; ++node)
+            scanner.vertex(nodes.size(), nodes.first);
         mesh.tags[static_cast<std::size_t>(cell)] = read_tag(scanner, extras.attributes, are_tags);
         for (int word = 0; word < extras.neighbors && !scanner.at_line_end(); ++word)
             scanner.word("a neighbor");
         scanner.end_line("a cell");
     }
     mesh.tags = are_tags ? tags_or_none(std::move(mesh.tags)) : std::vector<Index>();
+    if (extras.nodes > 0 && count > 0)
+        mesh.warnings.push_back(higher_order_warning(static_cast<std::size_t>(count)));
     mesh.points = std::move(nodes.points);
     return mesh;
 }
@@ -122,17 +129,21 @@ Mesh read_elements(Nodes nodes, const SourceFile& file) {
     Scanner scanner(file.name, file.text, syntax);
     const Index count = scanner.count("cells", 0);
     const auto linear = nodes.points.cols() + 1;
-    const auto corners = scanner.at_line_end() ? linear : scanner.integer("the number of corners");
-    if (corners < 3 || corners > linear) {
-        scanner.fail(fmt::format("cells of {} corners; expected {}, the corners of linear "
-                                 "simplices; run TetGen or Triangle without the option -o2",
-                                 corners, linear));
+    const auto nodes_of_each =
+        scanner.at_line_end() ? linear : scanner.integer("the number of corners");
+    const int corners = nodes_of_each == 3 || nodes_of_each == 6 ? 3 : 4;
+    const auto extra = nodes_of_each - corners;
+    if (corners > linear || (extra != 0 && extra != corners * (corners - 1) / 2)) {
+        scanner.fail(fmt::format("cells of {} corners; expected {}, the corners of a simplex, or "
+                                 "those and a node on each edge; export it again",
+                                 nodes_of_each, linear));
     }
     const auto attributes = scanner.at_line_end() ? 0 : scanner.integer("the number of attributes");
     if (attributes < 0 || attributes > std::numeric_limits<int>::max())
         scanner.fail(fmt::format("{} attributes; expected 0 or more; correct it", attributes));
-    return read_cells(scanner, std::move(nodes), count, static_cast<int>(corners),
-                      {.attributes = static_cast<int>(attributes)});
+    return read_cells(
+        scanner, std::move(nodes), count, corners,
+        {.nodes = static_cast<int>(extra), .attributes = static_cast<int>(attributes)});
 }
 
 /// The option -nn of TetGen appends the tetrahedra on both sides of a face.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/readers.h"
 #include "io/meshes/vtk_cells.h"
+#include "io/meshes/vtk_grid.h"
+#include "io/meshes/vtk_source.h"
 #include "io/number_type.h"
 #include "io/scanner.h"
 
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,44 +17,21 @@ namespace polydec {
 
 namespace {
 
-using NamedType = std::pair<std::string_view, NumberType>;
-
-/// A vtkIdType is written with 32 bits, whatever it has in memory.
-constexpr std::array named_types{NamedType{"char", NumberType::int8},
-                                 NamedType{"signed_char", NumberType::int8},
-                                 NamedType{"unsigned_char", NumberType::uint8},
-                                 NamedType{"short", NumberType::int16},
-                                 NamedType{"unsigned_short", NumberType::uint16},
-                                 NamedType{"int", NumberType::int32},
-                                 NamedType{"unsigned_int", NumberType::uint32},
-                                 NamedType{"long", NumberType::int64},
-                                 NamedType{"unsigned_long", NumberType::uint64},
-                                 NamedType{"vtktypeint64", NumberType::int64},
-                                 NamedType{"vtktypeuint64", NumberType::uint64},
-                                 NamedType{"vtkidtype", NumberType::int32},
-                                 NamedType{"float", NumberType::float32},
-                                 NamedType{"double", NumberType::float64}};
-
-/// Keywords may be written in any case.
-std::string lower(std::string_view word) {
-    std::string result(word);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return result;
-}
-
 class VtkReader {
 public:
     explicit VtkReader(const SourceFile& file)
-        : file_(file), scanner_(file.name, file.text), cells_place_(scanner_) {}
+        : file_(file), source_({file.name, file.text}), cells_place_(scanner_) {}
 
     Mesh read() {
-        read_header();
+        has_offsets_ = source_.read_header() >= 5.0;
+        read_kind();
         bool goes_on = true;
         while (goes_on && !scanner_.at_end())
             goes_on = read_section();
-        if (is_poly_data_)
+        if (kind_ == "polydata")
             join_lists();
+        if (has_grid())
+            make_grid();
         Mesh mesh = vtk_mesh(arrays_, cells_place_, file_);
         mesh.warnings.insert(mesh.warnings.end(), warnings_.begin(), warnings_.end());
         return mesh;
@@ -67,135 +45,123 @@ private:
         std::vector<double> corners, ends;
     };
 
-    void read_header() {
-        const auto mark = scanner_.word("# vtk DataFile Version");
-        for (const char* expected : {"vtk", "datafile", "version"}) {
-            if (mark != "#" || lower(scanner_.word(expected)) != expected) {
-                scanner_.fail("the file does not begin with # vtk DataFile Version; expected a "
-                              "legacy VTK file; check the format");
-            }
-        }
-        const double version = scanner_.number("the version");
-        if (!(version >= 1.0 && version < 6.0)) {
-            scanner_.fail(fmt::format("version {} of the format; expected 1 to 5.1; save the mesh "
-                                      "as .vtu",
-                                      version));
-        }
-        has_offsets_ = version >= 5.0;
-        scanner_.next_line();
-        scanner_.next_line();
-
-        const auto encoding = lower(scanner_.word("ASCII or BINARY"));
-        if (encoding != "ascii" && encoding != "binary") {
-            scanner_.fail(fmt::format("{} behind the title; expected ASCII or BINARY; correct the "
-                                      "third line",
-                                      quote_word(encoding)));
-        }
-        is_binary_ = encoding == "binary";
-        read_kind();
-    }
-
     void read_kind() {
-        const auto keyword = lower(scanner_.word("DATASET"));
-        const auto kind = lower(scanner_.word("the kind of the data set"));
-        is_poly_data_ = kind == "polydata";
-        if (keyword != "dataset" || !(is_poly_data_ || kind == "unstructured_grid")) {
+        const auto keyword = source_.keyword("DATASET");
+        kind_ = source_.keyword("the kind of the data set");
+        constexpr std::array<std::string_view, 5> kinds{"unstructured_grid", "polydata",
+                                                        "structured_points", "structured_grid",
+                                                        "rectilinear_grid"};
+        if (keyword != "dataset" || std::find(kinds.begin(), kinds.end(), kind_) == kinds.end()) {
             scanner_.fail(fmt::format("a data set of the kind {}; expected DATASET "
-                                      "UNSTRUCTURED_GRID or DATASET POLYDATA; convert it, for "
-                                      "instance with ParaView",
-                                      quote_word(kind)));
+                                      "UNSTRUCTURED_GRID, POLYDATA or a structured grid; convert "
+                                      "it, for instance with ParaView",
+                                      quote_word(kind_)));
         }
     }
+
+    /// Cells are numbered, not listed.
+    bool has_grid() const { return kind_ != "polydata" && kind_ != "unstructured_grid"; }
 
     /// False at the end of what has to be read.
     bool read_section() {
         const Scanner place = scanner_;
-        const auto keyword = lower(scanner_.word("a keyword"));
+        const auto keyword = source_.keyword("a keyword");
         const auto list = std::find_if(lists_.begin(), lists_.end(), [&keyword](const List& one) {
             return keyword == one.keyword;
         });
         if (keyword == "points") {
-            const auto count = std::size_t{3} * static_cast<std::size_t>(size("points"));
-            arrays_.points = read_values(read_type(), count);
-        } else if (!is_poly_data_ && keyword == "cells") {
+            const auto count = 3 * source_.size("points");
+            arrays_.points = source_.values(source_.read_type(), count);
+        } else if (kind_ == "unstructured_grid" && keyword == "cells") {
             cells_place_ = place;
             read_cells(arrays_.corners, arrays_.ends);
-        } else if (!is_poly_data_ && keyword == "cell_types") {
-            const auto count = static_cast<std::size_t>(size("cell types"));
-            arrays_.types = read_values(NumberType::int32, count);
-        } else if (is_poly_data_ && list != lists_.end()) {
+        } else if (kind_ == "unstructured_grid" && keyword == "cell_types") {
+            arrays_.types = source_.values(NumberType::int32, source_.size("cell types"));
+        } else if (kind_ == "polydata" && list != lists_.end()) {
             cells_place_ = place;
             read_cells(list->corners, list->ends);
         } else if (keyword == "cell_data") {
-            cell_data_ = static_cast<std::size_t>(size("cells with data"));
+            cell_data_ = source_.size("cells with data");
             in_cell_data_ = true;
         } else if (keyword == "point_data") {
-            point_data_ = static_cast<std::size_t>(size("points with data"));
+            point_data_ = source_.size("points with data");
             in_cell_data_ = false;
         } else if (keyword == "metadata") {
-            skip_metadata();
-        } else {
+            source_.skip_metadata();
+        } else if (!has_grid() || !read_grid(place, keyword)) {
             return read_attribute(place, keyword);
         }
         return true;
     }
 
-    Index size(const char* plural) { return scanner_.count(plural, 0); }
-
-    std::optional<NumberType> type_of(std::string_view word) const {
-        const auto name = lower(word);
-        const auto found =
-            std::find_if(named_types.begin(), named_types.end(),
-                         [&name](const NamedType& one) { return name == one.first; });
-        return found == named_types.end() ? std::nullopt : std::optional(found->second);
-    }
-
-    NumberType read_type() {
-        const auto word = scanner_.word("a type of numbers");
-        const auto type = type_of(word);
-        if (!type) {
-            scanner_.fail(fmt::format("{} is no type of numbers that is read; expected float, "
-                                      "double, int or another of VTK's; export it again",
-                                      quote_word(word)));
-        }
-        return *type;
-    }
-
-    /// Numbers that begin behind this line; nothing is allocated that the file cannot hold.
-    std::vector<double> read_values(NumberType type, std::size_t count) {
-        scanner_.end_line("the line in front of the numbers");
-        const auto each = is_binary_ ? size_of(type) : 2;
-        if (count > (scanner_.remaining() + 1) / each) {
-            scanner_.fail(fmt::format("{} numbers are promised, but {} bytes follow; expected at "
-                                      "least {} bytes for each; correct the number, or export "
-                                      "again if the file was cut off",
-                                      count, scanner_.remaining(), each));
-        }
-        std::vector<double> values(count);
-        if (is_binary_) {
-            const auto bytes = scanner_.bytes(count * each, "more numbers");
-            for (std::size_t i = 0; i < count; ++i)
-                values[i] = value_at(bytes.data() + i * each, type, std::endian::big);
+    /// How many points a grid has along the axes, and where; false for other keywords.
+    bool read_grid(const Scanner& place, const std::string& keyword) {
+        constexpr std::array<std::string_view, 3> coordinates{"x_coordinates", "y_coordinates",
+                                                              "z_coordinates"};
+        const auto axis = static_cast<std::size_t>(
+            std::find(coordinates.begin(), coordinates.end(), keyword) - coordinates.begin());
+        if (keyword == "dimensions") {
+            cells_place_ = place;
+            for (auto& points : grid_.points)
+                points = source_.size("points along an axis");
+        } else if (keyword == "origin") {
+            read_three(origin_);
+        } else if (keyword == "spacing" || keyword == "aspect_ratio") {
+            read_three(spacing_);
+        } else if (axis < coordinates.size()) {
+            const auto count = source_.size("coordinates");
+            grid_.places[axis] = source_.values(source_.read_type(), count);
         } else {
-            for (auto& value : values)
-                value = scanner_.number("a number");
+            return false;
         }
-        return values;
+        return true;
+    }
+
+    void read_three(std::array<double, 3>& numbers) {
+        for (auto& number : numbers)
+            number = scanner_.number("a number");
+    }
+
+    /// What is missing of places is left to the checks of the mesh.
+    void make_grid() {
+        if (kind_ != "structured_grid") {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                make_places(axis);
+            arrays_.points = grid_points(grid_, cells_place_);
+        }
+        if (arrays_.points.size() != 3 * grid_.points[0] * grid_.points[1] * grid_.points[2]) {
+            cells_place_.fail(fmt::format("{} points of a grid of {} x {} x {}; expected the "
+                                          "product; export it again",
+                                          arrays_.points.size() / 3, grid_.points[0],
+                                          grid_.points[1], grid_.points[2]));
+        }
+        add_grid_cells(grid_, cells_place_, arrays_);
+    }
+
+    void make_places(std::size_t axis) {
+        auto& places = grid_.places[axis];
+        if (kind_ == "structured_points") {
+            check_grid(grid_, cells_place_);
+            for (std::size_t i = 0; i < grid_.points[axis]; ++i)
+                places.push_back(origin_[axis] + static_cast<double>(i) * spacing_[axis]);
+        } else if (places.size() != grid_.points[axis]) {
+            cells_place_.fail(fmt::format("{} coordinates along axis {} of a grid of {} points; "
+                                          "expected as many; export it again",
+                                          places.size(), axis, grid_.points[axis]));
+        }
     }
 
     void read_cells(std::vector<double>& corners, std::vector<double>& ends) {
-        const Index first = size("cells");
-        const Index second = size("numbers of cells");
+        const std::size_t first = source_.size("cells");
+        const std::size_t second = source_.size("numbers of cells");
         corners.clear();
         ends.clear();
         if (has_offsets_) {
-            read_offsets(static_cast<std::size_t>(first), ends);
+            read_offsets(first, ends);
             read_keyword("connectivity");
-            const auto type = read_type();
-            corners = read_values(type, static_cast<std::size_t>(second));
+            corners = source_.values(source_.read_type(), second);
         } else {
-            const auto numbers = read_values(NumberType::int32, static_cast<std::size_t>(second));
-            divide(numbers, first, corners, ends);
+            divide(source_.values(NumberType::int32, second), first, corners, ends);
         }
         const double last = ends.empty() ? 0.0 : ends.back();
         if (last != static_cast<double>(corners.size())) {
@@ -207,7 +173,7 @@ private:
 
     void read_keyword(const char* expected) {
         const auto word = scanner_.word(expected);
-        if (lower(word) != expected) {
+        if (lower_case(word) != expected) {
             scanner_.fail(fmt::format("{} among the cells; expected {}, as version 5 has it; "
                                       "export it again",
                                       quote_word(word), expected));
@@ -217,7 +183,7 @@ private:
     /// Since version 5, offsets are where the corners of a cell begin, and then where all end.
     void read_offsets(std::size_t count, std::vector<double>& ends) {
         read_keyword("offsets");
-        ends = read_values(read_type(), count);
+        ends = source_.values(source_.read_type(), count);
         if (!ends.empty()) {
             if (ends.front() != 0.0) {
                 scanner_.fail(fmt::format("the offsets begin with {}; expected 0; export it again",
@@ -228,10 +194,10 @@ private:
     }
 
     /// Before, the number of corners stood in front of those of each cell.
-    void divide(const std::vector<double>& numbers, Index cells, std::vector<double>& corners,
+    void divide(const std::vector<double>& numbers, std::size_t cells, std::vector<double>& corners,
                 std::vector<double>& ends) const {
         std::size_t place = 0;
-        for (Index cell = 0; cell < cells; ++cell) {
+        for (std::size_t cell = 0; cell < cells; ++cell) {
             const double most =
                 static_cast<double>(numbers.size()) - static_cast<double>(place) - 1;
             const double length = place < numbers.size() ? numbers[place] : -1.0;
@@ -266,13 +232,6 @@ private:
         }
     }
 
-    /// Lines of text up to an empty one.
-    void skip_metadata() {
-        do {
-            scanner_.next_line();
-        } while (!scanner_.at_line_end());
-    }
-
     /// Data of points and of cells. After the tags, and after what is not known, the rest is of no
     /// interest.
     bool read_attribute(const Scanner& place, const std::string& keyword) {
@@ -283,16 +242,15 @@ private:
             known = read_scalars();
         } else if (keyword == "lookup_table") {
             scanner_.word("the name of a table");
-            const auto colors = static_cast<std::size_t>(size("colors"));
-            read_values(is_binary_ ? NumberType::uint8 : NumberType::float32, 4 * colors);
+            source_.values(type_of_colors(), 4 * source_.size("colors"));
         } else if (keyword == "color_scalars") {
             scanner_.word("the name of an array");
-            const auto columns = static_cast<std::size_t>(size("colors"));
-            read_values(is_binary_ ? NumberType::uint8 : NumberType::float32, columns * entries());
+            source_.values(type_of_colors(), source_.size("colors") * entries());
         } else {
             known = read_vectors(keyword);
         }
-        if (!known && (arrays_.points.empty() || cells_place_.line() == 1)) {
+        const bool has_points = !arrays_.points.empty() || (has_grid() && grid_.points[0] > 0);
+        if (!known && (!has_points || cells_place_.line() == 1)) {
             place.fail(fmt::format("{} in front of the points or cells; expected POINTS, CELLS, "
                                    "POLYGONS or other keywords of a grid; check the format",
                                    quote_word(keyword)));
@@ -304,6 +262,10 @@ private:
         return known && arrays_.tags.empty();
     }
 
+    NumberType type_of_colors() const {
+        return source_.is_binary() ? NumberType::uint8 : NumberType::float32;
+    }
+
     std::size_t entries() const { return in_cell_data_ ? cell_data_ : point_data_; }
 
     void keep_tags(std::string_view name, std::vector<double> values) {
@@ -312,24 +274,25 @@ private:
     }
 
     bool read_array(std::string_view name, std::size_t values, std::string_view type_name) {
-        const auto type = type_of(type_name);
-        if (type)
-            keep_tags(name, read_values(*type, values));
-        return type.has_value();
+        const auto type = VtkSource::type_of(type_name);
+        if (!type)
+            return source_.skip(type_name, values);
+        keep_tags(name, source_.values(*type, values));
+        return true;
     }
 
     /// Named arrays, each with a size of its own; they may also stand in front of the points.
     bool read_field() {
         scanner_.word("the name of a field");
-        const Index arrays = size("arrays");
-        for (Index array = 0; array < arrays;) {
+        const std::size_t arrays = source_.size("arrays");
+        for (std::size_t array = 0; array < arrays;) {
             const auto name = scanner_.word("the name of an array");
             if (name == "METADATA") {
-                skip_metadata();
+                source_.skip_metadata();
                 continue;
             }
-            const auto columns = static_cast<std::size_t>(size("columns"));
-            const auto rows = static_cast<std::size_t>(size("rows"));
+            const auto columns = source_.size("columns");
+            const auto rows = source_.size("rows");
             if (!read_array(name, columns * rows, scanner_.word("a type of numbers")))
                 return false;
             ++array;
@@ -340,16 +303,20 @@ private:
     bool read_scalars() {
         const auto name = scanner_.word("the name of an array");
         const auto type = scanner_.word("a type of numbers");
-        const auto columns =
-            scanner_.at_line_end() ? std::size_t{1} : static_cast<std::size_t>(size("columns"));
+        const bool has_columns = !scanner_.at_line_end() && !comes_lookup_table();
+        const auto columns = has_columns ? source_.size("columns") : std::size_t{1};
 
         // The table of colors is named in a line of its own, which old files leave out.
-        Scanner ahead = scanner_;
-        if (!ahead.at_end() && lower(ahead.word("LOOKUP_TABLE")) == "lookup_table") {
-            ahead.word("the name of a table");
-            scanner_ = ahead;
+        if (comes_lookup_table()) {
+            scanner_.word("LOOKUP_TABLE");
+            scanner_.word("the name of a table");
         }
         return read_array(name, columns * entries(), type);
+    }
+
+    bool comes_lookup_table() const {
+        Scanner ahead = scanner_;
+        return !ahead.at_end() && lower_case(ahead.word("LOOKUP_TABLE")) == "lookup_table";
     }
 
     bool read_vectors(const std::string& keyword) {
@@ -365,16 +332,17 @@ private:
         if (found == columns.end() && keyword != "texture_coordinates")
             return false;
         const auto name = scanner_.word("the name of an array");
-        const auto each =
-            found == columns.end() ? static_cast<std::size_t>(size("columns")) : found->second;
+        const auto each = found == columns.end() ? source_.size("columns") : found->second;
         return read_array(name, each * entries(), scanner_.word("a type of numbers"));
     }
 
     const SourceFile& file_;
-    Scanner scanner_;
+    VtkSource source_;
+    Scanner& scanner_ = source_.scanner();
     Scanner cells_place_;
-    bool is_binary_ = false;
-    bool is_poly_data_ = false;
+    std::string kind_;
+    VtkGrid grid_;
+    std::array<double, 3> origin_{}, spacing_{1, 1, 1};
     bool has_offsets_ = false;
     bool in_cell_data_ = false;
     std::size_t cell_data_ = 0, point_data_ = 0;

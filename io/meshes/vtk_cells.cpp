@@ -19,42 +19,70 @@ namespace {
 
 using Corners = std::span<const Index>;
 
-/// How the corners of a cell become simplices or polygons.
-enum class Shape { as_it_is, pixel, edges, strip };
+/// How the numbers of a cell become cells of the mesh: strips and polylines are many; pixels and
+/// voxels have their corners along the axes, not around.
+enum class Order { around, along_axes, edges, strip, half_are_corners };
 
 struct CellKind {
     int type;
     int dimension;
-    std::size_t least_corners, most_corners;
-    Shape shape;
+    std::size_t corners; ///< the first of its nodes, or any_number
+    std::size_t nodes;   ///< any_number for cells of any order
+    Order order = Order::around;
 };
 
 constexpr std::size_t any_number = 1U << 31U;
 constexpr std::array cell_kinds{
-    CellKind{0, 0, 0, any_number, Shape::as_it_is}, // an empty cell
-    CellKind{1, 0, 1, 1, Shape::as_it_is},          CellKind{2, 0, 0, any_number, Shape::as_it_is},
-    CellKind{3, 1, 2, 2, Shape::as_it_is},          CellKind{4, 1, 2, any_number, Shape::edges},
-    CellKind{5, 2, 3, 3, Shape::as_it_is},          CellKind{6, 2, 3, any_number, Shape::strip},
-    CellKind{7, 2, 0, any_number, Shape::as_it_is}, CellKind{8, 2, 4, 4, Shape::pixel},
-    CellKind{9, 2, 4, 4, Shape::as_it_is},          CellKind{10, 3, 4, 4, Shape::as_it_is},
-};
-
-/// What to do about cells that are not read.
-struct Refusal {
-    int first_type, last_type;
-    const char* name;
-    const char* advice;
-};
-
-constexpr std::array refusals{
-    Refusal{11, 11, "a voxel", "split it into tetrahedra before"},
-    Refusal{12, 12, "a hexahedron", "split it into tetrahedra before"},
-    Refusal{13, 13, "a wedge", "split it into tetrahedra before"},
-    Refusal{14, 14, "a pyramid", "split it into tetrahedra before"},
-    Refusal{15, 16, "a prism", "split it into tetrahedra before"},
-    Refusal{21, 37, "of second order", "export the mesh with cells of first order"},
-    Refusal{42, 42, "a polyhedron", "read the mesh it was made from, or split it into tetrahedra"},
-    Refusal{51, 81, "of higher order", "export the mesh with cells of first order"},
+    CellKind{0, 0, any_number, any_number}, // an empty cell
+    CellKind{1, 0, 1, 1},
+    CellKind{2, 0, any_number, any_number},
+    CellKind{3, 1, 2, 2},
+    CellKind{4, 1, any_number, any_number, Order::edges},
+    CellKind{5, 2, 3, 3},
+    CellKind{6, 2, any_number, any_number, Order::strip},
+    CellKind{7, 2, any_number, any_number},
+    CellKind{8, 2, 4, 4, Order::along_axes},
+    CellKind{9, 2, 4, 4},
+    CellKind{10, 3, 4, 4},
+    CellKind{11, 3, 8, 8, Order::along_axes},
+    CellKind{12, 3, 8, 8},
+    CellKind{13, 3, 6, 6},
+    CellKind{14, 3, 5, 5},
+    CellKind{15, 3, 10, 10},
+    CellKind{16, 3, 12, 12},
+    // second order: on edges, and of some in faces and inside
+    CellKind{21, 1, 2, 3},
+    CellKind{22, 2, 3, 6},
+    CellKind{23, 2, 4, 8},
+    CellKind{24, 3, 4, 10},
+    CellKind{25, 3, 8, 20},
+    CellKind{26, 3, 6, 15},
+    CellKind{27, 3, 5, 13},
+    CellKind{28, 2, 4, 9},
+    CellKind{29, 3, 8, 27},
+    CellKind{30, 2, 4, 6},
+    CellKind{31, 3, 6, 12},
+    CellKind{32, 3, 6, 18},
+    CellKind{33, 3, 8, 24},
+    CellKind{34, 2, 3, 7},
+    CellKind{35, 1, 2, 4},
+    CellKind{36, 2, any_number, any_number, Order::half_are_corners},
+    CellKind{37, 3, 5, 19},
+    // Lagrange's and Bezier's cells of any order
+    CellKind{68, 1, 2, any_number},
+    CellKind{69, 2, 3, any_number},
+    CellKind{70, 2, 4, any_number},
+    CellKind{71, 3, 4, any_number},
+    CellKind{72, 3, 8, any_number},
+    CellKind{73, 3, 6, any_number},
+    CellKind{74, 3, 5, any_number},
+    CellKind{75, 1, 2, any_number},
+    CellKind{76, 2, 3, any_number},
+    CellKind{77, 2, 4, any_number},
+    CellKind{78, 3, 4, any_number},
+    CellKind{79, 3, 8, any_number},
+    CellKind{80, 3, 6, any_number},
+    CellKind{81, 3, 5, any_number},
 };
 
 class Converter {
@@ -125,17 +153,29 @@ private:
                                     "from {} to {}; export it again",
                                     cell, end, begin, arrays_.corners.size()));
         }
-        const auto corners = static_cast<std::size_t>(end) - begin;
-        if (corners < kind.least_corners || corners > kind.most_corners) {
+        const auto nodes = static_cast<std::size_t>(end) - begin;
+        if (!fits(kind, nodes)) {
             place_.fail(fmt::format("cell {} of VTK's type {} has {} corners; expected the "
                                     "corners of its type; export it again",
-                                    cell, kind.type, corners));
+                                    cell, kind.type, nodes));
         }
         corners_.clear();
-        for (std::size_t i = begin; i < begin + corners; ++i)
+        for (std::size_t i = begin; i < begin + nodes; ++i)
             corners_.push_back(vertex_at(i, cell));
+        if (kind.order == Order::half_are_corners)
+            corners_.resize(nodes / 2);
+        else if (kind.corners != any_number)
+            corners_.resize(kind.corners);
         add(kind, tags_[cell]);
-        return begin + corners;
+        cells_.leave_out_nodes(nodes - corners_.size());
+        return begin + nodes;
+    }
+
+    static bool fits(const CellKind& kind, std::size_t nodes) {
+        if (kind.order == Order::edges || kind.order == Order::strip)
+            return nodes >= static_cast<std::size_t>(kind.dimension) + 1;
+        const bool is_any = kind.nodes == any_number;
+        return is_any ? kind.corners == any_number || nodes >= kind.corners : nodes == kind.nodes;
     }
 
     const CellKind& kind_of(std::size_t cell) const {
@@ -143,16 +183,13 @@ private:
         for (const auto& kind : cell_kinds)
             if (kind.type == type)
                 return kind;
-        for (const auto& refusal : refusals) {
-            if (type >= refusal.first_type && type <= refusal.last_type) {
-                place_.fail(fmt::format("cell {} is {} (VTK's type {}); expected tetrahedra, "
-                                        "polygons or lines; {}",
-                                        cell, refusal.name, type, refusal.advice));
-            }
-        }
-        place_.fail(fmt::format("cell {} is of VTK's type {}; expected tetrahedra (10), polygons "
-                                "(5 to 9) or lines (3, 4); convert it before",
-                                cell, type));
+        constexpr double polyhedron = 42;
+        place_.fail(fmt::format("cell {} is {}of VTK's type {}; expected tetrahedra, hexahedra, "
+                                "wedges, pyramids (10 to 16), polygons (5 to 9) or lines (3, 4); "
+                                "{}",
+                                cell, type == polyhedron ? "a polyhedron, " : "", type,
+                                type == polyhedron ? "read the mesh it was made from"
+                                                   : "convert it before"));
     }
 
     Index vertex_at(std::size_t place, std::size_t cell) const {
@@ -167,18 +204,19 @@ private:
 
     void add(const CellKind& kind, Index tag) {
         const Corners corners = corners_;
-        switch (kind.shape) {
-        case Shape::as_it_is:
+        switch (kind.order) {
+        case Order::along_axes:
+            for (std::size_t i = 2; i < corners_.size(); i += 4)
+                std::swap(corners_[i], corners_[i + 1]);
+            [[fallthrough]];
+        case Order::around:
+        case Order::half_are_corners:
             return cells_.add(kind.dimension, corners, tag, file_);
-        case Shape::pixel:
-            // Its corners go along the axes, not around.
-            std::swap(corners_[2], corners_[3]);
-            return cells_.add(kind.dimension, corners, tag, file_);
-        case Shape::edges:
+        case Order::edges:
             for (std::size_t i = 0; i + 1 < corners.size(); ++i)
                 cells_.add(kind.dimension, corners.subspan(i, 2), tag, file_);
             return;
-        case Shape::strip:
+        case Order::strip:
             for (std::size_t i = 0; i + 2 < corners.size(); ++i)
                 add_strip_triangle(corners.subspan(i, 3), i % 2 != 0, tag);
         }

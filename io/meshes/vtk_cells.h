@@ -21,9 +21,9 @@ struct VtkArrays {
 };
 
 /// The cells of the largest dimension, as a mesh; `place` is where the cells begin, for messages.
-/// Strips become triangles, pixels quads, and polylines edges.
+/// Strips become triangles, and polylines edges; of cells of higher order the corners are taken.
 /// Throws InvalidInput, naming vertex or cell, if arrays do not fit together, coordinates are not
-/// finite, or cells are neither simplices nor polygons.
+/// finite, or cells have another type than lines, polygons and solids with listed shapes.
 Mesh vtk_mesh(const VtkArrays& arrays, const Scanner& place, const SourceFile& file);
 
 /// Whether cell data of this name tells to which physical group or region a cell belongs.

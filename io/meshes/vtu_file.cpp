@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace polydec {
@@ -49,13 +50,16 @@ void VtuFile::read_file_tag(const XmlTag& tag) {
     has_grid_ = true;
 }
 
-/// Neighboring pieces repeat the points between them, so that they would come apart.
 void VtuFile::read_piece(const XmlTag& tag) {
     piece_is_empty_ = tag.attribute("NumberOfCells") == "0";
     pieces_ += piece_is_empty_ ? 0 : 1;
+}
+
+void VtuFile::require_one_piece() const {
     if (pieces_ > 1) {
-        reader_.fail("a second piece of the grid; expected one; merge them into one, for "
-                     "instance with ParaView's filters Merge Blocks and Clean to Grid");
+        reader_.fail(fmt::format("{} pieces of the grid; expected one; merge them, for instance "
+                                 "with ParaView's filters Merge Blocks and Clean to Grid",
+                                 pieces_));
     }
 }
 
@@ -78,14 +82,15 @@ void VtuFile::keep_array(XmlTag tag, const std::string& outer) {
     const bool is_needed = outer == "Points" || (outer == "Cells" && is_of_cells);
     if (piece_is_empty_)
         return;
-    if (is_needed && find(outer, outer == "Points" ? "" : name) != nullptr) {
+    const int piece = std::max(0, pieces_ - 1);
+    if (is_needed && find(outer, outer == "Points" ? "" : name, piece) != nullptr) {
         reader_.fail(fmt::format("the array {} is there a second time; expected one; export "
                                  "it again",
                                  quote_word(name)));
     }
     const bool has_text = !tag.closes;
     const auto line = tag.line;
-    arrays_.push_back({outer, VtuText{std::move(tag), {}, line}});
+    arrays_.push_back({outer, VtuText{std::move(tag), {}, line}, piece});
     is_array_open_ = has_text;
     array_depth_ = reader_.path().size();
 }
@@ -104,9 +109,9 @@ void VtuFile::keep_text(const XmlTag& tag) {
         is_array_open_ = false;
 }
 
-const VtuText* VtuFile::find(std::string_view section, std::string_view name) const {
-    for (const auto& [outer, array] : arrays_)
-        if (outer == section && (name.empty() || array.name() == name))
+const VtuText* VtuFile::find(std::string_view section, std::string_view name, int piece) const {
+    for (const auto& [outer, array, own_piece] : arrays_)
+        if (own_piece == piece && outer == section && (name.empty() || array.name() == name))
             return &array;
     return nullptr;
 }
@@ -120,12 +125,12 @@ const VtuText& VtuFile::needed(const VtuText* array, const char* name) const {
     return *array;
 }
 
-const VtuText& VtuFile::cells(const char* name) const {
-    return needed(find("Cells", name), name);
+const VtuText& VtuFile::cells(const char* name, int piece) const {
+    return needed(find("Cells", name, piece), name);
 }
 
-const VtuText& VtuFile::points() const {
-    const auto* array = find("Points");
+const VtuText& VtuFile::points(int piece) const {
+    const auto* array = find("Points", "", piece);
     if (array != nullptr && array->tag.attribute("NumberOfComponents", "3") != "3") {
         reader_.fail("the points have not three components; expected three, the last may be "
                      "0; export it again");

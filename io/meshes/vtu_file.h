@@ -11,25 +11,30 @@
 
 namespace polydec {
 
-/// The arrays of a .vtu file with one piece, where they stand; read when asked for. Throws
-/// InvalidInput, with the line, where the file does not fit. The file must outlive it.
+/// The arrays of a .vtu file, where they stand; read when asked for. Pieces without cells are left
+/// out. Throws InvalidInput, with the line, where the file does not fit. The file must outlive it.
 class VtuFile {
 public:
     struct Array {
         std::string section; ///< Points, Cells, PointData, CellData or FieldData
         VtuText array;
+        int piece = 0;
     };
 
     explicit VtuFile(const SourceFile& file);
 
     const std::vector<Array>& arrays() const { return arrays_; }
 
+    /// Some writers divide a grid into pieces, which repeat the points between them.
+    int pieces() const { return pieces_; }
+    void require_one_piece() const;
+
     /// The first array of a section with this name, or any name; null if there is none.
-    const VtuText* find(std::string_view section, std::string_view name = "") const;
+    const VtuText* find(std::string_view section, std::string_view name = "", int piece = 0) const;
 
     /// The array of this name in the section Cells, or that of points, three coordinates each.
-    const VtuText& cells(const char* name) const;
-    const VtuText& points() const;
+    const VtuText& cells(const char* name, int piece = 0) const;
+    const VtuText& points(int piece = 0) const;
 
     std::vector<double> values(const VtuText& array) const {
         return vtu_values(array, encoding_, file_);

@@ -61,6 +61,8 @@ int corners_of(double type) {
 }
 
 MeshLayout layout_of(const PartialFile& file, const SourceFile& front, const VtuFile& vtu) {
+    if (vtu.pieces() > 1)
+        refuse_layout(file, "it has several pieces");
     const AppendedArrays arrays(file, front, vtu);
     MeshLayout layout;
     layout.order = vtu.encoding().order;
@@ -78,7 +80,7 @@ MeshLayout layout_of(const PartialFile& file, const SourceFile& front, const Vtu
         refuse_layout(file, "not all cells have as many corners");
     layout.expected = {{types, type, 0},
                        {ends, static_cast<double>(corners), static_cast<double>(corners)}};
-    for (const auto& [section, array] : vtu.arrays())
+    for (const auto& [section, array, piece] : vtu.arrays())
         if (section == "CellData" && is_tag_name(array.name()))
             arrays.table(array, 1); // has to be there as a whole
     return layout;

@@ -27,6 +27,7 @@ const FaceList pyramid_faces{{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 
 class GridReader {
 public:
     explicit GridReader(const SourceFile& source) : vtu_(source) {
+        vtu_.require_one_piece();
         grid_.points = points_from(vtu_.values(vtu_.points()));
         corners_ = whole(vtu_.values(vtu_.cells("connectivity")));
         ends_ = whole(vtu_.values(vtu_.cells("offsets")));
@@ -131,7 +132,7 @@ private:
     }
 
     void read_arrays() {
-        for (const auto& [section, array] : vtu_.arrays())
+        for (const auto& [section, array, piece] : vtu_.arrays())
             if (section == "PointData" || section == "CellData")
                 add_array(section == "PointData" ? grid_.point_data : grid_.cell_data, array);
     }

@@ -33,7 +33,7 @@ const std::vector<Sample> samples{
      1},
     {"hand_huge_count.off",
      "OFF\n4000000000 4000000000 0\n0 0 0\n",
-     {"InvalidInput", "hand_huge_count.off:2", "4000000000 vertices", "20 bytes", "6 bytes"}},
+     {"InvalidInput", "hand_huge_count.off:2", "4000000000 vertices", "20 bytes", "4 bytes"}},
     {"hand_inconsistent_orientation.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 3 2\n", {}, 2},
     {"hand_index_out_of_range.off",
      "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 4\n",

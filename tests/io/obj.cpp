@@ -74,9 +74,11 @@ TEST(Obj, RefusesIndicesOutOfRange) {
                      {"InvalidInput", "a.obj:5", "two", "whole number", "vertex"}));
 }
 
-TEST(Obj, RefusesVerticesWithTooFewCoordinates) {
+TEST(Obj, RefusesVerticesWithOtherNumbersOfCoordinates) {
     EXPECT_TRUE(says(reading_error("a.obj", "v 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"),
-                     {"InvalidInput", "a.obj:1", "line ends", "coordinates"}));
+                     {"InvalidInput", "a.obj:2", "two coordinates", "first vertex"}));
+    EXPECT_TRUE(says(reading_error("a.obj", "v 0 0 0\nv 1 0\nv 1 1 0\nf 1 2 3\n"),
+                     {"InvalidInput", "a.obj:2", "line ends", "coordinates"}));
 }
 
 TEST(Obj, RefusesFilesWithoutVerticesOrCells) {

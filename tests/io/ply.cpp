@@ -148,8 +148,9 @@ TEST(Ply, RefusesBrokenHeaders) {
                      {"InvalidInput", "a.ply:6", "element", "vertex", "second"}));
     EXPECT_TRUE(says(reading_error("a.ply", start + vertex + "nonsense\n"),
                      {"InvalidInput", "a.ply:6", "nonsense", "keyword"}));
-    EXPECT_TRUE(says(reading_error("a.ply", start + vertex + "end_header\n0 0\n"),
-                     {"InvalidInput", "a.ply:7", "vertex", "z"}));
+    EXPECT_TRUE(
+        says(reading_error("a.ply", start + "element vertex 1\nproperty float x\nend_header\n0\n"),
+             {"InvalidInput", "a.ply:6", "vertex", "y"}));
     EXPECT_TRUE(says(reading_error("a.ply", start + "element face 1\nproperty int vertex_indices\n"
                                                     "end_header\n3\n"),
                      {"InvalidInput", "a.ply:6", "face", "list", "vertex_indices"}));

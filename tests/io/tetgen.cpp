@@ -81,10 +81,10 @@ TEST(TetGen, SaysWhichFileIsMissing) {
 
 TEST(TetGen, RefusesWhatDoesNotFit) {
     const std::string ele = "1 4 0\n1 1 2 3 4\n";
-    EXPECT_TRUE(says(parsing_error(nodes, "1 10 0\n1 1 2 3 4 1 2 3 4 1 2\n"),
-                     {"InvalidInput", "a.ele:1", "10 corners", "4"}));
-    EXPECT_TRUE(says(parsing_error(planar, "1 6 0\n1 1 2 3 4 1 2\n"),
-                     {"InvalidInput", "a.ele:1", "6 corners", "3"}));
+    EXPECT_TRUE(says(parsing_error(nodes, "1 9 0\n1 1 2 3 4 1 2 3 4 1\n"),
+                     {"InvalidInput", "a.ele:1", "9 corners", "4"}));
+    EXPECT_TRUE(says(parsing_error(planar, "1 10 0\n1 1 2 3 4 1 2 3 4 1 2\n"),
+                     {"InvalidInput", "a.ele:1", "10 corners", "3"}));
     EXPECT_TRUE(says(parsing_error("1 4 0 0\n0 0 0 0 0\n", ele),
                      {"InvalidInput", "a.node:1", "dimension 4", "2", "3"}));
     EXPECT_TRUE(says(parsing_error("1 3 0 0\n2 0 0 0\n", ele),

@@ -266,14 +266,14 @@ TEST(VtuReading, RefusesOtherGridsAndEncodings) {
     EXPECT_TRUE(says(error("LittleEndian", "PDP"),
                      {"InvalidInput", "a.vtu:3", "bytes", "PDP", "LittleEndian"}));
     EXPECT_TRUE(says(error("<Points>", "<Piece NumberOfCells=\"1\"/><Points>"),
-                     {"InvalidInput", "a.vtu:19", "second piece"}));
+                     {"InvalidInput", "a.vtu:38", "no array", "points"}));
     EXPECT_TRUE(says(error("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\""),
                      {"InvalidInput", "a.vtu:38", "points", "three components"}));
     EXPECT_TRUE(says(error("Name=\"types\"", "Name=\"kinds\""),
                      {"InvalidInput", "a.vtu:38", "no array", "types"}));
     EXPECT_TRUE(says(error("Int32", "String"), {"InvalidInput", "a.vtu:28", "type", "String"}));
     EXPECT_TRUE(says(reading_error("a.vtu", grid(as_text, 12)),
-                     {"InvalidInput", "a.vtu:25", "cell 2", "hexahedron", "type 12"}));
+                     {"InvalidInput", "a.vtu:25", "cell 2", "type 12", "4 corners"}));
 }
 
 TEST(VtuReading, RefusesBrokenXml) {

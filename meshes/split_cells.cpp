@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/split_cells.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+using FacetPlaces = std::vector<std::vector<std::size_t>>;
+
+FacetPlaces sides(std::size_t corners) {
+    FacetPlaces facets;
+    for (std::size_t i = 0; i < corners; ++i)
+        facets.push_back({i, (i + 1) % corners});
+    return facets;
+}
+
+FacetPlaces pyramid() {
+    FacetPlaces facets{{0, 3, 2, 1}};
+    for (std::size_t i = 0; i < 4; ++i)
+        facets.push_back({i, (i + 1) % 4, 4});
+    return facets;
+}
+
+FacetPlaces prism(std::size_t base) {
+    FacetPlaces facets(2);
+    for (std::size_t i = 0; i < base; ++i) {
+        facets[0].push_back(base - 1 - i);
+        facets[1].push_back(base + i);
+        const auto next = (i + 1) % base;
+        facets.push_back({i, next, base + next, base + i});
+    }
+    return facets;
+}
+
+/// All shapes by dimension and number of corners.
+class Shapes {
+public:
+    Shapes() {
+        for (int n = 0; n <= most_dimensions; ++n)
+            add(n, static_cast<std::size_t>(n) + 1, {});
+        for (const std::size_t corners : {4, 5, 6})
+            add(2, corners, sides(corners));
+        add(3, 5, pyramid());
+        for (const std::size_t base : {3, 4, 5, 6})
+            add(3, 2 * base, prism(base));
+    }
+
+    std::shared_ptr<const CellShape> find(int dimension, std::size_t corners) const {
+        const auto found = shapes_.find({dimension, corners});
+        return found == shapes_.end() ? nullptr : found->second;
+    }
+
+private:
+    static constexpr int most_dimensions = 3;
+
+    void add(int dimension, std::size_t corners, const FacetPlaces& facets) {
+        CellShape shape{dimension};
+        for (const auto& facet : facets)
+            shape.facets.push_back({find(dimension - 1, facet.size()), facet});
+        shapes_[{dimension, corners}] = std::make_shared<const CellShape>(std::move(shape));
+    }
+
+    std::map<std::pair<int, std::size_t>, std::shared_ptr<const CellShape>> shapes_;
+};
+
+class Puller {
+public:
+    explicit Puller(std::vector<Index>& simplices) : simplices_(simplices) {}
+
+    void pull(const CellShape& shape, std::span<const Index> corners) {
+        if (shape.facets.empty()) {
+            add(corners);
+            return;
+        }
+        const Index apex = *std::min_element(corners.begin(), corners.end());
+        apexes_.push_back(apex);
+        std::vector<Index> own;
+        for (const auto& facet : shape.facets) {
+            own.clear();
+            for (const std::size_t place : facet.corners)
+                own.push_back(corners[place]);
+            if (std::find(own.begin(), own.end(), apex) == own.end())
+                pull(*facet.shape, own);
+        }
+        apexes_.pop_back();
+    }
+
+private:
+    /// Apexes differ from all that comes behind them.
+    void add(std::span<const Index> corners) {
+        for (std::size_t i = 0; !apexes_.empty() && i < corners.size(); ++i)
+            if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i),
+                          corners[i]) != corners.begin() + static_cast<std::ptrdiff_t>(i))
+                return;
+        simplices_.insert(simplices_.end(), apexes_.begin(), apexes_.end());
+        simplices_.insert(simplices_.end(), corners.begin(), corners.end());
+    }
+
+    std::vector<Index>& simplices_;
+    std::vector<Index> apexes_;
+};
+
+Simplices simplices_of(const std::vector<Index>& corners, int dimension) {
+    const auto rows = static_cast<Eigen::Index>(corners.size()) / (dimension + 1);
+    return Eigen::Map<const Simplices>(corners.data(), rows, dimension + 1);
+}
+
+std::span<const Index> corners_of(const std::vector<Index>& corners,
+                                  const std::vector<Index>& offsets, std::size_t cell) {
+    const auto begin = static_cast<std::size_t>(offsets[cell]);
+    return std::span(corners).subspan(begin, static_cast<std::size_t>(offsets[cell + 1]) - begin);
+}
+
+/// How many solids were untidy or split, and which was the first.
+struct Solids {
+    std::size_t count = 0, first = 0;
+
+    void add(std::size_t cell) {
+        first = count == 0 ? cell : first;
+        ++count;
+    }
+};
+
+/// Turns the simplices of a solid in R^n around if its volume is negative: programs differ in how
+/// they list the corners of wedges.
+void orient(const Points& points, int dimension, std::span<Index> simplices) {
+    const auto n = static_cast<std::size_t>(dimension);
+    if (points.cols() != dimension)
+        return;
+    double volume = 0.0;
+    DenseMatrix edges(dimension, dimension);
+    for (std::size_t s = 0; s < simplices.size(); s += n + 1) {
+        for (int i = 0; i < dimension; ++i)
+            edges.row(i) = points.row(simplices[s + static_cast<std::size_t>(i) + 1]) -
+                           points.row(simplices[s]);
+        volume += edges.determinant();
+    }
+    for (std::size_t s = 0; volume < 0 && s < simplices.size(); s += n + 1)
+        std::swap(simplices[s], simplices[s + 1]);
+}
+
+Mesh split_solids(PolygonMesh cells, int dimension) {
+    check_polygons(cells);
+    Mesh mesh;
+    std::vector<Index> simplices;
+    Solids split, flat;
+    for (std::size_t cell = 0; cell + 1 < cells.offsets.size(); ++cell) {
+        const auto corners = corners_of(cells.corners, cells.offsets, cell);
+        const auto* const shape = cell_shape(dimension, corners.size());
+        if (shape == nullptr) {
+            throw InvalidInput(fmt::format("cell {} has {} corners; expected {} of a simplex, or "
+                                           "those of a pyramid (5), wedge (6), hexahedron (8) or "
+                                           "prism (10, 12) in space; split it before",
+                                           cell, corners.size(), dimension + 1),
+                               {.degree = dimension, .cells = {static_cast<Index>(cell)}});
+        }
+        const auto before = simplices.size();
+        pull_cell(*shape, corners, simplices);
+        if (simplices.size() == before)
+            flat.add(cell);
+        else if (!shape->facets.empty()) {
+            split.add(cell);
+            orient(cells.points, dimension, std::span(simplices).subspan(before));
+        }
+        if (!cells.tags.empty())
+            mesh.tags.resize(simplices.size() / (static_cast<std::size_t>(dimension) + 1),
+                             cells.tags[cell]);
+    }
+    mesh.points = std::move(cells.points);
+    mesh.simplices = simplices_of(simplices, dimension);
+    if (split.count > 0) {
+        mesh.warnings.push_back(fmt::format(
+            "{} other than tetrahedra split into tetrahedra, the first is cell {}",
+            split.count == 1 ? "1 solid" : fmt::format("{} solids", split.count), split.first));
+    }
+    if (flat.count > 0) {
+        mesh.warnings.push_back(fmt::format(
+            "{} with too few different corners left out, the first is cell {}",
+            flat.count == 1 ? "1 solid" : fmt::format("{} solids", flat.count), flat.first));
+    }
+    return mesh;
+}
+
+} // namespace
+
+const CellShape* cell_shape(int dimension, std::size_t corners) {
+    static const Shapes shapes;
+    return shapes.find(dimension, corners).get();
+}
+
+CellShape cube_shape(int n) {
+    CellShape shape{n};
+    if (n == 1)
+        return shape;
+    const auto facet = std::make_shared<const CellShape>(cube_shape(n - 1));
+    const std::size_t corners = std::size_t{1} << static_cast<unsigned>(n - 1);
+    for (int axis = 0; axis < n; ++axis)
+        for (std::size_t side = 0; side < 2; ++side) {
+            std::vector<std::size_t> places;
+            const std::size_t low = (std::size_t{1} << static_cast<unsigned>(axis)) - 1;
+            for (std::size_t c = 0; c < corners; ++c)
+                places.push_back((c & low) | side << static_cast<unsigned>(axis) |
+                                 (c & ~low) << 1U);
+            shape.facets.push_back({facet, std::move(places)});
+        }
+    return shape;
+}
+
+void pull_cell(const CellShape& shape, std::span<const Index> corners,
+               std::vector<Index>& simplices) {
+    Puller(simplices).pull(shape, corners);
+}
+
+Mesh split_cells(PolygonMesh cells, int dimension) {
+    return dimension == 2 ? split_polygons(std::move(cells))
+                          : split_solids(std::move(cells), dimension);
+}
+
+TaggedSimplices pull_tagged(int dimension, const std::vector<Index>& corners,
+                            const std::vector<Index>& offsets, const std::vector<Index>& tags) {
+    TaggedSimplices result;
+    std::vector<Index> simplices;
+    for (std::size_t cell = 0; cell < tags.size(); ++cell) {
+        const auto own = corners_of(corners, offsets, cell);
+        const auto* const shape = cell_shape(dimension, own.size());
+        if (tags[cell] == 0 || shape == nullptr)
+            continue;
+        pull_cell(*shape, own, simplices);
+        result.tags.resize(simplices.size() / (static_cast<std::size_t>(dimension) + 1),
+                           tags[cell]);
+    }
+    result.simplices = simplices_of(simplices, dimension);
+    return result;
+}
+
+} // namespace polydec
