@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "io/meshes/cell_lists.h"
 #include "io/meshes/length_file.h"
 #include "io/meshes/read_mesh.h"
 #include "io/meshes/vtk_cells.h"
@@ -23,6 +24,35 @@ Mesh mesh_of(const Numbers& points, const Integers& simplices, const Integers& t
             warnings,
             indices(tags),
             {rows(facets), indices(facet_tags)}};
+}
+
+/// Cells of one kind: dimension, corners, where those of each end, tags, other nodes of each.
+using CellBlock = std::tuple<int, Integers, Integers, Integers, std::size_t>;
+
+Mesh mesh_of_cells(const Numbers& points, const std::vector<CellBlock>& blocks) {
+    const SourceFile given{"the mesh that is given", ""};
+    Points places = rows(points);
+    CellLists cells;
+    for (const auto& [dimension, corner_array, end_array, tag_array, nodes] : blocks) {
+        const auto corners = indices(corner_array), ends = indices(end_array),
+                   tags = indices(tag_array);
+        for (std::size_t cell = 0; cell < ends.size(); ++cell) {
+            const Index begin = cell == 0 ? 0 : ends[cell - 1];
+            const std::span own(corners.data() + begin, static_cast<std::size_t>(ends[cell] - begin));
+            for (const Index corner : own)
+                if (corner < 0 || corner >= places.rows())
+                    throw InvalidInput("cell " + std::to_string(cell) + " of dimension " +
+                                           std::to_string(dimension) + " has the vertex " +
+                                           std::to_string(corner) + "; expected 0 to " +
+                                           std::to_string(places.rows() - 1),
+                                       {.degree = dimension,
+                                        .cells = {static_cast<Index>(cell)},
+                                        .vertices = {corner}});
+            cells.add(dimension, own, tags[cell], given);
+            cells.leave_out_nodes(nodes);
+        }
+    }
+    return std::move(cells).mesh(std::move(places));
 }
 
 /// What a mesh holds is shown as long as the mesh lives.
@@ -135,6 +165,7 @@ void add_changes(py::module_& module) {
         return py::make_tuple(std::move(result.mesh), array(std::move(result.vertices)),
                               array(std::move(result.cells)));
     });
+    module.def("mesh_of_cells", &mesh_of_cells);
     module.def("split_polygons", [](const Numbers& points, const Integers& corners,
                                     const Integers& offsets, const Integers& tags) {
         return split_polygons({rows(points), indices(corners), indices(offsets), indices(tags)});

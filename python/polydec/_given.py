@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from itertools import combinations
-from typing import Any, NamedTuple, Sequence, Tuple, Union
+from typing import Any, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -26,7 +26,8 @@ def as_mesh(given: MeshLike) -> Mesh | LengthMesh:
     given : Mesh, LengthMesh, str, os.PathLike, pair of array_like, or meshio.Mesh
         A path is that of a file as `read_mesh` and `read_lengths` take it; a pair is (points,
         simplices), as for `Mesh`. Of a ``meshio.Mesh`` the cells of largest dimension are taken,
-        polygons split into triangles, with tags from its cell data.
+        polygons and solids split into simplices, with tags from its cell data; of cells of second
+        or higher order the corners.
 
     Raises
     ------
@@ -106,40 +107,47 @@ def split_polygons(points: npt.ArrayLike, polygons: Sequence[npt.ArrayLike],
         none if tags is None else integers(tags, "tags")))
 
 
-class _Block(NamedTuple):
-    cells: Any
-    tags: Integers
+#: Of the cells of meshio the dimension and the corners, which come first of their nodes.
+_KINDS = {"vertex": (0, 1), "line": (1, 2), "triangle": (2, 3), "quad": (2, 4), "tetra": (3, 4),
+          "pyramid": (3, 5), "wedge": (3, 6), "hexahedron": (3, 8), "penta_prism": (3, 10),
+          "hexa_prism": (3, 12)}
+_SAME = {"curve": "line", "quadrilateral": "quad", "tetrahedron": "tetra"}
+#: Cells whose corners go along the axes.
+_ALONG_AXES = {"pixel": ("quad", [0, 1, 3, 2]), "voxel": ("hexahedron", [0, 1, 3, 2, 4, 5, 7, 6])}
 
 
-_DIMENSIONS = {"vertex": 0, "line": 1, "triangle": 2, "quad": 2, "polygon": 2, "tetra": 3}
+def _block(kind: str, cells: Any, tags: Integers) -> tuple[int, Integers, Integers, Integers, int]:
+    """Dimension, corners, where those of each cell end, tags, and other nodes of each cell."""
+    if kind.startswith("polygon"):
+        rows = [integers(cell, f"corners of {kind} {i}") for i, cell in enumerate(cells)]
+        ends = np.cumsum([len(row) for row in rows], dtype=np.int32)
+        return 2, np.concatenate([np.zeros(0, dtype=np.int32), *rows]), ends, tags, 0
+    table = integers(cells, f"cells of the type {kind}", 2)
+    if kind in _ALONG_AXES and table.shape[1] == len(_ALONG_AXES[kind][1]):
+        kind, order = _ALONG_AXES[kind]
+        table = table[:, order]
+    name = kind.rstrip("0123456789").lower().replace("vtk_lagrange_", "")
+    name = _SAME.get(name, name)
+    if name not in _KINDS or table.shape[1] < _KINDS[name][1]:
+        raise InvalidInput(f"the mesh has cells of the type {kind} with {table.shape[1]} nodes: "
+                           "expected tetra, hexahedron, wedge, pyramid, triangle, quad, polygon or "
+                           "line; convert others before")
+    dimension, corners = _KINDS[name]
+    ends = np.arange(1, len(table) + 1, dtype=np.int32) * np.int32(corners)
+    return (dimension, np.ascontiguousarray(table[:, :corners]).ravel(), ends, tags,
+            table.shape[1] - corners)
 
 
 def _of_meshio(given: Any) -> Mesh:
-    blocks: list[list[_Block]] = [[] for _ in range(4)]
     names = [name for name in given.cell_data if _core.is_tag_name(name)]
+    blocks = []
     for number, block in enumerate(given.cells):
-        name = "polygon" if block.type.startswith("polygon") else block.type
-        if name not in _DIMENSIONS:
-            raise InvalidInput(f"the mesh has cells of the type {block.type}: expected tetra, "
-                               "triangle, quad, polygon or line; split or convert others before")
         tags = np.zeros(len(block.data), dtype=np.int32)
         if names and np.asarray(given.cell_data[names[0]][number]).dtype.kind in "iu":
             tags = integers(given.cell_data[names[0]][number], names[0])
-        blocks[_DIMENSIONS[name]].append(_Block(block.data, tags))
-    n = max((k for k in (1, 2, 3) if blocks[k]), default=0)
-    if n == 0:
-        raise InvalidInput("the mesh has no cells: expected tetra, triangle, quad, polygon or line")
-
-    cells = [np.asarray(cell) for block in blocks[n] for cell in block.cells]
-    tags = np.concatenate([block.tags for block in blocks[n]])
-    if all(len(cell) == n + 1 for cell in cells):
-        made = Mesh(given.points, np.vstack(cells), tags if tags.any() else None)
-    else:
-        made = split_polygons(given.points, cells, tags if tags.any() else None)
-    facets = [(cell, tag) for block in blocks[n - 1] for cell, tag in zip(block.cells, block.tags)
-              if tag != 0 and len(cell) == n]
-    if not facets:
-        return made
-    return Mesh._of(_core.Mesh(
-        made.points, made.simplices, made.tags, integers([cell for cell, _ in facets], "facets", 2),
-        integers([tag for _, tag in facets], "tags of facets"), made.warnings))
+        if len(block.data) > 0:
+            blocks.append(_block(block.type, block.data, tags))
+    if all(dimension == 0 for dimension, *_ in blocks):
+        raise InvalidInput("the mesh has no cells: expected tetra, hexahedron, wedge, pyramid, "
+                           "triangle, quad, polygon or line")
+    return Mesh._of(_core.mesh_of_cells(floats(given.points, "points", 2), blocks))

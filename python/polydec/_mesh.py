@@ -206,8 +206,10 @@ def _unpickled_lengths(simplices: Any, edges: Any, lengths: Any, vertices: int) 
 def read_mesh(path: Path) -> Mesh:
     """Reads a mesh; the extension says the format.
 
-    Triangles in R^3 of .off, .obj, .ply and .stl; the cells of largest dimension of .mesh, .msh,
-    .vtk, .vtu and .node or .ele; simplices of any dimension of .nsc and .pdm. Polygons are split.
+    Polygons of .off, .obj, .ply and .stl; the cells of largest dimension of .mesh, .msh, .vtk, .vtu
+    and .node or .ele; simplices of any dimension of .nsc and .pdm. Polygons become Delaunay
+    triangles; hexahedra, wedges, pyramids and prisms become tetrahedra. Of cells of second or
+    higher order the corners are read.
 
     Raises
     ------

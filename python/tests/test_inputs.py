@@ -271,6 +271,37 @@ def test_polygons(square):
         polydec.split_polygons(points, [[0, 1, 2], [0.5, 1, 2]])
 
 
+def test_solids_of_meshio():
+    meshio = pytest.importorskip("meshio")
+    z, y, x = np.indices((2, 2, 3)).reshape(3, -1)
+    points = np.column_stack([x, y, z]).astype(float)
+    h = np.array([0, 1, 4, 3, 6, 7, 10, 9])
+    tags = {"gmsh:physical": [np.array([4, 5]), np.array([6])]}
+    boxes = polydec.as_mesh(meshio.Mesh(
+        points, [("hexahedron", [h, h + 1]), ("quad", [[0, 3, 9, 6]])], cell_data=tags))
+    assert boxes.simplices.shape == (12, 4) and sorted(set(boxes.tags)) == [4, 5]
+    assert len(boxes.facets) == 2 and list(boxes.facet_tags) == [6, 6]
+    with pytest.warns(polydec.PolydecWarning, match="2 solids"):
+        assert polydec.discretize(boxes).shape == (12, 20, 11, 2)
+    for name, corners, volume in (("wedge", h[[0, 1, 2, 4, 5, 6]], 1 / 2), ("pyramid", h[:5], 1 / 3),
+                                  ("hexahedron20", [*h, *[11] * 12], 1), ("tetra10", [0, 1, 3, 6, *[11] * 6], 1 / 6),
+                                  ("voxel", [0, 1, 3, 4, 6, 7, 9, 10], 1)):
+        mesh = polydec.as_mesh(meshio.Mesh(points, [(name, [corners])])
+                               if name != "voxel" else _Cells(points, name, [corners]))
+        edges = mesh.points[mesh.simplices[:, 1:]] - mesh.points[mesh.simplices[:, :1]]
+        assert np.isclose(abs(np.linalg.det(edges)).sum() / 6, volume)
+        assert any("higher order" in warning for warning in mesh.warnings) == name[-1].isdigit()
+
+
+class _Cells:
+    """What stands for a meshio.Mesh with cells of a type that meshio's class may not know."""
+    cell_data: dict = {}
+
+    def __init__(self, points, kind, cells):
+        self.points = points
+        self.cells = [type("Block", (), {"type": kind, "data": np.array(cells)})]
+
+
 def test_meshes_of_meshio():
     meshio = pytest.importorskip("meshio")
     quads = [("triangle", [[0, 1, 4]]), ("quad", [[0, 1, 2, 3]]), ("line", [[0, 1], [1, 2]]),
@@ -285,7 +316,9 @@ def test_meshes_of_meshio():
     assert len(polydec.as_mesh(meshio.Mesh(points, quads, cell_data=rough)).tags) == 0
     cube = polydec.discretize(polydec.meshes.kuhn([1, 1, 1]), merge=False)
     assert polydec.discretize(polydec.to_meshio(cube)).shape == (8, 12, 6, 1)
-    with pytest.raises(polydec.InvalidInput, match=said("cells", "hexahedron", "expected tetra")):
-        polydec.discretize(meshio.Mesh(np.zeros((8, 3)), [("hexahedron", [list(range(8))])]))
+    with pytest.raises(polydec.InvalidInput, match=said("cells", "polyhedron", "expected tetra")):
+        polydec.discretize(meshio.Mesh(np.zeros((8, 3)), [("polyhedron8", [list(range(8))])]))
+    with pytest.raises(polydec.InvalidInput, match=said("cell 0", "vertex 9", "0 to 4")):
+        polydec.discretize(meshio.Mesh(points, [("quad", [[0, 1, 2, 9]])]))
     with pytest.raises(polydec.InvalidInput, match=said("mesh", "no cells")):
         polydec.discretize(meshio.Mesh(points, [("vertex", [[0]])]))
