@@ -104,6 +104,7 @@
 #include "meshes/peel.h"
 #include "meshes/periodic.h"
 #include "meshes/rearrange.h"
+#include "meshes/split_cells.h"
 #include "meshes/tetrahedralize.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"

@@ -298,6 +298,11 @@ void check_polygons(const PolygonMesh& polygons) {
                                        "number of corners, {}",
                                        polygons.corners.size()));
     }
+    if (!polygons.tags.empty() && polygons.tags.size() + 1 != offsets.size()) {
+        throw InvalidInput(fmt::format("there are {} tags for {} faces; give every face one, or "
+                                       "none at all",
+                                       polygons.tags.size(), offsets.size() - 1));
+    }
     for (std::size_t i = 0; i < polygons.corners.size(); ++i) {
         const Index corner = polygons.corners[i];
         if (corner < 0 || corner >= polygons.points.rows()) {
@@ -315,11 +320,6 @@ void check_polygons(const PolygonMesh& polygons) {
 
 Mesh split_polygons(PolygonMesh polygons) {
     check_polygons(polygons);
-    if (!polygons.tags.empty() && polygons.tags.size() + 1 != polygons.offsets.size()) {
-        throw InvalidInput(fmt::format("there are {} tags for {} faces; give every face one, or "
-                                       "none at all",
-                                       polygons.tags.size(), polygons.offsets.size() - 1));
-    }
     Mesh mesh;
     if (are_triangles(polygons)) {
         mesh.simplices = simplices_from(polygons.corners);

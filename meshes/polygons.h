@@ -34,7 +34,7 @@ struct PolygonMesh {
 Mesh split_polygons(PolygonMesh polygons);
 
 /// Throws InvalidInput, naming face and vertex, unless offsets ascend from 0 to the number of
-/// corners and every corner is a row of points.
+/// corners, every corner is a row of points, and each face has a tag or none has.
 void check_polygons(const PolygonMesh& polygons);
 
 } // namespace polydec

@@ -179,6 +179,7 @@ def ring():
 
 
 PICTURES = {
+    "splitting": cells.splitting,
     "kuhn_cubes": cells.kuhn_cubes,
     "maps": cells.maps,
     "integrals": whitney_and_integrals,

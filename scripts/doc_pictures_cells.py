@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pictures of merging downwards and of the maps, for doc_pictures.py."""
+"""The pictures of splitting, of merging downwards and of the maps, for doc_pictures.py."""
 from doc_drawing import BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_ORANGE, ORANGE, RED, Picture
 
 
@@ -7,6 +7,39 @@ def solid(p):
     """Where a point of space is seen."""
     x, y, z = p
     return (0.95 * x + 0.42 * y, 0.9 * z + 0.28 * y - 0.12 * x)
+
+
+def splitting():
+    """Diagonals of one quad, of two that share two edges, and of a cube."""
+    picture = Picture(760, 230)
+    quad = [(0, 0), (1, -0.45), (2, 0), (1, 0.45)]
+    for i, (label, a, b, color) in enumerate((("from the first corner", 0, 2, RED),
+                                              ("Delaunay", 1, 3, BLUE))):
+        picture.frame(20, 165 - 95 * i, 80)
+        picture.polygon(quad, LIGHT_BLUE if i else LIGHT_ORANGE, BLACK, 2)
+        picture.path([quad[a], quad[b]], color, 2.5)
+        picture.dot(quad[0], radius=4.5)
+        picture.text((2, 0), label, color, anchor="start", shift=(12, 5))
+    top, left, bottom, right, inner = (0, 1), (-1, 0), (0, -1), (1.2, 0), (0.3, 0)
+    picture.frame(440, 110, 78)
+    picture.polygon([top, left, bottom, inner], LIGHT_BLUE, BLACK, 2)
+    picture.polygon([top, inner, bottom, right], LIGHT_ORANGE, BLACK, 2)
+    picture.path([left, inner], BLUE, 2.5)
+    picture.path([inner, right], BLUE, 2.5)
+    picture.text((0.1, -1), "two quads share two edges", size=13, shift=(0, 32))
+    corners = [(x, y, z) for x in range(2) for y in range(2) for z in range(2)]
+    picture.frame(580, 150, 105)
+    for p in corners:
+        for q in corners:
+            steps = [b - a for a, b in zip(p, q)]
+            if p == q or min(steps) < 0:
+                continue
+            picture.path([solid(p), solid(q)], {1: BLACK, 2: BLUE, 3: RED}[sum(steps)], 2)
+    picture.dot(solid(corners[0]), radius=5)
+    picture.text(solid(corners[0]), "0", anchor="end", shift=(-9, 5))
+    picture.text((0.68, 0), "cones from the smallest vertex", size=12, shift=(-10, 60))
+    return picture.svg("A quad with the diagonal from its first corner and with that of Delaunay; "
+                       "two quads that share two edges; a cube split from its smallest vertex")
 
 
 def kuhn_cubes():

@@ -142,7 +142,9 @@ MergeOptions merge_options(const MeshArguments& arguments) {
 void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
     auto* angle =
         add_merge_arguments(command, arguments,
-                            "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc\n"
+                            "mesh file: .off .obj .ply .stl .mesh .msh .node .ele .vtk .vtu .nsc;\n"
+                            "polygons become Delaunay triangles, hexahedra, wedges and pyramids\n"
+                            "tetrahedra; of cells of higher order the corners are read\n"
                             ".pdm, or .nsl, which has lengths of edges alone");
     command
         .add_option("--centers", arguments.centers,

@@ -46,6 +46,23 @@ constexpr std::array marks{
     Mark{"\0\0\0\x01"sv, "a binary MEDIT mesh (.meshb)", "",
          "convert it to text, for instance with transmesh"},
     Mark{"mesh3d"sv, "a Netgen mesh"},
+    Mark{"surfacemesh"sv, "a Netgen mesh"},
+    Mark{"NDIME"sv, "an SU2 mesh"},
+    Mark{"(0 "sv, "a Fluent mesh"},
+    Mark{"(2 "sv, "a Fluent mesh"},
+    Mark{"CONTROL INFO"sv, "a GAMBIT mesh"},
+    Mark{"TITLE"sv, "a Tecplot file"},
+    Mark{"VARIABLES"sv, "a Tecplot file"},
+    Mark{"/*--"sv, "a file of OpenFOAM"},
+    Mark{"LIBMESH"sv, "a libMesh file"},
+    Mark{"libMesh"sv, "a libMesh file"},
+    Mark{"\x4C\x01"sv, "a compiled object file", "", download},
+    Mark{"\x64\x86"sv, "a compiled object file", "", download},
+    Mark{"\0\x10[Mesh"sv, "a mesh of OGRE"},
+    Mark{"SolidWorks"sv, "a SolidWorks file", "", "mesh it, for instance with Gmsh"},
+    Mark{"0\nSECTION"sv, "a DXF file"},
+    Mark{"0\r\nSECTION"sv, "a DXF file"},
+    Mark{"{"sv, "JSON, as of glTF"},
     Mark{"FoamFile"sv, "a file of OpenFOAM"},
     Mark{"*HEADING"sv, "an Abaqus input file"},
     Mark{"*Heading"sv, "an Abaqus input file"},
@@ -99,6 +116,8 @@ std::string foreign_format(const SourceFile& file) {
     constexpr std::size_t longest_front = 1 << 16;
     const auto text = beginning(std::string_view(file.text).substr(0, longest_front));
     const auto own = lower_extension(file.name);
+    if (own == ".msh" && !text.empty() && text[0] >= '0' && text[0] <= '9')
+        return "a mesh of FreeFEM; save it with savemesh as .mesh";
     for (const auto& mark : marks) {
         if (!text.starts_with(mark.begin))
             continue;

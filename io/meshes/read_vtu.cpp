@@ -46,7 +46,8 @@ private:
         const auto before = static_cast<double>(arrays_.points.size() / 3);
         const auto points = vtu_.values(vtu_.points(piece));
         const VtuText& text = vtu_.cells("connectivity", piece);
-        const auto corners = vtu_.values(text);
+        const auto ends = vtu_.values(vtu_.cells("offsets", piece));
+        const auto corners = vtu_.lists(text, ends);
         const auto corners_before = static_cast<double>(arrays_.corners.size());
         arrays_.points.insert(arrays_.points.end(), points.begin(), points.end());
         piece_of_.resize(arrays_.points.size() / 3, piece);
@@ -60,7 +61,7 @@ private:
             }
             arrays_.corners.push_back(before + corner);
         }
-        for (const double end : vtu_.values(vtu_.cells("offsets", piece)))
+        for (const double end : ends)
             arrays_.ends.push_back(corners_before + end);
         const auto types = vtu_.values(vtu_.cells("types", piece));
         arrays_.types.insert(arrays_.types.end(), types.begin(), types.end());

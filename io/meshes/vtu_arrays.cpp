@@ -2,6 +2,7 @@
 #include "io/meshes/vtu_arrays.h"
 
 #include "base/errors.h"
+#include "base/memory.h"
 #include "io/base64.h"
 #include "io/inflate.h"
 #include "io/scanner.h"
@@ -77,8 +78,10 @@ public:
     ArrayDecoder(ByteSource source, const VtuEncoding& encoding, const Scanner& place)
         : source_(source), encoding_(encoding), place_(place) {}
 
-    std::string bytes() {
-        return encoding_.is_compressed ? compressed_bytes() : source_.read(header());
+    /// Asks `check` before it inflates to so many bytes.
+    template <typename Check>
+    std::string bytes(Check check) {
+        return encoding_.is_compressed ? compressed_bytes(check) : source_.read(header());
     }
 
 private:
@@ -91,12 +94,15 @@ private:
 
     /// In front: the number of blocks, the size of each, the size of the last if it is smaller,
     /// and the compressed size of each.
-    std::string compressed_bytes() {
+    template <typename Check>
+    std::string compressed_bytes(Check check) {
         const auto blocks = header();
         if (blocks == 0)
             return {};
         const auto size = header();
         const auto last_size = header();
+        check(static_cast<double>(blocks - 1) * static_cast<double>(size) +
+              static_cast<double>(last_size == 0 ? size : last_size));
         std::vector<std::size_t> sizes;
         for (std::size_t block = 0; block < blocks; ++block)
             sizes.push_back(header());
@@ -138,6 +144,16 @@ std::size_t offset_of(const VtuText& array, std::size_t appended_bytes, const Sc
                                quote_word(offset), appended_bytes));
     }
     return begin;
+}
+
+/// A small stream can inflate to a thousand times its size.
+void check_promise(const VtuText& array, double promised, double most, const Scanner& place) {
+    if (!(promised <= most)) {
+        place.fail(fmt::format("the compressed array {} promises {:.0f} bytes; expected at most "
+                               "{:.0f}, by the numbers of points, cells and corners of its piece; "
+                               "export it again",
+                               quote_word(array.name()), promised, most));
+    }
 }
 
 Scanner place_of(const VtuText& array, const SourceFile& file) {
@@ -182,7 +198,7 @@ std::optional<VtuPlace> vtu_place(const VtuText& array, std::size_t appended_byt
                     offset_of(array, appended_bytes, place)};
 }
 
-std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding,
+std::vector<double> vtu_values(const VtuText& array, double most, const VtuEncoding& encoding,
                                const SourceFile& file) {
     const Scanner place = place_of(array, file);
     const auto format = array.tag.attribute("format", "ascii");
@@ -199,8 +215,13 @@ std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding
         is_appended ? encoding.appended.substr(offset_of(array, encoding.appended.size(), place))
                     : array.text,
         is_appended && encoding.appended_is_raw, place);
-    const auto bytes = ArrayDecoder(source, encoding, place).bytes();
     const auto each = size_of(type);
+    const auto bytes = ArrayDecoder(source, encoding, place).bytes([&](double promised) {
+        check_promise(array, promised, most * static_cast<double>(each), place);
+        const double as_numbers = promised / static_cast<double>(each) * sizeof(double);
+        check_memory(promised + as_numbers,
+                     fmt::format("{}: the array {}", file.name, quote_word(array.name())));
+    });
     if (bytes.size() % each != 0) {
         place.fail(fmt::format("an array of {} bytes, of which each number takes {}; expected a "
                                "multiple; export it again",

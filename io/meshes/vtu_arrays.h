@@ -28,6 +28,7 @@ struct VtuText {
     XmlTag tag;
     std::string_view text;
     std::size_t text_line = 1;
+    double most = 0; ///< how many numbers its piece lets it have
 
     std::string name() const { return tag.attribute("Name"); }
 };
@@ -47,8 +48,9 @@ std::optional<VtuPlace> vtu_place(const VtuText& array, std::size_t appended_byt
                                   const SourceFile& file);
 
 /// The numbers of the array: from text, or from base64 or raw bytes, here or in AppendedData.
-/// Throws InvalidInput, naming the line of the array, if they are damaged.
-std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding,
+/// Throws InvalidInput, naming the line of the array, if they are damaged, and, before it inflates
+/// anything, if they are compressed and more than `most`; IoError if memory does not suffice.
+std::vector<double> vtu_values(const VtuText& array, double most, const VtuEncoding& encoding,
                                const SourceFile& file);
 
 } // namespace polydec

@@ -6,9 +6,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <utility>
 
 namespace polydec {
+
+namespace {
+
+/// Some writers put blanks in front of a number.
+double count_in(const XmlTag& tag, std::string_view key, std::string_view missing) {
+    const auto text = tag.attribute(key, missing);
+    const auto begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    std::uint64_t count = 0;
+    std::from_chars(text.data() + begin, text.data() + text.size(), count);
+    return static_cast<double>(count);
+}
+
+} // namespace
 
 VtuFile::VtuFile(const SourceFile& file) : file_(file), reader_(file) {
     XmlTag tag;
@@ -52,6 +67,8 @@ void VtuFile::read_file_tag(const XmlTag& tag) {
 
 void VtuFile::read_piece(const XmlTag& tag) {
     piece_is_empty_ = tag.attribute("NumberOfCells") == "0";
+    points_ = count_in(tag, "NumberOfPoints", "0");
+    cells_ = count_in(tag, "NumberOfCells", "0");
     pieces_ += piece_is_empty_ ? 0 : 1;
 }
 
@@ -90,7 +107,10 @@ void VtuFile::keep_array(XmlTag tag, const std::string& outer) {
     }
     const bool has_text = !tag.closes;
     const auto line = tag.line;
-    arrays_.push_back({outer, VtuText{std::move(tag), {}, line}, piece});
+    const bool is_of_points = outer == "Points" || outer == "PointData";
+    const double most = (is_of_points ? points_ : cells_) *
+                        count_in(tag, "NumberOfComponents", outer == "Points" ? "3" : "1");
+    arrays_.push_back({outer, VtuText{std::move(tag), {}, line, most}, piece});
     is_array_open_ = has_text;
     array_depth_ = reader_.path().size();
 }
@@ -114,6 +134,15 @@ const VtuText* VtuFile::find(std::string_view section, std::string_view name, in
         if (own_piece == piece && outer == section && (name.empty() || array.name() == name))
             return &array;
     return nullptr;
+}
+
+std::vector<double> VtuFile::values(const VtuText& array) const {
+    return vtu_values(array, array.most, encoding_, file_);
+}
+
+std::vector<double> VtuFile::lists(const VtuText& array, const std::vector<double>& ends) const {
+    const double most = ends.empty() ? 0.0 : *std::max_element(ends.begin(), ends.end());
+    return vtu_values(array, most, encoding_, file_);
 }
 
 const VtuText& VtuFile::needed(const VtuText* array, const char* name) const {

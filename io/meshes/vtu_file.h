@@ -36,9 +36,11 @@ public:
     const VtuText& cells(const char* name, int piece = 0) const;
     const VtuText& points(int piece = 0) const;
 
-    std::vector<double> values(const VtuText& array) const {
-        return vtu_values(array, encoding_, file_);
-    }
+    /// The numbers of an array with as many for each point, or each cell.
+    std::vector<double> values(const VtuText& array) const;
+
+    /// The lists of all cells, one behind the other, which end at these places.
+    std::vector<double> lists(const VtuText& array, const std::vector<double>& ends) const;
 
     const VtuEncoding& encoding() const { return encoding_; }
 
@@ -65,6 +67,7 @@ private:
     bool has_appended_ = false;
     bool piece_is_empty_ = false;
     int pieces_ = 0;
+    double points_ = 0, cells_ = 0; ///< of the last piece
 };
 
 } // namespace polydec

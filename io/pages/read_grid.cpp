@@ -29,15 +29,19 @@ public:
     explicit GridReader(const SourceFile& source) : vtu_(source) {
         vtu_.require_one_piece();
         grid_.points = points_from(vtu_.values(vtu_.points()));
-        corners_ = whole(vtu_.values(vtu_.cells("connectivity")));
-        ends_ = whole(vtu_.values(vtu_.cells("offsets")));
+        const auto ends = vtu_.values(vtu_.cells("offsets"));
+        ends_ = whole(ends);
+        corners_ = whole(vtu_.lists(vtu_.cells("connectivity"), ends));
         types_ = whole(vtu_.values(vtu_.cells("types")));
         if (ends_.size() != types_.size())
             vtu_.fail("there are not as many offsets as types; export it again");
-        if (const auto* faces = vtu_.find("Cells", "faces"))
-            faces_ = whole(vtu_.values(*faces));
-        if (const auto* ends = vtu_.find("Cells", "faceoffsets"))
-            face_ends_ = whole(vtu_.values(*ends));
+        const auto* const faces = vtu_.find("Cells", "faces");
+        const auto* const face_ends = vtu_.find("Cells", "faceoffsets");
+        if (faces != nullptr && face_ends != nullptr) {
+            const auto where = vtu_.values(*face_ends);
+            face_ends_ = whole(where);
+            faces_ = whole(vtu_.lists(*faces, where));
+        }
     }
 
     VtuGrid read() {

@@ -38,7 +38,8 @@ Mesh mesh_of_cells(const Numbers& points, const std::vector<CellBlock>& blocks) 
                    tags = indices(tag_array);
         for (std::size_t cell = 0; cell < ends.size(); ++cell) {
             const Index begin = cell == 0 ? 0 : ends[cell - 1];
-            const std::span own(corners.data() + begin, static_cast<std::size_t>(ends[cell] - begin));
+            const std::span own(corners.data() + begin,
+                                static_cast<std::size_t>(ends[cell] - begin));
             for (const Index corner : own)
                 if (corner < 0 || corner >= places.rows())
                     throw InvalidInput("cell " + std::to_string(cell) + " of dimension " +

@@ -316,7 +316,7 @@ def test_meshes_of_meshio():
     assert len(polydec.as_mesh(meshio.Mesh(points, quads, cell_data=rough)).tags) == 0
     cube = polydec.discretize(polydec.meshes.kuhn([1, 1, 1]), merge=False)
     assert polydec.discretize(polydec.to_meshio(cube)).shape == (8, 12, 6, 1)
-    with pytest.raises(polydec.InvalidInput, match=said("cells", "polyhedron", "expected tetra")):
+    with pytest.raises(polydec.InvalidInput, match=said("cells", "polyhedron8", "expected tetra")):
         polydec.discretize(meshio.Mesh(np.zeros((8, 3)), [("polyhedron8", [list(range(8))])]))
     with pytest.raises(polydec.InvalidInput, match=said("cell 0", "vertex 9", "0 to 4")):
         polydec.discretize(meshio.Mesh(points, [("quad", [[0, 1, 2, 9]])]))

@@ -112,7 +112,7 @@ std::string written_vtu(const PolygonMesh& polygons) {
 std::string compressed_vtu() {
     const std::string array = "<DataArray format='binary' type='";
     return "<VTKFile type='UnstructuredGrid' compressor='vtkZLibDataCompressor'>\n"
-           "<UnstructuredGrid><Piece><Points>" +
+           "<UnstructuredGrid><Piece NumberOfPoints='4' NumberOfCells='1'><Points>" +
            array +
            "Float32'>\nAQAAADAAAAAAAAAAEAAAAA==eNpjYEAGDfYMBPgAJ70CPg=="
            "</DataArray></Points>\n<Cells>" +

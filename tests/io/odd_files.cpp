@@ -259,9 +259,10 @@ TEST(OddFiles, AnotherFormatSaysWhichItIs) {
     EXPECT_TRUE(says(reading_error("a.ply", std::string("\x1F\x8B\x08\0", 4)),
                      {"InvalidInput", "a.ply", "gzip", "unpack"}));
     EXPECT_TRUE(says(reading_error("a.msh", "\x89HDF\r\n"), {"InvalidInput", "a.msh", "HDF5"}));
+    EXPECT_TRUE(says(reading_error("a.msh", "4 2 4\n0 0 1\n"),
+                     {"InvalidInput", "a.msh", "FreeFEM", ".mesh"}));
     // What is of its format has its own error.
-    EXPECT_TRUE(
-        says(reading_error("a.off", "OFF\n1 1 0\n"), {"InvalidInput", "a.off:3", "ends"}));
+    EXPECT_TRUE(says(reading_error("a.off", "OFF\n1 1 0\n"), {"InvalidInput", "a.off:3", "ends"}));
 }
 
 TEST(OddFiles, PiecesOfAGridAreOneMesh) {

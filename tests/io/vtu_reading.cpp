@@ -24,6 +24,7 @@ struct Variant {
     std::endian order = std::endian::little;
     bool has_wide_headers = true;
     bool is_compressed = false;
+    std::string longer = {}; ///< an array with one number more than belongs there
 };
 
 std::vector<Variant> variants() {
@@ -71,8 +72,10 @@ public:
 
     template <typename Number>
     Writer& array(const std::string& type, const std::string& attributes,
-                  const std::vector<Number>& values) {
+                  std::vector<Number> values) {
         constexpr std::array formats{"ascii", "binary", "appended", "appended"};
+        if (!variant_.longer.empty() && attributes.starts_with("Name=\"" + variant_.longer + "\""))
+            values.push_back(values.back());
         text_ += "<DataArray type=\"" + type + "\" " + attributes + " format=\"" +
                  formats[static_cast<std::size_t>(variant_.place)] + "\"";
         const auto [header, body] = encoded(bytes_of_all<Number>(values, variant_.order));
@@ -304,6 +307,40 @@ TEST(VtuReading, DamagedArraysAreNamed) {
                      {"InvalidInput", "a.vtu:25", "array", "88", "base64"}));
     EXPECT_TRUE(says(damaged({Place::in_line, std::endian::little, false, true}, '/'),
                      {"InvalidInput", "a.vtu:25", "block 0", "compressed", "zlib"}));
+}
+
+TEST(VtuReading, CompressedArraysInflateToNoMoreThanTheirPieceTells) {
+    struct Array {
+        const char* name;
+        const char* found;
+        const char* expected;
+    };
+    for (auto variant : variants()) {
+        if (!variant.is_compressed)
+            continue;
+        for (const auto& [name, found, expected] :
+             {Array{"Points", "128 bytes", "most 120"},
+              Array{"connectivity", "96 bytes", "most 88"}, Array{"offsets", "16 bytes", "most 12"},
+              Array{"types", "4 bytes", "most 3"}, Array{"gmsh:physical", "8 bytes", "most 6"}}) {
+            variant.longer = name;
+            EXPECT_TRUE(says(reading_error("a.vtu", grid(variant)),
+                             {"InvalidInput", "a.vtu:", name, found, expected}));
+        }
+    }
+}
+
+TEST(VtuReading, NothingIsInflatedForAPromiseThatIsTooLarge) {
+    // The streams are not even there.
+    const auto header = bytes_of_all<std::uint64_t>(
+        std::vector<std::size_t>{2, std::size_t{1} << 40U, 0, 16, 16}, std::endian::little);
+    const auto text = replaced(grid({Place::in_line, std::endian::little, true, true}),
+                               "NumberOfComponents=\"3\" format=\"binary\">\n",
+                               "NumberOfComponents=\"3\" format=\"binary\">\n" + base64(header));
+    EXPECT_TRUE(says(reading_error("a.vtu", text),
+                     {"InvalidInput", "a.vtu:", "Points", "2199023255552 bytes", "most 120"}));
+    const auto spaced = replaced(grid({Place::in_line, std::endian::little, true, true}),
+                                 "NumberOfPoints=\"5\"", "NumberOfPoints=\"   5\"");
+    EXPECT_EQ(parse_mesh({"a.vtu", spaced}).points.rows(), 5);
 }
 
 } // namespace polydec::test::in_vtu_reading

@@ -209,4 +209,12 @@ TEST(SplitCells, RefusesOtherNumbersOfCorners) {
                      {"8", "7"}));
 }
 
+TEST(SplitCells, RefusesTagsOfSomeCellsAlone) {
+    for (const int dimension : {2, 3}) {
+        auto mesh = mesh_of(Points::Random(4, 3), {{0, 1, 2, 3}, {0, 1, 3, 2}});
+        mesh.tags = {7};
+        EXPECT_TRUE(says(refusal([&] { split_cells(mesh, dimension); }), {"1 tags", "2 faces"}));
+    }
+}
+
 } // namespace polydec::test::in_split_cells
