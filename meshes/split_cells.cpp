@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/split_cells.h"
 
+#include "base/decompositions.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
