@@ -26,7 +26,7 @@ SECONDS = 200 # for the largest
 COUNT = 6
 ALL_FORMS = [(side, degree) for side in ("primal", "dual") for degree in range(3)]
 ONE_FORMS_FIRST = sorted(ALL_FORMS, key=lambda forms: forms[1] != 1)
-LEAST_SPECTRA = 20
+LEAST_SPECTRA = 17
 TRIANGLES_FOR_SPECTRA = 8000
 TRIANGLES_FOR_LAPLACIANS = 1600
 TRIANGLES_WITHOUT_FLIPS = 60000
