@@ -32,6 +32,7 @@
 #include "dec/diagnosis.h"
 #include "dec/discretization.h"
 #include "dec/discretize_options.h"
+#include "dec/facet_groups.h"
 #include "dec/facets_without_dual.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_vertices.h"

@@ -102,16 +102,6 @@ RobinComplex with(RobinParts parts, ConditionedComplex space, int k) {
 
 } // namespace
 
-BoundaryConditions essential_on(const Discretization& mesh,
-                                const std::vector<std::string>& groups) {
-    const int facets = mesh.dimension() - 1;
-    for (const auto& group : groups) // each of them, not some
-        require_essential(
-            mesh.complex(), essential_on(mesh.facet_tags(), group_tags(mesh.groups(), facets, {group})),
-            fmt::format("the group {}", group));
-    return essential_on(mesh.facet_tags(), group_tags(mesh.groups(), facets, groups));
-}
-
 ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const HodgeStars& stars,
                                              Side side, int degree,
                                              const BoundaryConditions& conditions) {

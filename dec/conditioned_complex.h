@@ -9,11 +9,6 @@
 
 namespace polydec {
 
-/// Mixed conditions by the groups of a file: essential where a facet of the boundary is in one of
-/// these, natural elsewhere. Each is given by its name or by its tag in digits. Throws InvalidInput
-/// for one that there is not.
-BoundaryConditions essential_on(const Discretization& mesh, const std::vector<std::string>& groups);
-
 /// The complex and the stars on which the forms of one side obey homogeneous boundary conditions:
 /// what takes a complex and its stars (operators, spectra, heat, Hodge decompositions) acts on
 /// these forms there.

@@ -92,6 +92,9 @@ void examine_metric(const Discretization& mesh, Diagnosis& found) {
                                   mesh.dimension());
     found.degenerate = mesh.degenerate();
     found.merged_pairs = merged_pairs(mesh.merging());
+    if (mesh.options().centers.are_circumcenters())
+        found.looser =
+            looser_tolerance(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), mesh.options());
     if (!mesh.passage().is_identity())
         found.flips = flip_numbers(mesh);
     else

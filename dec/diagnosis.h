@@ -67,6 +67,7 @@ struct Diagnosis {
     std::optional<double> volume; ///< in the units of the input, if it is a number there
     DegenerateFacets degenerate;
     MergedPairs merged_pairs;
+    std::optional<LooserTolerance> looser;          ///< by which many more cells would merge
     std::optional<FlipNumbers> flips;               ///< where edges were flipped,
     std::optional<FacetKinds> pairs;                ///< and else
     BeforeAndAfter<std::vector<StarNumbers>> stars; ///< by degree; circumcentric on the input

@@ -210,8 +210,8 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     warn_of_branching(branching_facets(complex), mesh.warnings);
     warn_of_overlaps(complex, given.metric_points(), mesh.warnings);
     const auto tags = tags_of_cells(complex, mesh.tags);
-    const auto facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);
-    const auto stays = staying_facets(complex, tags, facet_tags, options);
+    FacetTags facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);
+    const auto stays = staying_facets(complex, tags, facet_tags.tags, options);
     begin(stage, "volumes");
     auto [passage, metric, of_input, of_pieces, points] = measure(given, options);
     begin(stage, "merge");
@@ -227,17 +227,19 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     const auto centers = merged.centers.are_circumcenters() ? options.centers : merged.centers;
     if (flips && !mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
-    std::vector<Index> cell_tags, merged_facet_tags;
+    std::vector<Index> cell_tags;
     if (!flips) {
         const int n = complex.dimension();
         cell_tags = merged_tags(merged.merging, n, tags, mesh.warnings);
-        merged_facet_tags = merged_tags(merged.merging, n - 1, facet_tags, mesh.warnings);
+        facet_tags.tags = merged_tags(merged.merging, n - 1, facet_tags.tags, mesh.warnings);
+    } else {
+        facet_tags = {};
     }
     const Discretization result({std::move(mesh.points), std::move(points), std::move(passage),
                                  std::move(merged.merging), of_input, merged.volumes, volumes,
                                  options, std::move(merged.degenerate), std::move(mesh.warnings),
                                  std::move(cell_tags), std::move(lengths), unit,
-                                 std::move(isolated), std::move(merged_facet_tags), centers,
+                                 std::move(isolated), std::move(facet_tags), centers,
                                  std::move(mesh.groups), std::move(merged.flat), std::move(plane)});
     if (options.star != StarKind::circumcentric && options.star != StarKind::automatic) {
         begin(stage, "stars");
@@ -289,9 +291,8 @@ Discretization::Discretization(Parts parts)
     const CellComplex& complex = parts.merging.merged();
     if (!parts.tags.empty())
         check_as_many("tags", Index(parts.tags.size()), complex.size(complex.dimension()));
-    if (!parts.facet_tags.empty())
-        check_as_many("tags of facets", Index(parts.facet_tags.size()),
-                      complex.size(complex.dimension() - 1));
+    if (const auto& tags = parts.facet_tags.tags; !tags.empty())
+        check_as_many("tags of facets", Index(tags.size()), complex.size(complex.dimension() - 1));
     const auto made = std::make_shared<Parts>(std::move(parts));
     parts_ = made;
     stars_ = std::make_shared<Lazy<ChosenStars>>();

@@ -3,6 +3,7 @@
 
 #include "dec/discretize_options.h"
 #include "dec/forms/star_kind.h"
+#include "dec/merging/merged_tags.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/passage.h"
 #include "meshes/length_mesh.h"
@@ -40,7 +41,7 @@ public:
         Vector lengths = {};
         double unit = 1;
         Points isolated = {};
-        std::vector<Index> facet_tags = {};
+        FacetTags facet_tags = {};
         Centers centers = options.centers;
         std::vector<GroupName> groups = {};
         std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others, or empty
@@ -166,8 +167,12 @@ public:
 
     /// Of each (n-1)-cell the tag that its facets have in the input, 0 for none and where they have
     /// different ones; or empty, if the input has no facets with tags or edges were flipped.
-    const std::vector<Index>& facet_tags() const& { return parts_->facet_tags; }
+    const std::vector<Index>& facet_tags() const& { return parts_->facet_tags.tags; }
     std::vector<Index> facet_tags() && { return facet_tags(); }
+
+    /// Those of these tags that stand for several groups.
+    const std::vector<JointTag>& joint_tags() const& { return parts_->facet_tags.joint; }
+    std::vector<JointTag> joint_tags() && { return joint_tags(); }
 
     /// The names of groups of the input.
     const std::vector<GroupName>& groups() const& { return parts_->groups; }

@@ -140,6 +140,11 @@ void write_diagnosis(JsonWriter& json, const Diagnosis& facts,
             json.member("faces", facts.merged_pairs.simplices);
             json.member("percent", percent_of_pairs(facts));
         });
+    if (facts.looser)
+        json.object("looser_tolerance", [&] {
+            json.member("tolerance", facts.looser->tolerance);
+            json.member("pairs", facts.looser->pairs);
+        });
     json.member("advice", advice);
 }
 

@@ -2,7 +2,7 @@
 #include "tools/conditions.h"
 
 #include "base/errors.h"
-#include "dec/conditioned_complex.h"
+#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
 
 #include <fmt/format.h>

@@ -83,8 +83,7 @@ void draw(const Discretization& mesh, const DistanceArguments& arguments,
                               from.size() > 9 ? fmt::format("{} vertices", from.size())
                                               : fmt::format("vertex {}", fmt::join(from, ", ")))};
     const NamedForm form("distance", {Side::primal, 0, distance}, "in units of length of the file");
-    write_picture(arguments.picture, mesh, {form}, std::move(text), {{"from", from}},
-                  log);
+    write_picture(arguments.picture, mesh, {form}, std::move(text), {{"from", from}}, log);
 }
 
 struct Distances : Answer {

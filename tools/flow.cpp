@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "dec/conditioned_complex.h"
+#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
 #include "io/diagnosis_json.h"
 #include "meshes/unit_of_length.h"

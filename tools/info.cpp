@@ -62,6 +62,9 @@ void write_duals(Text& text, const Diagnosis& facts) {
     if (facts.dimension == 2)
         text("  {} edges removed; {} of the triangles ({:.1f} %) were in a concyclic pair\n",
              facts.merged_pairs.facets, facts.merged_pairs.simplices, percent_of_pairs(facts));
+    if (facts.looser)
+        text("  {} more pairs of cells would merge by --tolerance {:.0e}\n", facts.looser->pairs,
+             facts.looser->tolerance);
     if (facts.flips)
         return write_flips(text, facts.flips->statistics);
     const auto& pairs = *facts.pairs;

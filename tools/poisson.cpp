@@ -93,8 +93,8 @@ struct Data {
 
     Paths files() const {
         Paths list;
-        for (const auto& file : {rhs.file(), boundary.file(), flux.file(), conditions.file(), conditions.fixed_file(),
-                                 exact ? exact->file() : std::nullopt,
+        for (const auto& file : {rhs.file(), boundary.file(), flux.file(), conditions.file(),
+                                 conditions.fixed_file(), exact ? exact->file() : std::nullopt,
                                  conductivity ? conductivity->file() : std::nullopt})
             if (file)
                 list.push_back(*file);

@@ -3,10 +3,10 @@
 
 #include "base/errors.h"
 #include "complex/components.h"
+#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -22,23 +22,14 @@ std::vector<Index> numbers_of(const std::vector<bool>& marks) {
     return numbers;
 }
 
-/// The vertices of the k-cells with this tag.
-std::vector<Index> with_tag(const CellComplex& complex, int k, const std::vector<Index>& of_cells,
-                            Index tag) {
+/// The vertices of the k-cells that are marked.
+std::vector<Index> vertices_of(const CellComplex& complex, int k, const std::vector<bool>& cells) {
     CellMarks marks;
     for (int j = 0; j <= complex.dimension(); ++j)
         marks.emplace_back(complex.size(j), false);
-    for (std::size_t cell = 0; cell < of_cells.size(); ++cell)
-        marks[k][cell] = of_cells[cell] == tag;
+    marks[k] = cells;
     mark_faces(complex, marks);
     return numbers_of(marks[0]);
-}
-
-std::string names_of(const std::vector<GroupName>& groups) {
-    std::vector<std::string> names;
-    for (const GroupName& each : groups)
-        names.push_back(each.name);
-    return names.empty() ? "" : fmt::format(": there are {}", fmt::join(names, ", "));
 }
 
 } // namespace
@@ -58,28 +49,26 @@ std::vector<Index> vertices_where(const Discretization& mesh,
         marks.push_back(predicate(points.row(v).transpose()));
     auto numbers = numbers_of(marks);
     if (numbers.empty())
-        throw InvalidInput(fmt::format("none of the {} vertices is where some are asked for",
-                                       points.rows()));
+        throw InvalidInput(
+            fmt::format("none of the {} vertices is where some are asked for", points.rows()));
     return numbers;
 }
 
 std::vector<Index> vertices_on(const Discretization& mesh, const std::vector<std::string>& groups) {
     const int n = mesh.dimension();
-    std::vector<Index> numbers;
+    std::vector<bool> marks(mesh.complex().size(0), false);
     for (const auto& group : groups) {
-        std::vector<Index> found;
-        if (const auto tag = group_tag(mesh.groups(), n - 1, group))
-            found = with_tag(mesh.complex(), n - 1, mesh.facet_tags(), *tag);
-        if (const auto tag = group_tag(mesh.groups(), n, group); tag && found.empty())
-            found = with_tag(mesh.complex(), n, mesh.tags(), *tag);
-        if (found.empty())
-            throw InvalidInput(fmt::format("no facet and no cell is in a group {}{}", group,
-                                           names_of(mesh.groups())));
-        numbers.insert(numbers.end(), found.begin(), found.end());
+        std::vector<bool> cells;
+        const auto tag = group_tag(mesh.groups(), n, group);
+        for (const Index of_cell : mesh.tags())
+            cells.push_back(tag && of_cell == *tag);
+        const bool of_cells = std::find(cells.begin(), cells.end(), true) != cells.end();
+        for (const Index v : of_cells
+                                 ? vertices_of(mesh.complex(), n, cells)
+                                 : vertices_of(mesh.complex(), n - 1, facets_on(mesh, {group})))
+            marks[v] = true;
     }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    return numbers;
+    return numbers_of(marks);
 }
 
 } // namespace polydec

@@ -18,7 +18,7 @@ std::vector<Index> boundary_vertices(const Discretization& mesh);
 std::vector<Index> vertices_where(const Discretization& mesh,
                                   const std::function<bool(const Vector& point)>& predicate);
 
-/// Those of facets, or else of n-cells, in groups of the file, given by names or by tags in digits.
+/// Those of n-cells, or else of facets, in groups of the file, given by names or by tags in digits.
 /// Throws InvalidInput for a group that there is not, or that has no such cells.
 std::vector<Index> vertices_on(const Discretization& mesh, const std::vector<std::string>& groups);
 

@@ -142,8 +142,8 @@ void require_essential(const CellComplex& complex, const BoundaryConditions& con
     const auto& fixed = conditions.fixed_vertices;
     bool any = boundary == 0 || std::find(fixed.begin(), fixed.end(), true) != fixed.end();
     for (std::size_t f = 0; f < cofaces.size() && !any; ++f)
-        any = cofaces[f] == 1 &&
-              conditions.at(static_cast<Index>(f)) == BoundaryCondition::essential;
+        any =
+            cofaces[f] == 1 && conditions.at(static_cast<Index>(f)) == BoundaryCondition::essential;
     if (!any)
         throw InvalidInput(fmt::format("{} gives values on none of the {} facets of the boundary: "
                                        "expected some; no condition there is the natural one, and "
@@ -156,27 +156,6 @@ BoundaryConditions essential_where(const Points& sites,
     BoundaryConditions conditions;
     for (Index f = 0; f < sites.rows(); ++f)
         conditions.facets.push_back(predicate(sites.row(f).transpose())
-                                        ? BoundaryCondition::essential
-                                        : BoundaryCondition::natural);
-    return conditions;
-}
-
-BoundaryConditions essential_on(const std::vector<Index>& facet_tags,
-                                const std::vector<Index>& tags) {
-    BoundaryConditions conditions{BoundaryCondition::natural};
-    for (const Index tag : tags)
-        if (std::find(facet_tags.begin(), facet_tags.end(), tag) == facet_tags.end()) {
-            std::vector<Index> all = facet_tags;
-            std::sort(all.begin(), all.end());
-            all.erase(std::unique(all.begin(), all.end()), all.end());
-            std::erase(all, 0); // none
-            throw InvalidInput(
-                fmt::format("no facet has the tag {}: {}", tag,
-                            all.empty() ? "the mesh has no facets with tags"
-                                        : fmt::format("the tags are {}", fmt::join(all, ", "))));
-        }
-    for (const Index tag : facet_tags)
-        conditions.facets.push_back(std::find(tags.begin(), tags.end(), tag) != tags.end()
                                         ? BoundaryCondition::essential
                                         : BoundaryCondition::natural);
     return conditions;

@@ -75,12 +75,6 @@ std::string in_words(std::int64_t facets, std::int64_t essential, int degree, in
 BoundaryConditions essential_where(const Points& sites,
                                    const std::function<bool(const Vector& site)>& predicate);
 
-/// Mixed conditions by the tags of facets (physical groups of the file): essential where a facet of
-/// the boundary has one of these, natural elsewhere. facet_tags are those of a Discretization.
-/// Throws InvalidInput, naming the tag, for one that no facet has.
-BoundaryConditions essential_on(const std::vector<Index>& facet_tags,
-                                const std::vector<Index>& tags);
-
 /// Throws InvalidInput, with the number of boundary facets, where a mesh has a boundary but these
 /// conditions give values on none of it, nor at a vertex; `what` says who gave them.
 void require_essential(const CellComplex& complex, const BoundaryConditions& conditions,

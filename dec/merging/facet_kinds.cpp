@@ -5,6 +5,8 @@
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/rounding.h"
 
+#include <algorithm>
+
 namespace polydec {
 
 namespace {
@@ -44,6 +46,28 @@ FacetKinds facet_kinds(const Pieces& complex, const SimplexMetric& metric,
             ++kinds.delaunay;
     }
     return kinds;
+}
+
+std::optional<LooserTolerance> looser_tolerance(const Pieces& complex, const SimplexMetric& metric,
+                                                const CellVolumes& volumes,
+                                                const MergeOptions& options) {
+    if (options.criterion != MergeCriterion::dual_length)
+        return std::nullopt;
+    const auto& cofaces = complex.coface_counts(complex.dimension() - 1);
+    const auto many = std::count(cofaces.begin(), cofaces.end(), 2) / 10;
+    const auto degenerate = [&](double tolerance) {
+        return facet_defects(complex, metric, volumes, {options.criterion, tolerance})
+            .degenerate.interior;
+    };
+    const Index now = degenerate(options.tolerance);
+    std::optional<LooserTolerance> found;
+    for (const double factor : {10, 100}) {
+        const double tolerance = factor * options.tolerance;
+        const Index more = degenerate(tolerance) - now;
+        if (more > many && (!found || more > 2 * found->pairs))
+            found = {tolerance, more};
+    }
+    return found;
 }
 
 MergedPairs merged_pairs(const Merging& merging) {

@@ -5,6 +5,8 @@
 #include "dec/merging/merge.h"
 #include "dec/metric/simplex_metric.h"
 
+#include <optional>
+
 namespace polydec {
 
 /// Pairs of n-simplices that share a facet with no third one, by where their circumcenters lie as
@@ -21,6 +23,19 @@ struct FacetKinds {
 /// the tolerance matter (the relative dual length where nothing is to be merged).
 FacetKinds facet_kinds(const Pieces& complex, const SimplexMetric& metric,
                        const CellVolumes& volumes, const MergeOptions& options = {});
+
+/// A tolerance by which many more pairs of cells would merge, as where coordinates are rounded to
+/// few digits.
+struct LooserTolerance {
+    double tolerance = 0; ///< 10 or 100 times that of the options
+    Index pairs = 0;      ///< cospherical by it, and not by theirs
+};
+
+/// Such a tolerance, if by one more than a tenth of the facets between two n-simplices were
+/// degenerate besides. None for other criteria than the relative dual length.
+std::optional<LooserTolerance> looser_tolerance(const Pieces& complex, const SimplexMetric& metric,
+                                                const CellVolumes& volumes,
+                                                const MergeOptions& options);
 
 /// What a merging has joined.
 struct MergedPairs {

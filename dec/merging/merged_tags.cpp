@@ -9,6 +9,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace polydec {
 
@@ -48,34 +52,53 @@ std::vector<Index> tags_of_cells(const SimplicialComplex& complex, const std::ve
     return result;
 }
 
-std::vector<Index> tags_of_facets(const SimplicialComplex& complex, const TaggedSimplices& facets,
-                                  std::vector<std::string>& warnings) {
+FacetTags tags_of_facets(const SimplicialComplex& complex, const TaggedSimplices& facets,
+                         std::vector<std::string>& warnings) {
     check_as_many("tags of facets", std::ssize(facets.tags), facets.simplices.rows());
     if (facets.tags.empty())
         return {};
-    const Index size = complex.size(complex.dimension() - 1);
-    std::vector<Index> result(static_cast<std::size_t>(size), 0), strays, repeated, numbers;
+    FacetTags result{std::vector<Index>(complex.size(complex.dimension() - 1), 0)};
+    std::vector<std::pair<Index, Index>> found; // facet and tag
+    std::vector<Index> strays, numbers;
     for (Index row = 0; row < facets.simplices.rows(); ++row) {
         const auto vertices = facets.simplices.row(row);
         numbers.assign(vertices.begin(), vertices.end());
         std::sort(numbers.begin(), numbers.end());
         const Index facet = find_facet(complex, numbers);
-        const Index tag = facets.tags[row];
         if (facet < 0)
             strays.push_back(row);
-        else if (result[facet] == 0)
-            result[facet] = tag;
-        else if (result[facet] != tag)
-            repeated.push_back(row);
+        else if (facets.tags[row] != 0)
+            found.emplace_back(facet, facets.tags[row]);
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    std::map<std::vector<Index>, std::vector<Index>> together; // facets of several groups
+    for (std::size_t begin = 0, end = 0; begin < found.size(); begin = end) {
+        std::vector<Index> groups;
+        for (; end < found.size() && found[end].first == found[begin].first; ++end)
+            groups.push_back(found[end].second);
+        result.tags[found[begin].first] = groups.front();
+        if (groups.size() > 1)
+            together[groups].push_back(found[begin].first);
+    }
+    const std::set<Index> used(facets.tags.begin(), facets.tags.end());
+    Index next = *used.rbegin();
+    for (const auto& [groups, cells] : together) {
+        do
+            next = next == std::numeric_limits<Index>::max() ? 1 : next + 1;
+        while (used.count(next) > 0 || next == 0);
+        result.joint.push_back({next, groups});
+        for (const Index facet : cells)
+            result.tags[facet] = next;
+        warnings.push_back(fmt::format("{} facet{} in the groups {} at once: the tag is {}, and "
+                                       "conditions by group know all",
+                                       cells.size(), cells.size() == 1 ? " is" : "s are",
+                                       fmt::join(groups, ", "), next));
     }
     if (!strays.empty())
         warnings.push_back(fmt::format("left out {} facet{} of groups that no cell has: {}",
                                        strays.size(), strays.size() == 1 ? "" : "s",
                                        list_facets(facets, strays)));
-    if (!repeated.empty())
-        warnings.push_back(fmt::format("left out {} second group{} of facets: {}", repeated.size(),
-                                       repeated.size() == 1 ? "" : "s",
-                                       list_facets(facets, repeated)));
     return result;
 }
 

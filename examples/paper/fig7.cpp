@@ -77,8 +77,8 @@ public:
     PerturbedProblem(int cells, double perturbation)
         : original_(discretized(grid(cells, cells), options(perturbation))),
           moved_(discretized(perturbation == 0 ? grid(cells, cells)
-                                              : perturbed(grid(cells, cells), perturbation, 1),
-                            options(perturbation))) {}
+                                               : perturbed(grid(cells, cells), perturbation, 1),
+                             options(perturbation))) {}
 
     struct Outcome {
         double moved = none, kept = none; ///< errors with data at the moved, or the old, places
@@ -207,7 +207,7 @@ void add_conditions(Report& report) {
         table.rows.push_back(
             {fmt::format("perturbed by 1e-{}", exponent),
              condition(discretized(perturbed(grid(cells, cells), std::pow(10.0, -exponent), 1),
-                                  nothing))});
+                                   nothing))});
     const auto plain = discretized(grid(cells, cells), nothing);
     const auto lengthened = plain.volumes().with_dual(1, plain.volumes().dual(1).cwiseMax(least));
     table.rows.push_back({"least dual length 1e-5", condition(plain.with_volumes(lengthened))});

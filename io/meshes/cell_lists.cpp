@@ -29,6 +29,11 @@ void CellLists::add(int dimension, std::span<const Index> corners, Index tag,
     list.tags.push_back(tag);
 }
 
+void CellLists::add_tag(int dimension, Index tag) {
+    auto& list = lists_[static_cast<std::size_t>(dimension)];
+    list.more.emplace_back(static_cast<Index>(list.tags.size()) - 1, tag);
+}
+
 /// Cells of smaller dimension mostly bound those of the mesh. Others would be missed.
 std::vector<std::string> CellLists::warnings_of_lesser(int dimension, Eigen::Index vertices) {
     std::vector<std::string> warnings;
@@ -36,7 +41,7 @@ std::vector<std::string> CellLists::warnings_of_lesser(int dimension, Eigen::Ind
     for (const Index corner : list(dimension).corners)
         used[static_cast<std::size_t>(corner)] = 1;
     for (int k = dimension - 1; k > 0; --k) {
-        const auto& [corners, offsets, tags] = list(k);
+        const auto& [corners, offsets, tags, more] = list(k);
         std::size_t count = 0, first = 0, most_corners = 0;
         for (std::size_t cell = 0; cell < tags.size(); ++cell) {
             const auto begin = corners.begin() + offsets[cell];
@@ -65,7 +70,18 @@ Mesh CellLists::mesh(Points points) && {
     auto warnings = warnings_of_lesser(dimension, points.rows());
     if (curved_ > 0)
         warnings.push_back(higher_order_warning(curved_));
-    const auto& lesser = list(dimension - 1);
+    auto& lesser = list(dimension - 1);
+    for (const auto& [cell, tag] : std::exchange(lesser.more, {})) {
+        const auto begin = lesser.offsets[cell], end = lesser.offsets[cell + 1];
+        for (Index i = begin; i < end; ++i)
+            lesser.corners.push_back(lesser.corners[i]);
+        lesser.offsets.push_back(lesser.offsets.back() + end - begin);
+        lesser.tags.push_back(tag);
+    }
+    if (const auto more = list(dimension).more.size(); more > 0)
+        warnings.push_back(fmt::format("left out {} second group{} of cells: of those of the mesh "
+                                       "the first group is the tag",
+                                       more, more == 1 ? "" : "s"));
     auto facet_tags = pull_tagged(dimension - 1, lesser.corners, lesser.offsets, lesser.tags);
 
     auto& cells = list(dimension);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polydec {
@@ -22,13 +23,17 @@ public:
     /// for none. Throws InvalidInput if the cells are too many.
     void add(int dimension, std::span<const Index> corners, Index tag, const SourceFile& file);
 
+    /// Of the cell of this dimension added last: another group that it is in.
+    void add_tag(int dimension, Index tag);
+
     /// Remembers that the cell added last has so many nodes besides its corners, left out here.
     void leave_out_nodes(std::size_t count) { curved_ += count > 0 ? 1 : 0; }
 
     /// The cells of the largest dimension that is there, on these points; none if all are points.
     /// Polygons and solids are split, and their tags follow. Where no cell has a tag, the mesh has
-    /// none. Of the cells of one dimension less it has those with a tag. Warnings count nodes that
-    /// were left out, and cells that lie beside those of the mesh.
+    /// none. Of the cells of one dimension less it has those with a tag, once for each group.
+    /// Warnings count nodes that were left out, second groups of its own cells, and cells that
+    /// lie beside those of the mesh.
     Mesh mesh(Points points) &&;
 
 private:
@@ -36,6 +41,7 @@ private:
         std::vector<Index> corners;
         std::vector<Index> offsets{0};
         std::vector<Index> tags;
+        std::vector<std::pair<Index, Index>> more; ///< cells and other groups that they are in
     };
 
     List& list(int dimension) { return lists_[static_cast<std::size_t>(dimension)]; }

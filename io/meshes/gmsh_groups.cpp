@@ -23,7 +23,7 @@ void GmshGroups::read(GmshSource& source, bool is_partitioned) {
     for (std::size_t dimension = 0; dimension < counts.size(); ++dimension) {
         for (Index entity = 0; entity < counts[dimension]; ++entity)
             read_entity(source, dimension, is_partitioned);
-        if (const auto twice = tags_[dimension].close()) {
+        if (const auto twice = lists_[dimension].close()) {
             source.fail(fmt::format("the entity {} of dimension {} is there twice; expected "
                                     "it once; export it again",
                                     *twice, dimension));
@@ -40,18 +40,19 @@ void GmshGroups::read_entity(GmshSource& source, std::size_t dimension, bool is_
     }
     source.skip_reals(dimension == 0 && !source.format().is_4_0() ? 3 : 6);
     const Index groups = source.count("physical groups", {.integers = 1});
-    for (Index group = 0; group < groups; ++group) {
-        const auto tag = group_tag(source.integer("a physical group"), source);
-        if (group == 0)
-            tags_[dimension].add(number, tag);
+    std::vector<Index> tags;
+    for (Index group = 0; group < groups; ++group)
+        tags.push_back(group_tag(source.integer("a physical group"), source));
+    if (!tags.empty()) {
+        lists_[dimension].add(number, static_cast<Index>(tags_.size()));
+        tags_.push_back(std::move(tags));
     }
-    ambiguous_ += groups > 1 ? 1 : 0;
     if (dimension > 0)
         source.skip_integers("entities of a boundary");
 }
 
-Index GmshGroups::tag_of(std::size_t dimension, std::int64_t entity) const {
-    return tags_[dimension].find(entity).value_or(0);
+std::span<const Index> GmshGroups::tags_of(std::size_t dimension, std::int64_t entity) const {
+    return tags_[static_cast<std::size_t>(lists_[dimension].find(entity).value_or(0))];
 }
 
 namespace {
@@ -85,12 +86,6 @@ std::vector<GroupName> read_gmsh_names(Scanner& scanner, const GmshFormat& forma
         names.push_back(std::move(group));
     }
     return names;
-}
-
-std::string gmsh_ambiguity(const GmshGroups& groups) {
-    return fmt::format("entities of the model in more than one physical group, of which the first "
-                       "is the tag: {}",
-                       groups.ambiguous());
 }
 
 Index group_tag(std::int64_t number, const GmshSource& source) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,21 +21,15 @@ public:
     /// Reads the section Entities, or PartitionedEntities, of version 4.
     void read(GmshSource& source, bool is_partitioned);
 
-    /// The first group of the entity, or 0.
-    Index tag_of(std::size_t dimension, std::int64_t entity) const;
-
-    /// How many entities belong to more than one group.
-    std::size_t ambiguous() const { return ambiguous_; }
+    /// The groups of the entity, or 0 for none.
+    std::span<const Index> tags_of(std::size_t dimension, std::int64_t entity) const;
 
 private:
     void read_entity(GmshSource& source, std::size_t dimension, bool is_partitioned);
 
-    std::array<NumberTable, CellLists::most_dimensions> tags_; ///< by dimension
-    std::size_t ambiguous_ = 0;
+    std::array<NumberTable, CellLists::most_dimensions> lists_; ///< by dimension, of the lists
+    std::vector<std::vector<Index>> tags_{{0}};
 };
-
-/// The warning about those.
-std::string gmsh_ambiguity(const GmshGroups& groups);
 
 /// Reads the section PhysicalNames up to its end, which is text even where all else is bytes:
 /// dimension, which the oldest files lack, number, and name in quotes. Throws InvalidInput.

@@ -31,8 +31,6 @@ public:
         if (!has_elements_)
             refuse_layout(file_, "there is no section $Elements");
         take_cells();
-        if (groups_.ambiguous() > 0)
-            layout_.warnings.push_back(gmsh_ambiguity(groups_));
         layout_.order = *format_->order;
         return std::move(layout_);
     }

@@ -31,8 +31,6 @@ public:
         }
         Mesh mesh = std::move(cells_).mesh(std::move(points_));
         mesh.groups = std::move(names_);
-        if (groups_.ambiguous() > 0)
-            mesh.warnings.push_back(gmsh_ambiguity(groups_));
         return mesh;
     }
 
@@ -199,10 +197,12 @@ private:
 
     Index read_element_block(GmshSource& source, Index left) {
         const auto block = read_gmsh_element_block(source, left);
-        const Index tag = groups_.tag_of(block.entity_dimension, block.entity);
+        const auto tags = groups_.tags_of(block.entity_dimension, block.entity);
         for (Index element = 0; element < block.count; ++element) {
             source.number("the number of an element");
-            read_cell(source, block.kind, tag);
+            read_cell(source, block.kind, tags.front());
+            for (const Index other : tags.subspan(1))
+                cells_.add_tag(block.kind.dimension, other);
         }
         return block.count;
     }

@@ -131,10 +131,10 @@ Page draw_page(const Discretization& mesh, const Spectrum& spectrum, std::string
 std::string in_words(const Certificate& certificate) {
     if (!certificate.complete)
         return "not certified: copies of multiple eigenvalues may be missing";
-    return fmt::format("certified: {} eigenvalues of this mesh lie below {:.8g} by inertia, {} were computed, "
-                       "each within its radius of the value",
-                       certificate.below_shift, certificate.shift,
-                       certificate.returned_below_shift);
+    return fmt::format(
+        "certified: {} eigenvalues of this mesh lie below {:.8g} by inertia, {} were computed, "
+        "each within its radius of the value",
+        certificate.below_shift, certificate.shift, certificate.returned_below_shift);
 }
 
 } // namespace polydec

@@ -6,8 +6,9 @@
 #include "dec/advice.h"
 #include "dec/choose_stars.h"
 #include "dec/diagnosis.h"
-#include "dec/fields/chosen_vertices.h"
+#include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/fields/chosen_vertices.h"
 #include "dec/material_stars.h"
 #include "io/diagnosis_json.h"
 #include "io/pictures/draw_cells.h"
@@ -149,10 +150,7 @@ void add_parts(py::class_<Discretization>& type) {
                                [](const Discretization& mesh) { return array(mesh.facet_tags()); })
         .def("facets_in",
              [](const Discretization& mesh, const std::vector<std::string>& groups) {
-                 std::vector<bool> marks;
-                 for (const auto condition : essential_on(mesh, groups).facets)
-                     marks.push_back(condition == BoundaryCondition::essential);
-                 return marks;
+                 return facets_on(mesh, groups);
              })
         .def_property_readonly("unit", &Discretization::unit)
         .def_property_readonly(

@@ -112,8 +112,8 @@ class Complex(Cells):
         """The vertices on the boundary, ascending. Raises InvalidInput if there is none."""
         return self._mesh.boundary_vertices()
 
-    def vertices_on(self, *groups: str | int) -> Integers:
-        """The vertices of facets, or else of n-cells, in these groups of the file, ascending.
+    def vertices_in(self, *groups: str | int) -> Integers:
+        """The vertices of n-cells, or else of facets, in these groups of the file, ascending.
 
         Groups are given by names or tags. Raises InvalidInput for one that there is not.
         """

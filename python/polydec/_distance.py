@@ -38,7 +38,7 @@ class GeodesicDistance:
         elif isinstance(sources, str) and sources == "boundary":
             sources = self._complex.boundary_vertices()
         elif isinstance(sources, str):
-            sources = self._complex.vertices_on(sources)
+            sources = self._complex.vertices_in(sources)
         given = np.atleast_1d(np.asarray(sources))
         if given.dtype == bool:
             count = self._complex.size(0)

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -73,7 +72,6 @@ struct CertifiedEigensolver::State {
     void choose_engine(Index count);
     double lowest_shift(Index wanted);
     void set_shift(double sigma, Definiteness definiteness);
-    void take_kernel();
     Index ask(Index count);
     bool improve(Index count);
     bool smooth();
@@ -136,15 +134,6 @@ void CertifiedEigensolver::State::set_shift(double sigma, Definiteness definiten
     shift = sigma;
     factorized = true;
     smoothed = false;
-}
-
-/// So that iterations need not find copy after copy of zero.
-void CertifiedEigensolver::State::take_kernel() {
-    const DenseMatrix kernel = std::exchange(options.kernel, {});
-    if (kernel.cols() == 0)
-        return;
-    const DenseMatrix Y = pencil.scaled(kernel).colwise().normalized();
-    pairs.take(Y, pencil.enclose(Y));
 }
 
 /// Asks for `count` eigenpairs above the shift and apart from those found; how many came.
@@ -361,11 +350,11 @@ CertifiedEigenpairs CertifiedEigensolver::smallest(Index count) {
         throw InvalidInput(
             fmt::format("{} eigenvalues asked for: there are 1 to {} to be had", count, s.size()));
     constexpr Index spare = 3; // behind a gap
-    Index wanted = std::max(count + std::max(spare, count / 10),
-                            std::min(s.options.zeros, s.size()) + spare);
+    Index wanted =
+        std::max(count + std::max(spare, count / 10), std::min(s.options.zeros, s.size()) + spare);
     if (!s.factorized)
         s.set_shift(s.lowest_shift(wanted), Definiteness::positive);
-    s.take_kernel();
+    take_kernel(s.pairs, s.pencil, std::exchange(s.options.kernel, {}));
     take_proved(s.pairs, s.pencil, std::exchange(s.options.start, {}));
     s.in_vain = 0;
     for (int round = 0; round < patience && s.in_vain < most_in_vain; ++round) {

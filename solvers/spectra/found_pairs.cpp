@@ -171,6 +171,13 @@ Index FoundPairs::gap_behind(Index count) const {
     return -1;
 }
 
+void take_kernel(FoundPairs& pairs, const ScaledPencil& pencil, const DenseMatrix& vectors) {
+    if (vectors.cols() == 0)
+        return;
+    const DenseMatrix Y = pencil.scaled(vectors).colwise().normalized();
+    pairs.take(Y, pencil.enclose(Y));
+}
+
 void take_proved(FoundPairs& pairs, const ScaledPencil& pencil, DenseMatrix vectors) {
     if (vectors.cols() == 0)
         return;

@@ -77,6 +77,10 @@ private:
     Products products_;
 };
 
+/// Puts to those found vectors that are known to have the eigenvalue zero, a column each, given as
+/// unknowns of the pencil: so that iterations need not find copy after copy of it.
+void take_kernel(FoundPairs& pairs, const ScaledPencil& pencil, const DenseMatrix& vectors);
+
 /// Puts to those found the vectors, a column each, whose radii prove that they are eigenvectors,
 /// each of another pair; the others are left out. Throws InvalidInput for vectors of another size,
 /// or that are not finite.

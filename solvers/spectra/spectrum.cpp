@@ -71,8 +71,8 @@ DenseMatrix kernel(const ConditionedComplex& space, const SpectrumOptions& optio
         return {};
     if (options.progress)
         options.progress("harmonic forms");
-    const DenseMatrix forms = harmonic_forms(space.relative.complex, space.stars, Side::primal, k,
-                                             options.linear_solver);
+    const DenseMatrix forms =
+        harmonic_forms(space.relative.complex, space.stars, Side::primal, k, options.linear_solver);
     return is_dual_function ? DenseMatrix(space.stars[k].matrix() * forms) : forms;
 }
 

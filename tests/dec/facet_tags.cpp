@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dec/discretization.h"
+#include "dec/facet_groups.h"
 #include "dec/merging/merged_tags.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 
 namespace polydec::test::in_facet_tags {
@@ -158,12 +160,35 @@ TEST(FacetTags, what_no_cell_has_is_left_out_with_a_warning) {
     EXPECT_TRUE(each_says(result.warnings(), {{"2 facets", "groups", "(1 3)", "(2 2)"}}));
 }
 
-TEST(FacetTags, of_several_groups_of_a_facet_the_first_counts) {
+TEST(FacetTags, of_several_groups_of_a_facet_all_count) {
     Mesh mesh = square();
-    mesh.facet_tags = {Simplices{{1, 0}, {0, 1}, {1, 0}}, {8, 9, 8}};
-    const auto result = discretize(mesh);
-    EXPECT_EQ(result.facet_tags(), (std::vector<Index>{8, 0, 0, 0}));
-    EXPECT_TRUE(each_says(result.warnings(), {{"1 second group", "facets", "(0 1)"}}));
+    mesh.facet_tags = {Simplices{{1, 0}, {0, 1}, {1, 0}, {1, 2}, {2, 0}}, {8, 9, 8, 9, 5}};
+    mesh.groups = {{1, 8, "wall"}, {-1, 9, "lid"}, {2, 9, "plate"}};
+    const auto result = discretize(mesh, apart);
+    EXPECT_EQ(result.facet_tags(), (std::vector<Index>{10, 5, 0, 9, 0}));
+    ASSERT_EQ(result.joint_tags().size(), 1U);
+    EXPECT_EQ(result.joint_tags()[0].tag, 10);
+    EXPECT_EQ(result.joint_tags()[0].groups, (std::vector<Index>{8, 9}));
+    EXPECT_TRUE(each_says(result.warnings(), {{"1 facet", "groups 8, 9", "10"}}));
+    using Marks = std::vector<bool>;
+    EXPECT_EQ(facets_on(result, {"wall"}), (Marks{true, false, false, false, false}));
+    EXPECT_EQ(facets_on(result, {"9"}), (Marks{true, false, false, true, false}));
+    EXPECT_EQ(facets_on(result, {"lid"}), facets_on(result, {"9"}));
+    EXPECT_EQ(facets_on(result, {"8", "5"}), (Marks{true, true, false, false, false}));
+    EXPECT_EQ(essential_on(result, {"lid"}).at(3), BoundaryCondition::essential);
+    EXPECT_EQ(essential_on(result, {"lid"}).at(1), BoundaryCondition::natural);
+    EXPECT_TRUE(says(refusal([&] { facets_on(result, {"4"}); }),
+                     {"no facet", "group 4", "wall (1 facets)", "lid (2 facets)", "5 (1 facets)"}));
+    EXPECT_TRUE(says(refusal([&] { facets_on(result, {"plate"}); }), {"1-cells", "plate", "wall"}));
+    EXPECT_TRUE(says(refusal([&] {
+                         essential_on(result, {"lid", "5"});
+                     }),
+                     {"group 5", "none", "4 facets", "wall"}));
+    mesh.facet_tags = {};
+    EXPECT_TRUE(
+        says(refusal([&] { facets_on(discretize(mesh), {"4"}); }), {"no facet", "group 4"}));
+    mesh.facet_tags = {Simplices{{1, 0}, {0, 1}}, {1, std::numeric_limits<Index>::max()}};
+    EXPECT_EQ(discretize(mesh).joint_tags()[0].tag, 2);
 }
 
 TEST(FacetTags, of_cells_that_tidying_leaves_out_go_with_them) {

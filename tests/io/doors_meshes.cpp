@@ -188,7 +188,8 @@ Questions of_meshes(const Sample& s) {
              std::vector<std::string> warnings;
              const TaggedSimplices facets{s.K().simplices(n - 1),
                                           in.list<Index>(s.K().size(n - 1), 2)};
-             return fit(std::ssize(tags_of_facets(s.K(), facets, warnings)) == s.K().size(n - 1));
+             return fit(std::ssize(tags_of_facets(s.K(), facets, warnings).tags) ==
+                        s.K().size(n - 1));
          }},
         {"vertex_points",
          [&s](Inputs& in) {

@@ -197,7 +197,19 @@ TEST(Gmsh, LinesMayEndInThreeWays) {
 TEST(Gmsh, TheFirstOfSeveralGroupsIsTheTagWhateverItsSign) {
     const auto mesh = parse_mesh({"a.msh", new_file(variants[3], {-9, 12})});
     EXPECT_EQ(mesh.tags, (std::vector<Index>{11, 9}));
-    EXPECT_TRUE(each_says(mesh.warnings, {{"physical group", "tag", "1"}}));
+    EXPECT_TRUE(each_says(mesh.warnings, {{"1 second group", "cells", "first", "tag"}}));
+}
+
+TEST(Gmsh, FacetsAreInAllGroupsOfTheirCurve) {
+    const std::string text =
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 2 1 0\n3 0 0 0 0 1 0 2 6 7 0\n"
+        "4 0 0 0 0 1 0 1 6 0\n5 0 0 0 1 1 0 1 9 0\n$EndEntities\n$Nodes\n1 4 1 4\n2 5 0 4\n"
+        "1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n$Elements\n3 4 1 4\n1 3 1 1\n"
+        "1 1 2\n1 4 1 1\n2 2 3\n2 5 2 2\n3 1 2 3\n4 1 3 4\n$EndElements\n";
+    const auto mesh = parse_mesh({"a.msh", text});
+    EXPECT_EQ(rows(mesh.facet_tags.simplices), (Cells{{0, 1}, {1, 2}, {0, 1}}));
+    EXPECT_EQ(mesh.facet_tags.tags, (std::vector<Index>{6, 6, 7}));
+    EXPECT_TRUE(mesh.warnings.empty());
 }
 
 TEST(Gmsh, GroupsHaveNamesOfAnySigns) {

@@ -2,7 +2,6 @@
 #include "dec/conditioned_complex.h"
 #include "dec/facets_without_dual.h"
 #include "dec/fields/cell_centers.h"
-#include "dec/forms/laplacian.h"
 #include "dec/forms/star.h"
 #include "dec/well_defined.h"
 #include "meshes/generate.h"
@@ -271,53 +270,6 @@ TEST(ConditionedErrors, name_the_facet_where_dual_functions_have_no_differences)
           refusal([&] { spectrum(branching, {.degree = 2}); }),
           refusal([&] { HeatSolver(branching, neumann, Side::dual, 0, {}); })})
         EXPECT_TRUE(says(refused, {"3 cells", "facet", "primal 0-forms"})) << refused;
-}
-
-TEST(Conditions, fix_values_of_primal_functions_at_vertices) {
-    const auto mesh = discretize(grid(8, 8));
-    BoundaryConditions conditions = neumann;
-    conditions.fixed_vertices.assign(mesh.complex().size(0), false);
-    Vector given = Vector::Zero(mesh.complex().size(0));
-    for (Index v = 0; v < given.size(); ++v) {
-        const auto p = mesh.points().row(v);
-        const bool is_center = p[0] == 0.5 && p[1] == 0.5;
-        const bool is_corner = p[0] * (1 - p[0]) == 0 && p[1] * (1 - p[1]) == 0;
-        conditions.fixed_vertices[v] = is_center || is_corner;
-        given[v] = is_center ? 1 : 0;
-    }
-    const auto u = PoissonSolver(mesh, {.boundary = conditions})
-                       .solve(Vector::Zero(given.size()), given)
-                       .values;
-    const Vector flow = symmetric_laplacian(mesh.complex(), mesh.stars(), 0).matrix() * u;
-    for (Index v = 0; v < given.size(); ++v)
-        if (conditions.fixed_vertices[v])
-            EXPECT_EQ(u[v], given[v]);
-        else
-            EXPECT_NEAR(flow[v], 0, 1e-12);
-    EXPECT_GT(spectrum(mesh, conditions, {.count = 1}).eigenvalues[0], 0.1);
-    for (const auto& refused :
-         {refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .boundary = conditions}); }),
-          refusal([&] { spectrum(mesh, conditions, {.degree = 1}); }),
-          refusal([&] { spectrum(mesh, conditions, {.side = Side::dual, .degree = 2}); })})
-        EXPECT_TRUE(says(refused, {"vertices", "primal 0-forms"})) << refused;
-    conditions.fixed_vertices.pop_back();
-    EXPECT_TRUE(says(refusal([&] { PoissonSolver(mesh, {.boundary = conditions}); }),
-                     {"80", "81", "fixed vertices"}));
-}
-
-TEST(Conditions, that_give_values_nowhere_are_found) {
-    const auto mesh = discretize(grid(4, 4));
-    BoundaryConditions inside = neumann;
-    const auto& cofaces = mesh.complex().coface_counts(1);
-    for (const Index count : cofaces)
-        inside.facets.push_back(count == 2 ? BoundaryCondition::essential
-                                           : BoundaryCondition::natural);
-    EXPECT_TRUE(says(refusal([&] { require_essential(mesh.complex(), inside, "the wall"); }),
-                     {"the wall", "none", "16"}));
-    inside.facets[std::find(cofaces.begin(), cofaces.end(), 1) - cofaces.begin()] =
-        BoundaryCondition::essential;
-    require_essential(mesh.complex(), inside, "the wall");
-    require_essential(discretize(icosphere(2)).complex(), neumann, "a surface without boundary");
 }
 
 TEST(ConditionedErrors, know_the_mesh_through_several_relative_complexes) {

@@ -324,15 +324,5 @@ TEST(Robin, is_refused_by_name_where_it_is_not_known) {
              {"0 coefficients", "Robin", "12 1-cells"}));
 }
 
-TEST(Tags, of_facets_make_conditions) {
-    const std::vector<Index> tags{0, 3, 3, 7};
-    const auto conditions = essential_on(tags, {3});
-    EXPECT_EQ(conditions.at(0), BoundaryCondition::natural);
-    EXPECT_EQ(conditions.at(1), BoundaryCondition::essential);
-    EXPECT_EQ(conditions.at(3), BoundaryCondition::natural);
-    EXPECT_TRUE(says(refusal([&] { essential_on(tags, {4}); }), {"no facet", "tag 4", "3, 7"}));
-    EXPECT_TRUE(says(refusal([&] { essential_on({}, {4}); }), {"no facet", "tag 4", "no facets"}));
-}
-
 } // namespace
 } // namespace polydec::test::in_robin

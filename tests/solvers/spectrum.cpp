@@ -115,7 +115,8 @@ TEST(SpectraOfManyPieces, have_a_zero_for_each_and_for_each_hole) {
     const Index pieces = 60;
     const Mesh square = grid(2, 2);
     Mesh many{Points(pieces * square.points.rows(), 2),
-              Simplices(pieces * square.simplices.rows(), 3), {}};
+              Simplices(pieces * square.simplices.rows(), 3),
+              {}};
     for (Index i = 0; i < pieces; ++i) {
         const Index vertices = static_cast<Index>(square.points.rows());
         const Index triangles = static_cast<Index>(square.simplices.rows());
