@@ -138,10 +138,16 @@ RobinParts robin_parts(const CellComplex& complex, const HodgeStars& stars, Side
     });
 }
 
+BoundaryConditions in_unit_of(const Discretization& mesh, BoundaryConditions conditions) {
+    for (double& coefficient : conditions.coefficients)
+        coefficient *= mesh.unit();
+    return conditions;
+}
+
 RobinParts robin_parts(const Discretization& mesh, Side side, int degree,
                        const BoundaryConditions& conditions) {
     return parts_of_robin(
-        mesh.complex(), side, degree, conditions,
+        mesh.complex(), side, degree, in_unit_of(mesh, conditions),
         [&](int k, const Vector& weights) { return boundary_star(mesh, k, weights); });
 }
 

@@ -42,6 +42,10 @@ struct RobinParts {
     SparseMatrix layer = {}; ///< of dual ones, which it holds back as by a layer, to the star below
 };
 
+/// Conditions in the unit of a mesh (Discretization::unit): the coefficients of Robin's condition
+/// of a mesh are 1 over lengths of its input.
+BoundaryConditions in_unit_of(const Discretization& mesh, BoundaryConditions conditions);
+
 /// Throws like robin_coefficients and boundary_star.
 RobinParts robin_parts(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
                        const BoundaryConditions& conditions);

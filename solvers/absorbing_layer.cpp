@@ -136,7 +136,7 @@ void check(const Discretization& mesh, const AbsorbingLayer& layer) {
     if (!(layer.width > 0 && layer.width < smallest))
         throw InvalidInput(fmt::format("an absorbing layer of the width {:.6g} is asked for: "
                                        "expected one above 0 and below {:.6g}, that of the mesh",
-                                       layer.width, smallest));
+                                       mesh.unit() * layer.width, mesh.unit() * smallest));
     if (!(layer.reflection > 0 && layer.reflection < 1 && layer.power >= 1 &&
           std::isfinite(layer.power)))
         throw InvalidInput(fmt::format("a layer with the reflection {:.6g} and the power {:.6g} is "

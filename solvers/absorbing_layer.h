@@ -63,7 +63,7 @@ struct LayerParts {
 };
 
 /// Of waves with E on the e_degree-cells of a conditioned complex and B on the b_degree-cells, on
-/// which d takes the values of E to those of B.
+/// which d takes the values of E to those of B; the layer and the step in the unit of the mesh.
 /// Throws InvalidInput for a width, reflection, power or sides that make no layer, for a mesh
 /// without coordinates, and, naming the cell, for stretched coordinates if one in the layer is not
 /// parallel to the axes.

@@ -4,13 +4,15 @@
 #include "base/checks.h"
 #include "dec/boundary_star.h"
 #include "dec/forms/boundary_conditions.h"
+#include "meshes/unit_of_length.h"
 
 namespace polydec {
 
-Vector outward_flow(const Discretization& mesh, Side side, const Vector& derivatives) {
+Vector outward_flow(const Discretization& mesh, Side side, const Vector& given) {
     const CellComplex& complex = mesh.complex();
     const int n = complex.dimension();
-    check_as_many("outward derivatives", derivatives.size(), complex.size(n - 1));
+    check_as_many("outward derivatives", given.size(), complex.size(n - 1));
+    const Vector derivatives = in_input_units(given, mesh.unit(), 1, "outward derivatives");
     if (side == Side::primal)
         return dual_boundary_derivative(complex, n - 1).transpose() *
                Vector(boundary_star(mesh, 0, derivatives) * Vector::Ones(complex.size(0)));

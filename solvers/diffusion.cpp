@@ -7,6 +7,7 @@
 #include "base/lazy.h"
 #include "dec/advice.h"
 #include "dec/forms/laplacian.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/hodge_laplace_equations.h"
 #include "solvers/spectra/positive_mass.h"
 
@@ -45,6 +46,13 @@ RobinComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Si
             {}};
 }
 
+/// The coefficient in squares of the mesh's unit of length.
+DiffusionOptions in_unit_of(const Discretization& mesh, DiffusionOptions options) {
+    const Vector given{{options.coefficient}};
+    options.coefficient = in_input_units(given, mesh.unit(), -2, "coefficient of diffusion")[0];
+    return options;
+}
+
 bool has_any(const BoundaryForms& data) {
     return data.values.size() > 0 || data.codifferential.size() > 0 || data.flow.size() > 0 ||
            data.derivative_flow.size() > 0;
@@ -65,7 +73,7 @@ Diffusion::Diffusion(const Discretization& mesh, Side side, int degree,
     : Diffusion(
           mesh.complex(), mesh.stars(),
           with_robin(mesh, side, degree, options.conditions.value_or(built_in_conditions(side))),
-          side, degree, options) {}
+          side, degree, in_unit_of(mesh, options)) {}
 
 Diffusion::Diffusion(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
                      const DiffusionOptions& options)

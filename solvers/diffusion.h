@@ -17,7 +17,7 @@ namespace polydec {
 struct HodgeLaplaceEquations;
 
 struct DiffusionOptions {
-    double coefficient = 1; ///< nu, at least 0; length squared over time
+    double coefficient = 1; ///< nu, at least 0; length squared over time, of a mesh's input
     /// Without, those that hold where nothing is done about the boundary (built_in_conditions).
     /// Robin's as well: what flows out is the coefficient times the trace, but for data.
     std::optional<BoundaryConditions> conditions = {};

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -37,10 +38,31 @@ Vector sizes_of_cells(const CellVolumes& volumes, Side side, int degree) {
     return mean > 0 ? Vector(sizes.cwiseMax(least * mean)) : Vector::Ones(sizes.size());
 }
 
+/// The time to measure in, so that rates of diffusion are ordinary numbers: 1 where the largest
+/// coefficient in the unit of the mesh is between 2^-80 and 2^80, else the power of two by which it
+/// becomes 1 to 2.
+double unit_of_time(const Discretization& mesh, const std::vector<Unknown>& unknowns) {
+    constexpr int moderate = 80;
+    double largest = 0;
+    for (const Unknown& unknown : unknowns)
+        largest = std::max(largest, unknown.diffusion);
+    if (!(largest > 0) || !std::isfinite(largest))
+        return 1;
+    const int exponent = std::ilogb(largest) - 2 * std::ilogb(mesh.unit());
+    return std::abs(exponent) <= moderate ? 1 : std::ldexp(1.0, -exponent);
+}
+
+/// All times in this unit.
+IntegratorOptions in_unit(IntegratorOptions steps, double unit) {
+    for (double* time : {&steps.first_step, &steps.largest_step, &steps.fixed_step})
+        *time /= unit;
+    return steps;
+}
+
 } // namespace
 
 /// The unknowns, and how their values are one vector: those of the cells that nothing fixes, one
-/// unknown behind the other.
+/// unknown behind the other. An integrator has times in a unit, all else has those of the caller.
 struct Evolution::Equation {
     struct Part {
         Unknown unknown;
@@ -58,6 +80,7 @@ struct Evolution::Equation {
     std::vector<Part> parts;
     Reaction reaction;
     EvolutionOptions options;
+    double unit = 1; ///< of time
     Vector start, scale;
 
     void add(const CellComplex& whole, const HodgeStars& stars, const Discretization* mesh,
@@ -157,31 +180,36 @@ InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>
         std::any_of(parts.begin(), parts.end(), [](const Part& part) { return !!part.stiff; });
     if (reaction || !is_stiff)
         result.rate = [self](double t, const Vector& y) {
-            return self->reaction ? self->rate(t, y) : Vector(Vector::Zero(y.size()));
+            return self->reaction ? Vector(self->unit * self->rate(self->unit * t, y))
+                                  : Vector(Vector::Zero(y.size()));
         };
     if (is_stiff)
-        result.stiff = {
-            .rate = [self](double t, const Vector& y) { return self->stiff_rate(t, y); },
-            .prepare =
-                [self](double, const Vector&, double gamma) {
-                    for (const Part& part : self->parts)
-                        if (part.stiff)
-                            part.stiff->prepare(gamma);
-                },
-            .solve = [self](const Vector& b) { return self->solve(b); }};
-    result.progress = options.progress;
+        result.stiff = {.rate = [self](double t, const Vector& y) -> Vector {
+                            return self->unit * self->stiff_rate(self->unit * t, y);
+                        },
+                        .prepare =
+                            [self](double, const Vector&, double gamma) {
+                                for (const Part& part : self->parts)
+                                    if (part.stiff)
+                                        part.stiff->prepare(self->unit * gamma);
+                            },
+                        .solve = [self](const Vector& b) { return self->solve(b); }};
+    if (options.progress)
+        result.progress = [self](double t) { self->options.progress(self->unit * t); };
     if (options.event)
         result.event = [self](double t, const Vector& y) {
-            return self->options.event(t, self->forms(t, y));
+            const double time = self->unit * t;
+            return self->options.event(time, self->forms(time, y));
         };
     return result;
 }
 
 Evolution::Evolution(const Discretization& mesh, std::vector<Unknown> unknowns, Reaction reaction,
                      EvolutionOptions options)
-    : equation_(std::make_shared<Equation>()),
-      integrator_(make_integrator(options.integrator, options.steps)) {
+    : equation_(std::make_shared<Equation>()) {
     const double time = options.time;
+    equation_->unit = unit_of_time(mesh, unknowns);
+    integrator_ = make_integrator(options.integrator, in_unit(options.steps, equation_->unit));
     equation_->reaction = std::move(reaction);
     equation_->options = std::move(options);
     for (const Unknown& unknown : unknowns)
@@ -202,11 +230,11 @@ Evolution::Evolution(const CellComplex& complex, const HodgeStars& stars,
 }
 
 void Evolution::begin(double time, const Vector& values, const Vector& memory) {
-    integrator_->begin(equation_->problem(equation_), time, values, memory);
+    integrator_->begin(equation_->problem(equation_), time / equation_->unit, values, memory);
 }
 
 Arrival Evolution::march(double until) {
-    return integrator_->advance(until);
+    return integrator_->advance(until / equation_->unit);
 }
 
 Arrival Evolution::march(const std::vector<double>& times,
@@ -221,7 +249,7 @@ Arrival Evolution::march(const std::vector<double>& times,
 }
 
 double Evolution::time() const {
-    return integrator_->time();
+    return equation_->unit * integrator_->time();
 }
 
 std::vector<Cochain> Evolution::forms() const {
@@ -240,8 +268,10 @@ void Evolution::resume(double time, const std::vector<Vector>& state) {
     begin(time, state[0], state[1]);
 }
 
-const IntegratorReport& Evolution::report() const {
-    return integrator_->report();
+IntegratorReport Evolution::report() const {
+    auto result = integrator_->report();
+    result.last_step *= equation_->unit;
+    return result;
 }
 
 } // namespace polydec

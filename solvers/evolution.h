@@ -15,7 +15,7 @@ namespace polydec {
 /// A form that changes in time, and what of its rate is stiff: diffusion, -nu Delta u.
 struct Unknown {
     Cochain start = {};
-    double diffusion = 0; ///< nu, at least 0; length squared over time
+    double diffusion = 0; ///< nu, at least 0; length squared over time, of a mesh's input
     /// Under these conditions; without, the built-in ones. Without diffusion they fix nothing.
     std::optional<BoundaryConditions> conditions = {};
 
@@ -45,7 +45,8 @@ struct EvolutionOptions {
 /// Forms that change in time: u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual
 /// forms of any degrees on one mesh. The steps are what the tolerances ask for, however fine the
 /// mesh is, since diffusion is solved for. A step's error is measured in values over the sizes of
-/// cells, so that the absolute tolerance is one of coefficients.
+/// cells, so that the absolute tolerance is one of coefficients. Times and rates are those of the
+/// caller, of lengths of a mesh's input.
 class Evolution {
 public:
     /// Throws InvalidInput, numbering the unknown from 0, for forms that do not live on the mesh,
@@ -75,7 +76,7 @@ public:
     std::vector<Vector> state() const;
     void resume(double time, const std::vector<Vector>& state);
 
-    const IntegratorReport& report() const;
+    IntegratorReport report() const;
 
 private:
     struct Equation;

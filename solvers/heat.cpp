@@ -23,6 +23,10 @@ HeatSolver::HeatSolver(const CellComplex& complex, const HodgeStars& stars, Side
                        const HeatOptions& options)
     : HeatSolver(complex, Diffusion(complex, stars, side, degree, with(options)), options) {}
 
+HeatSolver::HeatSolver(const Discretization& mesh, Side side, int degree,
+                       const HeatOptions& options)
+    : HeatSolver(mesh.complex(), Diffusion(mesh, side, degree, with(options)), options) {}
+
 HeatSolver::HeatSolver(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
                        int degree, const HeatOptions& options)
     : HeatSolver(mesh.complex(), Diffusion(mesh, side, degree, with(options, conditions)),

@@ -14,7 +14,7 @@ enum class HeatScheme {
 };
 
 struct HeatOptions {
-    double time_step = 0;
+    double time_step = 0; ///< in squares of lengths, of a mesh's input
     HeatScheme scheme = HeatScheme::backward_euler;
     std::string linear_solver = "auto";
 };
@@ -33,8 +33,7 @@ public:
     HeatSolver(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
                const HeatOptions& options);
 
-    HeatSolver(const Discretization& mesh, Side side, int degree, const HeatOptions& options)
-        : HeatSolver(mesh.complex(), mesh.stars(), side, degree, options) {}
+    HeatSolver(const Discretization& mesh, Side side, int degree, const HeatOptions& options);
 
     /// Under homogeneous conditions on the boundary, those of conditioned_complex: values that they
     /// fix are 0 after every step, whatever they were before. Dual forms need no boundary facet to

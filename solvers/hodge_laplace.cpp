@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/hodge.h"
 #include "solvers/hodge_laplace_equations.h"
 #include "solvers/saddle_solver.h"
@@ -86,7 +87,9 @@ HodgeLaplaceSolver::HodgeLaplaceSolver(const Discretization& mesh,
                          conditioned_but_for_robin(mesh.complex(), mesh.stars(), options.side,
                                                    options.degree, options.boundary),
                          robin_parts(mesh, options.side, options.degree, options.boundary),
-                         options) {}
+                         options) {
+    unit_ = mesh.unit();
+}
 
 HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeStars& stars,
                                        const HodgeLaplaceOptions& options)
@@ -112,19 +115,20 @@ HodgeLaplaceSolver::HodgeLaplaceSolver(const CellComplex& complex, const HodgeSt
 HodgeLaplaceSolver::HodgeLaplaceSolver(HodgeLaplaceSolver&&) noexcept = default;
 HodgeLaplaceSolver::~HodgeLaplaceSolver() = default;
 
-FormSolution HodgeLaplaceSolver::solve(const Cochain& f, const BoundaryForms& data,
+FormSolution HodgeLaplaceSolver::solve(const Cochain& given, const BoundaryForms& data,
                                        const Vector& harmonic) const {
-    check(complex_, f);
-    if (f.side != side_ || f.degree != degree_)
+    check(complex_, given);
+    if (given.side != side_ || given.degree != degree_)
         throw InvalidInput(fmt::format("a {} {}-form is given: this solver is for {} {}-forms",
-                                       name(f.side), f.degree, name(side_), degree_));
+                                       name(given.side), given.degree, name(side_), degree_));
+    const Vector f = in_input_units(given.values, unit_, 2, "source");
     const System& of = *system_;
     const bool primal = side_ == Side::primal;
     if (harmonic.size() != 0)
         check_as_many("coefficients of harmonic forms", harmonic.size(), of.harmonic.cols());
     auto [w, below, b, g, b_terms, g_terms] = of.loads(data);
-    b += primal ? of.M * f.values : f.values;
-    b_terms += primal ? Vector(of.M.cwiseAbs() * f.values.cwiseAbs()) : f.values.cwiseAbs();
+    b += primal ? of.M * f : f;
+    b_terms += primal ? Vector(of.M.cwiseAbs() * f.cwiseAbs()) : f.cwiseAbs();
     Vector free = of.kept.transpose() * b;
     const Vector excess = of.harmonic.transpose() * free;
     free -= of.weighted * excess;
@@ -142,7 +146,8 @@ FormSolution HodgeLaplaceSolver::solve(const Cochain& f, const BoundaryForms& da
         coefficients += harmonic;
     w += of.kept * (of.harmonic * coefficients);
 
-    const Vector removed = of.kept * (of.harmonic * excess);
+    const Vector removed =
+        in_input_units(of.kept * (of.harmonic * excess), unit_, -2, "removed part");
     const int n = complex_.dimension();
     if (primal)
         return {{side_, k_, std::move(w)},
@@ -168,7 +173,8 @@ CurlCurlSolution solve_curl_curl(const HodgeLaplaceSolver& solver, const CellCom
     const auto first = solver.solve(j, data);
     Cochain exact{Side::primal, j.degree, Vector::Zero(j.values.size())};
     if (j.degree > 0)
-        exact = d(complex, first.beside);
+        exact.values = in_input_units(d(complex, first.beside).values, solver.unit(), -2,
+                                      "exact part of the source");
     auto second = solver.solve(j - exact, data);
     return {std::move(second.form), exact + first.removed, std::move(second.report)};
 }

@@ -52,14 +52,18 @@ public:
     HodgeLaplaceSolver(HodgeLaplaceSolver&&) noexcept;
     ~HodgeLaplaceSolver();
 
-    /// f is a form of the same side and degree, by its integrals over cells as every form. harmonic
-    /// has a coefficient for each of harmonic_forms(), or none. Throws InvalidInput for forms of
-    /// another kind, for another number of values, and for what is not finite.
+    /// f is a form of the same side and degree, by its integrals over cells as every form. It and
+    /// u are in units of a mesh's input; codifferentials and flows, as stars, in that of the mesh.
+    /// harmonic has a coefficient for each of harmonic_forms(), or none. Throws InvalidInput for
+    /// forms of another kind, for another number of values, and for what is not finite.
     FormSolution solve(const Cochain& f, const BoundaryForms& data = {},
                        const Vector& harmonic = {}) const;
 
     /// Columns, orthonormal in the inner product of the side; 0 where conditions fix values.
     DenseMatrix harmonic_forms() const;
+
+    /// The unit of length of the mesh; 1 for cells of one's own.
+    double unit() const { return unit_; }
 
 private:
     struct System;
@@ -70,6 +74,7 @@ private:
     CellComplex complex_;
     Side side_;
     int degree_, k_;
+    double unit_ = 1;
     std::unique_ptr<const System> system_;
 };
 

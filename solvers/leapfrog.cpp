@@ -87,13 +87,23 @@ double longest_step(const ConditionedComplex& space, Side side, int degree) {
     return 2 / std::sqrt(largest.values[0]);
 }
 
-double checked_step(const ConditionedComplex& space, Side side, int degree, double time_step) {
+/// Both in the unit of the mesh; what is said in that of the input.
+double checked_step(const ConditionedComplex& space, Side side, int degree, double time_step,
+                    double unit) {
     const double limit = longest_step(space, side, degree);
     if (!(time_step > 0 && time_step < limit))
         throw InvalidInput(fmt::format("a time step of {:.6g} is given: expected one above 0 and "
                                        "below {:.6g}, beyond which waves grow",
-                                       time_step, limit));
+                                       unit * time_step, unit * limit));
     return time_step;
+}
+
+LeapfrogOptions in_unit_of(const Discretization& mesh, LeapfrogOptions options) {
+    options.time_step /= mesh.unit();
+    options.loss *= mesh.unit();
+    options.upper_loss *= mesh.unit();
+    options.layer.width /= mesh.unit();
+    return options;
 }
 
 Operator derivative(const ConditionedComplex& space, Side side, int degree) {
@@ -134,7 +144,7 @@ double stable_step(const CellComplex& complex, const HodgeStars& stars, Side sid
 
 double stable_step(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
                    int degree) {
-    return longest_step(conditioned(mesh, conditions, side, degree), side, degree);
+    return mesh.unit() * longest_step(conditioned(mesh, conditions, side, degree), side, degree);
 }
 
 Leapfrog::Leapfrog(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
@@ -143,12 +153,13 @@ Leapfrog::Leapfrog(const CellComplex& complex, const HodgeStars& stars, Side sid
 
 Leapfrog::Leapfrog(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
                    int degree, const LeapfrogOptions& options)
-    : Leapfrog(mesh.complex(), conditioned(mesh, conditions, side, degree), side, degree, options,
-               &mesh) {}
+    : Leapfrog(mesh.complex(), conditioned(mesh, conditions, side, degree), side, degree,
+               in_unit_of(mesh, options), &mesh) {}
 
 Leapfrog::Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Side side, int degree,
                    const LeapfrogOptions& options, const Discretization* mesh)
-    : time_step_(checked_step(space, side, degree, options.time_step)),
+    : unit_(mesh ? mesh->unit() : 1),
+      time_step_(checked_step(space, side, degree, options.time_step, unit_)),
       d_(derivative(space, side, degree)),
       inverse_mass_(side == Side::primal
                         ? Operator::inverse_star(space.stars[degrees(whole, side, degree).E])
@@ -218,11 +229,11 @@ void Leapfrog::Field::advance(Vector& values, Vector rate, double time_step) con
 }
 
 void Leapfrog::step(WaveState& state, const WaveSources& sources) const {
-    Vector E = E_.restricted(state.E, "E"), B = B_.restricted(state.B, "B");
+    Vector E = E_.restricted(state.E, "E"), B = B_.restricted(state.B, "B") / unit_;
     const auto source = [](const Field& field, const Vector& given, const char* what) {
         return given.size() > 0 ? field.restricted(given, what) : Vector();
     };
-    const Vector E_source = source(E_, sources.E, "the source of E");
+    const Vector E_source = unit_ * source(E_, sources.E, "the source of E");
     const Vector B_source = source(B_, sources.B, "the source of B");
 
     Vector change = d_ * E;
@@ -234,7 +245,7 @@ void Leapfrog::step(WaveState& state, const WaveSources& sources) const {
     E_.layer.add(flow, state.E_memory, change);
     E_.advance(E, sum(inverse_mass_ * change, E_source), time_step_);
     E_.put_back(std::move(E), state.E);
-    B_.put_back(std::move(B), state.B);
+    B_.put_back(unit_ * B, state.B);
 }
 
 void Leapfrog::step(Vector& E, Vector& B) const {
@@ -247,7 +258,7 @@ void Leapfrog::step(Vector& E, Vector& B) const {
 }
 
 double Leapfrog::energy(const Vector& E, const Vector& B) const {
-    const Vector e = E_.restricted(E, "E"), b = B_.restricted(B, "B");
+    const Vector e = E_.restricted(E, "E"), b = B_.restricted(B, "B") / unit_;
     const Vector next = b - time_step_ * (d_ * e);
     return (e.dot(E_.mass * e) + b.dot(B_.mass * next)) / 2;
 }

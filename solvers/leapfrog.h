@@ -14,7 +14,7 @@ namespace polydec {
 /// What waves meet on their way beside the stars, in which the materials are that they are fast or
 /// slow in (see weighted_stars).
 struct LeapfrogOptions {
-    double time_step = 0;
+    double time_step = 0; ///< and all times and lengths in units of a mesh's input
     /// Rates of decay of E and of B by themselves, at least 0, one for each value, or none: for
     /// Maxwell's equations conductivity over permittivity (see cell_means). 1 / time.
     Vector loss = {}, upper_loss = {};
@@ -55,7 +55,8 @@ public:
     Leapfrog(const CellComplex& complex, const HodgeStars& stars, int degree, double time_step)
         : Leapfrog(complex, stars, Side::primal, degree, {.time_step = time_step}) {}
     Leapfrog(const Discretization& mesh, int degree, double time_step)
-        : Leapfrog(mesh.complex(), mesh.stars(), degree, time_step) {}
+        : Leapfrog(mesh, built_in_conditions(Side::primal), Side::primal, degree,
+                   {.time_step = time_step}) {}
 
     /// Under homogeneous conditions on the boundary, those of conditioned_complex: E and B have
     /// values for all cells, and those that the conditions fix are 0 after every step. An essential
@@ -71,11 +72,11 @@ public:
     void step(Vector& E, Vector& B) const;
 
     /// Half of <E, E> + <B, B'>, B' being the B after the next half of a step without sources and
-    /// losses: conserved to rounding by every such step. Positive for stable steps. Throws
-    /// likewise.
+    /// losses: conserved to rounding by every such step. Positive for stable steps. In the unit of
+    /// the mesh, as its stars are. Throws likewise.
     double energy(const Vector& E, const Vector& B) const;
 
-    double time_step() const { return time_step_; }
+    double time_step() const { return unit_ * time_step_; }
 
     /// What the layer has become: stretched or conducting; automatic where there is none.
     LayerKind layer() const { return layer_; }
@@ -102,15 +103,15 @@ private:
 
     static Field field(const CellComplex& whole, const ConditionedComplex& space, Side side, int k);
 
-    double time_step_;
+    double unit_, time_step_; // in this unit, as all behind it but E and B of a step
     Operator d_, inverse_mass_;
     Field E_, B_;
     LayerKind layer_ = LayerKind::automatic;
 };
 
-/// 2 / sqrt of the largest eigenvalue of delta d on forms: steps must be shorter. Units length.
-/// Throws InvalidInput like Leapfrog, SolverFailure if the root of a star that is a matrix takes
-/// more memory than there is; infinity if d is zero.
+/// 2 / sqrt of the largest eigenvalue of delta d on forms: steps must be shorter. Units length, of
+/// a mesh's input. Throws InvalidInput like Leapfrog, SolverFailure if the root of a star that is a
+/// matrix takes more memory than there is; infinity if d is zero.
 double stable_step(const CellComplex& complex, const HodgeStars& stars, Side side, int degree);
 double stable_step(const Discretization& mesh, const BoundaryConditions& conditions, Side side,
                    int degree);
@@ -118,7 +119,7 @@ inline double stable_step(const CellComplex& complex, const HodgeStars& stars, i
     return stable_step(complex, stars, Side::primal, degree);
 }
 inline double stable_step(const Discretization& mesh, int degree) {
-    return stable_step(mesh.complex(), mesh.stars(), degree);
+    return stable_step(mesh, built_in_conditions(Side::primal), Side::primal, degree);
 }
 
 } // namespace polydec

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/advice.h"
 #include "dec/boundary_star.h"
+#include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/gram.h"
 #include "dec/forms/laplacian.h"
@@ -109,6 +110,11 @@ Stiffness stiffness(const CellComplex& complex, const HodgeStars& stars) {
     SparseMatrix A = symmetric_laplacian(complex, stars, 0).matrix();
     A.prune(0.0);
     return {std::move(A), Definiteness::semidefinite};
+}
+
+PoissonOptions in_unit_of(const Discretization& mesh, PoissonOptions options) {
+    options.boundary = polydec::in_unit_of(mesh, std::move(options.boundary));
+    return options;
 }
 
 } // namespace
@@ -217,21 +223,14 @@ struct PoissonSolver::Problem {
                 .robin = robin};
     }
 
-    static Problem of(const Discretization& mesh, const PoissonOptions& options,
-                      bool is_in_unit = false) {
+    /// Of options in the unit of the mesh.
+    static Problem of(const Discretization& mesh, const PoissonOptions& options) {
         const int flows = options.side == Side::primal ? 1 : mesh.dimension() - 1;
         check_conductivity(mesh.complex(), options.conductivity);
-        if (mesh.unit() != 1 && !options.boundary.coefficients.empty() && !is_in_unit) {
-            PoissonOptions others = options; // 1 over lengths of the input
-            for (double& coefficient : others.boundary.coefficients)
-                coefficient *= mesh.unit();
-            return of(mesh, others, true);
-        }
         if (options.conductivity.size() != 0) {
             PoissonOptions others = options;
             others.conductivity = {};
-            return of(with_conductivity(mesh, options.side, flows, options.conductivity), others,
-                      is_in_unit);
+            return of(with_conductivity(mesh, options.side, flows, options.conductivity), others);
         }
         Problem problem =
             options.side == Side::primal
@@ -275,7 +274,7 @@ struct PoissonSolver::Problem {
 };
 
 PoissonSolver::PoissonSolver(const Discretization& mesh, const PoissonOptions& options)
-    : PoissonSolver(Problem::of(mesh, options)) {}
+    : PoissonSolver(Problem::of(mesh, in_unit_of(mesh, options))) {}
 
 PoissonSolver::PoissonSolver(const CellComplex& complex, const HodgeStars& stars,
                              const PoissonOptions& options)

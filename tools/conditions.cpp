@@ -56,9 +56,8 @@ std::optional<BoundaryConditions> ConditionValues::on(const Discretization& mesh
     const auto conditions = without_robin(mesh);
     if (robin_ == 0)
         return conditions;
-    // coefficients are 1 over lengths of the file
     return robin_elsewhere(conditions.value_or(BoundaryConditions{BoundaryCondition::natural}),
-                           robin_ * mesh.unit());
+                           robin_);
 }
 
 std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretization& mesh) const {

@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
-#include "meshes/unit_of_length.h"
 #include "solvers/boundary_forms.h"
 #include "tools/common.h"
 #include "tools/component_values.h"
@@ -112,8 +111,7 @@ Vector FormValues::through_boundary(const Discretization& mesh, Side side, int d
             "{} of a {}-form: expected a 0-form, whose outward derivative it is", option_, degree));
     check_count(mesh, degree);
     const Points sites = mesh.unit() * facet_sites(mesh);
-    const Vector derivatives = coefficients_.front().at(sites, time);
-    return outward_flow(mesh, side, in_input_units(derivatives, mesh.unit(), 1, option_));
+    return outward_flow(mesh, side, coefficients_.front().at(sites, time));
 }
 
 bool FormValues::uses_time() const {

@@ -55,8 +55,6 @@ struct Heat {
     Cochain start;
     std::optional<BoundaryConditions> conditions;
     std::optional<FormValues> source, boundary, flux;
-
-    double time_unit() const { return mesh.unit() * mesh.unit(); }
 };
 
 struct Cooled : Answer {
@@ -82,10 +80,8 @@ struct Cooled : Answer {
           norm(tools::norm(heat.mesh, end)),
           relative_norm(part_of(norm, tools::norm(heat.mesh, heat.start))),
           stars(heat.mesh.chosen_stars()) {
-        if (!run)
-            return;
-        integrated = run->report();
-        integrated->last_step *= heat.time_unit();
+        if (run)
+            integrated = run->report();
     }
 
     void write(JsonWriter& json) const override {
@@ -120,7 +116,7 @@ struct Cooled : Answer {
 /// Equal steps by the scheme that was asked for.
 void take_equal_steps(March& march, const Heat& heat) {
     auto options = heat.arguments.heat;
-    options.time_step = march.steps.length / heat.time_unit();
+    options.time_step = march.steps.length;
     const auto& start = heat.start;
     const auto file = heat.arguments.mesh.mesh;
     const auto solver = std::make_shared<HeatSolver>(computed_on(file, [&] {
@@ -153,23 +149,22 @@ std::shared_ptr<Evolution> evolution(const Heat& heat, std::function<void(double
     const int degree = heat.start.degree;
     const Vector& values = heat.start.values;
     const Discretization& mesh = heat.mesh;
-    const double unit = heat.time_unit();
     Unknown unknown{.start = heat.start, .diffusion = 1, .conditions = heat.conditions};
     if (heat.boundary || heat.flux)
-        unknown.boundary =
-            [values = in_time(heat.boundary,
-                              [&, side, degree, unit](double t) {
-                                  return heat.boundary->on_boundary(mesh, side, degree, unit * t);
-                              }),
-             flow = in_time(heat.flux, [&, side, degree, unit](double t) {
-                 return heat.flux->through_boundary(mesh, side, degree, unit * t);
-             })](double t) {
-                return BoundaryForms{.values = values(t), .derivative_flow = flow(t)};
-            };
+        unknown.boundary = [values = in_time(heat.boundary,
+                                             [&, side, degree](double t) {
+                                                 return heat.boundary->on_boundary(mesh, side,
+                                                                                   degree, t);
+                                             }),
+                            flow = in_time(heat.flux, [&, side, degree](double t) {
+                                return heat.flux->through_boundary(mesh, side, degree, t);
+                            })](double t) {
+            return BoundaryForms{.values = values(t), .derivative_flow = flow(t)};
+        };
     Reaction reaction;
     if (heat.source)
-        reaction = [rate = in_time(heat.source, [&, side, degree, unit](double t) {
-                        return Vector(unit * heat.source->on(mesh, side, degree, unit * t).values);
+        reaction = [rate = in_time(heat.source, [&, side, degree](double t) {
+                        return heat.source->on(mesh, side, degree, t).values;
                     })](double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
     const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;
     const double largest = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
@@ -178,7 +173,7 @@ std::shared_ptr<Evolution> evolution(const Heat& heat, std::function<void(double
                              .progress = std::move(progress)};
     options.steps = {.relative_tolerance = tolerance,
                      .absolute_tolerance = 1e-3 * tolerance * (largest > 0 ? largest : 1),
-                     .fixed_step = heat.arguments.time.time_step / unit};
+                     .fixed_step = heat.arguments.time.time_step};
     return std::make_shared<Evolution>(mesh, std::vector{unknown}, reaction, options);
 }
 
@@ -186,7 +181,7 @@ std::shared_ptr<Evolution> evolution(const Heat& heat, std::function<void(double
 /// evolution, and the time behind it.
 std::shared_ptr<Evolution> integrate(March& march, const Heat& heat) {
     const auto file = heat.arguments.mesh.mesh;
-    const double length = march.steps.length / heat.time_unit();
+    const double length = march.steps.length;
     const auto progress = [&march, length](double time) {
         const double frames = time / length;
         if (march.within)

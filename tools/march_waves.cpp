@@ -81,13 +81,12 @@ std::vector<Vector> at_rest(const WaveProblem& problem, const Discretization& me
             Vector::Zero(1)};
 }
 
-void step(const Leapfrog& leapfrog, const WaveProblem& problem, double unit,
-          std::vector<Vector>& state) {
+void step(const Leapfrog& leapfrog, const WaveProblem& problem, std::vector<Vector>& state) {
     WaveSources sources;
     double& done = state[of_steps][0];
     if (problem.source.size() > 0) {
-        const double middle = unit * leapfrog.time_step() * (done + 0.5);
-        sources.E = unit * problem.pulse(middle) * problem.source;
+        const double middle = leapfrog.time_step() * (done + 0.5);
+        sources.E = problem.pulse(middle) * problem.source;
     }
     WaveState wave{std::move(state[of_E]), std::move(state[of_B]), std::move(state[of_E_memory]),
                    std::move(state[of_B_memory])};
@@ -109,14 +108,6 @@ polydec::Fingerprint fingerprint(const WaveProblem& problem, const Discretizatio
     return result.add(name(problem.options.layer.kind));
 }
 
-/// From units of the file to those of the mesh.
-LeapfrogOptions in_units_of(const Discretization& mesh, LeapfrogOptions options, double step) {
-    options.time_step = step;
-    options.loss *= mesh.unit();
-    options.layer.width /= mesh.unit();
-    return options;
-}
-
 } // namespace
 
 void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArguments& arguments,
@@ -125,26 +116,25 @@ void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArgu
     const int degree = problem.degree;
     log.timing.begin("solve");
     Swung answer(problem, mesh.chosen_stars());
-    const double stable = mesh.unit() * computed_on(arguments.mesh, [&] {
-                              const Progress progress;
-                              progress("find the stable step");
-                              return stable_step(mesh, problem.conditions, side, degree);
-                          });
+    const double stable = computed_on(arguments.mesh, [&] {
+        const Progress progress;
+        progress("find the stable step");
+        return stable_step(mesh, problem.conditions, side, degree);
+    });
     if (std::isfinite(stable))
         answer.stable_step = stable;
     answer.steps = time_steps(time, part_of_stable_step * stable);
-    const double length = answer.steps.length / mesh.unit();
-    const Leapfrog leapfrog(mesh, problem.conditions, side, degree,
-                            in_units_of(mesh, problem.options, length));
+    problem.options.time_step = answer.steps.length;
+    const Leapfrog leapfrog(mesh, problem.conditions, side, degree, problem.options);
     answer.layer = leapfrog.layer();
     answer.conditions = in_words(problem.conditions, mesh.complex(), degree);
     PageText text;
     text.title = problem.title;
     text.facts = {problem.equation, answer.conditions, in_words(answer.stars)};
     March march{problem.what, in_page(std::move(text), log), answer.steps, {}, {}, {}, {}};
-    march.state = at_rest(problem, mesh, length);
+    march.state = at_rest(problem, mesh, answer.steps.length);
     const double before = leapfrog.energy(march.state[of_E], march.state[of_B]);
-    march.step = [&](std::vector<Vector>& state) { step(leapfrog, problem, mesh.unit(), state); };
+    march.step = [&](std::vector<Vector>& state) { step(leapfrog, problem, state); };
     march.shown = [&](const std::vector<Vector>& state) {
         return std::vector{
             NamedForm(problem.form, {side, degree, state[of_E]}, problem.form_words)};

@@ -129,8 +129,6 @@ void run_poisson(PoissonArguments arguments) {
         throw InvalidInput("--isolines: they are of values at vertices; take --side primal");
     const Discretization mesh = load(arguments.mesh, log);
     arguments.poisson.boundary = data.conditions.on(mesh).value_or(BoundaryConditions{});
-    for (double& coefficient : arguments.poisson.boundary.coefficients)
-        coefficient /= mesh.unit(); // which the solver knows
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
     if (data.conductivity)

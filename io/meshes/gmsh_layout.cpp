@@ -126,7 +126,6 @@ private:
             GmshGroups groups;
             GmshSource source(scanner, *format_);
             groups.read(source, name == "PartitionedEntities");
-            groups_ = std::move(groups);
         });
     }
 
@@ -316,7 +315,6 @@ private:
     const PartialFile& file_;
     std::int64_t place_ = 0;
     std::optional<GmshFormat> format_;
-    GmshGroups groups_;
     bool has_elements_ = false;
     MeshLayout layout_;
 

@@ -29,7 +29,8 @@ void add_heat(py::module_& module) {
             const HeatOptions options = heat_options(time_step, scheme, engine);
             const Side side = side_of(given_side);
             if (essential.empty())
-                return guarded<HeatSolver>(of.complex, of.stars, side, degree, options);
+                return of.mesh ? guarded<HeatSolver>(*of.mesh, side, degree, options)
+                               : guarded<HeatSolver>(of.complex, of.stars, side, degree, options);
             const auto conditions = conditions_of(essential, vector(robin));
             return of.mesh ? guarded<HeatSolver>(*of.mesh, conditions, side, degree, options)
                            : guarded<HeatSolver>(of.complex, of.stars, conditions, side, degree,
@@ -189,17 +190,19 @@ const Discretization& whole_mesh(const Calculus& of) {
     return *of.mesh;
 }
 
+BoundaryConditions wave_conditions(Side side, const std::vector<bool>& essential) {
+    return essential.empty() ? built_in_conditions(side) : conditions_of(essential);
+}
+
 std::unique_ptr<Guarded<Leapfrog>> waves_of(const Calculus& of, const std::string& given_side,
                                             int k, const std::vector<bool>& essential,
                                             double time_step, const Numbers& loss,
                                             const Numbers& upper_loss, const GivenLayer& layer) {
     const Side side = side_of(given_side);
     const LeapfrogOptions options{time_step, vector(loss), vector(upper_loss), layer_of(layer)};
-    if (essential.empty() && options.layer.width == 0)
+    if (essential.empty() && options.layer.width == 0 && !of.mesh)
         return guarded<Leapfrog>(of.complex, of.stars, side, k, options);
-    const auto conditions =
-        essential.empty() ? built_in_conditions(side) : conditions_of(essential);
-    return guarded<Leapfrog>(whole_mesh(of), conditions, side, k, options);
+    return guarded<Leapfrog>(whole_mesh(of), wave_conditions(side, essential), side, k, options);
 }
 
 /// Steps with sources, given as rates of E and of B at times.
@@ -247,9 +250,9 @@ void add_waves(py::module_& module) {
                                  const std::vector<bool>& essential) {
         const Side side = side_of(given_side);
         return unlocked([&] {
-            return essential.empty()
+            return essential.empty() && !of.mesh
                        ? stable_step(of.complex, of.stars, side, k)
-                       : stable_step(whole_mesh(of), conditions_of(essential), side, k);
+                       : stable_step(whole_mesh(of), wave_conditions(side, essential), side, k);
         });
     });
 }

@@ -46,7 +46,7 @@ class HeatSolver:
     def __init__(self, complex: CellsLike, time_step: float, *, degree: int = 0,
                  side: str = "primal", scheme: str = "backward_euler", essential: Any = None,
                  robin: Values | None = None, engine: str = "auto") -> None:
-        complex = as_cells(complex)
+        complex = as_cells(complex, in_units=True)
         marked, coefficients = facet_conditions(complex, essential, robin)
         self._kind = side, degree
         self._solver = _core.HeatSolver(complex._calculus, marked, coefficients, side, degree,
@@ -156,7 +156,7 @@ class Evolution:
                  relative_tolerance: float = 1e-5, absolute_tolerance: float = 1e-8,
                  first_step: float = 0.0, largest_step: float = 0.0, fixed_step: float = 0.0,
                  most_steps: int = 1_000_000, engine: str = "auto") -> None:
-        complex = as_cells(complex)
+        complex = as_cells(complex, in_units=True)
         unknowns = [as_form(form, degree, side) for form in _several(start)]
         coefficients = floats(np.full(len(unknowns), diffusion) if np.ndim(diffusion) == 0
                               else diffusion, "coefficients of diffusion")

@@ -107,7 +107,7 @@ class Leapfrog:
                  essential: Any = None, loss: npt.ArrayLike | None = None,
                  upper_loss: npt.ArrayLike | None = None,
                  layer: float | AbsorbingLayer | None = None) -> None:
-        complex = as_cells(complex)
+        complex = as_cells(complex, in_units=True)
         given = layer if isinstance(layer, AbsorbingLayer) else AbsorbingLayer(layer or 0.0)
         self._waves = _core.Leapfrog(
             complex._calculus, side, k, [] if essential is None else facet_marks(complex, essential),
@@ -176,7 +176,7 @@ def stable_step(complex: CellsLike, k: int, *, side: str = "primal",
     >>> round(polydec.stable_step(grid, 0), 3)      # h = 0.1, and waves run 1 per unit of time
     0.1
     """
-    complex = as_cells(complex)
+    complex = as_cells(complex, in_units=True)
     return _core.stable_step(complex._calculus, side, k,
                              [] if essential is None else facet_marks(complex, essential))
 
@@ -212,7 +212,7 @@ def wave(complex: CellsLike, E: npt.ArrayLike, time: float, B: npt.ArrayLike | N
     >>> bool(abs(E - x).max() < 0.02)
     True
     """
-    complex = as_cells(complex)
+    complex = as_cells(complex, in_units=True)
     longest = time_step
     if longest is None:
         longest = 0.9 * stable_step(complex, k, side=side, essential=essential)

@@ -27,7 +27,7 @@ _made = {}
 def complex_of(name):
     if name not in _made:
         folder = DATA if name.startswith("meshes/") else DATA / "golden"
-        _made[name] = polydec.discretize(folder / name, tolerance=1e-8)
+        _made[name] = polydec.discretize(folder / name, tolerance=1e-8, star="circumcentric")
     return _made[name]
 
 

@@ -60,9 +60,9 @@ Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options = {});
 
 /// The same under homogeneous conditions on the boundary, those of conditioned_complex and Robin's
-/// (with_robin); modes have a value for every cell, 0 where the conditions fix them. Dual forms
-/// need no boundary facet to have a dual. Throws also if there are conditions but not one for each
-/// facet.
+/// (with_robin), whose coefficients are 1 over lengths of a mesh's input; modes have a value for
+/// every cell, 0 where the conditions fix them. Dual forms need no boundary facet to have a dual.
+/// Throws also if there are conditions but not one for each facet.
 Spectrum spectrum(const Discretization& discretization, const BoundaryConditions& conditions,
                   const SpectrumOptions& options = {});
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,

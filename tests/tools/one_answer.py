@@ -21,7 +21,7 @@ WORDING = {'delaunay="flips_and_splits"': "--delaunay=split-boundary",
            'delaunay="flips"': "--delaunay", 'star="automatic"': "--star automatic",
            'side="primal"': "--side primal", "polydec.meshes.peeled(mesh)": "--peel",
            "polydec.set_memory_limit": "--max-memory"}
-IN_UNITS_OF_THE_FILE = ("spectrum", "poisson", "distance")
+IN_UNITS_OF_THE_FILE = ("spectrum", "poisson", "distance", "heat")
 # errors of Python, and how the command ends
 CODES = {"InvalidInput": 2, "SolverFailure": 3, "BackendUnavailable": 4, "IoError": 4}
 
@@ -71,12 +71,12 @@ def report(_):
     return Question(["info"], None, lambda mesh: (mesh.report(), 0))
 
 
-def spectrum(_, side, degree):
+def spectrum(_, side, degree, *words, **options):
     def python(mesh):
-        found = polydec.spectrum(mesh, side=side, degree=degree, count=4)
+        found = polydec.spectrum(mesh, side=side, degree=degree, count=4, **options)
         return {"eigenvalues": found.eigenvalues.tolist(), "radii": found.radii.tolist()}, 0
 
-    return Question(["spectrum", "--side", side, "--degree", degree, "--count", 4],
+    return Question(["spectrum", "--side", side, "--degree", degree, "--count", 4, *words],
                     ["eigenvalues", "radii"], python)
 
 
@@ -102,9 +102,9 @@ def distance(mesh):
 def heat(mesh, side):
     step = 1e-4 * extent(mesh)**2
 
-    def python(mesh):
+    def python(given):
         start = linear(mesh.points if side == "primal" else mesh.dual_sites())
-        u = polydec.heat(mesh, start, step, 4, side=side)
+        u = polydec.heat(given, start, step, 4, side=side)
         return {"min": u.min(), "max": u.max(), "star": mesh.star_kind}, np.abs(start).max()
 
     return Question(["heat", "--side", side, "--initial", texts(mesh.points.shape[1])[0],
@@ -138,8 +138,8 @@ def wave(mesh, *words, degree, essential):
         steps = max(1, int(np.ceil(until / longest)))
         march = polydec.Leapfrog(mesh, degree, until / steps, essential=essential)
         E, B = march.step(start, until / steps / 2 * (mesh.d(degree) @ start), steps)
-        return {"min": E.min(), "max": E.max(), "energy": march.energy(E, B)}, \
-            max(np.abs(start).max(), march.energy(E, B))
+        energy = march.energy(E, B) * mesh.unit**(mesh.dim - 2 * degree)    # as that of the file
+        return {"min": E.min(), "max": E.max(), "energy": energy}, max(np.abs(start).max(), energy)
 
     return Question([*words, "--initial", texts(mesh.points.shape[1])[degree], *in_time(until)],
                     ["min", "max", "energy"], python)
@@ -163,7 +163,7 @@ def flow(_):
 def questions(mesh):
     """Of a mesh far from size 1 Python has other numbers in the unit that it says."""
     yield from (each for each in all_questions(mesh)
-                if mesh.unit == 1 or each.words[0] in ("info", *IN_UNITS_OF_THE_FILE))
+                if mesh.unit == 1 or each.words[0] in ("info", "wave", *IN_UNITS_OF_THE_FILE))
 
 
 def all_questions(mesh):
@@ -171,10 +171,13 @@ def all_questions(mesh):
     for side in ("primal", "dual"):
         for degree in (0, 1):
             yield spectrum(mesh, side, degree)
+        alpha = 2 / extent(mesh)
+        yield spectrum(mesh, side, 0, "--robin", repr(alpha), robin=alpha)
         yield poisson(mesh, side)
         yield poisson(mesh, side, "--boundary", texts(mesh.points.shape[1])[0], boundary=linear)
         yield poisson(mesh, side, "--natural", essential=False)
-        yield heat(mesh, side)
+        if 1e-290 < extent(mesh)**2 < 1e290: # of which times are numbers
+            yield heat(mesh, side)
         yield hodge(mesh, side)
     yield wave(mesh, "wave", degree=0, essential=False)
     if mesh.dim == 2:

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "dec/fields/cell_centers.h"
+#include "solvers/evolution.h"
+#include "solvers/heat.h"
+#include "solvers/hodge_laplace.h"
+#include "solvers/leapfrog.h"
+#include "solvers/poisson.h"
+#include "solvers/spectra/spectrum.h"
+#include "tests/support/families.h"
+#include "tests/support/matrices.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace polydec::test::in_input_units {
+namespace {
+
+/// What is asked of a mesh of which this is the length 1, about forms of a side and degree; the
+/// answer without units.
+using Question =
+    std::function<Vector(const Discretization& mesh, double size, Side side, int degree)>;
+
+/// Meshes of any size have the answers of those of size 1. The twin: data for twice that size.
+void expect_the_same_of_all_sizes(const Question& ask, int most_degrees) {
+    for (const char* name_of : {"grid4", "kuhn3", "wellcentred4", "icosphere3"})
+        for (const Side side : {Side::primal, Side::dual}) {
+            const auto original = discretize(mesh_named(name_of));
+            for (int k = 0; k < std::min(most_degrees, original.dimension() + 1); ++k) {
+                const Vector expected = ask(original, 1, side, k);
+                for (const int exponent : {-300, 200}) {
+                    const double size = std::exp2(exponent);
+                    Mesh mesh = mesh_named(name_of);
+                    mesh.points *= size;
+                    const auto scaled = discretize(mesh);
+                    ASSERT_NE(scaled.unit(), 1);
+                    EXPECT_LE(relative_difference(ask(scaled, size, side, k), expected), 1e-8)
+                        << name_of << ' ' << exponent << ' ' << name(side) << k;
+                    EXPECT_GT(relative_difference(ask(scaled, 2 * size, side, k), expected), 1e-4)
+                        << name_of << ' ' << exponent << ' ' << name(side) << k;
+                }
+            }
+        }
+}
+
+constexpr int all_degrees = 9;
+
+Cochain any_form(const Discretization& mesh, Side side, int degree) {
+    const Index size = mesh.complex().size(cell_degree(mesh.complex(), side, degree));
+    return {side, degree, random_vector(size, 5)};
+}
+
+BoundaryConditions robin(double coefficient) {
+    return {BoundaryCondition::robin, {}, {coefficient}};
+}
+
+Vector slopes(const Discretization& mesh, double size) {
+    return random_vector(mesh.complex().size(mesh.dimension() - 1), 7) / size;
+}
+
+Vector joined(const Vector& a, const Vector& b) {
+    Vector both(a.size() + b.size());
+    both << a, b;
+    return both;
+}
+
+TEST(InputUnits, are_those_of_heat) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int degree) {
+            const HeatOptions options{.time_step = 0.05 * size * size};
+            const Cochain start = any_form(mesh, side, degree);
+            const HeatSolver built_in(mesh, side, degree, options);
+            const HeatSolver held(mesh, robin(1.5 / size), side, degree, options);
+            return joined(built_in.step(start).values, held.step(start).values);
+        },
+        all_degrees);
+}
+
+// Diffusion by the square of the size in the time 1, or by 1 in the time that this takes.
+TEST(InputUnits, are_those_of_evolutions) {
+    for (const bool is_fast : {false, true})
+        expect_the_same_of_all_sizes(
+            [=](const Discretization& mesh, double size, Side side, int degree) {
+                const double time = is_fast ? 1 : size * size;
+                Unknown unknown{.start = any_form(mesh, side, degree),
+                                .diffusion = size * size / time,
+                                .conditions = robin(1.5 / size)};
+                if (degree == 0)
+                    unknown.boundary = [&](double t) {
+                        const Vector given = std::cos(t / time) * slopes(mesh, size);
+                        return BoundaryForms{.derivative_flow = outward_flow(mesh, side, given)};
+                    };
+                Evolution run(mesh, {unknown},
+                              [=](double t, const std::vector<Cochain>& forms) {
+                                  const double rate = (2 + std::cos(t / time)) / time;
+                                  return std::vector{Vector(rate * forms[0].values)};
+                              },
+                              {.steps = {.fixed_step = time / 16}});
+                run.march(time / 4);
+                return joined(run.form(0).values,
+                              Vector{{run.time() / time, 16 * run.report().last_step / time}});
+            },
+            all_degrees);
+}
+
+TEST(InputUnits, are_those_of_forms_with_sources) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int degree) {
+            const HodgeLaplaceSolver solver(
+                mesh, {.side = side, .degree = degree, .boundary = robin(1.5 / size)});
+            const Cochain f = 1 / (size * size) * any_form(mesh, side, degree);
+            BoundaryForms data;
+            if (degree == 0)
+                data.derivative_flow = outward_flow(mesh, side, slopes(mesh, size));
+            const auto found = solver.solve(f, data);
+            return joined(found.form.values, size * size * found.removed.values);
+        },
+        all_degrees);
+}
+
+TEST(InputUnits, are_those_of_currents) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side, int) {
+            const HodgeLaplaceSolver solver(mesh, {.degree = 1});
+            const Cochain j = 1 / (size * size) * any_form(mesh, Side::primal, 1);
+            const auto found = solve_curl_curl(solver, mesh.complex(), j);
+            return joined(found.potential.values, size * size * found.removed.values);
+        },
+        1);
+}
+
+TEST(InputUnits, are_those_of_poisson_problems) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int) {
+            const PoissonSolver solver(mesh, {.side = side, .boundary = robin(1.5 / size)});
+            const Vector f = random_vector(solver.sites().rows(), 3) / (size * size);
+            const Vector none = Vector::Zero(solver.boundary_sites().rows());
+            return solver.solve(f, none, slopes(mesh, size)).values;
+        },
+        1);
+}
+
+TEST(InputUnits, are_those_of_spectra) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int degree) {
+            const auto found =
+                spectrum(mesh, robin(1.5 / size), {.side = side, .degree = degree, .count = 5});
+            return Vector(size * size * found.eigenvalues);
+        },
+        all_degrees);
+}
+
+TEST(InputUnits, are_those_of_waves) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int) {
+            const auto conditions = built_in_conditions(side);
+            const double stable = stable_step(mesh, conditions, side, 0) / size;
+            LeapfrogOptions options{.time_step = 0.3 * stable * size};
+            const Cochain E = any_form(mesh, side, 0), B = any_form(mesh, side, 1);
+            options.loss = Vector::Constant(E.values.size(), 0.5 / size);
+            options.upper_loss = Vector::Constant(B.values.size(), 0.25 / size);
+            if (mesh.points().cols() == mesh.dimension())
+                options.layer = {.width = 0.2 * size, .kind = LayerKind::conducting};
+            const Leapfrog waves(mesh, conditions, side, 0, options);
+            WaveState state{E.values, size * B.values};
+            for (int step = 0; step < 3; ++step)
+                waves.step(state, {E.values / size, B.values});
+            return joined(joined(state.E, state.B / size), Vector{{waves.time_step() / size}});
+        },
+        1);
+}
+
+} // namespace
+} // namespace polydec::test::in_input_units
