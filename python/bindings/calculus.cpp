@@ -139,13 +139,33 @@ void add_forms(py::class_<Calculus>& calculus) {
              });
 }
 
+/// One mark for all facets of the boundary, or one for each (n-1)-cell. Those that are not
+/// essential have Robin's condition where their coefficient, if there are any, is not 0. One mark
+/// for each vertex at which values are given, or none.
+BoundaryConditions conditions_of(const std::vector<bool>& essential, const Numbers& coefficients,
+                                 const std::vector<bool>& fixed) {
+    const Vector robin = vector(coefficients);
+    const auto condition = [&](std::size_t i) {
+        if (essential[essential.size() == 1 ? 0 : i])
+            return BoundaryCondition::essential;
+        return robin.size() > 0 && robin[i] != 0 ? BoundaryCondition::robin
+                                                 : BoundaryCondition::natural;
+    };
+    BoundaryConditions conditions{.coefficients = {robin.begin(), robin.end()},
+                                  .fixed_vertices = fixed};
+    if (essential.size() == 1 && robin.size() == 0)
+        conditions.everywhere = condition(0);
+    else
+        for (std::size_t i = 0; i < std::max<std::size_t>(essential.size(), robin.size()); ++i)
+            conditions.facets.push_back(condition(i));
+    return conditions;
+}
+
 /// The cells on which forms obey conditions, and their numbers in the whole.
 py::tuple conditioned_cells(const Calculus& of, const std::string& side, int degree,
-                            const std::vector<bool>& essential) {
+                            const GivenConditions& conditions) {
     ConditionedComplex space = unlocked([&, side = side_of(side)] {
-        return conditioned(of, side, degree,
-                           essential.empty() ? built_in_conditions(side)
-                                             : conditions_of(essential));
+        return conditioned(of, side, degree, conditions.value_or(built_in_conditions(side)));
     });
     py::list cells;
     for (auto& numbers : space.relative.cells)
@@ -155,28 +175,17 @@ py::tuple conditioned_cells(const Calculus& of, const std::string& side, int deg
 
 } // namespace
 
-BoundaryConditions conditions_of(const std::vector<bool>& essential, const Vector& robin) {
-    const auto condition = [&](std::size_t i) {
-        if (essential[essential.size() == 1 ? 0 : i])
-            return BoundaryCondition::essential;
-        return robin.size() > 0 && robin[i] != 0 ? BoundaryCondition::robin
-                                                 : BoundaryCondition::natural;
-    };
-    if (essential.size() == 1 && robin.size() == 0)
-        return {condition(0)};
-    BoundaryConditions conditions{.coefficients = {robin.begin(), robin.end()}};
-    const std::size_t facets = std::max<std::size_t>(essential.size(), robin.size());
-    for (std::size_t i = 0; i < facets; ++i)
-        conditions.facets.push_back(condition(i));
-    return conditions;
-}
-
 ConditionedComplex conditioned(const Calculus& of, Side side, int degree,
                                const BoundaryConditions& conditions) {
     return conditioned_complex(of.complex, of.stars, side, degree, conditions);
 }
 
 void add_calculus(py::module_& module) {
+    py::class_<BoundaryConditions>(module, "Conditions").def(py::init(&conditions_of));
+    module.def("require_essential", [](const Calculus& of, const BoundaryConditions& conditions,
+                                       const std::string& what) {
+        require_essential(of.complex, conditions, what);
+    });
     py::class_<Calculus> calculus(module, "Calculus");
     calculus.def(py::init(&own_cells))
         .def_property_readonly("dimension",

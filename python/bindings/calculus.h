@@ -16,9 +16,8 @@ struct Calculus {
     std::optional<Discretization> mesh = {};
 };
 
-/// One mark for all facets of the boundary, or one for each (n-1)-cell. Those that are not
-/// essential have Robin's condition where their coefficient, if there are any, is not 0.
-BoundaryConditions conditions_of(const std::vector<bool>& essential, const Vector& robin = {});
+/// None: the built-in ones.
+using GivenConditions = std::optional<BoundaryConditions>;
 
 /// The cells on which forms obey conditions.
 ConditionedComplex conditioned(const Calculus& of, Side side, int degree,

@@ -23,17 +23,16 @@ HeatOptions heat_options(double time_step, const std::string& scheme, const std:
 void add_heat(py::module_& module) {
     using Heat = Guarded<HeatSolver>;
     py::class_<Heat>(module, "HeatSolver")
-        .def(py::init([](const Calculus& of, const std::vector<bool>& essential,
-                         const Numbers& robin, const std::string& given_side, int degree,
+        .def(py::init([](const Calculus& of, const GivenConditions& conditions,
+                         const std::string& given_side, int degree,
                          double time_step, const std::string& scheme, const std::string& engine) {
             const HeatOptions options = heat_options(time_step, scheme, engine);
             const Side side = side_of(given_side);
-            if (essential.empty())
+            if (!conditions)
                 return of.mesh ? guarded<HeatSolver>(*of.mesh, side, degree, options)
                                : guarded<HeatSolver>(of.complex, of.stars, side, degree, options);
-            const auto conditions = conditions_of(essential, vector(robin));
-            return of.mesh ? guarded<HeatSolver>(*of.mesh, conditions, side, degree, options)
-                           : guarded<HeatSolver>(of.complex, of.stars, conditions, side, degree,
+            return of.mesh ? guarded<HeatSolver>(*of.mesh, *conditions, side, degree, options)
+                           : guarded<HeatSolver>(of.complex, of.stars, *conditions, side, degree,
                                                  options);
         }))
         .def("step", [](Heat& self, const std::string& side, int degree, const Numbers& values,
@@ -91,17 +90,16 @@ std::function<double(double, const std::vector<Cochain>&)> event_of(const py::ob
     };
 }
 
-/// An unknown as Python names it: side, degree, values, diffusion, marks of essential facets and
-/// coefficients of Robin's condition, and a function for the data on the boundary.
-using GivenUnknown =
-    std::tuple<std::string, int, Numbers, double, std::vector<bool>, Numbers, py::object>;
+/// An unknown as Python names it: side, degree, values, diffusion, conditions, and a function for
+/// the data on the boundary.
+using GivenUnknown = std::tuple<std::string, int, Numbers, double, GivenConditions, py::object>;
 
 std::vector<Unknown> unknowns_of(const std::vector<GivenUnknown>& given) {
     std::vector<Unknown> result;
-    for (const auto& [side, degree, values, diffusion, essential, robin, boundary] : given) {
-        Unknown unknown{.start = form(side, degree, values), .diffusion = diffusion};
-        if (!essential.empty())
-            unknown.conditions = conditions_of(essential, vector(robin));
+    for (const auto& [side, degree, values, diffusion, conditions, boundary] : given) {
+        Unknown unknown{.start = form(side, degree, values),
+                        .diffusion = diffusion,
+                        .conditions = conditions};
         unknown.boundary = in_time<GivenBoundary>(boundary, boundary_forms);
         result.push_back(std::move(unknown));
     }
@@ -190,19 +188,16 @@ const Discretization& whole_mesh(const Calculus& of) {
     return *of.mesh;
 }
 
-BoundaryConditions wave_conditions(Side side, const std::vector<bool>& essential) {
-    return essential.empty() ? built_in_conditions(side) : conditions_of(essential);
-}
-
 std::unique_ptr<Guarded<Leapfrog>> waves_of(const Calculus& of, const std::string& given_side,
-                                            int k, const std::vector<bool>& essential,
+                                            int k, const GivenConditions& conditions,
                                             double time_step, const Numbers& loss,
                                             const Numbers& upper_loss, const GivenLayer& layer) {
     const Side side = side_of(given_side);
     const LeapfrogOptions options{time_step, vector(loss), vector(upper_loss), layer_of(layer)};
-    if (essential.empty() && options.layer.width == 0 && !of.mesh)
+    if (!conditions && options.layer.width == 0 && !of.mesh)
         return guarded<Leapfrog>(of.complex, of.stars, side, k, options);
-    return guarded<Leapfrog>(whole_mesh(of), wave_conditions(side, essential), side, k, options);
+    return guarded<Leapfrog>(whole_mesh(of), conditions.value_or(built_in_conditions(side)), side,
+                             k, options);
 }
 
 /// Steps with sources, given as rates of E and of B at times.
@@ -247,12 +242,13 @@ void add_waves(py::module_& module) {
              })
         .def("layer", [](const Waves& self) { return name(self.solver.layer()); });
     module.def("stable_step", [](const Calculus& of, const std::string& given_side, int k,
-                                 const std::vector<bool>& essential) {
+                                 const GivenConditions& conditions) {
         const Side side = side_of(given_side);
         return unlocked([&] {
-            return essential.empty() && !of.mesh
+            return !conditions && !of.mesh
                        ? stable_step(of.complex, of.stars, side, k)
-                       : stable_step(whole_mesh(of), wave_conditions(side, essential), side, k);
+                       : stable_step(whole_mesh(of), conditions.value_or(built_in_conditions(side)),
+                                     side, k);
         });
     });
 }

@@ -19,19 +19,13 @@ py::dict both_in_words(const SolveReport& report, const Compatibility& compatibi
     return result;
 }
 
-PoissonOptions poisson_options(const std::string& side, const std::vector<bool>& essential,
-                               const Numbers& robin, const Numbers& conductivity,
-                               const std::string& engine) {
-    return {side_of(side), conditions_of(essential, vector(robin)), engine, vector(conductivity)};
-}
-
 void add_poisson(py::module_& module) {
     using Solver = Guarded<PoissonSolver>;
     py::class_<Solver>(module, "PoissonSolver")
         .def(py::init([](const Calculus& of, const std::string& side,
-                         const std::vector<bool>& essential, const Numbers& robin,
-                         const Numbers& conductivity, const std::string& engine) {
-            const auto options = poisson_options(side, essential, robin, conductivity, engine);
+                         const BoundaryConditions& conditions, const Numbers& conductivity,
+                         const std::string& engine) {
+            const PoissonOptions options{side_of(side), conditions, engine, vector(conductivity)};
             return of.mesh ? guarded<PoissonSolver>(*of.mesh, options)
                            : guarded<PoissonSolver>(of.complex, of.stars, options);
         }))
@@ -58,9 +52,9 @@ void add_poisson(py::module_& module) {
 void add_darcy(py::module_& module) {
     using Solver = Guarded<DarcySolver>;
     py::class_<Solver>(module, "DarcySolver")
-        .def(py::init([](const Calculus& of, const std::vector<bool>& essential,
+        .def(py::init([](const Calculus& of, const BoundaryConditions& conditions,
                          const Numbers& conductivity, const std::string& engine) {
-            const auto options = poisson_options("dual", essential, {}, conductivity, engine);
+            const PoissonOptions options{Side::dual, conditions, engine, vector(conductivity)};
             return of.mesh ? guarded<DarcySolver>(*of.mesh, options)
                            : guarded<DarcySolver>(of.complex, of.stars, options);
         }))

@@ -15,10 +15,9 @@ struct FormSolver {
 };
 
 std::unique_ptr<Guarded<FormSolver>> form_solver(const Calculus& of, const std::string& side,
-                                                 int degree, const std::vector<bool>& essential,
-                                                 const Numbers& robin, const std::string& engine) {
-    const HodgeLaplaceOptions options{side_of(side), degree,
-                                      conditions_of(essential, vector(robin)), engine};
+                                                 int degree, const BoundaryConditions& conditions,
+                                                 const std::string& engine) {
+    const HodgeLaplaceOptions options{side_of(side), degree, conditions, engine};
     return unlocked([&] {
         return std::make_unique<Guarded<FormSolver>>(
             FormSolver{of.complex, of.mesh ? HodgeLaplaceSolver(*of.mesh, options)

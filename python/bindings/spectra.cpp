@@ -37,23 +37,21 @@ Certification certification_of(bool certified) {
 
 /// Under conditions, if marks are given, modes have values on all cells, 0 where these fix them.
 py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, Index count,
-                     const std::vector<bool>& essential, const Numbers& robin, bool coexact,
+                     const GivenConditions& conditions, bool coexact,
                      bool certified, const std::string& linear_solver,
                      const std::string& eigen_solver, const py::object& progress) {
     const SpectrumOptions options{side_of(side),     degree,       count,
                                   linear_solver,     eigen_solver, certification_of(certified),
                                   listener(progress)};
-    const Vector coefficients = vector(robin);
     Spectrum found = unlocked([&] {
-        if (essential.empty())
+        if (!conditions)
             return coexact   ? coexact_spectrum(of.complex, of.stars, options)
                    : of.mesh ? spectrum(*of.mesh, options)
                              : spectrum(of.complex, of.stars, options);
-        const auto conditions = conditions_of(essential, coefficients);
         if (!coexact)
-            return of.mesh ? spectrum(*of.mesh, conditions, options)
-                           : spectrum(of.complex, of.stars, conditions, options);
-        const auto space = conditioned(of, options.side, degree, conditions);
+            return of.mesh ? spectrum(*of.mesh, *conditions, options)
+                           : spectrum(of.complex, of.stars, *conditions, options);
+        const auto space = conditioned(of, options.side, degree, *conditions);
         Spectrum on_space = coexact_spectrum(space.relative.complex, space.stars, options);
         on_space.modes =
             space.relative.extend(cell_degree(of.complex, options.side, degree), on_space.modes);

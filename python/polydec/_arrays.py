@@ -100,7 +100,7 @@ def marks(essential: Any, places: Floats, count: int, name: str = "essential") -
     array = _array(essential, name)
     if array.dtype != bool:
         raise InvalidInput(f"{name} is of the type {array.dtype}: expected True, False, or one of "
-                           "them for each facet")
+                           "them for each facet; values at vertices are for fixed")
     if array.ndim == 0:
         return [bool(array)]
     if array.shape != (count,):

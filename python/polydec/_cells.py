@@ -243,7 +243,8 @@ class Cells:
         True
         """
         marked = marks(essential, np.zeros((0, 0)), self.size(self.dim - 1))
-        calculus, cells = self._calculus.conditioned(side, degree, marked)
+        conditions = _core.Conditions(marked, np.zeros(0), [])
+        calculus, cells = self._calculus.conditioned(side, degree, conditions)
         return ConditionedCells(calculus, cells, self.shape)
 
     def _inverts(self, side: str, k: int, laplacian: bool) -> bool:

@@ -9,8 +9,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, floats, integers
-from ._complex import CellsLike, as_complex
-from ._errors import InvalidInput
+from ._complex import CellsLike, as_complex, vertex_numbers
 
 
 class GeodesicDistance:
@@ -33,20 +32,7 @@ class GeodesicDistance:
 
     def to(self, sources: Any) -> Floats:
         """The distance of every vertex from the nearest source vertex, see `geodesic_distance`."""
-        if callable(sources):
-            sources = np.asarray(sources(self._complex.points))
-        elif isinstance(sources, str) and sources == "boundary":
-            sources = self._complex.boundary_vertices()
-        elif isinstance(sources, str):
-            sources = self._complex.vertices_in(sources)
-        given = np.atleast_1d(np.asarray(sources))
-        if given.dtype == bool:
-            count = self._complex.size(0)
-            if given.shape != (count,) or not given.any():
-                raise InvalidInput(f"sources mark {np.count_nonzero(given)} of {given.size} "
-                                   f"vertices: expected some, of {count}")
-            given = np.flatnonzero(given)
-        return self._solver.to(integers(given, "sources"))[0]
+        return self._solver.to(vertex_numbers(self._complex, sources, "sources"))[0]
 
 
 def geodesic_distance(complex: CellsLike, sources: Any, *, time_scale: float = 4.0,

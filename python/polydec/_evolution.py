@@ -12,7 +12,7 @@ from ._arrays import Floats, Values, floats
 from ._cells import Cells, Form, as_form
 from ._checkpoint import Checkpoint, read_checkpoint, write_checkpoint
 from ._cochain import Cochain
-from ._complex import CellsLike, as_cells, facet_conditions
+from ._complex import CellsLike, as_cells, conditions_or_none
 from ._errors import InvalidInput
 from ._sources import boundary_data
 
@@ -41,16 +41,19 @@ class HeatSolver:
     robin : float, array_like or callable, optional
         Coefficients of Robin's condition where facets are not essential (by default none is then):
         as much flows out as the coefficient times the trace. As for `PoissonSolver`.
+    fixed : array_like or callable or str, optional
+        Vertices at which primal 0-forms are 0 as well, as for `PoissonSolver`.
     """
 
     def __init__(self, complex: CellsLike, time_step: float, *, degree: int = 0,
                  side: str = "primal", scheme: str = "backward_euler", essential: Any = None,
-                 robin: Values | None = None, engine: str = "auto") -> None:
+                 robin: Values | None = None, fixed: Any = None,
+                 engine: str = "auto") -> None:
         complex = as_cells(complex, in_units=True)
-        marked, coefficients = facet_conditions(complex, essential, robin)
+        conditions = conditions_or_none(complex, essential, robin, fixed)
         self._kind = side, degree
-        self._solver = _core.HeatSolver(complex._calculus, marked, coefficients, side, degree,
-                                        time_step, scheme, engine)
+        self._solver = _core.HeatSolver(complex._calculus, conditions, side, degree, time_step,
+                                        scheme, engine)
 
     def step(self, u: Form, steps: int = 1) -> Floats:
         """The values so many steps later. Ctrl-C ends it between two steps."""
@@ -100,6 +103,8 @@ class Evolution:
         As for `spectrum`, for all unknowns. Without, the built-in conditions hold.
     robin : float, array_like or callable, optional
         As for `HeatSolver`, for all unknowns.
+    fixed : array_like or callable or str, optional
+        Vertices at which values of primal 0-forms are given, as for `PoissonSolver`.
     boundary : float, array_like, dict or callable, optional
         Values on essential facets, by default 0: of primal k-forms for each k-cell, of dual 0-forms
         for each facet; or a dict of all data as `HodgeLaplaceSolver.solve` takes them, like
@@ -150,7 +155,7 @@ class Evolution:
     def __init__(self, complex: CellsLike, start: Forms, *, degree: int = 0, side: str = "primal",
                  diffusion: float | Sequence[float] = 0.0,
                  reaction: Callable[..., Any] | None = None, essential: Any = None,
-                 robin: Values | None = None, boundary: Any = None,
+                 robin: Values | None = None, fixed: Any = None, boundary: Any = None,
                  event: Callable[..., Any] | None = None,
                  time: float = 0.0, integrator: str = "runge-kutta",
                  relative_tolerance: float = 1e-5, absolute_tolerance: float = 1e-8,
@@ -163,8 +168,8 @@ class Evolution:
         if len(coefficients) != len(unknowns):
             raise InvalidInput(f"{len(coefficients)} coefficients of diffusion are given: expected "
                                f"one, or one for each of {len(unknowns)} unknowns")
-        marked, resisting = facet_conditions(complex, essential, robin)
-        given = [(*form, float(nu), marked, resisting,
+        conditions = conditions_or_none(complex, essential, robin, fixed)
+        given = [(*form, float(nu), conditions,
                   _at_boundary(each, complex, form[0], form[1]))
                  for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
         self._run = _core.Evolution(

@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import Floats, Values, at_places, floats
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
-from ._complex import CellsLike, as_cells, facet_coefficients, facet_marks
+from ._complex import CellsLike, as_cells, conditions_of
 from ._engines import Solution
 from ._errors import InvalidInput
 
@@ -29,14 +29,16 @@ class PoissonSolver:
     complex : Cells, or a mesh as `discretize` takes it
     side : {"primal", "dual"}
         Where u has its values: at vertices, or at circumcenters of n-cells.
-    essential : bool or array of bool or callable
+    essential : bool or array of bool or callable or str or list of str
         Where on the boundary u is given (Dirichlet): everywhere, nowhere, or one mark for each
         (n-1)-cell; elsewhere its normal derivative is (Neumann). A callable takes all facet sites,
-        an array (size(n-1), N), and returns marks. By tags of the file these are
-        ``np.isin(complex.facet_tags, [1, 2])``.
+        an array (size(n-1), N), and returns marks; groups of the file are given by their names.
     robin : float, array_like or callable, optional
         Where u is not given, its normal derivative plus this coefficient times u is (Robin):
         positive, one for all facets or one for each; where it is 0 the normal derivative is given.
+    fixed : array_like or callable or str, optional
+        Vertices at which u is given besides, inside as well, of primal 0-forms: as sources of
+        `geodesic_distance`.
     conductivity : array_like, optional
         kappa > 0 of each n-cell.
     engine : str
@@ -54,11 +56,11 @@ class PoissonSolver:
     """
 
     def __init__(self, complex: CellsLike, *, side: str = "primal", essential: Any = True,
-                 robin: Values | None = None, conductivity: npt.ArrayLike | None = None,
-                 engine: str = "auto") -> None:
+                 robin: Values | None = None, fixed: Any = None,
+                 conductivity: npt.ArrayLike | None = None, engine: str = "auto") -> None:
         complex = as_cells(complex, in_units=True)
-        self._solver = _core.PoissonSolver(complex._calculus, side, facet_marks(complex, essential),
-                                           facet_coefficients(complex, robin),
+        self._solver = _core.PoissonSolver(complex._calculus, side,
+                                           conditions_of(complex, essential, robin, fixed),
                                            _conductivity(conductivity), engine)
         self.sites = self._solver.sites
         self.boundary_sites = self._solver.boundary_sites
@@ -94,7 +96,8 @@ class PoissonSolver:
 
 def poisson(complex: CellsLike, f: Values = 0.0, boundary: Values = 0.0, flux: Values = 0.0, *,
             side: str = "primal", essential: Any = True, robin: Values | None = None,
-            conductivity: npt.ArrayLike | None = None, engine: str = "auto") -> Solution:
+            fixed: Any = None, conductivity: npt.ArrayLike | None = None,
+            engine: str = "auto") -> Solution:
     """Solves ``-div kappa grad u = f``: a `PoissonSolver` made for one solve.
 
     Examples
@@ -106,7 +109,7 @@ def poisson(complex: CellsLike, f: Values = 0.0, boundary: Values = 0.0, flux: V
     >>> bool(abs(u.values - plane(square.points)).max() < 1e-12)
     True
     """
-    solver = PoissonSolver(complex, side=side, essential=essential, robin=robin,
+    solver = PoissonSolver(complex, side=side, essential=essential, robin=robin, fixed=fixed,
                            conductivity=conductivity, engine=engine)
     return solver.solve(f, boundary, flux)
 
@@ -136,7 +139,7 @@ class DarcySolver:
     def __init__(self, complex: CellsLike, *, essential: Any = True,
                  conductivity: npt.ArrayLike | None = None, engine: str = "auto") -> None:
         self._complex = complex = as_cells(complex)
-        self._solver = _core.DarcySolver(complex._calculus, facet_marks(complex, essential),
+        self._solver = _core.DarcySolver(complex._calculus, conditions_of(complex, essential),
                                          _conductivity(conductivity), engine)
         self.sites = self._solver.sites
         self.facet_sites = self._solver.facet_sites

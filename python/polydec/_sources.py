@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import Floats, Values, at_places, floats
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
-from ._complex import CellsLike, Complex, as_cells, facet_coefficients, facet_marks, mesh_of
+from ._complex import CellsLike, Complex, as_cells, conditions_of, facet_marks, mesh_of
 
 
 def _made(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:
@@ -121,8 +121,7 @@ class HodgeLaplaceSolver:
         self._complex = complex = as_cells(complex)
         self._kind = side, degree
         self._solver = _core.HodgeLaplaceSolver(
-            complex._calculus, side, degree, facet_marks(complex, essential),
-            facet_coefficients(complex, robin), engine)
+            complex._calculus, side, degree, conditions_of(complex, essential, robin), engine)
 
     def solve(self, f: Form, *, values: npt.ArrayLike | None = None,
               codifferential: npt.ArrayLike | None = None, flow: npt.ArrayLike | None = None,

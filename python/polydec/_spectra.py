@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, MatrixParts, Values, floats, matrix_parts
-from ._complex import CellsLike, Progress, as_cells, facet_conditions
+from ._complex import CellsLike, Progress, as_cells, conditions_or_none
 
 
 @dataclass(frozen=True)
@@ -77,8 +77,8 @@ def _eigenpairs(parts: dict[str, Any]) -> dict[str, Any]:
 
 
 def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str = "primal",
-             essential: Any = None, robin: Values | None = None, coexact: bool = False,
-             certified: bool = True, linear_solver: str = "auto", eigen_solver: str = "auto",
+             essential: Any = None, robin: Values | None = None, fixed: Any = None,
+             coexact: bool = False, certified: bool = True, linear_solver: str = "auto", eigen_solver: str = "auto",
              progress: Progress | None = None) -> Spectrum:
     """The smallest eigenpairs of the Laplacian of forms, proved complete.
 
@@ -96,6 +96,8 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
     robin : float, array_like or callable, optional
         Coefficients of Robin's condition where facets are not essential, as for `HeatSolver`; not
         for coexact forms alone.
+    fixed : array_like or callable or str, optional
+        Vertices at which primal 0-forms are 0, inside as well, as for `PoissonSolver`.
     coexact : bool
         Whether only those of delta d on coexact forms are asked for.
     certified : bool
@@ -127,9 +129,9 @@ def spectrum(complex: CellsLike, *, degree: int = 0, count: int = 10, side: str 
     True
     """
     complex = as_cells(complex, in_units=True)
-    marked, coefficients = facet_conditions(complex, essential, robin)
-    parts = _core.spectrum(complex._calculus, side, degree, count, marked, coefficients, coexact,
-                           certified, linear_solver, eigen_solver, progress)
+    conditions = conditions_or_none(complex, essential, robin, fixed)
+    parts = _core.spectrum(complex._calculus, side, degree, count, conditions, coexact, certified,
+                           linear_solver, eigen_solver, progress)
     return Spectrum(**_eigenpairs(parts), side=side, degree=degree)
 
 

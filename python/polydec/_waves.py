@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, floats
-from ._complex import CellsLike, as_cells, facet_marks
+from ._complex import CellsLike, as_cells, conditions_or_none
 from ._errors import InvalidInput
 
 #: Rates that are added to those of a wave, at a time.
@@ -110,7 +110,7 @@ class Leapfrog:
         complex = as_cells(complex, in_units=True)
         given = layer if isinstance(layer, AbsorbingLayer) else AbsorbingLayer(layer or 0.0)
         self._waves = _core.Leapfrog(
-            complex._calculus, side, k, [] if essential is None else facet_marks(complex, essential),
+            complex._calculus, side, k, conditions_or_none(complex, essential),
             time_step, _losses(loss, complex.size(k, side)),
             _losses(upper_loss, complex.size(k + 1, side)),
             (given.width, given.kind, [(bool(a), bool(b)) for a, b in given.sides],
@@ -177,8 +177,7 @@ def stable_step(complex: CellsLike, k: int, *, side: str = "primal",
     0.1
     """
     complex = as_cells(complex, in_units=True)
-    return _core.stable_step(complex._calculus, side, k,
-                             [] if essential is None else facet_marks(complex, essential))
+    return _core.stable_step(complex._calculus, side, k, conditions_or_none(complex, essential))
 
 
 def wave(complex: CellsLike, E: npt.ArrayLike, time: float, B: npt.ArrayLike | None = None, *,

@@ -159,6 +159,60 @@ def test_forms_that_do_not_fit(square):
         polydec.de_rham(square, 1, lambda x: x[:, 0])
 
 
+def test_values_at_vertices_inside_and_conditions_that_match_nothing():
+    square = polydec.discretize(polydec.meshes.grid(8, 8))
+    x, y = square.points.T
+    center = (abs(x - .5) < .01) & (abs(y - .5) < .01)
+    corner = (abs(x * (1 - x)) < 1e-9) & (abs(y * (1 - y)) < 1e-9)
+    by_mark = polydec.poisson(square, 0.0, center, essential=False, fixed=center | corner).values
+    by_place = polydec.poisson(square, 0.0, center, essential=False,
+                               fixed=lambda p: (p[:, 0] == .5) & (p[:, 1] == .5)
+                               | (p[:, 0] * (1 - p[:, 0]) + p[:, 1] * (1 - p[:, 1]) == 0)).values
+    by_number = polydec.poisson(square, 0.0, center, essential=False,
+                                fixed=np.flatnonzero(center | corner)).values
+    assert by_mark[center] == 1 and (by_mark[corner] == 0).all()
+    assert np.allclose(by_mark, by_place) and (by_mark == by_number).all()
+    edge = polydec.poisson(square, 1.0, essential=False, fixed="boundary").values
+    assert np.allclose(edge, polydec.poisson(square, 1.0).values)
+    assert polydec.spectrum(square, count=1, fixed=center).eigenvalues[0] > .1
+    facets = np.zeros(square.size(1), dtype=bool)
+    inner = ~square.boundary_facets()
+    for ask in (lambda: polydec.poisson(square, 1.0, essential=facets),
+                lambda: polydec.poisson(square, 1.0, essential=inner),
+                lambda: polydec.spectrum(square, essential=lambda p: p[:, 0] > 2),
+                lambda: polydec.HeatSolver(square, 0.1, essential=facets)):
+        with pytest.raises(polydec.InvalidInput, match=said("essential", "none", "32 facets")):
+            ask()
+    with pytest.raises(polydec.InvalidInput, match=said("fixed")):
+        polydec.poisson(square, 1.0, essential=[3, 4])
+    for bad in ([81], [-1], [], np.zeros(81, dtype=bool)):
+        with pytest.raises(polydec.InvalidInput, match=said("fixed")):
+            polydec.poisson(square, 1.0, fixed=bad)
+    with pytest.raises(polydec.InvalidInput, match=said("vertices", "primal 0-forms")):
+        polydec.poisson(square, 1.0, side="dual", fixed=center)
+
+
+def test_distances_from_chosen_vertices():
+    square = polydec.discretize(polydec.meshes.grid(8, 8))
+    far = polydec.geodesic_distance(square, "boundary")
+    assert (far[square.boundary_vertices()] == 0).all() and abs(far.max() - .5) < .06
+    left = square.points[:, 0] < .01
+    assert (polydec.geodesic_distance(square, left)
+            == polydec.geodesic_distance(square, lambda p: p[:, 0] < .01)).all()
+    assert (polydec.geodesic_distance(square, left)
+            == polydec.geodesic_distance(square, np.flatnonzero(left))).all()
+    with pytest.raises(polydec.InvalidInput, match=said("group", "wall")):
+        polydec.geodesic_distance(square, "wall")
+    with pytest.raises(polydec.InvalidInput, match=said("sources", "0 of 81")):
+        polydec.geodesic_distance(square, left & ~left)
+
+
+def test_hybrid_stars_come_with_their_cure():
+    points = np.array([[0, 0], [2, 0], [1, .5]])
+    with pytest.warns(polydec.PolydecWarning, match=said("hybrid", "split")):
+        polydec.discretize((points, [[0, 1, 2]]))
+
+
 def test_masks_and_quadrilaterals_are_asked_about():
     square = polydec.discretize(polydec.meshes.grid(3, 3))
     ones, facets = np.ones(square.size(0)), square.boundary_facets()
