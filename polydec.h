@@ -109,6 +109,8 @@
 #include "meshes/tetrahedralize.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
+#include "meshes/unjoined_boundary.h"
+#include "meshes/weld.h"
 #include "solvers/absorbing_layer.h"
 #include "solvers/boundary_forms.h"
 #include "solvers/constrained_system.h"

@@ -3,16 +3,16 @@
 
 #include "base/checks.h"
 #include "base/errors.h"
+#include "complex/disjoint_sets.h"
 #include "meshes/edges.h"
+#include "meshes/point_tree.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <map>
-#include <numeric>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -25,78 +25,21 @@ namespace {
 class Places {
 public:
     explicit Places(const Points& points)
-        : points_(points),
-          least_(points.colwise().minCoeff()),
-          tolerance_(1e-9 * (points.colwise().maxCoeff() - least_).norm()) {
-        for (Index v = 0; v < points.rows(); ++v)
-            vertices_[key(points.row(v))].push_back(v);
-    }
+        : least_(points.colwise().minCoeff()),
+          unit_(std::max((points.colwise().maxCoeff() - least_).norm(),
+                         std::numeric_limits<double>::min())),
+          tree_((points.rowwise() - least_) / unit_) {}
 
-    /// The vertex at a point, or -1.
+    /// The first vertex at a point, or -1.
     Index at(const Eigen::RowVectorXd& point) const {
-        Key around = key(point);
-        return search(point, around, 0);
+        const auto found = tree_.near((point - least_) / unit_, 1e-9);
+        return found.empty() ? -1 : found.front();
     }
 
 private:
-    using Key = std::vector<std::int64_t>;
-
-    Key key(const Eigen::RowVectorXd& point) const {
-        Key result;
-        for (Index axis = 0; axis < point.size(); ++axis)
-            result.push_back(std::llround((point[axis] - least_[axis]) / (4 * tolerance_)));
-        return result;
-    }
-
-    /// In the boxes of the key and beside it, along the axes from `axis` on.
-    Index search(const Eigen::RowVectorXd& point, Key& around, std::size_t axis) const {
-        if (axis == around.size()) {
-            const auto found = vertices_.find(around);
-            if (found == vertices_.end())
-                return -1;
-            for (const Index v : found->second)
-                if ((points_.row(v) - point).norm() <= tolerance_)
-                    return v;
-            return -1;
-        }
-        const auto middle = around[axis];
-        Index result = -1;
-        for (const int step : {0, -1, 1}) {
-            around[axis] = middle + step;
-            if (result < 0)
-                result = search(point, around, axis + 1);
-        }
-        around[axis] = middle;
-        return result;
-    }
-
-    const Points& points_;
     Eigen::RowVectorXd least_;
-    double tolerance_;
-    std::map<Key, std::vector<Index>> vertices_;
-};
-
-/// Things in classes, each led by the least one in it.
-class Classes {
-public:
-    explicit Classes(std::size_t count) : leaders_(count) {
-        std::iota(leaders_.begin(), leaders_.end(), 0);
-    }
-
-    Index leader(Index v) {
-        while (leaders_[v] != v)
-            v = leaders_[v] = leaders_[leaders_[v]];
-        return v;
-    }
-
-    void join(Index v, Index w) {
-        v = leader(v);
-        w = leader(w);
-        leaders_[std::max(v, w)] = std::min(v, w);
-    }
-
-private:
-    std::vector<Index> leaders_;
+    double unit_;
+    PointTree tree_;
 };
 
 /// Of each vertex the one where it is taken to, or -1.
@@ -144,8 +87,8 @@ public:
         : box_(box),
           places_(box.points),
           edges_(edges_of(box.simplices)),
-          vertex_classes_(static_cast<std::size_t>(box.points.rows())),
-          edge_classes_(edges_.size()) {}
+          vertex_classes_(static_cast<Index>(box.points.rows())),
+          edge_classes_(static_cast<Index>(edges_.size())) {}
 
     void add(const Points& images, const std::string& name) {
         const auto to = numbers(places_, box_.points, images, name);
@@ -177,8 +120,9 @@ public:
     PeriodicMesh made() {
         PeriodicMesh result;
         std::vector<Index> kept;
+        const auto leaders = vertex_classes_.firsts();
         for (Index v = 0; v < box_.points.rows(); ++v) {
-            const Index leader = vertex_classes_.leader(v); // which comes before
+            const Index leader = leaders[v]; // which comes before
             if (leader == v)
                 kept.push_back(v);
             result.vertices.push_back(leader == v ? static_cast<Index>(kept.size()) - 1
@@ -232,8 +176,9 @@ private:
 
     void set_edges(PeriodicMesh& mesh) {
         std::vector<std::pair<Edge, Index>> of; // by ends in the quotient, each with its class
+        const auto leaders = edge_classes_.firsts();
         for (Index e = 0; e < std::ssize(edges_); ++e)
-            if (edge_classes_.leader(e) == e)
+            if (leaders[e] == e)
                 of.emplace_back(
                     std::minmax(mesh.vertices[edges_[e].first], mesh.vertices[edges_[e].second]),
                     e);
@@ -258,7 +203,7 @@ private:
     const Mesh& box_;
     Places places_;
     std::vector<Edge> edges_;
-    Classes vertex_classes_, edge_classes_;
+    DisjointSets vertex_classes_, edge_classes_;
 };
 
 } // namespace

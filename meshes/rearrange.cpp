@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -65,8 +66,9 @@ Renumbered arranged(const Mesh& mesh, const Simplices& renumbered, std::vector<I
     return result;
 }
 
-/// Numbers of the keys in ascending order, equal keys in the order they have.
-std::vector<Index> order_of(const std::vector<std::uint64_t>& keys) {
+} // namespace
+
+std::vector<Index> ascending_order(const std::vector<std::uint64_t>& keys) {
     std::vector<std::pair<std::uint64_t, Index>> sorted;
     sorted.reserve(keys.size());
     for (const std::uint64_t key : keys)
@@ -79,7 +81,6 @@ std::vector<Index> order_of(const std::vector<std::uint64_t>& keys) {
     return order;
 }
 
-/// Place on the curve: the leading binary digits of all coordinates, taken in turn.
 std::vector<std::uint64_t> morton_keys(const Points& points) {
     std::vector<std::uint64_t> keys(static_cast<std::size_t>(points.rows()), 0);
     if (points.size() == 0)
@@ -90,19 +91,23 @@ std::vector<std::uint64_t> morton_keys(const Points& points) {
     const auto axes = std::min<Eigen::Index>(points.cols(), 63);
     const int digits = static_cast<int>(std::min<Eigen::Index>(63 / axes, 31));
     const double largest = std::ldexp(1.0, digits) - 1;
+    // of each byte its digits with room for those of the other axes
+    constexpr int byte = 8;
+    std::array<std::uint64_t, 1 << byte> spread{};
+    for (std::uint64_t number = 0; number < spread.size(); ++number)
+        for (int digit = 0; digit < byte && digit * axes < 64; ++digit)
+            spread[number] |= (number >> digit & 1U) << (digit * axes);
     for (Eigen::Index v = 0; v < points.rows(); ++v) {
         auto& key = keys[static_cast<std::size_t>(v)];
         for (Eigen::Index axis = 0; axis < axes; ++axis) {
             const double share = extent > 0 ? (points(v, axis) / 2 - least[axis]) / extent : 0;
             const auto place = static_cast<std::uint64_t>(share * largest);
-            for (int digit = 0; digit < digits; ++digit)
-                key |= (place >> digit & 1U) << (digit * axes + axis);
+            for (int digit = 0; digit < digits; digit += byte)
+                key |= spread[place >> digit & (spread.size() - 1)] << (digit * axes + axis);
         }
     }
     return keys;
 }
-
-} // namespace
 
 Renumbered shuffled(const Mesh& mesh, std::uint64_t seed) {
     check_tags(mesh, "shuffled");
@@ -120,13 +125,13 @@ Renumbered along_morton_curve(const Mesh& mesh) {
             throw InvalidInput(
                 fmt::format("along_morton_curve: vertex {} has a coordinate that is not finite", v),
                 {.vertices = {static_cast<Index>(v)}});
-    auto vertices = order_of(morton_keys(mesh.points));
+    auto vertices = ascending_order(morton_keys(mesh.points));
     const Simplices renumbered = with_new_numbers(mesh.simplices, vertices, "along_morton_curve");
     std::vector<std::uint64_t> first_vertices;
     first_vertices.reserve(static_cast<std::size_t>(renumbered.rows()));
     for (Eigen::Index s = 0; s < renumbered.rows(); ++s)
         first_vertices.push_back(static_cast<std::uint64_t>(renumbered.row(s).minCoeff()));
-    return arranged(mesh, renumbered, std::move(vertices), order_of(first_vertices));
+    return arranged(mesh, renumbered, std::move(vertices), ascending_order(first_vertices));
 }
 
 } // namespace polydec

@@ -33,4 +33,11 @@ Renumbered shuffled(const Mesh& mesh, std::uint64_t seed);
 /// Throws InvalidInput like shuffled, and if a coordinate is not finite, naming the vertex.
 Renumbered along_morton_curve(const Mesh& mesh);
 
+/// Where points of finite coordinates lie on the curve: the leading binary digits of all
+/// coordinates, taken in turn. Equal points have equal keys.
+std::vector<std::uint64_t> morton_keys(const Points& points);
+
+/// Numbers of the keys in ascending order, equal keys in the order they have.
+std::vector<Index> ascending_order(const std::vector<std::uint64_t>& keys);
+
 } // namespace polydec

@@ -43,7 +43,9 @@ std::string_view measure(const Mesh& mesh) {
     return n == 1 ? "length" : n == 2 ? "area" : "volume";
 }
 
-void check_input(const Mesh& mesh) {
+} // namespace
+
+void check_mesh(const Mesh& mesh) {
     const int n = mesh.dimension(), N = mesh.ambient_dimension();
     if (n > N)
         throw InvalidInput(fmt::format("cells of dimension {} need points with at least {} "
@@ -71,6 +73,8 @@ void check_input(const Mesh& mesh) {
                 {.degree = n, .cells = {cell}, .vertices = {vertices.begin(), vertices.end()}});
     }
 }
+
+namespace {
 
 /// Takes cells out, given by ascending row numbers, and tells so in a warning.
 void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view flaw) {
@@ -211,7 +215,7 @@ FlatCellsKept leave_out_flat_cells(Sieve& sieve) {
 }
 
 FlatCellsKept sift(Sieve& sieve) {
-    check_input(sieve.mesh);
+    check_mesh(sieve.mesh);
     sieve.numbers.resize(static_cast<std::size_t>(sieve.mesh.simplices.rows()));
     std::iota(sieve.numbers.begin(), sieve.numbers.end(), 0);
     leave_out(sieve, with_repeated_corner(sieve.mesh.simplices), "with a repeated corner");

@@ -40,6 +40,11 @@ Mesh tidy(Mesh mesh, FlatCellsKept& kept);
 /// Throws the InvalidInput for these cells of the tidied mesh that tidy throws if it keeps none.
 [[noreturn]] void refuse(const Mesh& mesh, const FlatCellsKept& cells);
 
+/// Throws InvalidInput, naming cell, vertex or facet, for coordinates that are not finite, vertex
+/// numbers out of range, cells of a higher dimension than the space, tags of another number than
+/// the cells, and like check_facet_tags.
+void check_mesh(const Mesh& mesh);
+
 /// Names in the mesh's warnings the vertices that belong to no cell. Of the points only their
 /// number matters.
 void warn_of_isolated_vertices(Mesh& mesh);

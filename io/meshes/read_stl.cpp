@@ -3,11 +3,11 @@
 #include "io/byte_reader.h"
 #include "io/meshes/readers.h"
 #include "io/scanner.h"
+#include "meshes/weld.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -20,43 +20,24 @@ namespace {
 constexpr std::size_t header_bytes = 84;   // free text of 80, the number of triangles
 constexpr std::size_t triangle_bytes = 50; // a normal, three vertices, two bytes of anything
 
-struct Corner {
-    std::array<double, 3> place;
-    Index number;
-};
-
-/// Corners at equal places become one vertex, numbered by first appearance. Sorted rather than
-/// hashed: -0 was made 0 before, so that the order of doubles tells equal from different.
-Mesh join(std::vector<Corner> corners) {
-    std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-        return a.place != b.place ? a.place < b.place : a.number < b.number;
-    });
-
-    std::vector<Index> first_at_place(corners.size());
-    Index first = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const bool same = i > 0 && corners[i].place == corners[i - 1].place;
-        first = same ? first : corners[i].number;
-        first_at_place[static_cast<std::size_t>(corners[i].number)] = first;
-    }
-
-    Mesh mesh;
-    mesh.simplices.resize(static_cast<Eigen::Index>(corners.size() / 3), 3);
-    std::vector<Index> vertex_of(corners.size());
-    Index vertices = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto earlier = static_cast<std::size_t>(first_at_place[i]);
-        vertex_of[i] = earlier == i ? vertices++ : vertex_of[earlier];
-        mesh.simplices(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
-            vertex_of[i];
-    }
-
-    mesh.points.resize(vertices, 3);
-    for (const auto& [place, number] : corners) {
-        mesh.points.row(vertex_of[static_cast<std::size_t>(number)]) =
-            Eigen::RowVector3d(place[0], place[1], place[2]);
-    }
-    return mesh;
+/// Corners of triangles, three after the other, become vertices: a file has no others. Numbers
+/// ascend by first appearance.
+Mesh joined(const std::vector<double>& coordinates) {
+    Mesh corners{points_from(coordinates), {}, {}};
+    corners.simplices = Eigen::VectorX<Index>::LinSpaced(
+                            corners.points.rows(), 0, static_cast<Index>(corners.points.rows()) - 1)
+                            .reshaped<Eigen::RowMajor>(corners.points.rows() / 3, 3);
+    if (coordinates.empty())
+        return corners;
+    const double length = weld_length(corners.points);
+    Joined welded = weld(std::move(corners), length);
+    Mesh& mesh = welded.mesh;
+    mesh.warnings.clear();
+    if (welded.apart > 0)
+        mesh.warnings.push_back(fmt::format(
+            "joined {} {} of STL's triangles at places up to {:.3g} (1e-9 of the mesh) from others",
+            welded.apart, welded.apart == 1 ? "corner" : "corners", length));
+    return std::move(mesh);
 }
 
 std::size_t promised_bytes(const SourceFile& file) {
@@ -65,12 +46,11 @@ std::size_t promised_bytes(const SourceFile& file) {
     return header_bytes + triangle_bytes * triangles;
 }
 
-Corner binary_corner(const SourceFile& file, std::size_t triangle, std::size_t corner) {
+void read_corner(const SourceFile& file, std::size_t triangle, std::size_t corner,
+                 std::vector<double>& coordinates) {
     constexpr std::size_t normal_bytes = 12;
     const char* place =
         file.text.data() + header_bytes + triangle_bytes * triangle + normal_bytes * (1 + corner);
-    Corner read{};
-    read.number = static_cast<Index>(3 * triangle + corner);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double value = number_at<float>(place + 4 * axis, std::endian::little);
         if (!std::isfinite(value)) {
@@ -81,21 +61,20 @@ Corner binary_corner(const SourceFile& file, std::size_t triangle, std::size_t c
                     file.name, corner, triangle),
                 {.degree = 2, .cells = {static_cast<Index>(triangle)}, .path = file.name});
         }
-        read.place[axis] = value + 0.0;
+        coordinates.push_back(value + 0.0); // no zero has a sign
     }
-    return read;
 }
 
 /// Of the triangles that the header promises; what follows them is left out.
 Mesh read_binary(const SourceFile& file) {
     const std::size_t triangles = (promised_bytes(file) - header_bytes) / triangle_bytes;
     checked_count(3 * triangles, "corners of triangles", file);
-    std::vector<Corner> corners;
-    corners.reserve(3 * triangles);
+    std::vector<double> coordinates;
+    coordinates.reserve(9 * triangles);
     for (std::size_t triangle = 0; triangle < triangles; ++triangle)
         for (std::size_t corner = 0; corner < 3; ++corner)
-            corners.push_back(binary_corner(file, triangle, corner));
-    Mesh mesh = join(std::move(corners));
+            read_corner(file, triangle, corner, coordinates);
+    Mesh mesh = joined(coordinates);
     if (file.text.size() > promised_bytes(file)) {
         mesh.warnings.push_back(fmt::format("{} bytes behind the {} triangles left out",
                                             file.text.size() - promised_bytes(file), triangles));
@@ -123,7 +102,7 @@ public:
                 read_facet();
             scanner_.next_line();
         }
-        return join(std::move(corners_));
+        return joined(coordinates_);
     }
 
 private:
@@ -156,11 +135,9 @@ private:
     }
 
     void read_vertex() {
-        Corner corner{};
-        corner.number = checked_count(corners_.size(), "corners of triangles", file_);
-        for (double& value : corner.place)
-            value = scanner_.coordinate(corner.number) + 0.0;
-        corners_.push_back(corner);
+        const Index number = checked_count(coordinates_.size() / 3, "corners of triangles", file_);
+        for (int axis = 0; axis < 3; ++axis)
+            coordinates_.push_back(scanner_.coordinate(number) + 0.0);
     }
 
     void expect(std::string_view keyword) {
@@ -174,7 +151,7 @@ private:
 
     const SourceFile& file_;
     Scanner scanner_;
-    std::vector<Corner> corners_;
+    std::vector<double> coordinates_;
 };
 
 /// The number of triangles in a binary header has a zero byte, unless they are very many.

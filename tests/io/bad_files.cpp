@@ -148,7 +148,7 @@ TEST(RealFiles, OfEveryFolderAreReadWhole) {
         {"tet/octopus-low.mesh", {452, 1140}},
         {"surface/bob_small.ply", {250, 500}},
         {"cad/conrod.stl", {3223, 6442}},
-        {"cad/featuretype.STL", {2010, 3476}},
+        {"cad/featuretype.STL", {1722, 3476}},
         {"cad/casting.off", {5096, 10224}},
         {"poly/horse_quad.obj", {2400, 4796}},
     };

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "meshes/mesh.h"
+
+#include <array>
+#include <compare>
+#include <utility>
+#include <vector>
+
+namespace polydec {
+
+using Triangle = std::array<Index, 3>;
+
+/// A triangle and one of its parts.
+using TrianglePart = std::pair<Triangle, Triangle>;
+
+/// Vertices in the interior of edges, on each edge in their order from its lesser end.
+class DividedEdges {
+public:
+    struct Entry {
+        Index a, b;   ///< a < b
+        double place; ///< 0 at a, 1 at b
+        Index vertex;
+
+        auto operator<=>(const Entry&) const = default;
+    };
+
+    /// In any order, and several times each.
+    explicit DividedEdges(std::vector<Entry> entries);
+
+    bool contains(Index a, Index b) const;
+
+    /// Appends a, and the vertices on the way to b.
+    void append(Index a, Index b, std::vector<Index>& corners) const;
+
+private:
+    using Place = std::vector<Entry>::const_iterator;
+    std::pair<Place, Place> of(Index a, Index b) const;
+
+    std::vector<Entry> entries_;
+};
+
+/// Triangles that are divided, those that are tiled in the way that is given, others by the
+/// vertices on their edges.
+class DividedTriangles {
+public:
+    /// Tiled triangles have ascending corners.
+    DividedTriangles(DividedEdges edges, std::vector<TrianglePart> tiles);
+
+    bool is_divided(const Triangle& corners) const;
+
+    /// Divides triangles that need it. Their parts are found by the corners in this order.
+    void divide(std::vector<Triangle> triangles, const Points& points);
+
+    /// The triangle itself if it was not divided.
+    std::vector<Triangle> parts(const Triangle& corners) const;
+
+    const DividedEdges& edges() const { return edges_; }
+
+private:
+    using Place = std::vector<TrianglePart>::const_iterator;
+    std::pair<Place, Place> of(const Triangle& corners) const;
+
+    DividedEdges edges_;
+    std::vector<TrianglePart> parts_;
+};
+
+} // namespace polydec

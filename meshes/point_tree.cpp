@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/point_tree.h"
+
+#include "base/decompositions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace polydec {
+
+OwnUnits::OwnUnits(const Points& given) : points(given / 2), half(1) {
+    if (points.size() == 0)
+        return;
+    const Eigen::RowVectorXd least = points.colwise().minCoeff();
+    points.rowwise() -= least; // of halves, which does not overflow
+    if (const double extent = points.maxCoeff(); extent > 0)
+        half = std::ldexp(1.0, std::ilogb(extent));
+    points /= half;
+}
+
+PointTree::PointTree(const Points& points) : tree_(points, points), points_(points) {
+    for (Index i = 0; i < points.rows(); ++i)
+        points_.row(i) = points.row(tree_.order()[i]);
+}
+
+void PointTree::join_near(double length, DisjointSets& sets) const {
+    if (!tree_.nodes().empty())
+        join_all(0, length * length, sets);
+}
+
+void PointTree::join_all(Index node, double square, DisjointSets& sets) const {
+    const auto& [begin, end, left, right] = tree_.nodes()[node];
+    if (tree_.squared_span(tree_.box(node), tree_.box(node)) <= square) {
+        for (Index i = begin + 1; i < end; ++i)
+            sets.join(tree_.order()[begin], tree_.order()[i]);
+    } else if (left == 0) {
+        join_leaves(node, node, square, sets);
+    } else {
+        join_all(left, square, sets);
+        join_all(right, square, sets);
+        join_across(left, right, square, sets);
+    }
+}
+
+/// Boxes no larger than the length are joined within before.
+void PointTree::join_across(Index a, Index b, double square, DisjointSets& sets) const {
+    const double *const box_a = tree_.box(a), *const box_b = tree_.box(b);
+    if (tree_.squared_gap(box_a, box_b) > square)
+        return;
+    const BoxTree::Node &in = tree_.nodes()[a], &other = tree_.nodes()[b];
+    const Index first_a = tree_.order()[in.begin], first_b = tree_.order()[other.begin];
+    const double own_a = tree_.squared_span(box_a, box_a);
+    const double own_b = tree_.squared_span(box_b, box_b);
+    if (tree_.squared_span(box_a, box_b) <= square) {
+        sets.join(first_a, first_b);
+        return;
+    }
+    if (own_a <= square && own_b <= square &&
+        sets.find(first_a).element == sets.find(first_b).element)
+        return;
+    const bool is_leaf_a = in.left == 0, is_leaf_b = other.left == 0;
+    if (is_leaf_a && is_leaf_b) {
+        join_leaves(a, b, square, sets);
+    } else if (is_leaf_b || (!is_leaf_a && own_a >= own_b)) {
+        join_across(in.left, b, square, sets);
+        join_across(in.right, b, square, sets);
+    } else {
+        join_across(a, other.left, square, sets);
+        join_across(a, other.right, square, sets);
+    }
+}
+
+void PointTree::join_leaves(Index a, Index b, double square, DisjointSets& sets) const {
+    const BoxTree::Node &in = tree_.nodes()[a], &other = tree_.nodes()[b];
+    for (Index i = in.begin; i < in.end; ++i)
+        for (Index j = other.begin; j < other.end; ++j)
+            if (i != j && (points_.row(i) - points_.row(j)).squaredNorm() <= square)
+                sets.join(tree_.order()[i], tree_.order()[j]);
+}
+
+/// A part of a simplex, in its box.
+struct PointTree::Piece {
+    explicit Piece(Points given) : corners(std::move(given)), box(2 * corners.cols()) {
+        box << corners.colwise().minCoeff(), corners.colwise().maxCoeff();
+    }
+
+    Points corners;
+    Eigen::RowVectorXd box;
+};
+
+struct PointTree::Near {
+    Piece simplex;
+    double square; // of the length
+    const std::vector<Index>& without;
+    std::vector<Index> found = {};
+};
+
+std::vector<Index> PointTree::near(const Points& simplex, double length,
+                                   const std::vector<Index>& without) const {
+    Near near{Piece(simplex), length * length, without};
+    if (!tree_.nodes().empty())
+        search(near, 0, near.simplex);
+    std::sort(near.found.begin(), near.found.end());
+    near.found.erase(std::unique(near.found.begin(), near.found.end()), near.found.end());
+    return std::move(near.found);
+}
+
+/// A piece much larger than the box is halved before it, so that boxes along a long edge are few.
+void PointTree::search(Near& near, Index node, const Piece& piece) const {
+    if (tree_.squared_gap(tree_.box(node), piece.box.data()) > near.square)
+        return;
+    const auto& [begin, end, left, right] = tree_.nodes()[node];
+    if (left == 0)
+        return search_leaf(near, node);
+    const double extent = tree_.squared_span(piece.box.data(), piece.box.data());
+    constexpr double much = 16; // of squares
+    const double own = tree_.squared_span(tree_.box(node), tree_.box(node));
+    if (extent <= near.square || extent <= much * own) {
+        search(near, left, piece);
+        search(near, right, piece);
+        return;
+    }
+    const Points& corners = piece.corners;
+    Index a = 0, b = 1; // the longest edge
+    for (Index i = 0; i < corners.rows(); ++i)
+        for (Index j = i + 1; j < corners.rows(); ++j)
+            if ((corners.row(i) - corners.row(j)).squaredNorm() >
+                (corners.row(a) - corners.row(b)).squaredNorm()) {
+                a = i;
+                b = j;
+            }
+    for (const Index replaced : {a, b}) {
+        Points half = corners;
+        half.row(replaced) = 0.5 * (corners.row(a) + corners.row(b));
+        search(near, node, Piece(std::move(half)));
+    }
+}
+
+void PointTree::search_leaf(Near& near, Index node) const {
+    const BoxTree::Node& leaf = tree_.nodes()[node];
+    const auto N = points_.cols();
+    const auto& without = near.without;
+    const double* const around = near.simplex.box.data();
+    for (Index i = leaf.begin; i < leaf.end; ++i) {
+        const double* const point = points_.row(i).data();
+        double gap = 0; // to the box
+        for (Index axis = 0; axis < N; ++axis)
+            gap = std::max({gap, around[axis] - point[axis], point[axis] - around[N + axis]});
+        if (gap * gap <= near.square &&
+            std::find(without.begin(), without.end(), tree_.order()[i]) == without.end() &&
+            squared_distance(points_.row(i), near.simplex.corners) <= near.square)
+            near.found.push_back(tree_.order()[i]);
+    }
+}
+
+double squared_distance(const Eigen::RowVectorXd& point, const Points& simplex) {
+    const auto k = simplex.rows() - 1;
+    if (k == 0)
+        return (point - simplex.row(0)).squaredNorm();
+    const DenseMatrix edges = simplex.bottomRows(k).rowwise() - simplex.row(0);
+    const Eigen::ColPivHouseholderQR<DenseMatrix> factors(edges.transpose());
+    if (factors.rank() == k) {
+        const Eigen::VectorXd shares = factors.solve((point - simplex.row(0)).transpose());
+        if (shares.minCoeff() >= 0 && shares.sum() <= 1)
+            return (simplex.row(0) + shares.transpose() * edges - point).squaredNorm();
+    }
+    // outside, or flat: the nearest place is on a facet
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index omitted = 0; omitted <= k; ++omitted) {
+        Points facet(k, simplex.cols());
+        facet << simplex.topRows(omitted), simplex.bottomRows(k - omitted);
+        least = std::min(least, squared_distance(point, facet));
+    }
+    return least;
+}
+
+} // namespace polydec

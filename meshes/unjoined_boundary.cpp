@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "meshes/unjoined_boundary.h"
+
+#include "base/checks.h"
+#include "meshes/boundary_contacts.h"
+#include "meshes/point_tree.h"
+#include "meshes/tidy.h"
+#include "meshes/weld.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace polydec {
+
+namespace {
+
+/// Facets with one cell, this cell, and its vertex that is not theirs.
+struct OpenFacets {
+    Simplices corners;
+    std::vector<Index> opposite = {}, cells = {};
+};
+
+OpenFacets open_facets(const SimplicialComplex& complex) {
+    const int n = complex.dimension();
+    const auto& counts = complex.coface_counts(n - 1);
+    OpenFacets result{Simplices(std::count(counts.begin(), counts.end(), 1), n)};
+    for (Index t = 0; t < complex.size(n); ++t)
+        for (int omitted = 0; omitted <= n; ++omitted) {
+            const Index f = complex.face(n, t, omitted);
+            if (counts[f] != 1)
+                continue;
+            result.corners.row(std::ssize(result.opposite)) = complex.simplices(n - 1).row(f);
+            result.opposite.push_back(complex.simplices(n)(t, omitted));
+            result.cells.push_back(t);
+        }
+    return result;
+}
+
+std::vector<Index> different(std::vector<Index> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+}
+
+std::vector<Index> different(const Simplices& rows) {
+    return different(std::vector<Index>(rows.data(), rows.data() + rows.size()));
+}
+
+/// Of each vertex of the rows the first vertex at its place; of others, themselves.
+std::vector<Index> first_at_place(const Simplices& rows, const Points& points, double length) {
+    const auto vertices = different(rows);
+    DisjointSets sets(static_cast<Index>(vertices.size()));
+    PointTree(points(vertices, Eigen::all)).join_near(length, sets);
+    const auto firsts = sets.firsts();
+    std::vector<Index> result(static_cast<std::size_t>(points.rows()));
+    std::iota(result.begin(), result.end(), 0);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        result[vertices[i]] = vertices[static_cast<std::size_t>(firsts[i])];
+    return result;
+}
+
+/// Leaves out facets with a corner twice and those on the corners of others; the rest is sorted.
+OpenFacets single(const OpenFacets& facets, const std::vector<Index>& first) {
+    Simplices corners = facets.corners.unaryExpr([&](Index v) { return first[v]; });
+    const auto n = corners.cols();
+    const auto row = [&](Index f) { return corners.data() + f * n; };
+    std::vector<Index> order, kept;
+    for (Index f = 0; f < corners.rows(); ++f) {
+        std::sort(row(f), row(f) + n);
+        if (std::adjacent_find(row(f), row(f) + n) == row(f) + n)
+            order.push_back(f);
+    }
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+        return std::lexicographical_compare(row(a), row(a) + n, row(b), row(b) + n);
+    });
+    for (auto begin = order.begin(); begin != order.end();) {
+        const Index* const one = row(*begin);
+        const auto end = std::find_if(begin, order.end(),
+                                      [&](Index f) { return !std::equal(one, one + n, row(f)); });
+        if (end - begin == 1)
+            kept.push_back(*begin);
+        begin = end;
+    }
+    OpenFacets result{corners(kept, Eigen::all)};
+    for (const Index f : kept) {
+        result.opposite.push_back(first[facets.opposite[f]]);
+        result.cells.push_back(facets.cells[f]);
+    }
+    return result;
+}
+
+} // namespace
+
+BoundaryContacts boundary_contacts(const SimplicialComplex& complex, const Points& points,
+                                   double length) {
+    check_as_many("points", points.rows(), complex.size(0));
+    const OwnUnits own(points);
+    const double scaled = own.scaled(length);
+    const OpenFacets all = open_facets(complex);
+    const auto first = first_at_place(all.corners, own.points, scaled);
+
+    BoundaryContacts result;
+    for (Index v = 0; v < std::ssize(first); ++v)
+        if (first[v] != v)
+            result.coincident.push_back(v);
+    const OpenFacets open = single(all, first);
+    result.facets = open.corners;
+    result.hanging.resize(open.opposite.size());
+    if (complex.dimension() < 2)
+        return result;
+    const auto vertices = different(open.corners);
+    const auto place = [&](Index v) { // among them, or behind
+        return static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                                  vertices.begin());
+    };
+    const PointTree tree(own.points(vertices, Eigen::all));
+    Points centroids(open.corners.rows(), own.points.cols());
+    for (Index f = 0; f < centroids.rows(); ++f)
+        centroids.row(f) = own.points(open.corners.row(f).transpose(), Eigen::all).colwise().mean();
+    const PointTree tree_of_centroids(centroids);
+    std::vector<Index> misfits;
+    for (Index f = 0; f < std::ssize(open.cells); ++f) {
+        const auto corners = open.corners.row(f);
+        const Points simplex = own.points(corners.transpose(), Eigen::all);
+        std::vector<Index> of_cell; // those vertices of its cell that are on the boundary
+        for (const Index v : corners)
+            of_cell.push_back(place(v));
+        if (const Index i = place(open.opposite[f]);
+            i < std::ssize(vertices) && vertices[i] == open.opposite[f])
+            of_cell.push_back(i);
+        for (const Index i : tree.near(simplex, scaled, of_cell))
+            result.hanging[f].push_back(vertices[i]);
+        for (const Index other : tree_of_centroids.near(simplex, scaled, {f}))
+            if (open.cells[other] != open.cells[f])
+                misfits.push_back(other);
+    }
+    result.misfits = static_cast<Index>(different(std::move(misfits)).size());
+    return result;
+}
+
+UnjoinedBoundary unjoined_boundary(const SimplicialComplex& complex, const Points& points) {
+    auto contacts = boundary_contacts(complex, points, weld_length(points));
+    std::vector<Index> hanging;
+    for (const auto& vertices : contacts.hanging)
+        hanging.insert(hanging.end(), vertices.begin(), vertices.end());
+    return {complex.vertex_numbers(std::move(contacts.coincident)),
+            complex.vertex_numbers(different(std::move(hanging))), contacts.misfits};
+}
+
+UnjoinedBoundary unjoined_boundary(const Mesh& mesh) {
+    const Mesh tidied = tidy(mesh, CellsWithoutVolume::keep);
+    const SimplicialComplex complex(tidied.simplices);
+    Points points(complex.size(0), tidied.points.cols());
+    for (Index v = 0; v < complex.size(0); ++v)
+        points.row(v) = tidied.points.row(complex.vertex_number(v));
+    return unjoined_boundary(complex, points);
+}
+
+} // namespace polydec
