@@ -4,6 +4,7 @@
 #include "dec/advice.h"
 #include "dec/merging/facet_kinds.h"
 #include "dec/well_defined.h"
+#include "meshes/unjoined_boundary.h"
 
 #include <array>
 #include <functional>
@@ -63,6 +64,7 @@ struct Diagnosis {
     BeforeAndAfter<Index> euler;
     Index components = 0, boundary_components = 0;
     bool orientable = true;
+    UnjoinedBoundary unjoined;                      ///< nothing where only lengths are known
     std::map<std::size_t, Index> vertices_per_cell; ///< how many merged n-cells have that many
     std::optional<double> volume; ///< in the units of the input, if it is a number there
     DegenerateFacets degenerate;

@@ -209,6 +209,9 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
                         mesh.warnings);
     warn_of_branching(branching_facets(complex), mesh.warnings);
     warn_of_overlaps(complex, given.metric_points(), mesh.warnings);
+    if (given.has_points())
+        warn_of_unjoined(unjoined_boundary(complex, mesh.points), complex.dimension(),
+                         mesh.warnings);
     const auto tags = tags_of_cells(complex, mesh.tags);
     FacetTags facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);
     const auto stays = staying_facets(complex, tags, facet_tags.tags, options);

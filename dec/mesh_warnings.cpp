@@ -72,6 +72,29 @@ void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
             listed(wound, [&](Index v) { return fmt::format("{}", complex.vertex_number(v)); })));
 }
 
+void warn_of_unjoined(const UnjoinedBoundary& boundary, int n, std::vector<std::string>& warnings) {
+    const char* const remedy =
+        n <= 3 ? "join_hanging(mesh) splits the cells there" : "mesh both sides so that they fit";
+    const auto warn = [&](const std::vector<Index>& found, const char* one, const char* many,
+                          const char* cure) {
+        if (!found.empty())
+            warnings.push_back(fmt::format(
+                "{} of the boundary {} (vertex {}): the mesh is slit there; {}",
+                found.size() == 1 ? "1 vertex" : fmt::format("{} vertices", found.size()),
+                found.size() == 1 ? one : many,
+                listed(found, [](Index v) { return fmt::format("{}", v); }), cure));
+    };
+    warn(boundary.coincident, "is at the place of another", "are at the places of others",
+         "weld(mesh) joins vertices at one place");
+    warn(boundary.hanging, "hangs inside an edge or facet of a larger cell",
+         "hang inside edges or facets of larger cells", remedy);
+    if (boundary.misfits > 0 && boundary.hanging.empty())
+        warnings.push_back(
+            fmt::format("{} facets of the boundary lie on others with other corners: "
+                        "the mesh is slit there; {}",
+                        boundary.misfits, remedy));
+}
+
 void warn_of_flips(const IntrinsicStatistics& flips, double unit,
                    std::vector<std::string>& warnings) {
     if (flips.added_length > 0)

@@ -3,6 +3,7 @@
 
 #include "complex/simplicial_complex.h"
 #include "dec/surfaces/intrinsic_delaunay.h"
+#include "meshes/unjoined_boundary.h"
 
 #include <cstdint>
 #include <string>
@@ -23,6 +24,9 @@ std::int64_t branching_facets(const SimplicialComplex& complex);
 
 void warn_of_overlaps(const SimplicialComplex& complex, const Points& points,
                       std::vector<std::string>& warnings);
+
+/// Of a mesh of dimension n.
+void warn_of_unjoined(const UnjoinedBoundary& boundary, int n, std::vector<std::string>& warnings);
 
 void warn_of_flips(const IntrinsicStatistics& flips, double unit,
                    std::vector<std::string>& warnings);

@@ -114,6 +114,11 @@ void write_diagnosis(JsonWriter& json, const Diagnosis& facts,
     json.member("components", facts.components);
     json.member("boundary_components", facts.boundary_components);
     json.member("orientable", facts.orientable);
+    json.object("unjoined", [&] {
+        json.member("coincident", facts.unjoined.coincident.size());
+        json.member("hanging", facts.unjoined.hanging.size());
+        json.member("misfits", facts.unjoined.misfits);
+    });
     json.member("volume", facts.volume);
     json.object("facets", [&] { write(json, facts.degenerate); });
     if (facts.flips)

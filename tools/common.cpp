@@ -6,7 +6,6 @@
 #include "dec/forms/star_kind.h"
 #include "examples/paper/console.h"
 #include "io/meshes/length_file.h"
-#include "io/meshes/read_mesh.h"
 #include "meshes/peel.h"
 #include "meshes/periodic.h"
 #include "tools/component_values.h"
@@ -96,9 +95,14 @@ std::variant<Mesh, LengthMesh> read_glued(const MeshArguments& arguments) {
                 fmt::format("{}: a file of lengths has no places that are taken to others; glue it "
                             "by giving vertices on both sides one number",
                             arguments.glue.empty() ? "--periodic" : "--glue"));
+        if (arguments.joining.are_given())
+            throw InvalidInput(
+                fmt::format("{}: a file of lengths has no places at which vertices could coincide; "
+                            "give those that are to be joined one number",
+                            arguments.joining.hanging ? "--join-hanging" : "--weld"));
         return read_lengths(arguments.mesh);
     }
-    Mesh mesh = read_mesh(arguments.mesh);
+    Mesh mesh = read_joined(arguments.mesh, arguments.joining);
     if (arguments.peel)
         mesh = peeled(std::move(mesh));
     if (!arguments.glue.empty()) {
@@ -162,6 +166,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
     command.add_option("--glue", arguments.glue,
                        "glue it along an isometry as well, given by where it takes a point,\n"
                        "such as 'x+1; 1-y'");
+    add_joining(command, arguments.joining);
     command.add_flag("--peel", arguments.peel,
                      "leave out flat cells on the boundary of a solid first");
     command

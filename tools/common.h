@@ -4,6 +4,7 @@
 #include "dec/discretization.h"
 #include "dec/forms/side.h"
 #include "tools/answer.h"
+#include "tools/joining.h"
 
 #include <CLI/CLI.hpp>
 
@@ -23,6 +24,7 @@ struct MeshArguments {
     bool merge = true;
     bool keep_groups = false;
     bool peel = false;
+    JoiningArguments joining;
     std::vector<std::string> periods; ///< translations, "1,0"
     std::vector<std::string> glue;    ///< isometries, "x+1; 1-y"
     std::string centers = "circumcenters";

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "backends/registry.h"
-#include "io/meshes/read_mesh.h"
 #include "meshes/tetrahedralize.h"
 #include "tools/common.h"
 #include "tools/generate.h"
@@ -21,6 +20,7 @@ struct FillArguments {
     std::filesystem::path surface, out;
     MesherOptions options;
     std::vector<std::array<double, 3>> holes;
+    JoiningArguments joining;
     TellOptions tell;
 };
 
@@ -35,7 +35,7 @@ void fill(const FillArguments& arguments) {
     {
         const Progress progress;
         progress("read");
-        surface = read_mesh(arguments.surface);
+        surface = read_joined(arguments.surface, arguments.joining);
         progress(arguments.mesher);
         mesh = tetrahedralize(surface, arguments.options, holes, arguments.mesher);
     }
@@ -97,6 +97,9 @@ void add_fill(CLI::App& generate) {
     generate.add_option("--seconds", options.seconds, "stop the mesher after this time")
         ->capture_default_str()
         ->needs(mesher);
+    add_joining(generate, arguments->joining);
+    generate.get_option("--weld")->needs(mesher);
+    generate.get_option("--join-hanging")->needs(mesher);
     generate.add_option("-o,--out", arguments->out, "mesh file of tetrahedra: .mesh .nsc .pdm");
     add_common_options(generate, arguments->tell);
     generate.get_option("--json")->needs(mesher);

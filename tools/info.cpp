@@ -46,6 +46,11 @@ void write_topology(Text& text, const Diagnosis& facts) {
          facts.betti.merged == facts.betti.input ? "the same" : "changed");
     text("  components {}, of the boundary {}, {}\n", facts.components, facts.boundary_components,
          facts.orientable ? "orientable" : "not orientable");
+    const auto& [coincident, hanging, misfits] = facts.unjoined;
+    if (!coincident.empty() || !hanging.empty() || misfits > 0)
+        text("  not joined on the boundary: {} coincident and {} hanging vertices, {} facets that "
+             "lie on others\n",
+             coincident.size(), hanging.size(), misfits);
 }
 
 void write_flips(Text& text, const IntrinsicStatistics& done) {

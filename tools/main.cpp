@@ -2,16 +2,22 @@
 #include "examples/paper/process.h"
 #include "examples/paper/usage.h"
 #include "tools/command_line.h"
+#include "tools/joining.h"
 #include "tools/messages.h"
 #include "tools/picture.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace {
 
 int run(int argc, char** argv) {
     polydec::tools::set_command_text(argc, argv);
     const auto app = polydec::tools::command_line();
+    auto words = polydec::tools::words_of(argc, argv);
+    std::reverse(words.begin(), words.end()); // as the parser takes them
     try {
-        polydec::tools::reworded(polydec::tools::told, [&] { app->parse(argc, argv); });
+        polydec::tools::reworded(polydec::tools::told, [&] { app->parse(std::move(words)); });
     } catch (const CLI::ParseError& error) {
         return polydec::tell_usage(*app, error);
     }

@@ -23,6 +23,8 @@ constexpr std::array wordings{
     Wording{"StarKind::circumcentric", "--star circumcentric"},
     Wording{"Side::primal", "--side primal"},
     Wording{"peeled(mesh)", "--peel"},
+    Wording{"weld(mesh)", "--weld"},
+    Wording{"join_hanging(mesh)", "--join-hanging"},
     Wording{"set_memory_limit", "--max-memory"},
 };
 

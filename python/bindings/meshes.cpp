@@ -10,6 +10,8 @@
 #include "meshes/polygons.h"
 #include "meshes/rearrange.h"
 #include "meshes/tetrahedralize.h"
+#include "meshes/unjoined_boundary.h"
+#include "meshes/weld.h"
 #include "python/bindings/convert.h"
 
 namespace polydec::python {
@@ -170,6 +172,17 @@ void add_changes(py::module_& module) {
     module.def("split_polygons", [](const Numbers& points, const Integers& corners,
                                     const Integers& offsets, const Integers& tags) {
         return split_polygons({rows(points), indices(corners), indices(offsets), indices(tags)});
+    });
+    module.def("weld", [](const Mesh& mesh, std::optional<double> length) {
+        return unlocked([&] { return weld(mesh, length).mesh; });
+    });
+    module.def("join_hanging", [](const Mesh& mesh, std::optional<double> length) {
+        return unlocked([&] { return join_hanging(mesh, length).mesh; });
+    });
+    module.def("unjoined_boundary", [](const Mesh& mesh) {
+        auto found = unlocked([&] { return unjoined_boundary(mesh); });
+        return py::make_tuple(array(std::move(found.coincident)), array(std::move(found.hanging)),
+                              found.misfits);
     });
     module.def("length_mesh", &length_mesh);
     module.def("peeled", [](const Mesh& mesh) { return unlocked([&] { return peeled(mesh); }); });

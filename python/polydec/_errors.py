@@ -15,6 +15,8 @@ _WORDING = {
     "star=automatic": "star=\"automatic\"",
     "Side::primal": "side=\"primal\"",
     "peeled(mesh)": "polydec.meshes.peeled(mesh)",
+    "weld(mesh)": "polydec.meshes.weld(mesh)",
+    "join_hanging(mesh)": "polydec.meshes.join_hanging(mesh)",
     "set_memory_limit": "polydec.set_memory_limit",
 }
 

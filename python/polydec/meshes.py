@@ -16,10 +16,12 @@ from ._mesh import (LengthMesh, Mesh, read_lengths, read_mesh, write_lengths,
                     write_mesh)
 
 __all__ = [
-    "LengthMesh", "Mesh", "Renumbered", "along_morton_curve", "bcc", "d4", "fcc", "flange",
-    "goldberg", "grid", "hexagons", "icosphere", "kuhn", "length_mesh", "moebius", "peeled",
-    "perturbed", "read_lengths", "read_mesh", "shuffled", "sphere_clusters", "split_boxes",
-    "tetrahedralize", "torus", "uv_sphere", "well_centered", "write_lengths", "write_mesh",
+    "LengthMesh", "Mesh", "Renumbered", "UnjoinedBoundary", "along_morton_curve", "bcc", "d4",
+    "fcc", "flange",
+    "goldberg", "grid", "hexagons", "icosphere", "join_hanging", "kuhn", "length_mesh", "moebius",
+    "peeled", "perturbed", "read_lengths", "read_mesh", "shuffled", "sphere_clusters",
+    "split_boxes", "tetrahedralize", "torus", "unjoined_boundary", "uv_sphere", "weld",
+    "well_centered", "write_lengths", "write_mesh",
 ]
 
 
@@ -261,6 +263,71 @@ def along_morton_curve(mesh: Mesh) -> Renumbered:
     """
     renumbered, vertices, cells = _core.along_morton_curve(mesh._mesh)
     return Renumbered(Mesh._of(renumbered), vertices, cells)
+
+
+def weld(mesh: Mesh, length: float | None = None) -> Mesh:
+    """The mesh with one vertex where several are at most `length` apart.
+
+    So slits between cells close. Without a length, it is 1e-9 of the size of the mesh. No edge
+    longer than the length vanishes, and no cell is turned over; ``warnings`` tells how many
+    vertices were joined.
+
+    Raises
+    ------
+    InvalidInput
+        For a length that is negative or not finite, and for cells that make no sense.
+
+    Examples
+    --------
+    >>> from polydec import Mesh, meshes
+    >>> slit = Mesh([[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], [[0, 1, 2], [3, 4, 5]])
+    >>> meshes.weld(slit)
+    Mesh(4 points in R^2, 2 simplices of dimension 2)
+    """
+    return Mesh._of(_core.weld(mesh._mesh, length))
+
+
+def join_hanging(mesh: Mesh, length: float | None = None) -> Mesh:
+    """The mesh welded, with triangles and tetrahedra split at the hanging nodes of its boundary.
+
+    Vertices inside boundary edges and facets, up to `length` off them, become corners of the cells
+    there, as `weld` takes the length. Volume, orientation and tags stay.
+
+    Raises
+    ------
+    InvalidInput
+        As `weld`; naming the cell if it is too thin to be split; for hanging nodes of cells of
+        dimension 4 or more.
+
+    Examples
+    --------
+    >>> from polydec import Mesh, meshes
+    >>> hanging = Mesh([[0, 0], [0, 1], [-1, 0], [0, 0.5], [1, 0], [1, 1]],
+    ...                [[0, 1, 2], [0, 4, 3], [3, 4, 5], [3, 5, 1]])
+    >>> meshes.join_hanging(hanging)
+    Mesh(6 points in R^2, 5 simplices of dimension 2)
+    """
+    return Mesh._of(_core.join_hanging(mesh._mesh, length))
+
+
+class UnjoinedBoundary(NamedTuple):
+    """Vertices of the boundary at places of others, vertices that hang inside its edges or facets,
+    and the number of facets that lie on others with other corners."""
+
+    coincident: Integers
+    hanging: Integers
+    misfits: int
+
+
+def unjoined_boundary(mesh: Mesh) -> UnjoinedBoundary:
+    """Where the boundary of a mesh lies upon itself without being joined.
+
+    >>> from polydec import Mesh, meshes
+    >>> slit = Mesh([[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], [[0, 1, 2], [3, 4, 5]])
+    >>> meshes.unjoined_boundary(slit).coincident
+    array([3, 4], dtype=int32)
+    """
+    return UnjoinedBoundary(*_core.unjoined_boundary(mesh._mesh))
 
 
 def peeled(mesh: Mesh) -> Mesh:

@@ -81,6 +81,16 @@ TEST(Discretize, warns_of_one_sided_and_branching_meshes) {
                           {{"manifold", "1 facet", "three"}}));
 }
 
+TEST(Discretize, warns_of_boundaries_that_are_not_joined_with_the_remedy) {
+    const Mesh slit =
+        made_of({{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {3, 4, 5}});
+    EXPECT_TRUE(each_says(discretize(slit).warnings(), {{"2 vertices", "places", "3, 4", "weld"}}));
+    const Mesh hanging = made_of({{0, 0}, {0, 1}, {-1, 0}, {0, 0.5}, {1, 0}, {1, 1}},
+                                 {{0, 1, 2}, {0, 4, 3}, {3, 4, 5}, {3, 5, 1}});
+    EXPECT_TRUE(each_says(discretize(hanging).warnings(),
+                          {{"1 vertex", "hangs", "vertex 3", "join_hanging"}}));
+}
+
 TEST(Discretize, tidies_first) {
     Mesh mesh = grid(1, 1);
     mesh.simplices.conservativeResize(4, Eigen::NoChange);

@@ -71,7 +71,8 @@ ANSWERS = {
                         ("non-orientable", "orientation", "dual 0-forms")]),
     "non_manif_hole.ply": (0, []),
     "notenoughindices.obj": (0, [("1 face", "three corners", "face 0")]),
-    "oblong-shuffled.off": (0, [(397, 840, "cells", "oriented")]),
+    "oblong-shuffled.off": (0, [(397, 840, "cells", "oriented"),
+                                ("2 vertices", "places", "93, 95", "--weld")]),
     "soup.stl": (0, []),
     "tiny_triangle.off": (0, [("lengths", "units", "2^-666", "3.27e-201"), ("volumes", "units")]),
 }

@@ -21,7 +21,8 @@ class Json(TestCase):
         self.assertLessEqual(
             {"dimension", "ambient_dimension", "cells", "euler", "betti", "components",
              "boundary_components", "orientable", "volume", "facets", "stars",
-             "vertices_per_cell", "concyclic", "warnings"}, set(answer))
+             "vertices_per_cell", "concyclic", "unjoined", "warnings"}, set(answer))
+        self.assertEqual(answer["unjoined"], {"coincident": 0, "hanging": 0, "misfits": 0})
         for key in ("cells", "euler", "betti"):
             self.assertEqual(set(answer[key]), {"input", "merged"})
         self.assertEqual(set(answer["facets"]),
