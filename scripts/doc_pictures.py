@@ -182,6 +182,7 @@ PICTURES = {
     "splitting": cells.splitting,
     "kuhn_cubes": cells.kuhn_cubes,
     "maps": cells.maps,
+    "joining": cells.joining,
     "integrals": whitney_and_integrals,
     "wedge": wedge,
     "upwind": upwind,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pictures of splitting, of merging downwards and of the maps, for doc_pictures.py."""
+"""The pictures of splitting, of merging downwards, of the maps and of joining, for doc_pictures.py."""
 from doc_drawing import BLACK, BLUE, GREY, LIGHT_BLUE, LIGHT_ORANGE, ORANGE, RED, Picture
 
 
@@ -103,3 +103,48 @@ def maps():
     picture.text((630, 172), "inverse", BLUE, anchor="end", shift=(-8, 5))
     picture.text((380, 20), "an operator O on P, wrapped for K: R O dia", GREY, 13)
     return picture.svg("The maps between forms on simplices and forms on merged cells")
+
+
+def before_and_after(picture, x, before, after, label):
+    """Triangles, each with its color, and dots that stand out, left and right of an arrow."""
+    for left, (triangles, dots) in ((x, before), (x + 160, after)):
+        picture.frame(left, 150, 110)
+        for fill, corners in triangles:
+            picture.polygon(corners, fill, BLACK, 1.4)
+        for p in {p for _, corners in triangles for p in corners}:
+            picture.dot(p, RED if p in dots else BLACK, 4.5 if p in dots else 2.5)
+    picture.frame(x, 150, 110)
+    picture.arrow((1.13, 0.5), (1.35, 0.5))
+    picture.text((1.23, 0), label, shift=(0, 36), size=14)
+
+
+def joining():
+    picture = Picture(960, 210)
+    a, b, c, d, top, middle = (0, 0), (1, 0), (1, 1), (0, 1), (0.5, 1), (0.5, 0.5)
+    gap = 0.07
+    left = [(LIGHT_BLUE, (a, middle, d)), (LIGHT_BLUE, (a, (0.5, 0), middle)),
+            (LIGHT_BLUE, (d, middle, top))]
+    right = [(LIGHT_ORANGE, (b, c, middle)), (LIGHT_ORANGE, ((0.5, 0), b, middle)),
+             (LIGHT_ORANGE, (middle, c, top))]
+    seam = [(0.5, 0), middle, top]
+    apart = [(fill, tuple((p[0] + gap if p[0] >= 0.5 else p[0], p[1]) for p in corners))
+             for fill, corners in right]
+    doubled = seam + [(p[0] + gap, p[1]) for p in seam]
+    before_and_after(picture, 25, (left + apart, doubled), (left + right, seam),
+                     "--weld (drawn apart)")
+
+    small = [(LIGHT_ORANGE, each) for each in (
+        (middle, (0.5, 0), (1, 0.5)), ((0.5, 0), b, (1, 0.5)), (top, middle, c),
+        (middle, (1, 0.5), c))]
+    large = [(LIGHT_BLUE, ((0, 0.5), (0.5, 0), top))]
+    split = [(LIGHT_BLUE, ((0, 0.5), (0.5, 0), middle)), (LIGHT_BLUE, ((0, 0.5), middle, top))]
+    before_and_after(picture, 345, (large + small, [middle]), (split + small, [middle]),
+                     "--join-hanging: cells")
+
+    crossed = [("none", each) for each in ((a, b, c), (a, c, d), (a, b, d), (b, c, d))]
+    parts = [(LIGHT_BLUE if i % 2 else LIGHT_ORANGE, each) for i, each in enumerate(
+        ((a, b, middle), (b, c, middle), (c, d, middle), (d, a, middle)))]
+    before_and_after(picture, 665, (crossed, []), (parts, [middle]),
+                     "--join-hanging: facets of two sides")
+    return picture.svg("A seam is welded, a cell is split at a hanging node, and facets of two "
+                       "sides are divided where their edges cross")
