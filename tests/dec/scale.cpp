@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "dec/conditioned_complex.h"
 #include "dec/diagnosis.h"
 #include "dec/discretization.h"
 #include "dec/forms/star.h"
@@ -6,6 +7,7 @@
 #include "meshes/rearrange.h"
 #include "tests/support/glued.h"
 #include "tests/support/hand_made.h"
+#include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
@@ -71,6 +73,25 @@ TEST_P(AtAllSizes, lengths_alone_give_them_too) {
 }
 
 POLYDEC_OVER_MESHES(AtAllSizes);
+
+// Of coefficients by lengths of the input. The twin: of others.
+TEST_P(AtAllSizes, weights_of_robins_condition_are_in_their_units) {
+    const Mesh& mesh = mesh_named(GetParam());
+    const auto original = discretize(mesh, {.star = StarKind::circumcentric});
+    const int n = mesh.dimension();
+    for (const int exponent : exponents) {
+        const double size = std::exp2(exponent);
+        const auto found = discretize(scaled(mesh, size), {.star = StarKind::circumcentric});
+        const auto weights = [&](const Discretization& of, double coefficient) {
+            const BoundaryConditions robin{BoundaryCondition::robin, {}, {coefficient}};
+            return robin_parts(of, Side::primal, 0, robin).weights;
+        };
+        const SparseMatrix expected = std::pow(size / found.unit(), n - 2) * weights(original, 3);
+        EXPECT_LE(relative_difference(weights(found, 3 / size), expected), 1e-12) << exponent;
+        if (expected.nonZeros() > 0)
+            EXPECT_GT(relative_difference(weights(found, 4 / size), expected), 0.1) << exponent;
+    }
+}
 
 class FlippedAtAllSizes : public testing::TestWithParam<std::string> {};
 
