@@ -108,7 +108,7 @@ ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const H
     check_fit(complex, stars);
     cell_degree(complex, side, degree); // which there must be
     const bool densities = side == Side::primal && degree == complex.dimension();
-    if (densities || (side == Side::dual && degree == 0))
+    if (side == Side::dual && degree == 0)
         refuse_branching(complex, stars);
     const auto left_out = essential_cells(complex, conditions, side, degree);
     auto relative =

@@ -24,8 +24,8 @@ struct ConditionedComplex {
 /// cofaces: the duals of these cells lie on the boundary, where dual forms are 0.
 /// Primal n-forms are the stars of dual 0-forms, which do without the duals of boundary facets.
 /// Linear time. Throws InvalidInput if there are no forms of that degree, if there are conditions
-/// but not one for each facet, for dual 0-forms and their stars where three n-cells meet, naming
-/// the facet, and for Robin's condition, of which stars know nothing.
+/// but not one for each facet, for dual 0-forms where three n-cells meet, naming the facet, and for
+/// Robin's condition, of which stars know nothing.
 ConditionedComplex conditioned_complex(const CellComplex& complex, const HodgeStars& stars,
                                        Side side, int degree, const BoundaryConditions& conditions);
 

@@ -250,8 +250,18 @@ std::vector<SpectrumVerdict> spectrum_verdicts(const Discretization& discretizat
                                                      conditions)
                                      .stars);
     };
-    auto verdicts = judged(0);
-    verdicts[n] = judged(side == Side::primal ? n : 0)[n];
+    auto verdicts = judged(side == Side::primal ? 0 : n);
+    if (side == Side::primal)
+        verdicts[n] = judged(n)[n];
+    const auto& cofaces = discretization.complex().coface_counts(n - 1);
+    const auto branching =
+        std::count_if(cofaces.begin(), cofaces.end(), [](Index cells) { return cells > 2; });
+    if (side == Side::dual && branching > 0)
+        verdicts[n] = {
+            n, false,
+            fmt::format("three or more cells meet at {}, so dual 0-forms have no "
+                        "differences there",
+                        branching == 1 ? "1 facet" : fmt::format("{} facets", branching))};
     return verdicts;
 }
 

@@ -182,10 +182,9 @@ ConditionedComplex conditioned(const Calculus& of, Side side, int degree,
 
 void add_calculus(py::module_& module) {
     py::class_<BoundaryConditions>(module, "Conditions").def(py::init(&conditions_of));
-    module.def("require_essential", [](const Calculus& of, const BoundaryConditions& conditions,
-                                       const std::string& what) {
-        require_essential(of.complex, conditions, what);
-    });
+    module.def("require_essential",
+               [](const Calculus& of, const BoundaryConditions& conditions,
+                  const std::string& what) { require_essential(of.complex, conditions, what); });
     py::class_<Calculus> calculus(module, "Calculus");
     calculus.def(py::init(&own_cells))
         .def_property_readonly("dimension",

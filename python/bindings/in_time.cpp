@@ -24,8 +24,8 @@ void add_heat(py::module_& module) {
     using Heat = Guarded<HeatSolver>;
     py::class_<Heat>(module, "HeatSolver")
         .def(py::init([](const Calculus& of, const GivenConditions& conditions,
-                         const std::string& given_side, int degree,
-                         double time_step, const std::string& scheme, const std::string& engine) {
+                         const std::string& given_side, int degree, double time_step,
+                         const std::string& scheme, const std::string& engine) {
             const HeatOptions options = heat_options(time_step, scheme, engine);
             const Side side = side_of(given_side);
             if (!conditions)
@@ -97,9 +97,8 @@ using GivenUnknown = std::tuple<std::string, int, Numbers, double, GivenConditio
 std::vector<Unknown> unknowns_of(const std::vector<GivenUnknown>& given) {
     std::vector<Unknown> result;
     for (const auto& [side, degree, values, diffusion, conditions, boundary] : given) {
-        Unknown unknown{.start = form(side, degree, values),
-                        .diffusion = diffusion,
-                        .conditions = conditions};
+        Unknown unknown{
+            .start = form(side, degree, values), .diffusion = diffusion, .conditions = conditions};
         unknown.boundary = in_time<GivenBoundary>(boundary, boundary_forms);
         result.push_back(std::move(unknown));
     }

@@ -37,9 +37,9 @@ Certification certification_of(bool certified) {
 
 /// Under conditions, if marks are given, modes have values on all cells, 0 where these fix them.
 py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, Index count,
-                     const GivenConditions& conditions, bool coexact,
-                     bool certified, const std::string& linear_solver,
-                     const std::string& eigen_solver, const py::object& progress) {
+                     const GivenConditions& conditions, bool coexact, bool certified,
+                     const std::string& linear_solver, const std::string& eigen_solver,
+                     const py::object& progress) {
     const SpectrumOptions options{side_of(side),     degree,       count,
                                   linear_solver,     eigen_solver, certification_of(certified),
                                   listener(progress)};

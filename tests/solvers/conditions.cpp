@@ -267,7 +267,6 @@ TEST(ConditionedErrors, name_the_facet_where_dual_functions_have_no_differences)
          {refusal([&] { spectrum(branching, {.side = Side::dual}); }),
           refusal([&] { spectrum(branching.complex(), branching.stars(), {.side = Side::dual}); }),
           refusal([&] { spectrum(branching, neumann, {.side = Side::dual}); }),
-          refusal([&] { spectrum(branching, {.degree = 2}); }),
           refusal([&] { HeatSolver(branching, neumann, Side::dual, 0, {}); })})
         EXPECT_TRUE(says(refused, {"3 cells", "facet", "primal 0-forms"})) << refused;
 }
