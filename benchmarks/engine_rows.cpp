@@ -8,7 +8,7 @@
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "solvers/poisson.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 
 #include <algorithm>
 #include <cmath>

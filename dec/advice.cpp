@@ -88,11 +88,14 @@ Remedy remedy(const SimplicialComplex& input, const Vector& lengths,
 
 Remedy remedy(const Discretization& mesh) {
     const StarKind kind = mesh.chosen_stars().kind;
-    if (all_positive(mesh.volumes()) || !mesh.options().centers.are_circumcenters() ||
-        (kind != StarKind::circumcentric && kind != StarKind::hybrid))
+    const bool is_hybrid = kind == StarKind::hybrid;
+    const bool is_well =
+        is_hybrid ? star(mesh.volumes(), 1).negatives().empty() : all_positive(mesh.volumes());
+    if (is_well || !mesh.options().centers.are_circumcenters() ||
+        (kind != StarKind::circumcentric && !is_hybrid))
         return Remedy::none;
     const Remedy found = remedy(mesh.input(), mesh.input_volumes().primal(1), mesh.options());
-    return found == Remedy::stars && kind == StarKind::hybrid ? Remedy::none : found;
+    return found == Remedy::stars && is_hybrid ? Remedy::none : found;
 }
 
 std::string in_words(const Advice& advice, int dimension) {
@@ -160,16 +163,13 @@ void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,
     const bool is_hybrid =
         (options.star == StarKind::automatic || options.star == StarKind::hybrid) &&
         automatic_kind(volumes.dimension(), all_positive(volumes)) == StarKind::hybrid;
-    if (!is_hybrid || !options.centers.are_circumcenters())
+    const auto count = is_hybrid ? star(volumes, 1).negatives().size() : 0;
+    if (count == 0 || !options.centers.are_circumcenters())
         return;
-    const Remedy cure = remedy(input, lengths, options);
-    if (cure == Remedy::stars)
-        return;
-    const HodgeStar edges = star(volumes, 1);
-    const auto count = edges.negatives().size() + edges.zeros().size();
-    warnings.push_back(fmt::format("{} dual edge{} not positive, so stars are hybrid and answers "
-                                   "less accurate than they can be: add {}",
-                                   count, count == 1 ? " is" : "s are", option(cure)));
+    if (const Remedy cure = remedy(input, lengths, options); cure != Remedy::stars)
+        warnings.push_back(fmt::format("{} dual edge{} negative, so stars are hybrid and answers "
+                                       "less accurate than they can be: add {}",
+                                       count, count == 1 ? " is" : "s are", option(cure)));
 }
 
 std::string positive_stars(int dimension) {

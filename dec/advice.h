@@ -30,7 +30,8 @@ Remedy remedy(const SimplicialComplex& input, const Vector& lengths,
               const DiscretizeOptions& options);
 
 /// The same of a mesh with circumcentric stars, and but for stars of one with hybrid ones. None
-/// where all duals are positive, or where stars or centers are chosen otherwise.
+/// where all duals are positive, for hybrid stars where none is negative (those without volume do
+/// no harm then), or where stars or centers are chosen otherwise.
 Remedy remedy(const Discretization& mesh);
 
 /// Cells of one degree with a dual that is not positive, and what helps.
@@ -54,7 +55,7 @@ std::vector<Advice> advice(const Discretization& discretization);
 /// "; add Delaunay::flips" where that helps against negative duals, else empty.
 std::string flip_advice(const Discretization& mesh);
 
-/// Adds a warning if the stars that the options ask for are hybrid ones on a surface whose duals
+/// Adds a warning if the stars that the options ask for are hybrid ones, for negative duals that
 /// can be made positive. `lengths` are those of the input's edges, `volumes` those of the cells.
 void warn_of_hybrid_stars(const SimplicialComplex& input, const Vector& lengths,
                           const CellVolumes& volumes, const DiscretizeOptions& options,

@@ -49,8 +49,11 @@ CellMarks on_the_boundary(const CellComplex& complex, std::vector<bool> without_
     return marks;
 }
 
-/// Where three n-cells or more meet, a dual 0-form has no difference along the dual of the facet.
-void refuse_branching(const CellComplex& complex, const HodgeStars& stars) {
+} // namespace
+
+void refuse_branching(const CellComplex& complex, const HodgeStars& stars, Side side, int degree) {
+    if (side == Side::primal || degree > 0)
+        return;
     const int facets = complex.dimension() - 1;
     const auto& counts = complex.coface_counts(facets);
     for (Index f = 0; f < complex.size(facets); ++f)
@@ -61,6 +64,8 @@ void refuse_branching(const CellComplex& complex, const HodgeStars& stars) {
                                            counts[f], stars[facets].numbers({f})),
                                stars[facets].place({f}));
 }
+
+namespace {
 
 /// The facets without dual at which values are given.
 std::vector<bool> but_for_robin(std::vector<bool> facets, const BoundaryConditions& conditions) {
@@ -108,8 +113,7 @@ ConditionedComplex conditioned_but_for_robin(const CellComplex& complex, const H
     check_fit(complex, stars);
     cell_degree(complex, side, degree); // which there must be
     const bool densities = side == Side::primal && degree == complex.dimension();
-    if (side == Side::dual && degree == 0)
-        refuse_branching(complex, stars);
+    refuse_branching(complex, stars, side, degree);
     const auto left_out = essential_cells(complex, conditions, side, degree);
     auto relative =
         side == Side::dual || densities

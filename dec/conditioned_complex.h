@@ -9,6 +9,10 @@
 
 namespace polydec {
 
+/// Throws InvalidInput, naming the facet, for dual 0-forms where three n-cells or more meet: they
+/// have no difference along its dual.
+void refuse_branching(const CellComplex& complex, const HodgeStars& stars, Side side, int degree);
+
 /// The complex and the stars on which the forms of one side obey homogeneous boundary conditions:
 /// what takes a complex and its stars (operators, spectra, heat, Hodge decompositions) acts on
 /// these forms there.

@@ -150,28 +150,33 @@ void PointTree::search_leaf(Near& near, Index node) const {
             gap = std::max({gap, around[axis] - point[axis], point[axis] - around[N + axis]});
         if (gap * gap <= near.square &&
             std::find(without.begin(), without.end(), tree_.order()[i]) == without.end() &&
-            squared_distance(points_.row(i), near.simplex.corners) <= near.square)
+            squared_distance(points_.row(i), near.simplex.corners, near.square) <= near.square)
             near.found.push_back(tree_.order()[i]);
     }
 }
 
-double squared_distance(const Eigen::RowVectorXd& point, const Points& simplex) {
+double squared_distance(const Eigen::RowVectorXd& point, const Points& simplex, double most) {
     const auto k = simplex.rows() - 1;
     if (k == 0)
         return (point - simplex.row(0)).squaredNorm();
     const DenseMatrix edges = simplex.bottomRows(k).rowwise() - simplex.row(0);
     const Eigen::ColPivHouseholderQR<DenseMatrix> factors(edges.transpose());
-    if (factors.rank() == k) {
-        const Eigen::VectorXd shares = factors.solve((point - simplex.row(0)).transpose());
-        if (shares.minCoeff() >= 0 && shares.sum() <= 1)
-            return (simplex.row(0) + shares.transpose() * edges - point).squaredNorm();
-    }
-    // outside, or flat: the nearest place is on a facet
+    Eigen::VectorXd shares(k + 1);
+    shares.tail(k) = factors.solve((point - simplex.row(0)).transpose());
+    shares[0] = 1 - shares.tail(k).sum();
+    const double to_hull =
+        (simplex.row(0) + shares.tail(k).transpose() * edges - point).squaredNorm();
+    const bool is_flat = factors.rank() < k;
+    if (to_hull > most || (!is_flat && shares.minCoeff() >= 0))
+        return to_hull;
+    // outside, or flat: the nearest place is on a facet, from which the point lies outwards
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index omitted = 0; omitted <= k; ++omitted) {
+        if (!is_flat && shares[omitted] >= 0)
+            continue;
         Points facet(k, simplex.cols());
         facet << simplex.topRows(omitted), simplex.bottomRows(k - omitted);
-        least = std::min(least, squared_distance(point, facet));
+        least = std::min(least, squared_distance(point, facet, most));
     }
     return least;
 }

@@ -5,6 +5,7 @@
 #include "complex/disjoint_sets.h"
 #include "meshes/box_tree.h"
 
+#include <limits>
 #include <vector>
 
 namespace polydec {
@@ -50,7 +51,9 @@ private:
     Points points_; // in its order
 };
 
-/// Squared distance from a point to a simplex of any dimension k <= N, which may be flat.
-double squared_distance(const Eigen::RowVectorXd& point, const Points& simplex);
+/// Squared distance from a point to a simplex of any dimension k <= N, which may be flat; where
+/// that is larger than `most`, some number that is too.
+double squared_distance(const Eigen::RowVectorXd& point, const Points& simplex,
+                        double most = std::numeric_limits<double>::infinity());
 
 } // namespace polydec

@@ -61,7 +61,7 @@ MUTANTS = {
                                    "if (counts[f] > 9)"),
     "cure_guessed": ("dec/advice.cpp", "return are_positive(tried.surface, tried.lengths, options);",
                      "return true;"),
-    "cure_not_told": ("dec/advice.cpp", "if (!is_hybrid ||", "if (true ||"),
+    "cure_not_told": ("dec/advice.cpp", "    if (count == 0 ||", "    if (true ||"),
     "tolerance_of_all": ("dec/merging/facet_kinds.cpp", "count(cofaces.begin(), cofaces.end(), 2) / 10",
                          "count(cofaces.begin(), cofaces.end(), 2)"),
     "zeros_searched": ("solvers/spectra/found_pairs.cpp", "    pairs.take(Y, pencil.enclose(Y));", ""),
@@ -120,7 +120,7 @@ MUTANTS = {
     "growth_unseen": ("solvers/diffusion.cpp", "if (!(to <= from * (1 + rounding)))", "if (false)"),
     "steps_unscaled": ("solvers/diffusion.cpp", "A = scales_.asDiagonal() * A * scales_.asDiagonal();",
                        "scales_.setOnes();"),
-    "modes_of_the_kept_star": ("solvers/spectra/spectrum.cpp",
+    "modes_of_the_kept_star": ("solvers/spectrum.cpp",
                                "pairs.vectors = SparseMatrix(star.matrix()) * pairs.vectors;",
                                "pairs.vectors = space.relative.extend(k, SparseMatrix(stars[k].matrix()) "
                                "* space.relative.restrict(k, pairs.vectors));"),

@@ -40,6 +40,7 @@ RobinComplex conditioned(const CellComplex& complex, const HodgeStars& stars, Si
                          const DiffusionOptions& options) {
     if (options.conditions)
         return with_robin(complex, stars, side, degree, *options.conditions);
+    refuse_branching(complex, stars, side, degree);
     return {{relative_complex(complex, essential_cells(complex, built_in_conditions(Side::primal))),
              stars},
             {},

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -132,14 +133,23 @@ private:
     SaddleSolver solver_;
 };
 
-/// Makes the columns orthonormal in an inner product, by Gram and Schmidt twice.
+/// Makes the columns orthonormal in an inner product, by Gram and Schmidt twice, a block at a time
+/// against all before it.
 void orthonormalize(DenseMatrix& columns, const SparseMatrix& M) {
-    for (Index i = 0; i < columns.cols(); ++i) {
+    constexpr Index width = 32;
+    for (Index begin = 0; begin < columns.cols(); begin += width) {
+        const auto done = columns.leftCols(begin);
+        auto block = columns.middleCols(begin, std::min<Index>(width, columns.cols() - begin));
         for (int pass = 0; pass < 2; ++pass) {
-            const Vector products = columns.leftCols(i).transpose() * (M * columns.col(i));
-            columns.col(i) -= columns.leftCols(i) * products;
+            const DenseMatrix weighted = M * block;
+            const DenseMatrix products = done.transpose() * weighted;
+            block -= done * products;
+            for (Index i = 0; i < block.cols(); ++i) {
+                const Vector along = block.leftCols(i).transpose() * (M * block.col(i));
+                block.col(i) -= block.leftCols(i) * along;
+                block.col(i) /= std::sqrt(block.col(i).dot(M * block.col(i)));
+            }
         }
-        columns.col(i) /= std::sqrt(columns.col(i).dot(M * columns.col(i)));
     }
 }
 

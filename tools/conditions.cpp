@@ -30,8 +30,9 @@ void add_essential_on(CLI::App& command, ConditionArguments& arguments) {
 
 void add_fixed(CLI::App& command, ConditionArguments& arguments, const std::string& values) {
     command.add_option("--fixed-where", arguments.fixed_where,
-                       values + " given at vertices where this is not 0, inside as well;\n"
-                                "on the boundary nothing but what other options say");
+                       values +
+                           " given at vertices where this is\n"
+                           "not 0, inside as well; on the boundary only what other options say");
 }
 
 void add_robin(CLI::App& command, ConditionArguments& arguments, const std::string& data) {

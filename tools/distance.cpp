@@ -155,8 +155,14 @@ void add_distance(CLI::App& app) {
         app.add_subcommand("distance", "geodesic distance from vertices, by the heat method");
     const auto arguments = std::make_shared<DistanceArguments>();
     add_mesh_arguments(*command, arguments->mesh);
-    command->add_option("--from", arguments->from,
-                        "the vertices it is 0 at, by number, or boundary for all on it");
+    command
+        ->add_option("--from", arguments->from,
+                     "the vertices it is 0 at, by number, or boundary for all on it")
+        ->check([](const std::string& word) {
+            return word == "boundary" || group_tag({}, 0, word)
+                       ? std::string()
+                       : fmt::format("expected a whole number or boundary, not '{}'", word);
+        });
     command->add_option("--from-where", arguments->from_where,
                         "the vertices where this expression, or file, is not 0");
     command->add_option("--from-on", arguments->from_on,

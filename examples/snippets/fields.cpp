@@ -85,7 +85,7 @@ std::vector<double> errors(const polydec::Mesh& input) {
     std::vector<double> result;
     using polydec::Flat;
     // where an edge of the boundary has no dual length, there is no dpp
-    const bool has_dpp = polydec::star(mesh, 1).zeros().empty();
+    const bool has_dpp = polydec::star(mesh.volumes(), 1).zeros().empty();
     for (const Flat kind : {Flat::ppp, Flat::pdp, Flat::dpp, Flat::ppd, Flat::pdd, Flat::dpd}) {
         if (kind == Flat::dpp && !has_dpp) {
             result.push_back(std::nan(""));

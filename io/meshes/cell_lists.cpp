@@ -79,9 +79,7 @@ Mesh CellLists::mesh(Points points) && {
         lesser.tags.push_back(tag);
     }
     if (const auto more = list(dimension).more.size(); more > 0)
-        warnings.push_back(fmt::format("left out {} second group{} of cells: of those of the mesh "
-                                       "the first group is the tag",
-                                       more, more == 1 ? "" : "s"));
+        warnings.push_back(second_groups_warning(more));
     auto facet_tags = pull_tagged(dimension - 1, lesser.corners, lesser.offsets, lesser.tags);
 
     auto& cells = list(dimension);
@@ -100,6 +98,13 @@ Mesh CellLists::mesh(Points points) && {
     mesh.facet_tags = std::move(facet_tags);
     mesh.warnings.insert(mesh.warnings.begin(), warnings.begin(), warnings.end());
     return mesh;
+}
+
+std::string second_groups_warning(std::size_t count) {
+    return fmt::format(
+        "left out {} second group{} of cells: of those of the mesh the first group is "
+        "the tag",
+        count, count == 1 ? "" : "s");
 }
 
 std::string higher_order_warning(std::size_t cells) {

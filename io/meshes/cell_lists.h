@@ -54,6 +54,9 @@ private:
 /// The number of a group that a file holds, if it is a whole one of 32 bits.
 std::optional<Index> tag_from(double number);
 
+/// The warning about groups of the mesh's own cells besides their first.
+std::string second_groups_warning(std::size_t count);
+
 /// The warning about cells of which the corners alone are read.
 std::string higher_order_warning(std::size_t cells);
 

@@ -31,6 +31,9 @@ public:
         if (!has_elements_)
             refuse_layout(file_, "there is no section $Elements");
         take_cells();
+        if (const auto more = second_groups_[static_cast<std::size_t>(layout_.dimension())];
+            more > 0)
+            layout_.warnings.push_back(second_groups_warning(more));
         layout_.order = *format_->order;
         return std::move(layout_);
     }
@@ -126,6 +129,7 @@ private:
             GmshGroups groups;
             GmshSource source(scanner, *format_);
             groups.read(source, name == "PartitionedEntities");
+            groups_ = std::move(groups);
         });
     }
 
@@ -229,6 +233,9 @@ private:
             add_cells(block.kind, number_type(), {block.count, place_ + width, stride});
             hop(block.count * stride);
             before += block.count;
+            second_groups_[static_cast<std::size_t>(block.kind.dimension)] +=
+                (groups_.tags_of(block.entity_dimension, block.entity).size() - 1) *
+                static_cast<std::size_t>(block.count);
         }
         if (before < section.records)
             refuse_layout(file_, "there are fewer elements than promised");
@@ -316,10 +323,12 @@ private:
     std::int64_t place_ = 0;
     std::optional<GmshFormat> format_;
     bool has_elements_ = false;
+    GmshGroups groups_;
     MeshLayout layout_;
 
     /// By dimension and number of corners.
     std::array<std::map<int, RecordTable>, CellLists::most_dimensions> cells_;
+    std::array<std::size_t, CellLists::most_dimensions> second_groups_{}; // of cells, by dimension
 };
 
 } // namespace

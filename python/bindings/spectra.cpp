@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
+#include "solvers/coexact_spectrum.h"
 #include "solvers/spectra/certified_eigensolver.h"
-#include "solvers/spectra/coexact_spectrum.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 
 #include <variant>
 

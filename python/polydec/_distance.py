@@ -9,7 +9,8 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, floats, integers
-from ._complex import CellsLike, as_complex, vertex_numbers
+from ._complex import CellsLike, as_complex
+from ._conditions import vertex_numbers
 
 
 class GeodesicDistance:

@@ -12,7 +12,8 @@ from ._arrays import Floats, Values, floats
 from ._cells import Cells, Form, as_form
 from ._checkpoint import Checkpoint, read_checkpoint, write_checkpoint
 from ._cochain import Cochain
-from ._complex import CellsLike, as_cells, conditions_or_none
+from ._complex import CellsLike, as_cells
+from ._conditions import conditions_or_none
 from ._errors import InvalidInput
 from ._sources import boundary_data
 

@@ -10,7 +10,8 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Values, at_places, floats
 from ._cochain import Cochain
-from ._complex import CellsLike, Complex, as_complex, facet_marks, mesh_of
+from ._complex import CellsLike, Complex, as_complex, mesh_of
+from ._conditions import facet_marks
 
 
 def _fluxes(w: npt.ArrayLike) -> Floats:

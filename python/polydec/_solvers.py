@@ -10,11 +10,11 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Values, at_places, floats
-from ._cells import Cells, Form, as_form
+from ._cells import Form, as_form
 from ._cochain import Cochain
-from ._complex import CellsLike, as_cells, conditions_of
+from ._complex import CellsLike, as_cells
+from ._conditions import conditions_of
 from ._engines import Solution
-from ._errors import InvalidInput
 
 
 def _conductivity(values: Any) -> Floats:

@@ -12,7 +12,8 @@ from . import _core
 from ._arrays import Floats, Values, at_places, floats
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
-from ._complex import CellsLike, Complex, as_cells, conditions_of, facet_marks, mesh_of
+from ._complex import CellsLike, Complex, as_cells, mesh_of
+from ._conditions import conditions_of, facet_marks
 
 
 def _made(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:

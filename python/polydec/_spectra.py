@@ -10,7 +10,8 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, MatrixParts, Values, floats, matrix_parts
-from ._complex import CellsLike, Progress, as_cells, conditions_or_none
+from ._complex import CellsLike, Progress, as_cells
+from ._conditions import conditions_or_none
 
 
 @dataclass(frozen=True)

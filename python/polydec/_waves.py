@@ -10,7 +10,8 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, floats
-from ._complex import CellsLike, as_cells, conditions_or_none
+from ._complex import CellsLike, as_cells
+from ._conditions import conditions_or_none
 from ._errors import InvalidInput
 
 #: Rates that are added to those of a wave, at a time.

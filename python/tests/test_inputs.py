@@ -209,7 +209,7 @@ def test_distances_from_chosen_vertices():
 
 def test_hybrid_stars_come_with_their_cure():
     points = np.array([[0, 0], [2, 0], [1, .5]])
-    with pytest.warns(polydec.PolydecWarning, match=said("hybrid", "split")):
+    with pytest.warns(polydec.PolydecWarning, match=said("hybrid", "flips_and_splits")):
         polydec.discretize((points, [[0, 1, 2]]))
 
 

@@ -5,6 +5,7 @@
 #include "dec/forms/star.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/support/branches.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
@@ -327,7 +328,8 @@ TEST_P(DiagnosisOf, warns_of_hybrid_stars_where_duals_can_be_made_positive) {
     const auto chosen = discretize(given());
     const auto cure = remedy(plain);
     const bool is_hybrid = chosen.chosen_stars().kind == StarKind::hybrid;
-    const bool has_cure = cure == Remedy::flips || cure == Remedy::splits;
+    const bool has_cure = (cure == Remedy::flips || cure == Remedy::splits) &&
+                          !star(plain.volumes(), 1).negatives().empty();
     std::size_t told = 0;
     for (const auto& warning : chosen.warnings())
         told += says(warning, {"hybrid", option(cure)}) ? 1 : 0;
@@ -346,10 +348,11 @@ int number_spoiled(const Diagnosis& told) {
 
 TEST_P(DiagnosisOf, finds_nothing_spoiled_by_stars_that_are_positive) {
     const auto plain = circumcentric(given());
-    EXPECT_LE(number_spoiled(diagnose(plain)) > 0, not_positive(plain) > 0);
+    const bool is_cut = branches(plain.complex());
+    EXPECT_LE(number_spoiled(diagnose(plain)) > 0, not_positive(plain) > 0 || is_cut);
     for (const StarKind kind : {StarKind::automatic, StarKind::galerkin, StarKind::barycentric}) {
         const auto told = diagnose(discretize(given(), {.star = kind}));
-        EXPECT_EQ(number_spoiled(told), 0) << name(kind);
+        EXPECT_EQ(number_spoiled(told), is_cut ? 1 : 0) << name(kind);
         EXPECT_TRUE(told.advice.empty()) << name(kind);
         for (const auto& laplacian : told.laplacians)
             EXPECT_EQ(laplacian.matrix, WellDefined::yes) << name(kind);

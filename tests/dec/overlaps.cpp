@@ -5,6 +5,7 @@
 #include "dec/discretization.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/over_meshes.h"
 #include "tests/support/refusal.h"
@@ -177,7 +178,7 @@ TEST(Overlapping, is_looked_for_between_points_of_all_vertices) {
 TEST(Discretize, tells_of_folds_and_windings) {
     Mesh mesh = grid(2, 2);
     mesh.points.row(4) << 0.9, 1.3;
-    const auto folded = discretize(mesh).warnings();
+    const auto folded = circumcentric(mesh).warnings();
     ASSERT_EQ(folded.size(), 1U);
     EXPECT_TRUE(says(folded[0], {"folded", "1 of 8 cells"}));
     EXPECT_TRUE(each_says(discretize(winding(2, 5, 2)).warnings(),

@@ -121,7 +121,7 @@ Questions of_makers(const Sample& s, int k) {
                                          .tags = in.list<Index>(s.size(s.n()), 1),
                                          .lengths = lengths,
                                          .isolated = mesh.isolated(),
-                                         .facet_tags = in.list<Index>(s.size(s.n() - 1), 1)};
+                                         .facet_tags = {in.list<Index>(s.size(s.n() - 1), 1)}};
              return fit(Discretization(parts).complex().size(k) == s.size(k));
          }},
         {"check_fit",

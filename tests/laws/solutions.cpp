@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/star.h"
 #include "solvers/poisson.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "tests/laws/over_hostile_meshes.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"

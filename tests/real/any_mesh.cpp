@@ -10,7 +10,7 @@
 #include "io/meshes/read_mesh.h"
 #include "solvers/heat.h"
 #include "solvers/hodge.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "tests/io/support.h"
 #include "tests/real/samples.h"
 #include "tests/support/matrices.h"

@@ -4,7 +4,7 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/spectra/certified_eigensolver.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "tests/solvers/dense_spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"

@@ -10,7 +10,7 @@
 #include "solvers/hodge.h"
 #include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/hand_made.h"

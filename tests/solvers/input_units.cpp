@@ -5,7 +5,7 @@
 #include "solvers/hodge_laplace.h"
 #include "solvers/leapfrog.h"
 #include "solvers/poisson.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "tests/support/families.h"
 #include "tests/support/matrices.h"
 

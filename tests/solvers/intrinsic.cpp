@@ -6,7 +6,7 @@
 #include "meshes/rearrange.h"
 #include "solvers/hodge.h"
 #include "solvers/poisson.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"

@@ -2,7 +2,7 @@
 #include "dec/discretization.h"
 #include "meshes/generate.h"
 #include "solvers/poisson.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/hand_made.h"
 #include "tests/support/scales.h"

@@ -8,7 +8,7 @@
 #include "meshes/rearrange.h"
 #include "solvers/hodge_laplace.h"
 #include "solvers/poisson.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/refusal.h"

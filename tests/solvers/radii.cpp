@@ -6,9 +6,10 @@
 #include "dec/metric/circumcentric_volumes.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "solvers/coexact_spectrum.h"
 #include "solvers/spectra/certified_eigensolver.h"
-#include "solvers/spectra/coexact_spectrum.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
+#include "tests/support/branches.h"
 #include "tests/support/hand_made.h"
 
 #include <Eigen/Eigenvalues>
@@ -91,6 +92,8 @@ void over_hostile_spectra(Check check) {
             const LongVector exact = long_spectrum(cells.complex, cells.volumes, k);
             const long double rounding = 1e-17L * exact.cwiseAbs().maxCoeff();
             for (const Side side : {Side::primal, Side::dual}) {
+                if (side == Side::dual && k == n && branches(cells.complex))
+                    continue;
                 const Index count = std::min<Index>(12, cells.complex.size(k));
                 SCOPED_TRACE(testing::Message() << n << ' ' << k << ' ' << name(side));
                 const auto found = spectrum(

@@ -6,7 +6,7 @@
 #include "solvers/darcy.h"
 #include "solvers/heat.h"
 #include "solvers/poisson.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "tests/solvers/flow_samples.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"

@@ -6,11 +6,12 @@
 #include "dec/conditioned_complex.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
-#include "solvers/spectra/coexact_spectrum.h"
+#include "solvers/coexact_spectrum.h"
 #include "solvers/spectra/inertia.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/scaled_pencil.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
+#include "tests/support/branches.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/dense_laplacian.h"
 #include "tests/support/families.h"
@@ -75,6 +76,8 @@ TEST_P(SpectraOfStars, hold_the_eigenvalues_within_their_radii) {
             for (Index i = 0; i < betti[k]; ++i)
                 EXPECT_LE(std::abs(found.eigenvalues[i]), found.radii[i]) << name(kind);
 
+            if (k == mesh.dimension() && branches(mesh.complex()))
+                continue;
             const auto dual =
                 spectrum(mesh.complex(), stars,
                          {.side = Side::dual, .degree = mesh.dimension() - k, .count = count});

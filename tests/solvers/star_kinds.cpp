@@ -11,7 +11,7 @@
 #include "solvers/heat.h"
 #include "solvers/hodge.h"
 #include "solvers/poisson.h"
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 #include "tests/support/glued.h"

@@ -7,10 +7,11 @@
 #include "dec/operators.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
+#include "solvers/coexact_spectrum.h"
 #include "solvers/heat.h"
 #include "solvers/hodge.h"
 #include "solvers/leapfrog.h"
-#include "solvers/spectra/coexact_spectrum.h"
+#include "tests/support/branches.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -227,6 +228,8 @@ TEST_P(Heat, eigenforms_decay_with_their_eigenvalues_on_both_sides) {
                 (k > 0 && !star(mesh().volumes, k - 1).zeros().empty()))
                 continue;
             const int degree = side == Side::primal ? k : n - k;
+            if (side == Side::dual && degree == 0 && branches(mesh().P()))
+                continue;
             const auto modes =
                 spectrum(mesh().P(), mesh().volumes, {.side = side, .degree = degree, .count = 1});
             const double lambda = modes.eigenvalues[0], dt = 1e-3;

@@ -145,10 +145,10 @@ class Conditions(TestCase):
     def test_groups_that_are_not_there_are_refused(self):
         self.assertSays(self.fail_with(
             2, "poisson", self.square, "--rhs", "1", "--side", "primal", "--essential-on", 7),
-            "facet", "tag 7", 11, 12, 13, 14)
+            "facet", "group 7", 11, 12, 13, 14)
         self.assertSays(self.fail_with(
             2, "poisson", golden("grid4.nsc"), "--rhs", "1", "--side", "primal", "--essential-on",
-            7), "no facets", "tags")
+            7), "no facets", "groups")
 
     def test_robin_has_solutions_that_are_linear_exactly_on_duals_and_converges_on_primals(self):
         exact, flux = "1+x", "2*(1+x)+(x>1-1e-9)-(x<1e-9)"

@@ -88,10 +88,13 @@ class Distance(TestCase):
         self.assertGreater(parse(answer.out)["max"], 0)
 
     def test_from_the_boundary_and_from_places_and_groups_is_from_their_vertices(self):
-        self.succeed("generate", "grid", "--nx", 8, "--ny", 8, "-o", "grid.off")
+        grid = self.path("grid.off")
+        self.succeed("generate", "grid", "--nx", 8, "--ny", 8, "-o", grid)
+        with open(grid) as file:
+            points = [[float(x) for x in line.split()] for line in file.readlines()[2:83]]
 
         def ask(*sources):
-            answer = self.ask("distance", "grid.off", *sources)
+            answer = self.ask("distance", grid, *sources)
             return answer["from"], answer["max"], answer["mean"]
 
         def numbers(holds):
@@ -99,18 +102,16 @@ class Distance(TestCase):
 
         for asked, holds in (
                 (("--from", "boundary"), lambda i, j: 0 in (i, j) or 8 in (i, j)),
-                (("--from-where", "x < .01"), lambda i, j: self.points[9 * i + j][0] < .01),
+                (("--from-where", "x < .01"), lambda i, j: points[9 * i + j][0] < .01),
                 (("--from-where", "x < .01", "--from", 40),
-                 lambda i, j: self.points[9 * i + j][0] < .01 or 9 * i + j == 40)):
-            with open("grid.off") as file:
-                self.points = [[float(x) for x in line.split()] for line in file.readlines()[2:83]]
+                 lambda i, j: points[9 * i + j][0] < .01 or 9 * i + j == 40)):
             chosen = numbers(holds)
             self.assertEqual(sorted(ask(*asked)[0]), chosen)
             self.assertEqual(ask(*asked)[1:], ask("--from", *chosen)[1:])
         self.assertAlmostEqual(ask("--from", "boundary")[1], .5, delta=.06)
-        self.assertSays(self.fail_with(2, "distance", "grid.off", "--from-where", "x > 2"),
+        self.assertSays(self.fail_with(2, "distance", grid, "--from-where", "x > 2"),
                         "--from-where", "81 vertices")
-        self.assertSays(self.fail_with(2, "distance", "grid.off", "--from-on", "wall"), "group", "wall")
+        self.assertSays(self.fail_with(2, "distance", grid, "--from-on", "wall"), "group", "wall")
         self.assertSays(self.fail_with(2, "distance", golden("uv8.off"), "--from", "boundary"),
                         "boundary", "none")
 

@@ -143,7 +143,11 @@ class GoldenNumbers(TestCase):
                     continue
                 for side in ("primal", "dual"):
                     with self.subTest(name, k=k, side=side):
-                        self.check_spectrum(name, wanted, side, k)
+                        if name == "branching.off" and (side, k) == ("dual", 2):
+                            self.assertSays(self.fail_with(2, "spectrum", golden(name), "--side", side,
+                                                           "--degree", 0), "3 cells", "facet")
+                        else:
+                            self.check_spectrum(name, wanted, side, k)
 
     def check_spectrum(self, name, wanted, side, k):
         degree = k if side == "primal" else wanted["summary"]["n"] - k

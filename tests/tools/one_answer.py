@@ -68,7 +68,7 @@ def in_time(until, step=None):
 
 
 def report(_):
-    return Question(["info"], None, lambda mesh: (mesh.report(), 0))
+    return Question(["info", "--star", "automatic"], None, lambda mesh: (mesh.report(), 0))
 
 
 def spectrum(_, side, degree, *words, **options):

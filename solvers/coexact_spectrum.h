@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 
 namespace polydec {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/coexact_spectrum.h"
+#include "solvers/coexact_spectrum.h"
 
 #include "base/checks.h"
 #include "base/decompositions.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/spectrum.h"
+#include "solvers/spectrum.h"
 
 #include "base/errors.h"
 #include "complex/homology.h"
@@ -153,7 +153,13 @@ void use_input_units(Spectrum& spectrum, double unit) {
 
 Spectrum spectrum(const CellComplex& complex, const HodgeStars& stars,
                   const SpectrumOptions& options) {
-    return spectrum(complex, stars, built_in_conditions(options.side), options);
+    const int k = cell_degree(complex, options.side, options.degree);
+    check_fit(complex, stars);
+    refuse_branching(complex, stars, options.side, options.degree);
+    CellMarks none;
+    for (int j = 0; j <= complex.dimension(); ++j)
+        none.emplace_back(complex.size(j), false);
+    return spectrum_in({{relative_complex(complex, none), stars}, {}, {}}, stars[k], options);
 }
 
 Spectrum spectrum(const Discretization& discretization, const SpectrumOptions& options) {
