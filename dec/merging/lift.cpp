@@ -157,26 +157,22 @@ void Lift::fill_cell(int m, Index F) {
 /// The j-cells of P that the values inside F depend on, ascending: those below its (j+1)-simplices
 /// and those of the simplices on its boundary.
 std::vector<Index> Lift::columns(int m, Index F, int j) const {
-    std::vector<Index> cells;
-    const auto leave_once = [&] {
-        std::sort(cells.begin(), cells.end());
-        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-        return cells.size();
+    const auto make_unique = [](std::vector<Index>& list) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
     };
-    std::size_t different = 0;
+    std::vector<Index> above, cells;
     for (const Index t : inside_[m][j + 1][F]) {
-        rows_[j + 1].visit(t, [&](Index upper, double) {
-            for (const SignedFace& E : P_.incidences(j)[upper])
-                cells.push_back(E.face);
-        });
+        rows_[j + 1].visit(t, [&](Index upper, double) { above.push_back(upper); });
         for (const SignedFace& s : K_.incidences(j)[t])
             if (!is_inside(m, F, j, s.face))
                 rows_[j].visit(s.face, [&](Index E, double) { cells.push_back(E); });
-        constexpr std::size_t spare = 1000; // so that most is not sorted again and again
-        if (cells.size() > 2 * different + spare)
-            different = leave_once();
     }
-    leave_once();
+    make_unique(above);
+    for (const Index upper : above)
+        for (const SignedFace& E : P_.incidences(j)[upper])
+            cells.push_back(E.face);
+    make_unique(cells);
     return cells;
 }
 
@@ -185,10 +181,11 @@ std::vector<Index> Lift::columns(int m, Index F, int j) const {
 void Lift::fill_degree(int m, Index F, int j) {
     const auto unknown = inside_[m][j][F], equations = inside_[m][j + 1][F];
     const auto cells = columns(m, F, j);
-    const auto rows = static_cast<double>(equations.size() + 2 * unknown.size());
-    check_memory(sizeof(double) * 2 * rows * static_cast<double>(cells.size()),
-                 fmt::format("the lift into {}-cell {}, which is merged of {} simplices,", m, F,
-                             inside_[m][m][F].size()));
+    // of the right sides, what is solved for and its copy in the rows
+    check_memory(8.0 * static_cast<double>(cells.size()) *
+                     static_cast<double>(equations.size() + 3 * unknown.size()),
+                 fmt::format("lifting forms to the {} simplices of a {}-cell",
+                             inside_[m][m][F].size(), m));
 
     std::vector<Eigen::Triplet<double, Index>> entries;
     DenseMatrix right_side = DenseMatrix::Zero(equations.size(), cells.size());

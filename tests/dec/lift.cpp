@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "dec/merging/lift.h"
 
+#include "base/memory.h"
 #include "dec/forms/derivative.h"
 #include "tests/dec/products.h"
 #include "tests/support/decompositions.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
+#include "tests/support/refusal.h"
+#include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <set>
 
 namespace polydec::test::in_lift {
@@ -159,6 +164,29 @@ double constant_error_of_least_norm(const Merged& mesh) {
 
 TEST(LiftsBroken, least_norm_misses_constant_forms_on_cubes_split_at_random) {
     EXPECT_GT(constant_error_of_least_norm(merged("split_cubes")), 0.01);
+}
+
+/// A regular polygon, as triangles from one corner.
+Mesh polygon(Index corners) {
+    Mesh mesh;
+    mesh.points.resize(corners, 2);
+    mesh.simplices.resize(corners - 2, 3);
+    for (Index i = 0; i < corners; ++i)
+        mesh.points.row(i) << std::cos(2 * std::numbers::pi * i / corners),
+            std::sin(2 * std::numbers::pi * i / corners);
+    for (Index t = 0; t < corners - 2; ++t)
+        mesh.simplices.row(t) << 0, t + 1, t + 2;
+    return mesh;
+}
+
+TEST(LiftsOfGiants, are_held_against_memory_before_they_are_made) {
+    const auto mesh = discretize(polygon(600));
+    ASSERT_EQ(mesh.complex().size(2), 1);
+    set_memory_limit(1000000);
+    const auto refused = message_of<IoError>([&] { mesh.lift(); });
+    set_memory_limit(machine_memory());
+    EXPECT_TRUE(says(refused, {"598 simplices", "2-cell", "11.5 MB", "1 MB"})) << refused;
+    EXPECT_EQ(message_of<IoError>([&] { mesh.lift(); }), "accepted");
 }
 
 } // namespace
