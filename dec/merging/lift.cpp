@@ -182,10 +182,10 @@ void Lift::fill_degree(int m, Index F, int j) {
     const auto unknown = inside_[m][j][F], equations = inside_[m][j + 1][F];
     const auto cells = columns(m, F, j);
     // of the right sides, what is solved for and its copy in the rows
-    check_memory(8.0 * static_cast<double>(cells.size()) *
-                     static_cast<double>(equations.size() + 3 * unknown.size()),
-                 fmt::format("lifting forms to the {} simplices of a {}-cell",
-                             inside_[m][m][F].size(), m));
+    check_memory(
+        8.0 * static_cast<double>(cells.size()) *
+            static_cast<double>(equations.size() + 3 * unknown.size()),
+        fmt::format("lifting forms to the {} simplices of a {}-cell", inside_[m][m][F].size(), m));
 
     std::vector<Eigen::Triplet<double, Index>> entries;
     DenseMatrix right_side = DenseMatrix::Zero(equations.size(), cells.size());
