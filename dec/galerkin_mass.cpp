@@ -10,9 +10,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 namespace polydec {
+
+namespace {
+
+/// How many pairs there are of k-cells below one n-cell of several pieces, each with all others:
+/// where forms are lifted to k-simplices inside, all of them are coupled.
+double count_pairs(const Merging& merging, int k) {
+    const CellComplex& complex = merging.merged();
+    const int n = complex.dimension();
+    const auto& pieces = merging.diamond(n);
+    double pairs = 0;
+    std::vector<Index> cells, faces;
+    for (Index top = 0; k > 0 && top < complex.size(n); ++top) {
+        if (pieces.outerIndexPtr()[top + 1] - pieces.outerIndexPtr()[top] < 2)
+            continue;
+        cells.assign(1, top);
+        for (int j = n - 1; j >= k; --j) {
+            faces.clear();
+            for (const Index cell : cells)
+                for (const SignedFace& face : complex.incidences(j)[cell])
+                    faces.push_back(face.face);
+            std::sort(faces.begin(), faces.end());
+            faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+            cells.swap(faces);
+        }
+        pairs += std::pow(static_cast<double>(cells.size()), 2);
+    }
+    return pairs;
+}
+
+} // namespace
 
 GalerkinMass::GalerkinMass(const Discretization& mesh) : mesh_(mesh) {
     std::vector<bool> flat(mesh.pieces().size(mesh.dimension()));
@@ -32,37 +62,12 @@ SparseMatrix GalerkinMass::operator()(int k, const Vector& weights) const {
     return lifted(k, whitney_mass(pieces(), metric(), k, of_pieces));
 }
 
-namespace {
-
-/// In a cell of many faces each is coupled to each other: throws where their star needs more memory
-/// than there may be.
-void check_couplings(const CellComplex& P, int k) {
-    constexpr double bytes = 3 * (sizeof(double) + sizeof(Index)); // with what it is made of
-    constexpr std::size_t many = 100;
-    const int n = P.dimension();
-    double entries = 0;
-    std::vector<Index> faces, above;
-    for (Index cell = 0; cell < P.size(n); ++cell) {
-        faces.assign(1, cell);
-        for (int j = n - 1; j >= k && (j == n - 1 || faces.size() > many); --j) {
-            above = std::exchange(faces, {});
-            for (const Index face : above)
-                for (const SignedFace& lower : P.incidences(j)[face])
-                    faces.push_back(lower.face);
-            std::sort(faces.begin(), faces.end());
-            faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-        }
-        entries += faces.size() > many ? std::pow(static_cast<double>(faces.size()), 2) : 0;
-    }
-    check_memory(bytes * entries, fmt::format("Galerkin's star of {}-cells, of which some {}-cells "
-                                              "have hundreds,",
-                                              k, n));
-}
-
-} // namespace
-
 SparseMatrix GalerkinMass::lifted(int k, const SparseMatrix& of_pieces) const {
-    check_couplings(mesh_.complex(), k);
+    // of the product on its way, the result, what is transposed and their sum
+    constexpr double bytes_each = 5 * (sizeof(double) + sizeof(Index));
+    const double entries = count_pairs(merging(), k);
+    check_memory(bytes_each * entries,
+                 fmt::format("Galerkin's star of {}-forms with {:.3g} entries", k, entries));
     const SparseMatrix& S = coned_ ? lift_[k] : mesh_.lift()[k];
     const SparseMatrix result = SparseMatrix(S.transpose()) * of_pieces * S;
     return 0.5 *

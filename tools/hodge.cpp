@@ -103,8 +103,10 @@ void run_hodge(const HodgeArguments& arguments) {
     const auto conditions = asked.on(mesh).value_or(built_in_conditions(arguments.side));
     Cochain form = given.on(mesh, arguments.side, arguments.degree);
     log.timing.begin("solve");
-    const auto space =
-        conditioned_complex(mesh.complex(), mesh.stars(), form.side, form.degree, conditions);
+    const auto space = computed_on(arguments.mesh.mesh, [&] {
+        return conditioned_complex(mesh.complex(), mesh.stars(), form.side, form.degree,
+                                   conditions);
+    });
     const int k = cell_degree(mesh.complex(), form.side, form.degree);
     form.values = space.relative.extend(k, space.relative.restrict(k, form.values));
     const HodgeParts parts = computed_on(arguments.mesh.mesh, [&] {

@@ -2,6 +2,7 @@
 #include "dec/merging/lift.h"
 
 #include "base/memory.h"
+#include "dec/choose_stars.h"
 #include "dec/forms/derivative.h"
 #include "tests/dec/products.h"
 #include "tests/support/decompositions.h"
@@ -182,10 +183,16 @@ Mesh polygon(Index corners) {
 TEST(LiftsOfGiants, are_held_against_memory_before_they_are_made) {
     const auto mesh = discretize(polygon(600));
     ASSERT_EQ(mesh.complex().size(2), 1);
-    set_memory_limit(1000000);
-    const auto refused = message_of<IoError>([&] { mesh.lift(); });
-    set_memory_limit(machine_memory());
-    EXPECT_TRUE(says(refused, {"598 simplices", "2-cell", "11.5 MB", "1 MB"})) << refused;
+    const auto with_at_most = [](std::uint64_t bytes, const auto& call) {
+        set_memory_limit(bytes);
+        const auto told = message_of<IoError>(call);
+        set_memory_limit(machine_memory());
+        return told;
+    };
+    const auto lift = [&] { mesh.lift(); };
+    EXPECT_TRUE(says(with_at_most(1000000, lift), {"598 simplices", "2-cell", "11.5 MB", "1 MB"}));
+    const auto star = [&] { choose_stars(mesh, StarKind::galerkin); };
+    EXPECT_TRUE(says(with_at_most(15000000, star), {"star of 1-forms", "3.6e+05", "21.6 MB"}));
     EXPECT_EQ(message_of<IoError>([&] { mesh.lift(); }), "accepted");
 }
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """What would take more memory than allowed is refused before it is begun."""
+import os
 import time
 
 import command
+import ladder
 from command import TestCase, golden
 
 
@@ -64,6 +66,23 @@ class Cost(TestCase):
             self.refuse("spectrum", "grid.nsc", "--side", "primal", "--degree", "0", "--count",
                         "40000", "--max-memory", "400M"),
             "40000 eigenpairs", "40401 values", "38.8 GB", "400 MB", "--max-memory")
+
+    def test_stars_and_laplacians_of_giant_cells_are_refused(self):
+        """A polygon of many corners, a fan and tetrahedra around one edge: where cells have many
+        faces, or are around one, matrices are full."""
+        self.write("polygon.off", ladder.polygon(3000))
+        said = self.refuse("poisson", "polygon.off", "--side", "dual", "--rhs", 1, "--star",
+                           "galerkin", "--max-memory", "100M")
+        self.assertSays(said, "polygon.off", "2998 simplices", "2-cell", "288 MB", "100 MB")
+        self.write("fan.off", ladder.fan(4000))
+        said = self.refuse("operators", "fan.off", "--out", "out", "--max-memory", "50M")
+        self.assertSays(said, "Laplacians of 1-cells", "50 MB")
+        self.assertNotIn("out", os.listdir(self.folder))
+        self.write("edge.nsc", ladder.around_edge(5000, digits=9))
+        for line in (("poisson", "edge.nsc", "--side", "dual", "--rhs", 1),
+                     ("hodge", "edge.nsc", "--side", "primal", "--form", "x;y;z")):
+            said = self.refuse(*line, "--max-memory", "1G")
+            self.assertSays(said, "edge.nsc", "Galerkin", "1 GB")
 
     def test_a_limit_of_the_process_counts(self):
         if not command.limited:

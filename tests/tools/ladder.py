@@ -28,8 +28,9 @@ def nsc(points, cells):
                     *(" ".join(map(str, c)) + "\n" for c in cells)])
 
 
-def on_circle(n):
-    return [(math.cos(2 * math.pi * i / n), math.sin(2 * math.pi * i / n)) for i in range(n)]
+def on_circle(n, digits=17):
+    angles = [2 * math.pi * i / n for i in range(n)]
+    return [(round(math.cos(a), digits), round(math.sin(a), digits)) for a in angles]
 
 
 def squares(rows, columns, place, keep=lambda i, j: True):
@@ -54,8 +55,8 @@ def fan(n):
     return off(points, [(0, 1 + i, 1 + (i + 1) % n) for i in range(n)])
 
 
-def around_edge(n):
-    return nsc([(0, 0, -1), (0, 0, 1)] + [(x, y, 0) for x, y in on_circle(n)],
+def around_edge(n, digits=17):
+    return nsc([(0, 0, -1), (0, 0, 1)] + [(x, y, 0) for x, y in on_circle(n, digits)],
                [(0, 1, 2 + i, 2 + (i + 1) % n) for i in range(n)])
 
 
@@ -164,7 +165,7 @@ def processor_seconds(run):
 
 
 def worst_growth(seconds, n, runs=3):
-    """Of seconds(n), from n to 2 n and from there to 4 n, from the first n on that takes long enough.
+    """Of seconds(n), from n to 2 n and from there to 4 n, the first n being one that takes long.
     Of each the least of several runs, or one where that will do: what else runs on the machine
     only adds to it."""
     while seconds(n) < LASTING and 4 * n < LARGEST:
