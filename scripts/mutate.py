@@ -115,6 +115,8 @@ MUTANTS = {
     "kinds_by_rounding": ("dec/merging/facet_kinds.cpp", "is_zero(dual[f], terms[f])", "dual[f] == 0"),
     "numbers_lacked_in_silence": ("dec/diagnosis.cpp", "if (lacks_numbers(found))", "if (false)"),
     "lift_unmeasured": ("dec/merging/lift.cpp", "check_memory(8.0 *", "check_memory(0.0 *"),
+    "lift_unmeasured": ("dec/merging/lift.cpp", "8.0 * static_cast<double>(cells.size())",
+                        "0.0 * static_cast<double>(cells.size())"),
     "galerkin_unmeasured": ("dec/galerkin_mass.cpp", "check_memory(bytes_each * entries",
                             "check_memory(0 * entries"),
     "bends_unseen": ("dec/merging/straightness.cpp", "std::abs(angles_[s] - std::numbers::pi) <=",
