@@ -107,7 +107,8 @@ std::vector<Index> PointTree::near(const Points& simplex, double length,
     return std::move(near.found);
 }
 
-/// A piece much larger than the box is halved before it, so that boxes along a long edge are few.
+/// A piece much larger than the box is halved before it, so that boxes along a long edge are few;
+/// one of many corners is not, whose pieces, until all edges are halved, would be too many.
 void PointTree::search(Near& near, Index node, const Piece& piece) const {
     if (tree_.squared_gap(tree_.box(node), piece.box.data()) > near.square)
         return;
@@ -117,7 +118,8 @@ void PointTree::search(Near& near, Index node, const Piece& piece) const {
     const double extent = tree_.squared_span(piece.box.data(), piece.box.data());
     constexpr double much = 16; // of squares
     const double own = tree_.squared_span(tree_.box(node), tree_.box(node));
-    if (extent <= near.square || extent <= much * own) {
+    constexpr Index many = 4;
+    if (extent <= near.square || extent <= much * own || piece.corners.rows() > many) {
         search(near, left, piece);
         search(near, right, piece);
         return;
