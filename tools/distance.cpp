@@ -155,6 +155,8 @@ void add_distance(CLI::App& app) {
         app.add_subcommand("distance", "geodesic distance from vertices, by the heat method");
     const auto arguments = std::make_shared<DistanceArguments>();
     add_mesh_arguments(*command, arguments->mesh);
+    arguments->mesh.star =
+        name(StarKind::automatic); // on which distances do not depend, as in Python
     command
         ->add_option("--from", arguments->from,
                      "the vertices it is 0 at, by number, or boundary for all on it")

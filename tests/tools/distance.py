@@ -68,7 +68,8 @@ class Distance(TestCase):
         self.assertEqual(ask(0)["warnings"], [])
         short = ask(3)
         self.assertLess(short["max"], 0.7 * exact)
-        warning, = short["warnings"]
+        hybrid, warning = short["warnings"]
+        self.assertSays(hybrid, 8, "hybrid", "--delaunay")
         self.assertSays(warning, 8, "1-cells", "negative dual", "distances", "--delaunay")
         mended = ask(3, "--delaunay=split-boundary")
         self.assertAlmostEqual(mended["max"], exact, delta=0.1 * exact)
