@@ -126,8 +126,8 @@ Diagnosis diagnose(const Discretization& discretization,
                    const std::function<void(std::string_view)>& stage) {
     Diagnosis found;
     found.dimension = discretization.dimension();
-    if (discretization.points().cols() > 0)
-        found.ambient_dimension = static_cast<int>(discretization.points().cols());
+    if (discretization.ambient_dimension() > 0)
+        found.ambient_dimension = discretization.ambient_dimension();
     if (stage)
         stage("topology");
     examine_topology(discretization, found);

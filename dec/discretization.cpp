@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "dec/advice.h"
 #include "dec/choose_stars.h"
+#include "dec/glued_box.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/flat_simplices.h"
 #include "dec/merging/lift.h"
@@ -13,7 +14,7 @@
 #include "dec/mesh_warnings.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/plane.h"
-#include "dec/metric/rounding.h"
+#include "meshes/periodic.h"
 #include "meshes/tidy.h"
 #include "meshes/unit_of_length.h"
 
@@ -25,17 +26,6 @@
 namespace polydec {
 
 namespace {
-
-/// The rows of vertices that no simplex uses.
-Points isolated_points(const SimplicialComplex& complex, const Points& by_number) {
-    Points result(by_number.rows() - complex.size(0), by_number.cols());
-    for (Index i = 0, v = 0, row = 0; i < by_number.rows(); ++i)
-        if (v < complex.size(0) && complex.vertex_number(v) == i)
-            ++v;
-        else
-            result.row(row++) = by_number.row(i);
-    return result;
-}
 
 /// The facets that are to stay: between simplices of different tags, and with tags of their own.
 /// None where the mesh has no tags or they do not matter.
@@ -87,32 +77,6 @@ void look_at_flat_cells(const CosphericalMerging& merged, const SimplexMetric& m
     const auto nearly =
         facet_defects(pieces, metric, volumes, {options.criterion, wider}).degenerate;
     warn_of_jitter(flat, nearly.interior - at.interior, wider, warnings);
-}
-
-/// Where a center lies beyond the boundary, but within the tolerance, it counts as lying on it: the
-/// dual of such a facet as zero (see HodgeStar::zeros), whatever rounding or jitter made of it.
-CellVolumes without_duals_beyond_the_boundary(const CellVolumes& volumes, const Merging& merging,
-                                              const DegenerateFacets& degenerate) {
-    const int facets = merging.merged().dimension() - 1;
-    const auto& counts = merging.merged().coface_counts(facets);
-    const Vector& duals = volumes.dual(facets);
-    Vector terms;
-    for (Index f = 0; f < duals.size(); ++f) {
-        if (counts[f] != 1 || !(duals[f] < 0) || is_zero(duals[f], volumes.terms(facets)[f]))
-            continue;
-        bool counts_as_zero = true;
-        for (IncidenceMatrix::InnerIterator piece(merging.diamond(facets), f); piece; ++piece)
-            counts_as_zero = counts_as_zero && degenerate[static_cast<Index>(piece.col())];
-        if (!counts_as_zero)
-            continue;
-        if (terms.size() == 0)
-            terms = volumes.terms(facets).vector();
-        constexpr double above = 1.1;
-        terms[f] = above * std::abs(duals[f]) / rounding_of(1);
-    }
-    if (terms.size() == 0)
-        return volumes;
-    return volumes.with_dual(facets, duals, terms, volumes.rounding(facets).vector());
 }
 
 using Progress = std::function<void(std::string_view)>;
@@ -313,6 +277,24 @@ Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
     return result;
 }
 
+Discretization Discretization::with_box(std::shared_ptr<const GluedBox> box) const {
+    Parts parts = *parts_;
+    parts.box = std::move(box);
+    Discretization result(std::move(parts));
+    result.lift_ = lift_;
+    result.stars_ = stars_;
+    return result;
+}
+
+PlacedSimplices Discretization::places() const& {
+    return box() ? box()->places()
+                 : PlacedSimplices{input_points(), input().simplices(input().dimension())};
+}
+
+int Discretization::ambient_dimension() const {
+    return static_cast<int>(places().points.cols());
+}
+
 const ChosenStars& Discretization::chosen_stars() const& {
     return stars_->get([this] { return choose_stars(*this, options().star); });
 }
@@ -352,21 +334,49 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
     return measured(std::move(given), options, stage);
 }
 
-Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options,
+namespace {
+
+/// `about` says what else is known of the simplices: tags, groups, warnings.
+Discretization of_lengths(const LengthMesh& mesh, Mesh about, const DiscretizeOptions& options,
                           const Progress& stage) {
     begin(stage, "complex");
     check(mesh);
     const SimplicialComplex complex(mesh.simplices);
-    Mesh without_points{Points(mesh.vertices, 0), mesh.simplices, {}};
-    warn_of_isolated_vertices(without_points);
-    without_points.points.resize(complex.size(0), 0);
+    about.points.resize(mesh.vertices, 0);
+    about.simplices = mesh.simplices;
+    warn_of_isolated_vertices(about);
+    about.points.resize(complex.size(0), 0);
     const Points isolated(mesh.vertices - complex.size(0), 0);
     const double unit = unit_of_length(mesh);
-    warn_of_unit(unit, without_points.warnings);
+    warn_of_unit(unit, about.warnings);
     // the complex numbers its edges in lexicographic order
     Vector lengths = mesh.lengths(edges_in_order(mesh)) / unit;
-    return measured({complex, std::move(without_points), isolated, std::move(lengths), unit},
-                    options, stage);
+    return measured({complex, std::move(about), isolated, std::move(lengths), unit}, options,
+                    stage);
+}
+
+} // namespace
+
+Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options,
+                          const Progress& stage) {
+    return of_lengths(mesh, {}, options, stage);
+}
+
+Discretization discretize(const PeriodicMesh& mesh, const DiscretizeOptions& options,
+                          const Progress& stage) {
+    check_facet_tags(mesh.box);
+    check_as_many("numbers of the vertices of a box", std::ssize(mesh.vertices),
+                  mesh.box.points.rows());
+    Mesh about{{}, {}, mesh.box.warnings, mesh.box.tags, mesh.box.facet_tags, mesh.box.groups};
+    for (Index& v : about.facet_tags.simplices.reshaped())
+        v = mesh.vertices[v];
+    if (options.delaunay != Delaunay::off)
+        about.warnings.emplace_back("edges of a glued mesh were flipped: only lengths are known of "
+                                    "it, and no places in its box");
+    const Discretization result = of_lengths(mesh.quotient, std::move(about), options, stage);
+    return result.passage().is_identity()
+               ? result.with_box(std::make_shared<const GluedBox>(mesh, result))
+               : result;
 }
 
 std::vector<Index> cell_vertices(const Discretization& discretization, int k, Index cell) {

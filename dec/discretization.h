@@ -17,6 +17,16 @@
 
 namespace polydec {
 
+class GluedBox;
+struct PeriodicMesh;
+
+/// The n-simplices of a mesh between points: the corners of each are rows of a table, in the order
+/// of its vertices. Keeps references.
+struct PlacedSimplices {
+    const Points& points;
+    const Simplices& corners; ///< n+1 rows of `points` for each n-simplex
+};
+
 /// A mesh made ready for calculus: its complex, merged where cells are cospherical, and the metric.
 /// Everything here answers for the cells of complex(), or says for what else. A handle on what
 /// never changes: copies share it and cost nothing. Accessors of a temporary return copies.
@@ -46,6 +56,7 @@ public:
         std::vector<GroupName> groups = {};
         std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others, or empty
         Points plane = {}; ///< the input's points in the n-plane that has them all (plane_points)
+        std::shared_ptr<const GluedBox> box = {}; ///< of a glued mesh, which knows lengths
     };
 
     /// Throws InvalidInput unless volumes, tags and points are those of as many cells and vertices,
@@ -87,6 +98,9 @@ public:
     /// unless they fit.
     Discretization with_volumes(const CellVolumes& volumes) const;
 
+    /// The same as a mesh glued from this box.
+    Discretization with_box(std::shared_ptr<const GluedBox> box) const;
+
     /// What the cells are made of, and how.
     const Merging& merging() const& { return parts_->merging; }
     const Pieces& pieces() const& { return merging().pieces(); }
@@ -126,6 +140,19 @@ public:
     const Points& input_points() const& { return parts_->input_points; }
     Points points() && { return points(); }
     Points input_points() && { return input_points(); }
+
+    /// The box that a glued mesh was made of; null for other meshes.
+    const std::shared_ptr<const GluedBox>& box() const& { return parts_->box; }
+    std::shared_ptr<const GluedBox> box() && { return box(); }
+
+    /// Where the n-simplices of the input lie: between input_points(), or, if the mesh is glued,
+    /// each where it lies in the box, so that simplices across a seam are straight. Without
+    /// columns if only lengths are known.
+    PlacedSimplices places() const&;
+    PlacedSimplices places() const&& = delete;
+
+    /// Number N of coordinates of these points; 0 if only lengths are known.
+    int ambient_dimension() const;
 
     /// The points of the input that no cell uses, in order.
     const Points& isolated() const& { return parts_->isolated; }
@@ -203,6 +230,13 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options = {},
 /// all else is that of any mesh.
 /// Throws like check of a LengthMesh, SimplicialComplex, SimplexMetric and circumcentric_volumes.
 Discretization discretize(const LengthMesh& mesh, const DiscretizeOptions& options = {},
+                          const std::function<void(std::string_view)>& stage = {});
+
+/// The quotient of a glued mesh, measured by lengths and merged across the seams, with the places,
+/// tags and groups of its box. Forms, fields and expressions are taken where the simplices lie in
+/// the box, and pictures show the box. Flipped edges cross the simplices of the box: after flips
+/// only lengths are known, with a warning. Throws like the others.
+Discretization discretize(const PeriodicMesh& mesh, const DiscretizeOptions& options = {},
                           const std::function<void(std::string_view)>& stage = {});
 
 /// The vertices of k-cell of complex(), ascending, by the numbers of the input, as messages and

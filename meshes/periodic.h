@@ -10,13 +10,15 @@ namespace polydec {
 
 /// A mesh of a box (or of any cell that tiles space) glued to itself along translations or other
 /// isometries: a torus, a Klein bottle or a space with a twist that no R^n holds, known by the
-/// lengths of its edges, which go straight across the seams. It is discretized like any other mesh
-/// (discretize(periodic.quotient)), and merges across the seams.
+/// lengths of its edges, which go straight across the seams, and by where its simplices lie in the
+/// box. It is discretized like any other mesh, and merges across the seams.
 struct PeriodicMesh {
     Mesh box;                    ///< as it was given: where each cell of the quotient is once
     LengthMesh quotient;         ///< the rows of its simplices are those of the box
     std::vector<Index> vertices; ///< of each vertex of the box its number in the quotient
     Points points;               ///< of each vertex of the quotient its first place in the box
+
+    int dimension() const { return box.dimension(); }
 };
 
 /// Glues vertices that differ by a translation, such as {1, 0} and {0, 1} for the unit square.

@@ -38,7 +38,7 @@ StarKind star_kind(const std::string& text) {
 
 namespace {
 
-/// What was read may have points or lengths alone.
+/// What was read may have points or lengths alone, or be glued.
 template <class Read>
 Discretization discretize_checked(const MeshArguments& arguments, Read mesh,
                                   const DiscretizeOptions& options,
@@ -88,7 +88,7 @@ std::vector<Points> images(const Mesh& mesh, const MeshArguments& arguments) {
 }
 
 /// What a file holds, glued along translations and isometries, or as it is.
-std::variant<Mesh, LengthMesh> read_glued(const MeshArguments& arguments) {
+std::variant<Mesh, LengthMesh, PeriodicMesh> read_glued(const MeshArguments& arguments) {
     if (is_length_file(arguments.mesh)) {
         if (!arguments.periods.empty() || !arguments.glue.empty())
             throw InvalidInput(
@@ -107,14 +107,14 @@ std::variant<Mesh, LengthMesh> read_glued(const MeshArguments& arguments) {
         mesh = peeled(std::move(mesh));
     if (!arguments.glue.empty()) {
         const auto taken = images(mesh, arguments);
-        return glue_by_images(std::move(mesh), taken).quotient;
+        return glue_by_images(std::move(mesh), taken);
     }
     if (arguments.periods.empty())
         return mesh;
     std::vector<Vector> translations;
     for (const std::string& period : arguments.periods)
         translations.push_back(translation(period, mesh.ambient_dimension()));
-    return periodic(std::move(mesh), translations).quotient;
+    return periodic(std::move(mesh), translations);
 }
 
 } // namespace
@@ -161,7 +161,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments) {
     command
         .add_option("--periodic", arguments.periods,
                     "glue the mesh to itself along this translation, such as 1,0; may be\n"
-                    "given again. What comes of it has lengths, and no places")
+                    "given again. Expressions and pictures are on the mesh that was glued")
         ->check(check_vector);
     command.add_option("--glue", arguments.glue,
                        "glue it along an isometry as well, given by where it takes a point,\n"

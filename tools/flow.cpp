@@ -73,13 +73,13 @@ struct Given {
             options.boundary_flux = flux_through_boundary(mesh, options.wall_velocity);
         }
         if (rotation.given())
-            options.rotation = rotation.at(unit * mesh.points());
+            options.rotation = rotation.at(unit * cell_centers(mesh, 0));
         return options;
     }
 
     /// Fluxes that a flow begins with; to be projected.
     Vector start(const Discretization& mesh) const {
-        const Points sites = mesh.unit() * mesh.points();
+        const Points sites = mesh.unit() * cell_centers(mesh, 0);
         if (vorticity.given())
             return flow_of_vorticity(mesh, vorticity.at(sites));
         if (velocity.given())

@@ -67,7 +67,7 @@ FormValues::FormValues(const std::string& option, const std::string& text, const
 }
 
 void FormValues::check_count(const Discretization& mesh, int degree) const {
-    const int coordinates = static_cast<int>(mesh.points().cols());
+    const int coordinates = mesh.ambient_dimension();
     const Index wanted = degree == 0 ? 1 : binomial(coordinates, degree);
     if (std::ssize(coefficients_) != wanted)
         throw InvalidInput(fmt::format("{} has {} coefficient{}: a {}-form in {} coordinates has "

@@ -109,10 +109,10 @@ void check_replaced_folder(const Path& out) {
 }
 
 void check_drawable(const Discretization& mesh) {
-    if (mesh.points().cols() == 0)
+    if (mesh.ambient_dimension() == 0)
         return polydec::check_drawable(mesh.dimension(), 0);
     try {
-        polydec::check_drawable(mesh.dimension(), static_cast<int>(mesh.points().cols()));
+        polydec::check_drawable(mesh.dimension(), mesh.ambient_dimension());
     } catch (const InvalidInput& error) {
         throw InvalidInput(fmt::format("{}; leave out -o", error.what()), error.place());
     }

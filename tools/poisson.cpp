@@ -115,7 +115,7 @@ std::string known(const Discretization& mesh, const PoissonArguments& arguments)
 /// One number for each merged cell, known at its centroid.
 Vector conductivity(const Discretization& mesh, const SiteValues& values) {
     const int n = mesh.dimension();
-    const bool has_points = mesh.points().cols() > 0;
+    const bool has_points = mesh.ambient_dimension() > 0;
     const Points sites = has_points ? Points(mesh.unit() * cell_centroids(mesh, n))
                                     : Points(mesh.complex().size(n), 0);
     return values.at(sites, mesh.tags());

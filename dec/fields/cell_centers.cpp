@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/cell_centers.h"
 
+#include "base/decompositions.h"
+#include "dec/developed_cells.h"
 #include "dec/forms/cochain.h"
+#include "dec/glued_box.h"
 #include "dec/metric/cell_volumes.h"
+#include "dec/metric/simplex_faces.h"
 #include "dec/surfaces/places.h"
 
 namespace polydec {
@@ -25,10 +29,100 @@ Points mean_over_cells(const Merging& merging, const Points& rows, const CellVol
     return result;
 }
 
-/// The same of a place in each k-piece.
+/// Places in the cells of a glued mesh. An n-cell is laid flat, and places in it are told by the
+/// corners of one of its pieces, where this lies in the box: so means over cells across a seam are
+/// in one place.
+class PlacesInBox {
+public:
+    PlacesInBox(const Discretization& mesh, int k)
+        : mesh_(mesh),
+          n_(mesh.dimension()),
+          k_(k),
+          corners_(developed_corners(mesh)),
+          faces_(mesh.pieces(), n_, k),
+          seen_(static_cast<std::size_t>(mesh.pieces().size(k)), false),
+          sums_(static_cast<std::size_t>(mesh.complex().size(k))) {}
+
+    /// The mean by volume of a place in each k-piece.
+    Points means(const Points& coordinates) {
+        Points result(std::ssize(sums_), mesh_.ambient_dimension());
+        const IncidenceMatrix& pieces = mesh_.merging().diamond(n_);
+        for (Index cell = 0; cell < pieces.rows(); ++cell) {
+            std::vector<Index> begun;
+            for (IncidenceMatrix::InnerIterator t(pieces, cell); t; ++t)
+                add(cell, static_cast<Index>(t.col()), coordinates, begun);
+            for (const Index c : begun)
+                result.row(c) = in_space(sums_[c]);
+        }
+        return result;
+    }
+
+private:
+    /// Of places in the n-cell, laid flat, that was the first to have the k-cell.
+    struct Sum {
+        Index cell = -1, anchor = -1; ///< and its piece whose corners tell of places
+        Vector places = {};
+        double volume = 0;
+    };
+
+    void add(Index cell, Index t, const Points& coordinates, std::vector<Index>& begun) {
+        const auto& list = faces_.of(t);
+        for (std::size_t f = 0; f < list.size(); ++f) {
+            const Index s = list[f];
+            const auto& [dimension, c] = mesh_.merging().carriers(k_)[s];
+            if (dimension != k_ || seen_[s])
+                continue;
+            Sum& sum = sums_[c];
+            if (sum.cell < 0) {
+                sum = {cell, t, Vector::Zero(n_)};
+                begun.push_back(c);
+            }
+            if (sum.cell != cell)
+                continue;
+            seen_[s] = true;
+            const double volume = mesh_.piece_volumes().primal(k_)[s];
+            sum.volume += volume;
+            const auto& positions = faces_.positions()[f];
+            for (std::size_t i = 0; i < positions.size(); ++i)
+                sum.places += volume * coordinates(s, static_cast<Index>(i)) *
+                              corners_.row(row(t) + positions[i]).transpose();
+        }
+    }
+
+    Eigen::RowVectorXd in_space(const Sum& sum) const {
+        DenseMatrix system = DenseMatrix::Ones(n_ + 1, n_ + 1);
+        system.topRows(n_) = corners_.middleRows(row(sum.anchor), n_ + 1).transpose();
+        Vector right_side = Vector::Ones(n_ + 1);
+        right_side.head(n_) = sum.places / sum.volume;
+        const Vector weights = system.fullPivLu().solve(right_side);
+        const auto [points, corners] = mesh_.places();
+        Eigen::RowVectorXd place = Eigen::RowVectorXd::Zero(points.cols());
+        for (int i = 0; i <= n_; ++i)
+            place += weights[i] * points.row(corners(sum.anchor, i));
+        return place;
+    }
+
+    Eigen::Index row(Index t) const { return Eigen::Index{t} * (n_ + 1); }
+
+    const Discretization& mesh_;
+    int n_, k_;
+    Points corners_; // n + 1 rows for each n-piece
+    SimplexFaces faces_;
+    std::vector<bool> seen_; // k-pieces
+    std::vector<Sum> sums_;  // of each k-cell
+};
+
+/// The mean by volume over each k-cell of a place in each k-piece.
 Points mean_over_cells(const Discretization& mesh, int k, const Points& coordinates) {
+    if (mesh.box())
+        return k == 0 ? mesh.box()->vertices() : PlacesInBox(mesh, k).means(coordinates);
     const Points places = Places(mesh.passage(), mesh.points()).at(k, coordinates, mesh.points());
     return mean_over_cells(mesh.merging(), places, mesh.piece_volumes(), k);
+}
+
+/// Not if only lengths are known.
+bool has_places(const Discretization& mesh) {
+    return mesh.ambient_dimension() > 0;
 }
 
 /// Whether a star has an entry between two facets of a cell.
@@ -63,7 +157,7 @@ Points cell_centers(const Merging& merging, const Points& points, const CellVolu
 
 Points cell_centers(const Discretization& discretization, int k) {
     cell_degree(discretization.complex(), Side::primal, k);
-    if (discretization.points().cols() == 0)
+    if (!has_places(discretization))
         return Points(discretization.complex().size(k), 0);
     return mean_over_cells(discretization, k,
                            center_coordinates(discretization.pieces(), discretization.metric(),
@@ -79,7 +173,7 @@ Points cell_centroids(const Merging& merging, const Points& points, const CellVo
 }
 
 Points cell_centroids(const Discretization& discretization, int k) {
-    require_points(discretization.points().cols(), "a cell's centroid");
+    require_points(discretization.ambient_dimension(), "a cell's centroid");
     return mean_over_cells(discretization, k, middles(discretization.pieces(), k));
 }
 
@@ -99,16 +193,30 @@ Points site_coordinates(const Discretization& discretization) {
     return result;
 }
 
+Points sites_of_pieces(const Discretization& discretization) {
+    const int n = discretization.dimension();
+    const Points coordinates = site_coordinates(discretization);
+    if (!discretization.box())
+        return Places(discretization.passage(), discretization.points())
+            .at(n, coordinates, discretization.points());
+    const auto [points, corners] = discretization.places();
+    Points result = Points::Zero(coordinates.rows(), points.cols());
+    for (Index t = 0; t < result.rows(); ++t)
+        for (int i = 0; i <= n; ++i)
+            result.row(t) += coordinates(t, i) * points.row(corners(t, i));
+    return result;
+}
+
 Points dual_sites(const Discretization& discretization) {
     const int n = discretization.dimension();
-    if (discretization.points().cols() == 0)
+    if (!has_places(discretization))
         return cell_centers(discretization, n);
     return mean_over_cells(discretization, n, site_coordinates(discretization));
 }
 
 Points facet_sites(const Discretization& discretization) {
     const int n = discretization.dimension();
-    return discretization.stars()[n - 1].is_diagonal() || discretization.points().cols() == 0
+    return discretization.stars()[n - 1].is_diagonal() || !has_places(discretization)
                ? cell_centers(discretization, n - 1)
                : cell_centroids(discretization, n - 1);
 }

@@ -21,7 +21,8 @@ Points cell_centroids(const Merging& merging, const Points& points, const CellVo
 /// The same on the cells of a bundle; centers where only lengths are known have as many rows
 /// without coordinates. After intrinsic flips they are places on the triangles of the input, where
 /// centers and centroids of the flipped ones are found on the surface; centers beyond its boundary
-/// go on as the corners of the last triangle lie.
+/// go on as the corners of the last triangle lie. Cells of a glued mesh are where one of the
+/// n-cells around them lies in the box, vertices at their first place there.
 Points cell_centers(const Discretization& discretization, int k);
 Points cell_centroids(const Discretization& discretization, int k);
 
@@ -30,8 +31,10 @@ Points cell_centroids(const Discretization& discretization, int k);
 /// function, taken there, has the fluxes that the stars make of it. Throws like the above.
 Points dual_sites(const Discretization& discretization);
 
-/// The barycentric coordinates of these sites, or of the centers, in each n-piece: n + 1 in a row.
+/// The barycentric coordinates of these sites, or of the centers, in each n-piece: n + 1 in a row;
+/// and where these places of the pieces are.
 Points site_coordinates(const Discretization& discretization);
+Points sites_of_pieces(const Discretization& discretization);
 
 /// Where values on the boundary and through it are: the centroids of the (n-1)-cells where
 /// star_(n-1) is a matrix, else their centers.

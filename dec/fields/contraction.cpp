@@ -16,12 +16,16 @@ void check_degree_of_contraction(int k, int largest) {
                                        k, largest));
 }
 
-void check_field(const Pieces& complex, const Points& points, const Points& field) {
+PlacedSimplices between(const Pieces& complex, const Points& points) {
     require_straight(complex, points, "a vector field");
-    if (field.rows() != points.rows() || field.cols() != points.cols())
+    return {points, complex.simplices(complex.dimension())};
+}
+
+void check_field(const Pieces& complex, Eigen::Index N, const Points& field) {
+    if (field.rows() != complex.size(0) || field.cols() != N)
         throw InvalidInput(fmt::format("a vector field of {} x {} numbers is given: expected {} x "
                                        "{}, a row for each point",
-                                       field.rows(), field.cols(), points.rows(), points.cols()));
+                                       field.rows(), field.cols(), complex.size(0), N));
     for (Index v = 0; v < field.rows(); ++v)
         if (!field.row(v).allFinite())
             throw InvalidInput(
@@ -32,13 +36,12 @@ void check_field(const Pieces& complex, const Points& points, const Points& fiel
 
 namespace {
 
-Vector top_volumes(const Pieces& complex, const Points& points) {
-    const int n = complex.dimension();
-    Circumsphere sphere(points);
-    Vector volumes(complex.size(n));
-    for (Index t = 0; t < complex.size(n); ++t) {
+Vector top_volumes(const PlacedSimplices& places) {
+    Circumsphere sphere(places.points);
+    Vector volumes(places.corners.rows());
+    for (Index t = 0; t < volumes.size(); ++t) {
         // one without volume has no weight but where it is alone
-        const bool has_volume = sphere.look_at(vertices(complex.simplices(n), t));
+        const bool has_volume = sphere.look_at(vertices(places.corners, t));
         volumes[t] = has_volume ? sphere.volume() : std::numeric_limits<double>::min();
     }
     return volumes;
@@ -46,10 +49,10 @@ Vector top_volumes(const Pieces& complex, const Points& points) {
 
 } // namespace
 
-Contraction::Contraction(const Pieces& complex, const Points& points, int k)
+Contraction::Contraction(const Pieces& complex, const PlacedSimplices& places, int k)
     : complex_(complex),
       k_(k),
-      volumes_(top_volumes(complex, points)),
+      volumes_(top_volumes(places)),
       volumes_around_(Vector::Zero(complex.size(k - 1))),
       on_boundary_(boundary_cells(complex)[k - 1]) {
     const int n = complex.dimension();
@@ -57,10 +60,10 @@ Contraction::Contraction(const Pieces& complex, const Points& points, int k)
     const SimplexFaces cofaces(complex, n, k);
     for (const auto& face : faces.positions())
         extensions_.push_back(extensions_of(face, cofaces.positions()));
-    gradients_.resize(Eigen::Index{complex.size(n)} * (n + 1), points.cols());
+    gradients_.resize(Eigen::Index{complex.size(n)} * (n + 1), places.points.cols());
     for (Index t = 0; t < complex.size(n); ++t) {
         gradients_.middleRows(Eigen::Index{t} * (n + 1), n + 1) =
-            barycentric_gradients(points, vertices(complex.simplices(n), t));
+            barycentric_gradients(places.points, vertices(places.corners, t));
         for (const Index s : faces.of(t))
             volumes_around_[s] += volumes_[t];
     }

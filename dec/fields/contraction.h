@@ -14,9 +14,12 @@ namespace polydec {
 /// Throws InvalidInput unless 0 <= k <= largest.
 void check_degree_of_contraction(int k, int largest);
 
-/// Throws InvalidInput unless the field has a finite vector for each of the points, naming the
-/// vertex, and the simplices are straight between these.
-void check_field(const Pieces& complex, const Points& points, const Points& field);
+/// Throws InvalidInput unless the field has a finite vector of N components for each vertex, naming
+/// the vertex.
+void check_field(const Pieces& complex, Eigen::Index N, const Points& field);
+
+/// Simplices that are straight between points of the vertices. Throws like require_straight.
+PlacedSimplices between(const Pieces& complex, const Points& points);
 
 /// What a form is on the far side of an inflow boundary.
 enum class Beyond {
@@ -29,7 +32,7 @@ enum class Beyond {
 /// come.
 class Contraction {
 public:
-    Contraction(const Pieces& complex, const Points& points, int k);
+    Contraction(const Pieces& complex, const PlacedSimplices& places, int k);
 
     int degree() const { return k_; }
 

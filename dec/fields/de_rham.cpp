@@ -6,6 +6,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
+#include "dec/glued_box.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/inverse_star.h"
@@ -108,12 +109,12 @@ public:
     }
 
     /// Facets have the orientation of the boundary.
-    Vector on_the_boundary(const CofaceCounts& cofaces) {
+    Vector on_the_boundary(const std::vector<bool>& boundary) {
         const int n = complex_.dimension();
         for (Index t = 0; t < complex_.size(n); ++t)
             for (int omitted = 0; omitted <= n; ++omitted) {
                 const Index f = complex_.face(n, t, omitted);
-                if (cofaces[f] == 1)
+                if (boundary[f])
                     descend(n - 1, f, complex_.sign(n, t, omitted));
             }
         return std::move(result_);
@@ -169,12 +170,11 @@ public:
           faces_(pieces, m_, k_),
           result_(Vector::Zero(pieces.size(k_))) {}
 
-    Vector all() {
+    Vector on_the_boundary(const std::vector<bool>& boundary) {
         const int n = pieces_.dimension();
-        const auto& cofaces = pieces_.coface_counts(m_);
         for (Index t = 0; t < pieces_.size(n); ++t)
             for (int omitted = 0; omitted <= n; ++omitted)
-                if (const Index f = pieces_.face(n, t, omitted); cofaces[f] == 1)
+                if (const Index f = pieces_.face(n, t, omitted); boundary[f])
                     add(f, pieces_.sign(n, t, omitted));
         return std::move(result_);
     }
@@ -263,9 +263,9 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
 }
 
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
-    return to_merged(
-        mesh,
-        {Side::primal, k, de_rham(mesh.input(), mesh.input_points(), k, form, quadrature_degree)});
+    const Discretization& at = placed(mesh);
+    const Vector values = de_rham(at.input(), at.input_points(), k, form, quadrature_degree);
+    return to_merged(mesh, {Side::primal, k, from_places(mesh, k, values)});
 }
 
 Vector dual_de_rham(const Pieces& complex, const Points& points, int j, const SmoothForm& form,
@@ -287,55 +287,103 @@ Vector inverse_star_de_rham(const Pieces& complex, const Points& points, int j,
     const auto N = static_cast<int>(points.cols());
     const DenseMatrix means =
         means_over(complex, points, k, form, ExteriorProduct(N, j).size(), quadrature_degree);
-    return inverse_star_means(complex, points, j, [&](Index, Index s) { return means.row(s); });
+    return inverse_star_means(complex, points, complex.simplices(complex.dimension()), j,
+                              [&](Index, Index s) { return means.row(s); });
 }
+
+namespace {
+
+/// The same over the simplices of the input.
+Vector inverse_star_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
+                            int quadrature_degree) {
+    const Discretization& at = placed(mesh);
+    if (!mesh.box())
+        return inverse_star_de_rham(at.input(), at.input_points(), j, form, quadrature_degree);
+    require_form(form);
+    const int k = mesh.dimension() - j;
+    const auto [points, corners] = mesh.places();
+    const Index size = ExteriorProduct(mesh.ambient_dimension(), j).size();
+    const DenseMatrix in_box = means_over(at.input(), points, k, form, size, quadrature_degree);
+    // coefficients have no orientation, as simplices have
+    const Vector signs = from_places(mesh, k, Vector::Ones(in_box.rows()));
+    const DenseMatrix means = signs.asDiagonal() * from_places(mesh, k, in_box);
+    return inverse_star_means(mesh.input(), points, corners, j,
+                              [&](Index, Index s) { return means.row(s); });
+}
+
+/// The values at dual_sites, over cells of several pieces their means by volume.
+Cochain values_at_sites(const Discretization& mesh, const SmoothForm& form) {
+    require_form(form);
+    Points rows = sites_of_pieces(mesh);
+    fill_flat_pieces(mesh, rows);
+    Vector values(rows.rows());
+    for (Index t = 0; t < rows.rows(); ++t)
+        values[t] = checked_value(form, rows.row(t).transpose(), 1, "form")[0];
+    return on_cells(mesh, {Side::dual, 0, values});
+}
+
+/// The facets of the simplices of placed(mesh) that are on the boundary of the mesh: not the seams.
+std::vector<bool> boundary_facets(const Discretization& mesh) {
+    const int m = mesh.dimension() - 1;
+    const auto& counts = mesh.pieces().coface_counts(m);
+    std::vector<bool> result;
+    for (Index f = 0; f < placed(mesh).pieces().size(m); ++f)
+        result.push_back(counts[mesh.box() ? mesh.box()->onto(m)[f] : f] == 1);
+    return result;
+}
+
+} // namespace
 
 Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                      int quadrature_degree) {
-    const auto N = mesh.points().cols();
+    const auto N = mesh.ambient_dimension();
     require_points(N, "the de Rham map");
     const int k = cell_degree(mesh.pieces(), Side::dual, j);
     if (!mesh.chosen_stars().is_over_duals(k)) {
-        const Vector primal =
-            inverse_star_de_rham(mesh.input(), mesh.input_points(), j, form, quadrature_degree);
+        const Vector primal = inverse_star_de_rham(mesh, j, form, quadrature_degree);
         return star(mesh.complex(), mesh.stars(), to_merged(mesh, {Side::primal, k, primal}));
     }
-    const Integral integral(form, static_cast<Index>(N), j, quadrature_degree);
-    const Places places(mesh.passage(), mesh.points());
+    if (j == 0)
+        return values_at_sites(mesh, form); // integrals over duals are those of the volumes
+    const Discretization& at = placed(mesh);
+    const Integral integral(form, N, j, quadrature_degree);
+    const Places places(at.passage(), at.points());
     const auto centers_of = [&](int i) {
-        const bool is_site = j == 0; // integrals over duals are those of the volumes
-        const Points coordinates =
-            is_site ? site_coordinates(mesh)
-                    : center_coordinates(mesh.pieces(), mesh.metric(), mesh.centers(), i);
-        Points rows = places.at(i, coordinates, mesh.points());
-        if (i == mesh.dimension())
-            fill_flat_pieces(mesh, rows);
+        Points rows = places.at(i, center_coordinates(at.pieces(), at.metric(), at.centers(), i),
+                                at.points());
+        if (i == at.dimension())
+            fill_flat_pieces(at, rows);
         return rows;
     };
-    return on_cells(
-        mesh, {Side::dual, j, DualIntegrals(mesh.pieces(), N, k, integral, centers_of).all()});
+    const Vector values = DualIntegrals(at.pieces(), N, k, integral, centers_of).all();
+    return on_cells(mesh, {Side::dual, j, sums_from_places(mesh, k, values)});
 }
 
 Vector boundary_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
                         int quadrature_degree) {
-    const auto N = mesh.points().cols();
+    const auto N = mesh.ambient_dimension();
     const int n = mesh.dimension();
     require_points(N, "the de Rham map");
     check_number("boundary data of dual forms of degree", j, 0, n - 1);
     require_form(form);
-    if (j > 0 && !mesh.stars()[n - j].is_diagonal())
-        return mesh.lift()[n - 1 - j].transpose() *
-               WhitneyMoments(mesh.pieces(), mesh.points(), j, form, quadrature_degree).all();
-    const Integral integral(form, static_cast<Index>(N), j, quadrature_degree);
-    const Places places(mesh.passage(), mesh.points());
+    const Discretization& at = placed(mesh);
+    const auto boundary = boundary_facets(mesh);
+    const int k = n - 1 - j;
+    if (j > 0 && !mesh.stars()[n - j].is_diagonal()) {
+        WhitneyMoments moments(at.pieces(), at.points(), j, form, quadrature_degree);
+        return mesh.lift()[k].transpose() *
+               sums_from_places(mesh, k, moments.on_the_boundary(boundary));
+    }
+    const Integral integral(form, N, j, quadrature_degree);
+    const Places places(at.passage(), at.points());
     const Centers of_facets =
-        j == 0 && !mesh.stars()[n - 1].is_diagonal() ? Centers::centroids() : mesh.centers();
+        j == 0 && !mesh.stars()[n - 1].is_diagonal() ? Centers::centroids() : at.centers();
     const auto centers_of = [&](int i) {
-        return places.at(i, center_coordinates(mesh.pieces(), mesh.metric(), of_facets, i),
-                         mesh.points());
+        return places.at(i, center_coordinates(at.pieces(), at.metric(), of_facets, i),
+                         at.points());
     };
-    DualIntegrals duals(mesh.pieces(), N, n - 1 - j, integral, centers_of, n - 1);
-    const Vector of_pieces = duals.on_the_boundary(mesh.pieces().coface_counts(n - 1));
+    DualIntegrals duals(at.pieces(), N, k, integral, centers_of, n - 1);
+    const Vector of_pieces = sums_from_places(mesh, k, duals.on_the_boundary(boundary));
     const Vector result = on_cells(mesh, {Side::dual, j + 1, of_pieces}).values;
     if (j > 0)
         return result;

@@ -5,6 +5,7 @@
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
+#include "dec/glued_box.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/inverse_star.h"
@@ -27,7 +28,7 @@ bool is_primal(Flat kind) {
 }
 
 void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix& field) {
-    const auto N = mesh.points().cols();
+    const auto N = mesh.ambient_dimension();
     require_points(N, "a flat");
     const auto rows =
         at_vertices ? mesh.points().rows() : Eigen::Index(mesh.complex().size(mesh.dimension()));
@@ -70,7 +71,8 @@ Points copied_to_pieces(const Discretization& mesh, const DenseMatrix& field) {
 
 /// The product of the mean of the vectors of both ends with each edge of the input.
 Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
-    const DenseMatrix edges = edge_vectors(mesh.input(), mesh.input_points());
+    const Discretization& at = placed(mesh);
+    const DenseMatrix edges = from_places(mesh, 1, edge_vectors(at.input(), at.input_points()));
     const Points of_input = field.topRows(mesh.input().size(0)); // splits have made the others
     return edges.cwiseProduct(means(mesh.input(), of_input, 1)).rowwise().sum();
 }
@@ -91,7 +93,9 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1,
                                           mesh.dimension(), mesh.centers());
     const DenseMatrix sums = parts.transpose() * DenseMatrix(copied_to_pieces(mesh, field));
-    Vector result = sums.cwiseProduct(edge_vectors(mesh.pieces(), mesh.points())).rowwise().sum();
+    const Discretization& at = placed(mesh);
+    const DenseMatrix edges = from_places(mesh, 1, edge_vectors(at.pieces(), at.points()));
+    Vector result = sums.cwiseProduct(edges).rowwise().sum();
 
     // edges inside of merged cells count for nothing, and their duals may well vanish
     constexpr int own = 1;
@@ -121,31 +125,35 @@ Vector along_dual_edges(const Discretization& mesh, const Places& places, Vector
     return result;
 }
 
-Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
+Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix& given) {
     const int n = mesh.dimension();
-    const Places places(mesh.passage(), mesh.points());
+    const Discretization& at = placed(mesh);
+    const Points field = is_at_vertices(kind) ? to_places(mesh, 0, given)
+                                              : to_places(mesh, n, copied_to_pieces(mesh, given));
+    const Places places(at.passage(), at.points());
     if (kind == Flat::ppd) {
-        const Points cells = at_centers(mesh, places, field, n);
-        const Points facets = at_centers(mesh, places, field, n - 1);
+        const Points cells = at_centers(at, places, field, n);
+        const Points facets = at_centers(at, places, field, n - 1);
         return along_dual_edges(
-            mesh, places, [&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
+            at, places, [&](Index t, Index f) { return (cells.row(t) + facets.row(f)) / 2; });
     }
-    const Points vectors =
-        kind == Flat::pdd ? means(mesh.pieces(), field, n - 1) : copied_to_pieces(mesh, field);
+    const Points vectors = kind == Flat::pdd ? means(at.pieces(), field, n - 1) : field;
     return along_dual_edges(
-        mesh, places, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
+        at, places, [&](Index t, Index f) { return vectors.row(kind == Flat::pdd ? f : t); });
 }
 
 /// The stars of the fluxes of the vectors, where stars know no duals: of the simplices of the input
 /// for a field at vertices, of the pieces for one on cells.
 Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const DenseMatrix& field) {
-    const Pieces& K = at_vertices ? mesh.input() : mesh.pieces();
-    const Points& points = at_vertices ? mesh.input_points() : mesh.points();
     const int n = mesh.dimension();
+    const bool straight = at_vertices || mesh.passage().is_identity();
+    const Pieces& K = at_vertices ? mesh.input() : mesh.pieces();
+    const Points& points = straight ? mesh.places().points : mesh.points();
+    const Simplices& corners = straight ? mesh.places().corners : K.simplices(n);
     const Points of_facets = at_vertices ? means(K, field.topRows(K.size(0)), n - 1) : Points();
     const Points of_cells = at_vertices ? Points() : copied_to_pieces(mesh, field);
     const Cochain fluxes{Side::primal, n - 1,
-                         inverse_star_means(K, points, 1, [&](Index t, Index f) {
+                         inverse_star_means(K, points, corners, 1, [&](Index t, Index f) {
                              return at_vertices ? of_facets.row(f) : of_cells.row(t);
                          })};
     return star(mesh.complex(), mesh.stars(),
@@ -155,12 +163,13 @@ Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const Dense
 } // namespace
 
 Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
-    require_points(mesh.points().cols(), "a flat");
     check_field(mesh, is_at_vertices(kind), field);
     if (!is_primal(kind) && !mesh.chosen_stars().is_over_duals(mesh.dimension() - 1))
         return star_of_fluxes(mesh, is_at_vertices(kind), field);
     if (!is_primal(kind))
-        return on_cells(mesh, {Side::dual, 1, along_dual_edges(mesh, kind, field)});
+        return on_cells(mesh, {Side::dual, 1,
+                               sums_from_places(mesh, mesh.dimension() - 1,
+                                                along_dual_edges(mesh, kind, field))});
     if (kind == Flat::dpp)
         return on_cells(mesh, {Side::primal, 1, around_edges(mesh, field)});
     return to_merged(mesh, {Side::primal, 1, along_edges(mesh, field)});

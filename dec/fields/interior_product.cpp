@@ -9,15 +9,15 @@ namespace polydec {
 
 namespace {
 
-SparseMatrix contraction(const Pieces& complex, const Points& points, const Points& field, int k,
-                         Sampling sampling, Beyond beyond) {
+SparseMatrix contraction(const Pieces& complex, const PlacedSimplices& places, const Points& field,
+                         int k, Sampling sampling, Beyond beyond) {
     check_degree_of_contraction(k, complex.dimension() + 1);
-    check_field(complex, points, field);
+    check_field(complex, places.points.cols(), field);
     SparseMatrix result(complex.size(k - 1), complex.size(k));
     if (result.rows() == 0 || result.cols() == 0)
         return result;
     std::vector<Eigen::Triplet<double, Index>> entries;
-    Contraction(complex, points, k)
+    Contraction(complex, places, k)
         .visit_entries(field, sampling, beyond, [&](Index s, Index coface, double value) {
             entries.emplace_back(s, coface, value);
         });
@@ -25,50 +25,38 @@ SparseMatrix contraction(const Pieces& complex, const Points& points, const Poin
     return result;
 }
 
-/// i_X d + d i_X, with interior(k) the interior product of k-forms.
-template <class Interior>
-SparseMatrix cartan(const CellComplex& complex, int k, Interior interior) {
-    check_degree_of_contraction(k, complex.dimension());
-    const SparseMatrix upper = interior(k + 1) * derivative(complex, k);
-    const SparseMatrix lower = derivative(complex, k - 1) * interior(k);
-    return upper + lower;
-}
-
-} // namespace
-
-SparseMatrix interior_product(const Pieces& complex, const Points& points, const Points& field,
-                              int k, Sampling sampling) {
-    return contraction(complex, points, field, k, sampling, Beyond::the_same);
-}
-
-SparseMatrix lie_derivative(const Pieces& complex, const Points& points, const Points& field, int k,
-                            Sampling sampling) {
-    const SparseMatrix L = cartan(complex, k, [&](int degree) {
-        return contraction(complex, points, field, degree, sampling, Beyond::nothing);
-    });
-    return sampling == Sampling::upwind ? SparseMatrix(L + inflow(complex, points, field, k)) : L;
-}
-
-SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& field, int k) {
+SparseMatrix inflow(const Pieces& complex, const PlacedSimplices& places, const Points& field,
+                    int k) {
     const int n = complex.dimension();
     check_degree_of_contraction(k, n);
-    check_field(complex, points, field);
+    check_field(complex, places.points.cols(), field);
     SparseMatrix rates(complex.size(k), complex.size(k));
     if (k == n) // an n-simplex has two sides inside
         return rates;
     std::vector<Eigen::Triplet<double, Index>> entries;
-    Contraction(complex, points, k + 1).visit_inflow(field, [&](Index s, double rate) {
+    Contraction(complex, places, k + 1).visit_inflow(field, [&](Index s, double rate) {
         entries.emplace_back(s, s, rate);
     });
     rates.setFromTriplets(entries.begin(), entries.end());
     return rates;
 }
 
-namespace {
+/// i_X d + d i_X, and what flows in.
+SparseMatrix lie_derivative(const Pieces& complex, const PlacedSimplices& places,
+                            const Points& field, int k, Sampling sampling) {
+    check_degree_of_contraction(k, complex.dimension());
+    const auto interior = [&](int degree) {
+        return contraction(complex, places, field, degree, sampling, Beyond::nothing);
+    };
+    const SparseMatrix upper = interior(k + 1) * derivative(complex, k);
+    const SparseMatrix lower = derivative(complex, k - 1) * interior(k);
+    const SparseMatrix L = upper + lower;
+    return sampling == Sampling::upwind ? SparseMatrix(L + inflow(complex, places, field, k)) : L;
+}
 
 /// The vectors at the vertices of the input.
 Points on_input(const Discretization& mesh, const Points& field) {
-    require_points(mesh.points().cols(), "a vector field");
+    require_points(mesh.ambient_dimension(), "a vector field");
     return mesh.passage().back(0, field);
 }
 
@@ -86,24 +74,37 @@ SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int 
 
 } // namespace
 
+SparseMatrix interior_product(const Pieces& complex, const Points& points, const Points& field,
+                              int k, Sampling sampling) {
+    return contraction(complex, between(complex, points), field, k, sampling, Beyond::the_same);
+}
+
+SparseMatrix lie_derivative(const Pieces& complex, const Points& points, const Points& field, int k,
+                            Sampling sampling) {
+    return lie_derivative(complex, between(complex, points), field, k, sampling);
+}
+
+SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& field, int k) {
+    return inflow(complex, between(complex, points), field, k);
+}
+
 SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
                               Sampling sampling) {
-    return on_cells(
-        mesh,
-        interior_product(mesh.input(), mesh.input_points(), on_input(mesh, field), k, sampling), k,
-        k - 1);
+    const Points here = on_input(mesh, field);
+    return on_cells(mesh,
+                    contraction(mesh.input(), mesh.places(), here, k, sampling, Beyond::the_same),
+                    k, k - 1);
 }
 
 SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
                             Sampling sampling) {
-    return on_cells(
-        mesh, lie_derivative(mesh.input(), mesh.input_points(), on_input(mesh, field), k, sampling),
-        k, k);
+    const Points here = on_input(mesh, field);
+    return on_cells(mesh, lie_derivative(mesh.input(), mesh.places(), here, k, sampling), k, k);
 }
 
 SparseMatrix inflow(const Discretization& mesh, const Points& field, int k) {
-    return on_cells(mesh, inflow(mesh.input(), mesh.input_points(), on_input(mesh, field), k), k,
-                    k);
+    const Points here = on_input(mesh, field);
+    return on_cells(mesh, inflow(mesh.input(), mesh.places(), here, k), k, k);
 }
 
 } // namespace polydec

@@ -14,25 +14,29 @@ namespace polydec {
 struct LieDerivative::Parts {
     std::optional<Discretization> mesh; // none: the simplices themselves
     Pieces complex;
-    Points points;
+    Eigen::Index N; // components of fields
     int k;
     Sampling sampling;
     std::optional<Contraction> lower, upper; // of k-forms and of their derivatives
 
-    Parts(std::optional<Discretization> on, const Pieces& simplices, const Points& places,
+    Parts(std::optional<Discretization> on, const Pieces& simplices, const PlacedSimplices& places,
           int degree, Sampling how)
-        : mesh(std::move(on)), complex(simplices), points(places), k(degree), sampling(how) {
+        : mesh(std::move(on)),
+          complex(simplices),
+          N(places.points.cols()),
+          k(degree),
+          sampling(how) {
         check_degree_of_contraction(k, complex.dimension());
-        require_straight(complex, points, "a vector field");
+        require_points(N, "a vector field");
         if (k > 0)
-            lower.emplace(complex, points, k);
+            lower.emplace(complex, places, k);
         if (k < complex.dimension())
-            upper.emplace(complex, points, k + 1);
+            upper.emplace(complex, places, k + 1);
     }
 
     Points checked(const Points& field) const {
         const Points here = mesh ? Points(mesh->passage().back(0, field)) : field;
-        check_field(complex, points, here);
+        check_field(complex, N, here);
         return here;
     }
 
@@ -69,10 +73,11 @@ struct LieDerivative::Parts {
 };
 
 LieDerivative::LieDerivative(const Pieces& complex, const Points& points, int k, Sampling sampling)
-    : parts_(std::make_shared<Parts>(std::nullopt, complex, points, k, sampling)) {}
+    : parts_(
+          std::make_shared<Parts>(std::nullopt, complex, between(complex, points), k, sampling)) {}
 
 LieDerivative::LieDerivative(const Discretization& mesh, int k, Sampling sampling)
-    : parts_(std::make_shared<Parts>(mesh, mesh.input(), mesh.input_points(), k, sampling)) {}
+    : parts_(std::make_shared<Parts>(mesh, mesh.input(), mesh.places(), k, sampling)) {}
 
 Cochain LieDerivative::interior_product(const Points& field, const Cochain& form) const {
     const Points X = parts_->checked(field);

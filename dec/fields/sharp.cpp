@@ -7,6 +7,7 @@
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
+#include "dec/glued_box.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_geometry.h"
 
@@ -21,7 +22,7 @@ namespace polydec {
 namespace {
 
 void check_form(const Discretization& mesh, const Cochain& form, int degree) {
-    require_points(mesh.points().cols(), "a sharp");
+    require_points(mesh.ambient_dimension(), "a sharp");
     if (form.side != Side::primal || form.degree != degree)
         throw InvalidInput(fmt::format("a primal {}-form is expected: a {} {}-form is given",
                                        degree, name(form.side), form.degree));
@@ -46,9 +47,9 @@ void check_dual_cells(const Discretization& mesh) {
 DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vector& a, Index t) {
     const auto& K = mesh.input();
     const int n = mesh.dimension();
-    const DenseMatrix gradients =
-        barycentric_gradients(mesh.input_points(), vertices(K.simplices(n), t));
-    DenseMatrix result = DenseMatrix::Zero(n + 1, mesh.points().cols());
+    const auto [points, corners] = mesh.places();
+    const DenseMatrix gradients = barycentric_gradients(points, vertices(corners, t));
+    DenseMatrix result = DenseMatrix::Zero(n + 1, points.cols());
     for (int i = 0; i <= n; ++i)
         for (int j = i + 1; j <= n; ++j) {
             const Index e = face_at(K, n, t, std::array{i, j});
@@ -63,7 +64,7 @@ DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vecto
 Points gradients_in_flat_pieces(const Discretization& mesh, const Vector& a) {
     if (!has_flat_pieces(mesh))
         return {};
-    Points rows(mesh.pieces().size(mesh.dimension()), mesh.points().cols());
+    Points rows(mesh.pieces().size(mesh.dimension()), mesh.ambient_dimension());
     for (Index t = 0; t < rows.rows(); ++t)
         rows.row(t) = gradients_seen_from_vertices(mesh, a, t).colwise().mean();
     fill_flat_pieces(mesh, rows);
@@ -76,19 +77,20 @@ constexpr double rank_tolerance = 1e-12;
 /// largest eigenvalue of the mean of the projections onto their planes. Fewer where all corners lie
 /// on a line, as those of a triangle that flips have laid around a spike.
 DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
-    const auto& K = mesh.pieces();
     const int n = mesh.dimension();
-    const auto N = mesh.points().cols();
+    const bool straight = mesh.passage().is_identity();
+    const Points& points = straight ? mesh.places().points : mesh.points();
+    const Simplices& tops = straight ? mesh.places().corners : mesh.pieces().simplices(n);
+    const auto N = points.cols();
     DenseMatrix sum = DenseMatrix::Zero(N, N);
     for (IncidenceMatrix::InnerIterator piece(mesh.merging().diamond(n), cell); piece; ++piece) {
         const auto t = static_cast<Index>(piece.col());
-        const auto corners = vertices(K.simplices(n), t);
-        const DenseMatrix gradients = barycentric_gradients(mesh.points(), corners);
+        const auto corners = vertices(tops, t);
+        const DenseMatrix gradients = barycentric_gradients(points, corners);
         DenseMatrix projection = DenseMatrix::Zero(N, N);
         for (int i = 1; i <= n; ++i)
             projection +=
-                (mesh.points().row(corners[i]) - mesh.points().row(corners[0])).transpose() *
-                gradients.row(i);
+                (points.row(corners[i]) - points.row(corners[0])).transpose() * gradients.row(i);
         sum += mesh.piece_volumes().primal(n)[t] * projection;
     }
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(sum);
@@ -124,7 +126,7 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
                                         own ? mesh.options().centers : mesh.centers());
     const Vector a = lifted(mesh, form).values;
     const Points in_flat = gradients_in_flat_pieces(mesh, a);
-    Points at_cells = Points::Zero(K.size(0), mesh.points().cols());
+    Points at_cells = Points::Zero(K.size(0), mesh.ambient_dimension());
     for (Index t = 0; t < K.size(n); ++t) {
         DenseMatrix seen = gradients_seen_from_vertices(mesh, a, t);
         if (mesh.is_flat(t))
@@ -140,9 +142,10 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
 DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
     check_form(mesh, form, 1);
     const SparseMatrix weights = edge_weights(mesh);
-    const DenseMatrix edges =
-        mesh.merging().diamond(1).cast<double>() * edge_vectors(mesh.pieces(), mesh.points());
-    const auto N = mesh.points().cols();
+    const Discretization& at = placed(mesh);
+    const DenseMatrix edges = mesh.merging().diamond(1).cast<double>() *
+                              from_places(mesh, 1, edge_vectors(at.pieces(), at.points()));
+    const auto N = mesh.ambient_dimension();
     DenseMatrix result(weights.rows(), N);
     for (Index cell = 0; cell < weights.rows(); ++cell) {
         DenseMatrix M = DenseMatrix::Zero(N, N);
@@ -171,6 +174,18 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
 DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
     const int n = mesh.dimension();
     check_form(mesh, form, n - 1);
+    if (mesh.box()) {
+        // the integral over a cell is the sum over its parts in the box
+        const Discretization& box = placed(mesh);
+        DenseMatrix of_parts = flux_sharp(box, form_at_places(mesh, form));
+        DenseMatrix result(mesh.complex().size(n), of_parts.cols());
+        for (Eigen::Index axis = 0; axis < result.cols(); ++axis) {
+            const Cochain values = to_input(box, {Side::dual, 0, of_parts.col(axis)});
+            result.col(axis) =
+                on_cells(mesh, {Side::dual, 0, from_places(mesh, n, values.values)}).values;
+        }
+        return result;
+    }
     const Points centroids = cell_centroids(mesh, n);
     const Points facets = cell_centroids(mesh, n - 1);
     Points result = Points::Zero(centroids.rows(), centroids.cols());

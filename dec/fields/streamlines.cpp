@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dec/fields/streamlines.h"
 
+#include "base/checks.h"
 #include "base/errors.h"
+#include "dec/glued_box.h"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -326,6 +328,11 @@ Mesh Tracer::lines() {
 
 Mesh streamlines(const Discretization& mesh, const DenseMatrix& vectors,
                  const StreamlineOptions& options) {
+    if (mesh.box()) {
+        const int n = mesh.dimension();
+        check_as_many("vectors of cells", vectors.rows(), mesh.complex().size(n));
+        return streamlines(placed(mesh), vectors(cells_of_places(mesh, n), Eigen::all), options);
+    }
     return Tracer(mesh, vectors, options).lines();
 }
 

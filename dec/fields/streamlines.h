@@ -19,9 +19,9 @@ struct StreamlineOptions {
 /// sharp_pd and flux_sharp give them. Between the vertices, where the means by volume of the cells
 /// around are taken, the field is linear on each n-simplex; what of it sticks out of a bent surface
 /// is left out. Steps are of second order, a quarter of a simplex long at most. A line ends at the
-/// boundary, at a branch, where the field vanishes or turns back, and where another line, or
-/// itself, has been nearer than the spacing. The same input makes the same lines. Time O(simplices
-/// log simplices + steps).
+/// boundary, at a seam of a glued mesh, at a branch, where the field vanishes or turns back, and
+/// where another line, or itself, has been nearer than the spacing. The same input makes the same
+/// lines. Time O(simplices log simplices + steps).
 ///
 /// Throws InvalidInput for another number of vectors, one that is not finite, naming its cell, for
 /// options that are not positive, and where edges were flipped, or lengths alone are known.

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/forms/star.h"
+#include "dec/glued_box.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/surfaces/overlay.h"
@@ -156,6 +157,16 @@ Cochain to_input(const Discretization& discretization, const Cochain& form) {
     return {form.side, form.degree,
             form.degree == 0 ? means_over_input(discretization, values)
                              : Vector(back(discretization, kind) * values)};
+}
+
+Cochain form_at_places(const Discretization& mesh, const Cochain& form) {
+    const int k = cell_degree(mesh.complex(), form.side, form.degree);
+    check(mesh.complex(), form);
+    if (!mesh.box())
+        return form;
+    const Vector values =
+        form.side == Side::primal ? lifted(mesh, form).values : to_input(mesh, form).values;
+    return to_merged(placed(mesh), {form.side, form.degree, to_places(mesh, k, values)});
 }
 
 Consistency consistency(const Discretization& discretization, const Cochain& form) {

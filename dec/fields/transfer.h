@@ -50,6 +50,10 @@ Cochain to_merged(const Discretization& discretization, const Cochain& form);
 Cochain on_pieces(const Discretization& mesh, const Cochain& form);
 Cochain on_cells(const Discretization& mesh, const Cochain& form);
 
+/// A form on the cells of placed(mesh), the box of a glued mesh: primal forms by the lift and the
+/// pull-back, values of dual forms copied to where their cells lie. Other meshes have it already.
+Cochain form_at_places(const Discretization& mesh, const Cochain& form);
+
 /// The primal form on the input's simplices that a primal form on merged cells has by the lift,
 /// and, after intrinsic flips, the inverse flips: a cochain map. Throws like on_pieces.
 Cochain lifted(const Discretization& mesh, const Cochain& form);

@@ -44,19 +44,20 @@ void check_place(const Pieces& complex, Index top, const Vector& barycentric) {
 /// The Whitney form of a cochain in one simplex after another.
 class WhitneyForms {
 public:
-    WhitneyForms(const Pieces& complex, const Points& points, const Cochain& form)
+    WhitneyForms(const Pieces& complex, const PlacedSimplices& places, const Cochain& form)
         : complex_(complex),
-          points_(points),
+          places_(places),
           form_(form),
           faces_(subsets(complex.dimension() + 1, form.degree + 1)),
-          product_(static_cast<int>(points.cols()), form.degree) {
-        require_points(points.cols(), "a Whitney form");
+          product_(static_cast<int>(places.points.cols()), form.degree) {
+        check_primal(complex, form);
+        require_points(places.points.cols(), "a Whitney form");
     }
 
     Vector at(Index top, const Vector& barycentric) const {
         const int n = complex_.dimension();
         const DenseMatrix gradients =
-            barycentric_gradients(points_, vertices(complex_.simplices(n), top));
+            barycentric_gradients(places_.points, vertices(places_.corners, top));
         Vector result = Vector::Zero(product_.size());
         for (const auto& positions : faces_) {
             const Index face = face_at(complex_, n, top, positions);
@@ -82,7 +83,7 @@ private:
     }
 
     const Pieces& complex_;
-    const Points& points_;
+    PlacedSimplices places_;
     const Cochain& form_;
     std::vector<std::vector<int>> faces_;
     ExteriorProduct product_;
@@ -92,20 +93,28 @@ private:
 
 Vector whitney_form(const Pieces& complex, const Points& points, const Cochain& form, Index top,
                     const Vector& barycentric) {
-    check_primal(complex, form);
+    const WhitneyForms whitney(complex, {points, complex.simplices(complex.dimension())}, form);
     check_place(complex, top, barycentric);
-    return WhitneyForms(complex, points, form).at(top, barycentric);
+    return whitney.at(top, barycentric);
 }
 
-DenseMatrix whitney_at_centroids(const Pieces& complex, const Points& points, const Cochain& form) {
-    check_primal(complex, form);
+namespace {
+
+DenseMatrix at_centroids(const Pieces& complex, const PlacedSimplices& places,
+                         const Cochain& form) {
     const int n = complex.dimension();
-    const WhitneyForms whitney(complex, points, form);
+    const WhitneyForms whitney(complex, places, form);
     const Vector centroid = Vector::Constant(n + 1, 1.0 / (n + 1));
     DenseMatrix result(complex.size(n), whitney.size());
     for (Index t = 0; t < complex.size(n); ++t)
         result.row(t) = whitney.at(t, centroid);
     return result;
+}
+
+} // namespace
+
+DenseMatrix whitney_at_centroids(const Pieces& complex, const Points& points, const Cochain& form) {
+    return at_centroids(complex, {points, complex.simplices(complex.dimension())}, form);
 }
 
 Vector whitney_form(const Discretization& mesh, const Cochain& form, Index top,
@@ -115,11 +124,14 @@ Vector whitney_form(const Discretization& mesh, const Cochain& form, Index top,
         check_place(mesh.input(), top, barycentric);
         return whitney_at_centroids(mesh, form).row(top).transpose();
     }
-    return whitney_form(mesh.input(), mesh.input_points(), lifted(mesh, form), top, barycentric);
+    const Cochain on_input = lifted(mesh, form);
+    const WhitneyForms whitney(mesh.input(), mesh.places(), on_input);
+    check_place(mesh.input(), top, barycentric);
+    return whitney.at(top, barycentric);
 }
 
 DenseMatrix whitney_at_centroids(const Discretization& mesh, const Cochain& form) {
-    Points rows = whitney_at_centroids(mesh.input(), mesh.input_points(), lifted(mesh, form));
+    Points rows = at_centroids(mesh.input(), mesh.places(), lifted(mesh, form));
     if (mesh.passage().is_identity())
         fill_flat_pieces(mesh, rows);
     return rows;

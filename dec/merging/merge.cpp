@@ -12,6 +12,7 @@
 #include "dec/merging/straightness.h"
 #include "dec/metric/cell_volumes.h"
 #include "dec/metric/circumcentric_volumes.h"
+#include "dec/metric/rounding.h"
 
 #include <fmt/format.h>
 
@@ -201,6 +202,30 @@ CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric
         }
         keep_worst(inadmissible, defects, n, kept);
     }
+}
+
+CellVolumes without_duals_beyond_the_boundary(const CellVolumes& volumes, const Merging& merging,
+                                              const DegenerateFacets& degenerate) {
+    const int facets = merging.merged().dimension() - 1;
+    const auto& counts = merging.merged().coface_counts(facets);
+    const Vector& duals = volumes.dual(facets);
+    Vector terms;
+    for (Index f = 0; f < duals.size(); ++f) {
+        if (counts[f] != 1 || !(duals[f] < 0) || is_zero(duals[f], volumes.terms(facets)[f]))
+            continue;
+        bool counts_as_zero = true;
+        for (IncidenceMatrix::InnerIterator piece(merging.diamond(facets), f); piece; ++piece)
+            counts_as_zero = counts_as_zero && degenerate[static_cast<Index>(piece.col())];
+        if (!counts_as_zero)
+            continue;
+        if (terms.size() == 0)
+            terms = volumes.terms(facets).vector();
+        constexpr double above = 1.1;
+        terms[f] = above * std::abs(duals[f]) / rounding_of(1);
+    }
+    if (terms.size() == 0)
+        return volumes;
+    return volumes.with_dual(facets, duals, terms, volumes.rounding(facets).vector());
 }
 
 } // namespace polydec

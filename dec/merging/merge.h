@@ -62,4 +62,10 @@ CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric
                                      const CellVolumes& volumes, const MergeOptions& options = {},
                                      const std::vector<bool>& stays = {});
 
+/// Volumes of merged cells, with duals of 0 (see HodgeStar::zeros) where a center lies beyond the
+/// boundary, but within the tolerance: whatever rounding or jitter made of them, such centers count
+/// as lying on it.
+CellVolumes without_duals_beyond_the_boundary(const CellVolumes& volumes, const Merging& merging,
+                                              const DegenerateFacets& degenerate);
+
 } // namespace polydec

@@ -39,15 +39,16 @@ private:
 
 /// The integrals over the k-simplices, k = n-j, of the inverse star of a form with the coefficients
 /// (t, s) on simplex s in the plane of n-simplex t: the means by volume over these. Size size(k).
+/// `corners` are the rows of points of the corners of each n-simplex.
 template <class Coefficients>
-Vector inverse_star_means(const Pieces& complex, const Points& points, int j,
-                          Coefficients coefficients) {
+Vector inverse_star_means(const Pieces& complex, const Points& points, const Simplices& corners,
+                          int j, Coefficients coefficients) {
     const int n = complex.dimension();
     InverseStar star(static_cast<int>(points.cols()), n, j);
     SimplexFaces faces(complex, n, n - j);
     Vector sums = Vector::Zero(complex.size(n - j)), volumes = sums;
     for (Index t = 0; t < complex.size(n); ++t) {
-        star.look_at(points(vertices(complex.simplices(n), t), Eigen::all), complex.orientation(t));
+        star.look_at(points(vertices(corners, t), Eigen::all), complex.orientation(t));
         const DenseMatrix rows = star.over_faces();
         const auto& list = faces.of(t);
         for (Index i = 0; i < rows.rows(); ++i) {

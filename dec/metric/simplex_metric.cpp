@@ -182,6 +182,16 @@ Points vertex_points(const Pieces& complex, const Points& by_number) {
     return result;
 }
 
+Points isolated_points(const Pieces& complex, const Points& by_number) {
+    Points result(by_number.rows() - complex.size(0), by_number.cols());
+    for (Index i = 0, v = 0, row = 0; i < by_number.rows(); ++i)
+        if (v < complex.size(0) && complex.vertex_number(v) == i)
+            ++v;
+        else
+            result.row(row++) = by_number.row(i);
+    return result;
+}
+
 void require_points(Eigen::Index coordinates, std::string_view what) {
     if (coordinates == 0)
         throw InvalidInput(fmt::format("only lengths are known, there are no points, which {} "

@@ -96,6 +96,9 @@ std::string flaw_of_lengths(const Pieces& complex, const SimplexMetric& metric, 
 /// InvalidInput if there are fewer.
 Points vertex_points(const Pieces& complex, const Points& by_number);
 
+/// The other rows of such a table: the points that no simplex uses, in order.
+Points isolated_points(const Pieces& complex, const Points& by_number);
+
 /// Throws InvalidInput if points have no coordinates, as those of a mesh of which only lengths are
 /// known; what says who needs them.
 void require_points(Eigen::Index coordinates, std::string_view what);

@@ -64,11 +64,11 @@ void robin() {
 void periodic_box() {
     const auto box = polydec::periodic(polydec::grid(32, 32),
                                        {polydec::Vector{{1, 0}}, polydec::Vector{{0, 1}}});
-    const auto mesh = polydec::discretize(box.quotient);
+    const auto mesh = polydec::discretize(box);
     const auto modes = polydec::spectrum(mesh, {.count = 5});
     std::cout << "first eigenvalue / (4 pi^2) " << modes.eigenvalues[1] / (4 * pi * pi)
               << ", vertices " << mesh.complex().size(0) << '\n';
-    const auto wave = polydec::de_rham(box, mesh, 1, polydec::circulation_form([](const auto& x) {
+    const auto wave = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto& x) {
                                            return polydec::Vector{{0, std::sin(2 * pi * x[0])}};
                                        }));
     const auto u = polydec::HodgeLaplaceSolver(mesh, {.degree = 1}).solve(4 * pi * pi * wave).form;

@@ -2,6 +2,7 @@
 #include "io/pages/draw_page.h"
 
 #include "base/errors.h"
+#include "dec/glued_box.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/draw_modes.h"
 #include "io/pictures/draw_overlay.h"
@@ -18,8 +19,9 @@ namespace polydec {
 
 namespace {
 
-/// How many vertices each merged n-cell has.
-std::vector<Index> corner_counts(const Discretization& mesh) {
+/// How many vertices each n-cell that is drawn has.
+std::vector<Index> corner_counts(const Discretization& given) {
+    const Discretization& mesh = placed(given);
     const int n = mesh.dimension();
     std::vector<Index> counts;
     for (Index cell = 0; cell < mesh.complex().size(n); ++cell)
@@ -46,7 +48,7 @@ std::vector<std::string> facts_of(const Discretization& mesh) {
         input.push_back(mesh.input().size(k));
         merged.push_back(mesh.complex().size(k));
     }
-    return {fmt::format("Dimension {} in {} coordinates.", n, mesh.points().cols()),
+    return {fmt::format("Dimension {} in {} coordinates.", n, mesh.ambient_dimension()),
             fmt::format("Cells of degree 0 .. {}: {} in the input, {} after merging.", n,
                         fmt::join(input, ", "), fmt::join(merged, ", "))};
 }

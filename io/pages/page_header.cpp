@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/glued_box.h"
 #include "io/pages/page_data.h"
 #include "io/pages/page_faces.h"
 #include "io/pages/page_text.h"
@@ -253,7 +254,7 @@ private:
     void add_dual() {
         if (!page_.mesh)
             return;
-        const auto& mesh = *page_.mesh;
+        const auto& mesh = placed(*page_.mesh);
         const int n = mesh.dimension();
         if (!mesh.passage().is_identity() || mesh.complex().size(n) > most_dual_cells) {
             notes_.push_back(mesh.passage().is_identity()

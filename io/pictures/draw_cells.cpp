@@ -7,6 +7,7 @@
 #include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
+#include "dec/glued_box.h"
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/overlay.h"
 #include "io/pictures/vtu_solids.h"
@@ -169,11 +170,13 @@ Naming numbers_of_input(const Discretization& mesh) {
 
 } // namespace
 
-Merging drawn_cells(const Discretization& mesh) {
+Merging drawn_cells(const Discretization& given) {
+    const Discretization& mesh = placed(given);
     return mesh.passage().is_identity() ? mesh.merging() : unmerged(mesh.input());
 }
 
-VtuGrid draw_cells(const Discretization& mesh, int k) {
+VtuGrid draw_cells(const Discretization& given, int k) {
+    const Discretization& mesh = placed(given);
     const Merging cells = drawn_cells(mesh);
     auto grid = draw(
         cells.merged(), mesh.input_points(), k, [&](Index cell) { return corners(cells, cell); },
@@ -182,11 +185,12 @@ VtuGrid draw_cells(const Discretization& mesh, int k) {
     return grid;
 }
 
-void add_form(VtuGrid& grid, const Discretization& mesh, std::string name, const Cochain& form,
+void add_form(VtuGrid& grid, const Discretization& given, std::string name, const Cochain& form,
               std::string about) {
-    const int k = cell_degree(mesh.complex(), form.side, form.degree);
-    check(mesh.complex(), form);
-    Cochain shown = form;
+    const int k = cell_degree(given.complex(), form.side, form.degree);
+    check(given.complex(), form);
+    Cochain shown = form_at_places(given, form);
+    const Discretization& mesh = placed(given);
     if (!mesh.passage().is_identity()) {
         if (form.side == Side::dual && k < mesh.dimension())
             shown = {Side::primal, k,
@@ -210,8 +214,10 @@ bool add_vectors(VtuGrid& grid, const Discretization& mesh, const std::string& n
         DenseMatrix vectors = sharp_pp(mesh, form);
         for (auto column : vectors.colwise())
             column = in_input_units(column, mesh.unit(), -1, name);
-        const Points others = Points::Zero(mesh.isolated().rows(), vectors.cols());
-        grid.point_data.push_back(vtu_array(name + "_vector", by_number(mesh, vectors, others)));
+        const Discretization& at = placed(mesh);
+        const Points others = Points::Zero(at.isolated().rows(), vectors.cols());
+        grid.point_data.push_back(
+            vtu_array(name + "_vector", by_number(at, to_places(mesh, 0, vectors), others)));
     } catch (const InvalidInput&) {
         return false;
     }
@@ -222,7 +228,8 @@ PolygonMesh polygon_mesh(const Merging& merging, const Points& points) {
     return polygons(merging, points, std::identity());
 }
 
-PolygonMesh polygon_mesh(const Discretization& mesh) {
+PolygonMesh polygon_mesh(const Discretization& given) {
+    const Discretization& mesh = placed(given);
     if (mesh.passage().is_identity()) {
         auto result = polygons(mesh.merging(), mesh.points(), numbers_of_input(mesh));
         result.points = points_of_input(mesh);

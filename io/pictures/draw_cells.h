@@ -32,8 +32,9 @@ void add_cochain(VtuGrid& grid, const CellComplex& complex, int k, std::string n
 /// Points have the numbers and places of the input; there are those of no cell too, where 0-forms
 /// are shown as 0. After intrinsic flips, whose cells cross
 /// the input's, it is the input that is shown, with the form as to_input brings it there; dual
-/// 1-forms are shown by the primal ones that they are stars of. Without words about it the array
-/// says of which side and degree it is.
+/// 1-forms are shown by the primal ones that they are stars of. Of a glued mesh the box is shown,
+/// with cells cut along the seams, and the form as form_at_places brings it there. Without words
+/// about it the array says of which side and degree it is.
 VtuGrid draw_cells(const Discretization& discretization, int k);
 void add_form(VtuGrid& grid, const Discretization& discretization, std::string name,
               const Cochain& form, std::string about = {});

@@ -2,6 +2,8 @@
 #include "io/pictures/draw_levels.h"
 
 #include "base/errors.h"
+#include "dec/fields/transfer.h"
+#include "dec/glued_box.h"
 #include "io/pictures/draw_cells.h"
 
 #include <fmt/format.h>
@@ -13,17 +15,22 @@
 
 namespace polydec {
 
-LevelSets level_sets(const Discretization& mesh, const Cochain& form, const Vector& levels) {
+LevelSets level_sets(const Discretization& given, const Cochain& form, const Vector& levels) {
     if (form.side != Side::primal || form.degree != 0)
         throw InvalidInput(
             fmt::format("level sets of a {} {}-form: expected a primal 0-form, which "
                         "has its values at vertices",
                         name(form.side), form.degree));
+    const Discretization& mesh = placed(given);
     require_points(mesh.input(), mesh.input_points(), "level sets");
-    check(mesh.complex(), form);
+    check(given.complex(), form);
     const Mesh cells{
         mesh.unit() * mesh.input_points(), mesh.input().simplices(mesh.dimension()), {}};
-    return level_sets(cells, form.values, levels);
+    LevelSets sets = level_sets(cells, form_at_places(given, form).values, levels);
+    if (given.box())
+        for (Index& owner : sets.owners)
+            owner = given.box()->onto(given.dimension())[owner];
+    return sets;
 }
 
 VtuGrid draw_levels(const LevelSets& sets, const Vector& levels, std::string name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/pictures/draw_overlay.h"
 
+#include "dec/glued_box.h"
 #include "dec/surfaces/overlay.h"
 #include "io/pictures/draw_cells.h"
 
@@ -31,7 +32,7 @@ VtuGrid draw_mesh(const Discretization& discretization) {
     const bool is_input = discretization.passage().is_identity();
     VtuGrid grid = is_input ? draw_cells(discretization, discretization.dimension())
                             : draw_overlay(discretization);
-    std::vector<Index> tags = discretization.tags();
+    std::vector<Index> tags = placed(discretization).tags();
     if (!tags.empty() && !is_input) {
         const auto& cells = std::get<std::vector<Index>>(grid.cell_data.front().values);
         std::vector<Index> of_pieces;

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "complex/corners.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/glued_box.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -223,10 +224,11 @@ void add_legend(SvgDrawing& drawing, const ColorScale& scale) {
 /// The cells of a solid that are kept, with what all their faces have in common.
 class Kept {
 public:
-    Kept(const Discretization& mesh, const std::function<bool(const Vector&)>& keep,
+    Kept(const Discretization& given, const std::function<bool(const Vector&)>& keep,
          const Vector& values)
-        : mesh_(mesh), values_(values) {
-        const Index n_cells = mesh.complex().size(3);
+        : mesh_(placed(given)), values_(values) {
+        const Discretization& mesh = mesh_;
+        const Index n_cells = given.complex().size(3);
         require_points(mesh.points().cols(), "a drawing");
         if (mesh.dimension() != 3 || mesh.points().cols() != 3)
             throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates are no solid: "
@@ -236,9 +238,10 @@ public:
             throw InvalidInput(fmt::format(
                 "{} values are given: expected one for each of the {} merged 3-cells, or none",
                 values.size(), n_cells));
+        numbers_ = cells_of_places(given, 3);
         centroids_ = cell_centroids(mesh.merging(), mesh.points(), mesh.piece_volumes(), 3);
         centers_ = cell_centers(mesh.merging(), mesh.points(), mesh.piece_volumes(), 3);
-        for (Index cell = 0; cell < n_cells; ++cell)
+        for (Index cell = 0; cell < mesh.complex().size(3); ++cell)
             if (keep(centroids_.row(cell).transpose()))
                 cells_.push_back(cell);
         if (cells_.empty())
@@ -269,6 +272,8 @@ public:
     void finish(SolidFaces& faces) const {
         faces.closed = true;
         faces.depth_sites = centers_(faces.cells, Eigen::all);
+        for (Index& cell : faces.cells)
+            cell = numbers_[cell];
         if (values_.size() > 0)
             faces.values = values_(faces.cells);
     }
@@ -276,6 +281,7 @@ public:
 private:
     const Discretization& mesh_;
     const Vector& values_;
+    std::vector<Index> numbers_; // of the cells that are drawn, in the mesh that is given
     Points centroids_, centers_;
     std::vector<Index> cells_;
 };
@@ -289,10 +295,11 @@ void add_polygon(SolidFaces& faces, const std::vector<Index>& corners, Index cel
 
 } // namespace
 
-SolidFaces kept_faces(const Discretization& mesh,
+SolidFaces kept_faces(const Discretization& given,
                       const std::function<bool(const Vector& centroid)>& keep,
                       const Vector& values) {
-    const Kept kept(mesh, keep, values);
+    const Kept kept(given, keep, values);
+    const Discretization& mesh = placed(given);
     const auto counts = kept.cell_counts();
     SolidFaces faces;
     faces.polygons.points = mesh.points();
@@ -304,12 +311,13 @@ SolidFaces kept_faces(const Discretization& mesh,
     return faces;
 }
 
-SolidFaces kept_cells(const Discretization& mesh,
+SolidFaces kept_cells(const Discretization& given,
                       const std::function<bool(const Vector& centroid)>& keep, double gap,
                       const Vector& values) {
     if (!(gap >= 0 && gap < 1))
         throw InvalidInput(fmt::format("the gap {} between cells is outside of 0 <= gap < 1", gap));
-    const Kept kept(mesh, keep, values);
+    const Kept kept(given, keep, values);
+    const Discretization& mesh = placed(given);
     SolidFaces faces;
     std::vector<Place> points; // each face has its own corners
     for (const Index cell : kept.cells())

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "complex/corners.h"
 #include "dec/fields/cell_centers.h"
+#include "dec/glued_box.h"
 #include "dec/metric/rounding.h"
 #include "io/pictures/draw_cells.h"
 #include "io/pictures/structure_style.h"
@@ -84,20 +85,22 @@ private:
     bool is_plane_;
     Points centers_, edge_centers_;
     std::vector<std::vector<Index>> corners_, removed_; ///< of each cell; edges of the pieces
+    std::array<std::vector<Index>, 3> numbers_;         ///< of the cells, in the mesh that is given
     std::array<std::vector<bool>, 2> is_numbered_;      ///< vertices, edges
     SvgPoint low_, high_;
     double text_size_ = 12, pixel_ = 1; ///< pixels; world units a pixel
     SvgDrawing drawing_;
 };
 
-StructureDrawing::StructureDrawing(const Discretization& mesh, const StructureOptions& options)
-    : mesh_(mesh),
+StructureDrawing::StructureDrawing(const Discretization& given, const StructureOptions& options)
+    : mesh_(placed(given)),
       options_(options),
       view_(options.view),
-      is_plane_(mesh.points().cols() == 2 ||
-                (mesh.points().cols() == 3 &&
-                 mesh.points().col(2).maxCoeff() == mesh.points().col(2).minCoeff())),
-      removed_(mesh.dimension() == 2 ? static_cast<std::size_t>(mesh.complex().size(2)) : 0) {
+      is_plane_(mesh_.points().cols() == 2 ||
+                (mesh_.points().cols() == 3 &&
+                 mesh_.points().col(2).maxCoeff() == mesh_.points().col(2).minCoeff())),
+      removed_(mesh_.dimension() == 2 ? static_cast<std::size_t>(mesh_.complex().size(2)) : 0) {
+    const Discretization& mesh = mesh_;
     if (mesh.dimension() != 2 || mesh.points().cols() < 2 || mesh.points().cols() > 3)
         throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates: a drawing of the "
                                        "structure shows polygons in the plane or in space; a page "
@@ -110,6 +113,8 @@ StructureDrawing::StructureDrawing(const Discretization& mesh, const StructureOp
         view_.eye = Point(0, 0, 1);
         view_.up = Point(0, 1, 0);
     }
+    for (int k = 0; k <= 2; ++k)
+        numbers_[k] = cells_of_places(given, k);
     centers_ = cell_centers(mesh, 2);
     edge_centers_ = cell_centers(mesh, 1);
     for (Index cell = 0; cell < mesh.complex().size(2); ++cell)
@@ -301,10 +306,10 @@ void StructureDrawing::add_number(const Point& place, Index number, const char* 
 
 void StructureDrawing::add_numbers(Index cell, Strokes& strokes) {
     const auto add_once = [&](int k, Index number, const Point& place, const char* color) {
-        if (is_plane_ && is_numbered_[k][number])
+        if (numbers_[k][number] < 0 || (is_plane_ && is_numbered_[k][number]))
             return;
         is_numbered_[k][number] = true;
-        add_number(place, number, color, strokes);
+        add_number(place, numbers_[k][number], color, strokes);
     };
     for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell]) {
         const auto [a, b] = ends(edge);
@@ -312,7 +317,7 @@ void StructureDrawing::add_numbers(Index cell, Strokes& strokes) {
     }
     for (const Index v : corners_[cell])
         add_once(0, v, at(mesh_.points(), v), edge_color);
-    add_number(middle(cell), cell, turn_color, strokes);
+    add_number(middle(cell), numbers_[2][cell], turn_color, strokes);
 }
 
 Strokes StructureDrawing::strokes(Index cell) {

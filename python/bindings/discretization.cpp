@@ -9,6 +9,7 @@
 #include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_vertices.h"
+#include "dec/glued_box.h"
 #include "dec/material_stars.h"
 #include "io/diagnosis_json.h"
 #include "io/pictures/draw_cells.h"
@@ -121,7 +122,9 @@ std::vector<DenseMatrix> matrices(const Numbers& tensors) {
 void add_parts(py::class_<Discretization>& type) {
     type.def_property_readonly("points",
                                [](const py::object& self) {
-                                   const Points& points = self.cast<Discretization&>().points();
+                                   const auto& mesh = self.cast<Discretization&>();
+                                   const Points& points =
+                                       mesh.box() ? mesh.box()->vertices() : mesh.points();
                                    return view(points.data(), {points.rows(), points.cols()}, self);
                                })
         .def_property_readonly("calculus",
@@ -155,6 +158,14 @@ void add_parts(py::class_<Discretization>& type) {
         .def_property_readonly("unit", &Discretization::unit)
         .def_property_readonly(
             "star_kind", [](const Discretization& mesh) { return name(mesh.chosen_stars().kind); })
+        .def_property_readonly("is_glued",
+                               [](const Discretization& mesh) { return mesh.box() != nullptr; })
+        .def("placed", [](const Discretization& mesh) { return placed(mesh); })
+        .def("cells_of_places",
+             [](const Discretization& mesh, int k) {
+                 check_number("the cells of a box of degree", k, 0, mesh.dimension());
+                 return array(cells_of_places(mesh, k));
+             })
         .def("cells", &cells)
         .def("polygons", &polygons)
         .def("report", &report);
@@ -231,6 +242,7 @@ void add_discretization(py::module_& module) {
     add_stars(type);
     add_discretize<Mesh>(module);
     add_discretize<LengthMesh>(module);
+    add_discretize<PeriodicMesh>(module);
 }
 
 } // namespace polydec::python

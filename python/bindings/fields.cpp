@@ -6,11 +6,11 @@
 #include "dec/fields/flat.h"
 #include "dec/fields/interior_product.h"
 #include "dec/fields/lie_derivative.h"
-#include "dec/fields/periodic_fields.h"
 #include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/wedge.h"
 #include "dec/fields/whitney_interpolation.h"
+#include "dec/glued_box.h"
 #include "python/bindings/convert.h"
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ py::tuple de_rham_of(const Discretization& mesh, const std::string& side, int de
                      const py::function& function, int quadrature_degree) {
     const bool is_primal = side_of(side) == Side::primal;
     check_number("the degree of a form", degree, 0, mesh.dimension());
-    const auto width = static_cast<Index>(mesh.points().cols());
+    const auto width = static_cast<Index>(mesh.ambient_dimension());
     const auto integrate = [&](const SmoothForm& form) {
         return is_primal ? de_rham(mesh, degree, form, quadrature_degree)
                          : dual_de_rham(mesh, degree, form, quadrature_degree);
@@ -69,21 +69,11 @@ py::tuple de_rham_of(const Discretization& mesh, const std::string& side, int de
 py::array boundary_de_rham_of(const Discretization& mesh, int degree, const py::function& function,
                               int quadrature_degree) {
     check_number("the degree of a form on the boundary", degree, 0, mesh.dimension() - 1);
-    const auto width = static_cast<Index>(mesh.points().cols());
+    const auto width = static_cast<Index>(mesh.ambient_dimension());
     return array(
         integrated(width, components_of(width, degree), function, [&](const SmoothForm& form) {
             return boundary_de_rham(mesh, degree, form, quadrature_degree);
         }));
-}
-
-py::array periodic_de_rham_of(const PeriodicMesh& box, const Discretization& mesh, int degree,
-                              const py::function& function, int quadrature_degree) {
-    check_number("the degree of a form", degree, 0, mesh.dimension());
-    const auto width = static_cast<Index>(box.points.cols());
-    const auto integrate = [&](const SmoothForm& form) {
-        return de_rham(box, mesh, degree, form, quadrature_degree);
-    };
-    return array(integrated(width, components_of(width, degree), function, integrate).values);
 }
 
 void add_periodic(py::module_& module) {
@@ -97,12 +87,16 @@ void add_periodic(py::module_& module) {
         return unlocked([&] { return glue_by_images(box, given); });
     });
     py::class_<PeriodicMesh>(module, "PeriodicMesh")
+        .def(py::init([](const Mesh& box, const LengthMesh& quotient, const Integers& vertices,
+                         const Numbers& points) {
+            return PeriodicMesh{box, quotient, indices(vertices), rows(points)};
+        }))
+        .def_readonly("box", &PeriodicMesh::box)
         .def_readonly("quotient", &PeriodicMesh::quotient)
         .def_property_readonly("vertices",
                                [](const PeriodicMesh& self) { return array(self.vertices); })
         .def_property_readonly("points",
-                               [](const PeriodicMesh& self) { return array(Points(self.points)); })
-        .def("de_rham", &periodic_de_rham_of);
+                               [](const PeriodicMesh& self) { return array(Points(self.points)); });
 }
 
 using Product = Cochain (*)(const Discretization&, const Cochain&, const Cochain&);

@@ -17,6 +17,7 @@ from ._errors import InvalidInput, PolydecWarning, told, warn
 from ._given import MeshLike, as_mesh
 from ._lists import CellList, Polygons
 from ._mesh import LengthMesh, Mesh
+from ._periodic import PeriodicMesh
 
 Progress = Callable[[str], object]
 #: Cells, or a mesh that they are made of.
@@ -32,7 +33,8 @@ class Complex(Cells):
     Attributes
     ----------
     points : numpy.ndarray, shape (size(0), N)
-        Of the vertices; without columns if only lengths are known.
+        Of the vertices; without columns if only lengths are known. Of a mesh that `periodic` or
+        `glue` made, their first places in its box.
     input : Cells
         The simplices that were given, by themselves.
     merging : Merging
@@ -53,6 +55,32 @@ class Complex(Cells):
     def _placed(self, places: Floats) -> Floats:
         """Places in the units of the input."""
         return places if self.unit == 1 else self.unit * places
+
+    @property
+    def box(self) -> Complex:
+        """Of a mesh that `periodic` or `glue` made the box, with cells cut along the seams, as
+        pictures show it; of any other the mesh itself."""
+        return Complex(self._mesh.placed(), None, self._options) if self._mesh.is_glued else self
+
+    def _on_box(self, k: int, values: Floats) -> Floats:
+        """A number for each k-cell of `box`; nan inside of larger cells that a seam has cut."""
+        if not self._mesh.is_glued:
+            return values
+        numbers = self._mesh.cells_of_places(k)
+        return np.where(numbers < 0, np.nan, values[numbers])
+
+    def _ways(self, ends: Integers) -> Floats:
+        """The vectors along edges of the simplices, from their first vertices to their second."""
+        if not self._mesh.is_glued:
+            return np.asarray(self.points[ends[:, 1]] - self.points[ends[:, 0]])
+        box = self.box
+        pairs = box.input.d(0).tocsr().indices.reshape(-1, 2)
+        pairs = np.concatenate([pairs, pairs[:, ::-1]])
+        numbers = self._mesh.cells_of_places(0).astype(np.int64)
+        keys = numbers[pairs] @ [self.size(0), 1]
+        order = np.argsort(keys, kind="stable")
+        found = pairs[order[np.searchsorted(keys[order], ends @ [self.size(0), 1])]]
+        return np.asarray(box.points[found[:, 1]] - box.points[found[:, 0]])
 
     @property
     def input(self) -> Cells:
@@ -294,7 +322,7 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
 
     Parameters
     ----------
-    mesh : Mesh, LengthMesh, path, pair of array_like, or meshio.Mesh
+    mesh : Mesh, LengthMesh, PeriodicMesh, path, pair of array_like, or meshio.Mesh
         As `as_mesh` takes it: ``"bunny.off"`` and ``(points, triangles)`` will do.
     tolerance : float
         Facets with a relative dual length up to this are merged across.
@@ -335,7 +363,8 @@ def discretize(mesh: MeshLike, *, tolerance: float = 1e-4,
                "delaunay": delaunay, "materials": materials, "star": star, "centers": centers}
     criterion = "none" if not merge else "dual_length" if angle_tolerance is None else "angle"
     given = as_mesh(mesh)
-    made = _core.discretize(given._mesh, criterion,
+    core = given._glued if isinstance(given, PeriodicMesh) else given._mesh
+    made = _core.discretize(core, criterion,
                             tolerance if angle_tolerance is None else angle_tolerance,
                             delaunay or "off", materials, star, centers, progress)
     warn(made.warnings)

@@ -81,8 +81,7 @@ class ParallelTransport:
     @property
     def directions(self) -> Floats:
         """The unit vector along it, a row for each vertex."""
-        ends = self.reference
-        edges = self._complex.points[ends[:, 1]] - self._complex.points[ends[:, 0]]
+        edges = self._complex._ways(self.reference)
         return np.asarray(edges / np.linalg.norm(edges, axis=1)[:, None])
 
     def extend(self, sources: npt.ArrayLike, vectors: npt.ArrayLike) -> npt.NDArray[np.complex128]:

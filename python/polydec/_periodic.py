@@ -8,40 +8,46 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Integers, floats
-from ._complex import Complex, mesh_of
 from ._errors import InvalidInput
-from ._fields import coefficients
 from ._given import MeshLike, as_mesh
 from ._mesh import LengthMesh, Mesh
 
 
 class PeriodicMesh(LengthMesh):
-    """A mesh glued to itself, as `periodic` and `glue` make it, by the lengths of its edges.
+    """A mesh glued to itself, as `periodic` and `glue` make it: by the lengths of its edges, and by
+    where its simplices lie in the box.
 
-    `discretize` takes it as every mesh.
+    `discretize` takes it as every mesh. Functions of places are asked where cells lie in the box,
+    and pictures show the box.
 
     Attributes
     ----------
+    box : Mesh
+        As it was given.
     points : numpy.ndarray
         Of each vertex its first place in the box.
     numbers : numpy.ndarray
         Of each vertex of the box its number here.
     """
 
-    __slots__ = ("_box", "points", "numbers")
+    __slots__ = ("_glued", "points", "numbers")
 
     def __init__(self, glued: _core.PeriodicMesh) -> None:
-        self._box = glued
-        self._mesh = self._box.quotient
-        self.points: Floats = self._box.points
-        self.numbers: Integers = self._box.vertices
+        self._glued = glued
+        self._mesh = glued.quotient
+        self.points: Floats = glued.points
+        self.numbers: Integers = glued.vertices
 
-    def de_rham(self, complex: Complex, k: int, form: Callable[[Floats], Any], *,
-                quadrature_degree: int = 5) -> Floats:
-        """Integrals of a k-form with these periods over the cells, where they lie in the box;
-        `complex` is what `discretize` made of this, and the form as for `polydec.de_rham`."""
-        return self._box.de_rham(mesh_of(complex), k, coefficients(form, self.points.shape[1], k),
-                                 quadrature_degree)
+    @property
+    def box(self) -> Mesh:
+        return Mesh._of(self._glued.box)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpickled, (self.box, LengthMesh._of(self._mesh), self.numbers, self.points)
+
+
+def _unpickled(box: Mesh, quotient: LengthMesh, numbers: Integers, points: Floats) -> PeriodicMesh:
+    return PeriodicMesh(_core.PeriodicMesh(box._mesh, quotient._mesh, numbers, points))
 
 
 def periodic(mesh: MeshLike, translations: Sequence[npt.ArrayLike]) -> PeriodicMesh:

@@ -34,7 +34,8 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
          side: str = "primal", ax: Any = None, **style: Any) -> Any:
     """Draws the cells with matplotlib, colored by a form on vertices or on the cells seen.
 
-    Cells that `complex` merged are one polygon each; of a solid the boundary is shown.
+    Cells that `complex` merged are one polygon each; of a solid the boundary is shown, of a glued
+    mesh its box.
 
     Parameters
     ----------
@@ -67,7 +68,7 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     complex = as_complex(complex)
-    points, polygons, seen = _polygons(complex)
+    points, polygons, seen = _polygons(complex.box)
     in_plane = points.shape[1] == 2
     if ax is None:
         ax = plt.figure().add_subplot(projection=None if in_plane else "3d")
@@ -103,9 +104,10 @@ def _colors(complex: Complex, values: Form, degree: int | None, side: str,
         raise InvalidInput(f"a {side} {degree}-form of {len(array)} values is to be shown: "
                            f"expected {complex.size(0)} values on vertices or {complex.size(2)} "
                            "on 2-cells")
+    array = complex._on_box(cells, array)
     if cells == 2:
         return np.asarray(array[seen])
-    lists = complex.cells(2)
+    lists = complex.box.cells(2)
     sums = np.add.reduceat(array[lists.corners], lists.offsets[:-1])
     return np.asarray((sums / np.diff(lists.offsets))[seen])
 
@@ -122,8 +124,9 @@ def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None
     import meshio
 
     n = complex.dim
-    points = complex.points
-    lists = complex.cells(n)
+    box = complex.box
+    points = box.points
+    lists = box.cells(n)
     sizes = np.diff(lists.offsets)
     if n not in (1, 2) and not (n == 3 and (sizes == 4).all()):
         raise InvalidInput("meshio knows no polyhedra as polydec merges them: write_vtu does")
@@ -140,13 +143,14 @@ def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None
     point_data, cell_data = {}, {}
     for name, values in (forms or {}).items():
         array = floats(np.asarray(values), name)
-        if len(array) == len(points):
-            point_data[name] = array
-        elif len(array) == len(lists):
+        if len(array) == complex.size(0):
+            point_data[name] = complex._on_box(0, array)
+        elif len(array) == complex.size(n):
+            array = complex._on_box(n, array)
             cell_data[name] = [array[of_size] for of_size in numbers]
         else:
-            raise InvalidInput(f"{name} has {len(array)} values: expected {len(points)} on "
-                               f"vertices or {len(lists)} on {n}-cells")
+            raise InvalidInput(f"{name} has {len(array)} values: expected {complex.size(0)} on "
+                               f"vertices or {complex.size(n)} on {n}-cells")
     return meshio.Mesh(points, blocks, point_data=point_data, cell_data=cell_data)
 
 
@@ -163,16 +167,17 @@ def to_pyvista(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = Non
     """A ``pyvista.PolyData`` of the 2-cells to be seen, with forms on vertices or on 2-cells."""
     import pyvista
 
-    points, polygons, seen = _polygons(complex)
-    lists: CellList | Polygons = complex.cells(2) if complex.dim == 3 else complex.polygons()
+    box = complex.box
+    points, polygons, seen = _polygons(box)
+    lists: CellList | Polygons = box.cells(2) if complex.dim == 3 else box.polygons()
     faces = [np.concatenate([[b - a], lists.corners[a:b]])
              for a, b in zip(lists.offsets[seen], lists.offsets[seen + 1])]
     result = pyvista.PolyData(np.pad(points, ((0, 0), (0, 3 - points.shape[1]))),
                               np.concatenate(faces))
     for name, values in (forms or {}).items():
         array = floats(np.asarray(values), name)
-        if len(array) == len(points):
-            result.point_data[name] = array
+        if len(array) == complex.size(0):
+            result.point_data[name] = complex._on_box(0, array)
         else:
-            result.cell_data[name] = array[seen]
+            result.cell_data[name] = complex._on_box(2, array)[seen]
     return result

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Sources of forms, conditions of Robin's, boxes without walls, slow flows."""
+import pickle
+
 import numpy as np
 import pytest
 
@@ -66,11 +68,50 @@ def test_boxes_without_walls(mesh, n):
     assert not c.boundary_facets().any()
     assert c.betti_numbers() == [[1, 1], [1, 2, 1], [1, 3, 3, 1]][n - 1]
     assert len(box.points) == c.size(0) and len(box.numbers) == len(mesh.points)
-    form = box.de_rham(c, 1, lambda x: np.cos(2 * np.pi * x))
-    potential = box.de_rham(c, 0, lambda x: np.sin(2 * np.pi * x).sum(axis=1) / (2 * np.pi))
+    assert near(c.points, box.points) and c.box.shape[0] == len(mesh.points)
+    form = polydec.de_rham(c, 1, lambda x: np.cos(2 * np.pi * x))
+    potential = polydec.de_rham(c, 0, lambda x: np.sin(2 * np.pi * x).sum(axis=1) / (2 * np.pi))
     assert near(form, c.d(0) @ potential, 1e-3)
+    again = polydec.discretize(pickle.loads(pickle.dumps(box)))
+    assert near(again.centers(n), c.centers(n))
     with pytest.raises(polydec.InvalidInput):
         polydec.periodic(mesh, [np.full(n, 0.3)])
+
+
+@pytest.mark.parametrize("side", ["primal", "dual"])
+def test_functions_on_boxes_without_walls(side):
+    wave = lambda p: np.sin(2 * np.pi * p[:, 0])
+    c = polydec.discretize(polydec.periodic(polydec.meshes.grid(16, 16), np.eye(2)))
+    u = polydec.poisson(c, lambda p: 4 * np.pi ** 2 * wave(p), side=side)
+    sites = c.points if side == "primal" else c.dual_sites()
+    assert near(u.values, wave(sites) * (np.pi / 16 / np.sin(np.pi / 16)) ** 2, 1e-9)
+    assert abs(u.values).max() > 0.9
+
+
+def test_pictures_of_boxes_without_walls(tmp_path):
+    mesh = polydec.meshes.grid(6, 5)
+    c = polydec.discretize(polydec.periodic(mesh, np.eye(2)))
+    u = np.cos(2 * np.pi * c.points[:, 0])
+    polydec.write_vtu(tmp_path / "u.vtu", c, {"u": u})
+    seen = polydec.read_mesh(tmp_path / "u.vtu")
+    assert near(seen.points[:, :2], mesh.points)
+    assert "u" in polydec.view(c, {"u": u}).html
+    assert c.box.shape == (42, 71, 30) and c.shape == (30, 60, 30)
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    drawn = polydec.plot(c, u)
+    corners = c.box.cells(2)
+    expected = [np.cos(2 * np.pi * c.box.points[corners.cell(i), 0]).mean() for i in range(30)]
+    assert near(drawn.get_array(), np.array(expected)) and len(drawn.get_paths()) == 30
+    assert polydec.plot(c, np.arange(30.0), degree=2).get_array().sum() == 435
+
+
+def test_directions_across_the_seams():
+    c = polydec.discretize(polydec.periodic(polydec.meshes.grid(6, 6), np.eye(2)))
+    transport = polydec.ParallelTransport(c)
+    ways = np.diff(c.points[transport.reference], axis=1)[:, 0]
+    assert near(transport.directions * np.linalg.norm(ways - ways.round(), axis=1)[:, None],
+                ways - ways.round())
 
 
 def test_boxes_with_a_twist():

@@ -4,12 +4,12 @@
 #include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "dec/developed_cells.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/subsets.h"
 #include "solvers/dual_fluxes.h"
-#include "solvers/flow/developed_cells.h"
 
 #include <fmt/format.h>
 

@@ -33,9 +33,12 @@ Vector flow_of_velocity(const Discretization& mesh, const Points& velocity) {
 Vector flux_through_boundary(const Discretization& mesh, const Points& velocity) {
     const int n = mesh.dimension();
     const auto& K = mesh.pieces();
-    require_straight(K, mesh.points(), "a velocity at the boundary");
+    const auto [points, corners] = mesh.places();
+    require_points(points.cols(), "a velocity at the boundary");
+    if (!mesh.passage().is_identity())
+        require_straight(K, mesh.points(), "a velocity at the boundary");
     check_as_many("velocities at facets", velocity.rows(), mesh.complex().size(n - 1));
-    check_as_many("components of velocities", velocity.cols(), mesh.points().cols());
+    check_as_many("components of velocities", velocity.cols(), points.cols());
     Vector flux = Vector::Zero(velocity.rows());
     for (Index t = 0; t < K.size(n); ++t)
         for (int i = 0; i <= n; ++i) {
@@ -44,8 +47,7 @@ Vector flux_through_boundary(const Discretization& mesh, const Points& velocity)
                 continue;
             // the area of a facet, outwards, is the gradient of the opposite corner's coordinate
             // against it, times n times the volume
-            const DenseMatrix gradients =
-                barycentric_gradients(mesh.points(), vertices(K.simplices(n), t));
+            const DenseMatrix gradients = barycentric_gradients(points, vertices(corners, t));
             const int outward = K.sign(n, t, i);
             const Index facet = mesh.merging().carriers(n - 1)[side].cell;
             const int piece = mesh.merging().diamond(n - 1).coeff(facet, side);

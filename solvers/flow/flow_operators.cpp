@@ -43,7 +43,7 @@ void check_options(const Discretization& mesh, const FlowOptions& options) {
         return;
     check_as_many("velocities of walls", options.wall_velocity.rows(), facets);
     check_as_many("components of velocities of walls", options.wall_velocity.cols(),
-                  mesh.points().cols());
+                  mesh.ambient_dimension());
     if (!options.wall_velocity.allFinite())
         throw InvalidInput("velocities of walls are not finite: expected numbers");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/flow/developed_cells.h"
+#include "dec/developed_cells.h"
 
 #include "base/decompositions.h"
 #include "dec/metric/simplex_geometry.h"
