@@ -69,19 +69,6 @@ class Complex(Cells):
         numbers = self._mesh.cells_of_places(k)
         return np.where(numbers < 0, np.nan, values[numbers])
 
-    def _ways(self, ends: Integers) -> Floats:
-        """The vectors along edges of the simplices, from their first vertices to their second."""
-        if not self._mesh.is_glued:
-            return np.asarray(self.points[ends[:, 1]] - self.points[ends[:, 0]])
-        box = self.box
-        pairs = box.input.d(0).tocsr().indices.reshape(-1, 2)
-        pairs = np.concatenate([pairs, pairs[:, ::-1]])
-        numbers = self._mesh.cells_of_places(0).astype(np.int64)
-        keys = numbers[pairs] @ [self.size(0), 1]
-        order = np.argsort(keys, kind="stable")
-        found = pairs[order[np.searchsorted(keys[order], ends @ [self.size(0), 1])]]
-        return np.asarray(box.points[found[:, 1]] - box.points[found[:, 0]])
-
     @property
     def input(self) -> Cells:
         return Cells(self._mesh.input_calculus)

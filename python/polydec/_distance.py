@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, floats, integers
-from ._complex import CellsLike, as_complex
+from ._arrays import Floats, Integers, floats, integers
+from ._complex import CellsLike, Complex, as_complex
 from ._conditions import vertex_numbers
 
 
@@ -81,7 +81,7 @@ class ParallelTransport:
     @property
     def directions(self) -> Floats:
         """The unit vector along it, a row for each vertex."""
-        edges = self._complex._ways(self.reference)
+        edges = _ways(self._complex, self.reference)
         return np.asarray(edges / np.linalg.norm(edges, axis=1)[:, None])
 
     def extend(self, sources: npt.ArrayLike, vectors: npt.ArrayLike) -> npt.NDArray[np.complex128]:
@@ -91,3 +91,18 @@ class ParallelTransport:
             integers(np.atleast_1d(np.asarray(sources)), "sources"),
             floats(given.real, "vectors"), floats(given.imag, "vectors"))
         return np.asarray(real + 1j * imaginary)
+
+
+def _ways(complex: Complex, ends: Integers) -> Floats:
+    """The vectors along edges of the simplices, from their first vertices to their second: of a
+    glued mesh where the edges lie in the box."""
+    if not complex._mesh.is_glued:
+        return np.asarray(complex.points[ends[:, 1]] - complex.points[ends[:, 0]])
+    box = complex.box
+    pairs = box.input.d(0).tocsr().indices.reshape(-1, 2)
+    pairs = np.concatenate([pairs, pairs[:, ::-1]])
+    numbers = complex._mesh.cells_of_places(0).astype(np.int64)
+    keys = numbers[pairs] @ [complex.size(0), 1]
+    order = np.argsort(keys, kind="stable")
+    found = pairs[order[np.searchsorted(keys[order], ends @ [complex.size(0), 1])]]
+    return np.asarray(box.points[found[:, 1]] - box.points[found[:, 0]])
