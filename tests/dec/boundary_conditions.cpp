@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/boundary_conditions.h"
 
+#include "dec/conditioned_complex.h"
 #include "dec/discretization.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
 #include "tests/support/circumcentric.h"
+#include "tests/support/families.h"
 #include "tests/support/glued.h"
 #include "tests/support/matrices.h"
 #include "tests/support/over_meshes.h"
@@ -180,6 +182,35 @@ TEST(BoundaryErrors, count_the_conditions) {
                          essential_cells(P, {.facets = {3, BoundaryCondition::natural}});
                      }),
                      {"3 boundary conditions", "40 1-cells"}));
+}
+
+TEST(FixedVertices, are_cells_on_which_primal_functions_alone_are_given) {
+    const auto& P = merged("grid4").P();
+    BoundaryConditions conditions{BoundaryCondition::natural};
+    conditions.fixed_vertices.assign(P.size(0), false);
+    conditions.fixed_vertices[12] = true;
+    const auto marks = essential_cells(P, conditions, Side::primal, 0);
+    EXPECT_EQ(marks[0], conditions.fixed_vertices);
+    EXPECT_EQ(marks[1], std::vector<bool>(P.size(1), false));
+    conditions.everywhere = BoundaryCondition::essential;
+    EXPECT_EQ(essential_cells(P, conditions, Side::primal, 0)[1], boundary_cells(P)[1]);
+    for (const auto& refused : {refusal([&] { essential_cells(P, conditions, Side::primal, 1); }),
+                                refusal([&] { essential_cells(P, conditions, Side::dual, 0); }),
+                                refusal([&] { essential_cells(P, conditions); })})
+        EXPECT_TRUE(says(refused, {"vertices", "primal 0-forms"}));
+}
+
+TEST(BranchingCells, have_no_dual_functions) {
+    const auto mesh = circumcentric(mesh_named("branching"));
+    const auto ask = [&](Side side, int degree) {
+        return refusal([&] {
+            conditioned_complex(mesh.complex(), mesh.stars(), side, degree,
+                                built_in_conditions(side));
+        });
+    };
+    EXPECT_TRUE(says(ask(Side::dual, 0), {"3 cells", "facet", "primal 0-forms"}));
+    EXPECT_EQ(ask(Side::primal, 0), "accepted");
+    EXPECT_EQ(ask(Side::primal, 2), "accepted");
 }
 
 } // namespace
