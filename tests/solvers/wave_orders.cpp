@@ -164,6 +164,8 @@ TEST(WaveOrders, are_2_on_octahedra_and_tetrahedra) {
     expect_orders(tetrahedra, {{clamped(3)}, {free_membrane(3)}});
     EXPECT_GT(order(tetrahedra, electric(3), Side::primal), 1.9);
     EXPECT_GT(order(tetrahedra, electric(3), Side::dual), 1);
+    EXPECT_GT(order(tetrahedra, between_magnetic_walls(3), Side::primal), 1.9);
+    EXPECT_GT(order(tetrahedra, between_magnetic_walls(3), Side::dual), 1);
 }
 
 } // namespace
