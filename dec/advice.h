@@ -48,8 +48,8 @@ std::string in_words(const Advice& advice, int dimension);
 
 /// On the negative duals of the highest degree that has some, which below n - 1 follow from those
 /// of facets on surfaces; where there are none, on those without volume, against which there are
-/// stars. Empty if all duals are positive, or stars or centers are chosen otherwise. Who follows it
-/// (with, then discretize again) needs no other.
+/// stars. Empty if all duals are positive, or stars or centers are chosen otherwise. A mesh
+/// discretized again with the remedy (see with) needs no further advice.
 std::vector<Advice> advice(const Discretization& discretization);
 
 /// "; add Delaunay::flips" where that helps against negative duals, else empty.

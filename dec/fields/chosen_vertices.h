@@ -14,7 +14,7 @@ namespace polydec {
 std::vector<Index> boundary_vertices(const Discretization& mesh);
 
 /// Those where the predicate holds, of points in the units of the input, size(0) rows. Throws
-/// InvalidInput if it holds at none; std::logic_error where only lengths are known.
+/// InvalidInput if it holds at none, and where only lengths are known.
 std::vector<Index> vertices_where(const Discretization& mesh,
                                   const std::function<bool(const Vector& point)>& predicate);
 
