@@ -13,6 +13,17 @@ from intrinsic_laws import (compare_numbers, count_below, natural_dual_rows, sid
                             spectrum_of_rows_differs)
 
 
+def cut_as_written(path):
+    """The text of an OFF file whose polygons are cut from the corner each begins with, as the
+    independent program cut them."""
+    with open(path, encoding="ascii") as file:
+        lines = file.read().splitlines()
+    vertices, faces = map(int, lines[1].split()[:2])
+    polygons = [line.split()[1:] for line in lines[2 + vertices:2 + vertices + faces]]
+    triangles = [f"3 {p[0]} {p[i]} {p[i + 1]}" for p in polygons for i in range(1, len(p) - 1)]
+    return "\n".join(["OFF", f"{vertices} {len(triangles)} 0", *lines[2:2 + vertices], *triangles, ""])
+
+
 def read_expected():
     """{path: numbers} of the real meshes that are there."""
     with open(golden("expected_calculus.json"), encoding="ascii") as file:
@@ -25,6 +36,12 @@ def read_expected():
 
 class GoldenNumbers(TestCase):
     EXACTLY = ("--delaunay", "--tolerance", "1e-8")
+
+    def expected(self):
+        """The triangles and the numbers of each mesh."""
+        for path, wanted in read_expected().items():
+            name = os.path.basename(path)
+            yield (self.write(name, cut_as_written(path)) if "quads" in name else path), wanted
 
     def read_operators(self, path):
         self.succeed("operators", path, "--out", "out", *self.EXACTLY)
@@ -53,12 +70,12 @@ class GoldenNumbers(TestCase):
         return wrong
 
     def test_operators(self):
-        for path, wanted in read_expected().items():
+        for path, wanted in self.expected():
             with self.subTest(os.path.basename(path)):
                 self.assertEqual(self.compare_operators(path, wanted), [])
 
     def test_counts(self):
-        for path, wanted in read_expected().items():
+        for path, wanted in self.expected():
             with self.subTest(os.path.basename(path)):
                 info = self.ask("info", path, *self.EXACTLY)
                 self.assertEqual(info["cells"]["merged"], wanted["counts"])
@@ -66,7 +83,7 @@ class GoldenNumbers(TestCase):
                                  wanted["negative_star1_before"])
 
     def test_spectra(self):
-        for path, wanted in read_expected().items():
+        for path, wanted in self.expected():
             closed = wanted["star1_boundary"] is None
             for side, known in (("primal", "spectrum_primal0"),
                                 ("dual", "spectrum_dual0_natural")):
@@ -81,7 +98,7 @@ class GoldenNumbers(TestCase):
                                          [])
 
     def test_a_number_that_is_a_little_wrong_is_noticed(self):
-        for path, wanted in read_expected().items():
+        for path, wanted in self.expected():
             if path.endswith("square_hole.off"):
                 for key in ("edge_length_sum", "area"):
                     twin = {**wanted, key: wanted[key] * (1 + 1e-7)}

@@ -52,6 +52,9 @@ class RealMeshes(TestCase):
     def check_spectrum(self, path, side, info):
         outcome = command.run("spectrum", path, "--side", side, "--degree", 0, "--count", 10,
                               "--json", seconds=SECONDS)
+        if side == "dual" and "three or more cells" in info["laplacians"][-1].get("dual_reason", ""):
+            self.assertSays(self.check_error(outcome, 2), "cells meet at facet", "primal")
+            return
         self.assertEqual(outcome.code, 0, outcome.err)
         answer = command.parse(outcome.out)
         self.assertEqual(len(answer["eigenvalues"]), 10)
