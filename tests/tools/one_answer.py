@@ -20,6 +20,8 @@ SECONDS = 300
 WORDING = {'delaunay="flips_and_splits"': "--delaunay=split-boundary",
            'delaunay="flips"': "--delaunay", 'star="automatic"': "--star automatic",
            'side="primal"': "--side primal", "polydec.meshes.peeled(mesh)": "--peel",
+           "polydec.meshes.weld(mesh)": "--weld",
+           "polydec.meshes.join_hanging(mesh)": "--join-hanging",
            "polydec.set_memory_limit": "--max-memory"}
 IN_UNITS_OF_THE_FILE = ("spectrum", "poisson", "distance", "heat")
 # errors of Python, and how the command ends
