@@ -71,16 +71,19 @@ TEST_P(Orders, are_two_on_both_sides) {
     EXPECT_NEAR(order(GetParam(), Side::dual), 2.0, 0.1);
 }
 
-TEST_P(Orders, are_not_two_for_another_right_hand_side) {
-    EXPECT_LT(std::abs(order(GetParam(), Side::primal, 1)), 1.0);
+constexpr auto essential = BoundaryCondition::essential, natural = BoundaryCondition::natural;
+
+Family kuhn3() {
+    return {"kuhn3", [](int N) { return kuhn(3, N); }, essential, 8, 16, 8, 16};
 }
 
-constexpr auto essential = BoundaryCondition::essential, natural = BoundaryCondition::natural;
+TEST(OrdersBroken, are_not_two_for_another_right_hand_side) {
+    EXPECT_LT(std::abs(order(kuhn3(), Side::primal, 1)), 1.0);
+}
 
 INSTANTIATE_TEST_SUITE_P(
     Lattices, Orders,
-    testing::Values(Family{"kuhn3", [](int N) { return kuhn(3, N); }, essential, 8, 16, 8, 16},
-                    Family{"bcc", [](int N) { return bcc(N); }, essential, 6, 12, 8, 12},
+    testing::Values(kuhn3(), Family{"bcc", [](int N) { return bcc(N); }, essential, 6, 12, 8, 12},
                     Family{"fcc", [](int N) { return fcc(N); }, essential, 4, 8, 8, 12},
                     Family{"split_cubes",
                            [](int N) {
