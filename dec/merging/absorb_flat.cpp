@@ -181,7 +181,8 @@ std::vector<Index> Absorption::in_order_of_size() const {
         parts[together.find(root).element].push_back(root);
     }
     std::vector<Index> result;
-    for (const auto& [first, roots] : parts) {
+    for (const auto& part : parts) {
+        const std::vector<Index>& roots = part.second;
         std::vector<double> volumes, radii;
         for (const Index root : roots) {
             volumes.push_back(volume[root]);
