@@ -16,8 +16,7 @@ DenseMatrix in_own_plane(const Corners& corners) {
         edges.row(i) =
             corners.points.row(corners.vertices[i + 1]) - corners.points.row(corners.vertices[0]);
     DenseMatrix result = DenseMatrix::Zero(n + 1, n);
-    const DenseMatrix upper = Eigen::HouseholderQR<DenseMatrix>(edges.transpose()).matrixQR();
-    result.bottomRows(n) = DenseMatrix(upper.topRows(n).triangularView<Eigen::Upper>()).transpose();
+    result.bottomRows(n) = triangular_factor(edges.transpose()).transpose();
     return result;
 }
 
@@ -36,11 +35,8 @@ DenseMatrix basis_at(const DenseMatrix& facet, const Eigen::RowVectorXd& beside)
         basis.row(i - 1) = facet.row(i) - facet.row(0);
     const DenseMatrix edges = basis.topRows(n - 1);
     Eigen::RowVectorXd normal = beside - facet.row(0);
-    if (n > 1) {
-        const Vector along =
-            edges.transpose().completeOrthogonalDecomposition().solve(normal.transpose());
-        normal -= along.transpose() * edges;
-    }
+    if (n > 1)
+        normal -= least_squares(edges.transpose(), normal.transpose()).shortest.transpose() * edges;
     const double length = normal.norm();
     basis.row(n - 1) = length > 0 ? Eigen::RowVectorXd(normal / length) : 0 * normal;
     return basis;
@@ -99,7 +95,7 @@ private:
         DenseMatrix basis = basis_at(facet, here.row(i));
         basis.row(n_ - 1) *= -1; // on the other side
         const DenseMatrix turn =
-            basis_at(own_facet, own.row(omitted)).completeOrthogonalDecomposition().solve(basis);
+            least_squares(basis_at(own_facet, own.row(omitted)), basis).shortest;
         DenseMatrix moved = (own.rowwise() - own_facet.row(0)) * turn;
         moved.rowwise() += facet.row(0);
         place(other, moved);

@@ -21,7 +21,7 @@ DenseMatrix inverse(const DenseMatrix& tensor, int n, Index cell) {
     if (tensor.rows() == n && tensor.cols() == n && tensor.allFinite() &&
         (tensor - tensor.transpose()).norm() <= 1e-12 * tensor.norm())
         if (const Eigen::LLT<DenseMatrix> factors(tensor); factors.info() == Eigen::Success)
-            return factors.solve(DenseMatrix::Identity(n, n));
+            return pseudo_inverse(tensor);
     throw InvalidInput(fmt::format("the conductivity of {1}-cell {2} is a {3} x {4} matrix: "
                                    "expected a symmetric positive definite one of {0} x {0}",
                                    n, n, cell, tensor.rows(), tensor.cols()),

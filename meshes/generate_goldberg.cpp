@@ -88,9 +88,8 @@ Flatness flatness(const Points& corners, const std::vector<Face>& faces, Index c
         for (Index c = 0; c < face.size; ++c)
             X.row(c) = corners.row(face.corners[c]);
         const Vector ones = Vector::Ones(face.size);
-        const Eigen::HouseholderQR<DenseMatrix> qr(X);
-        const Eigen::Vector3d m = qr.solve(ones);
-        const PerCorner Q = qr.householderQ() * PerCorner::Identity(face.size, 3);
+        const Eigen::Vector3d m = least_squares(X, ones).shortest;
+        const PerCorner Q = orthonormal_columns(X);
         const PerCorner& B = modes[face.size - 5];
         const PerCorner RB = B - Q * (Q.transpose() * B);
 

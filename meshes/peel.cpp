@@ -26,7 +26,7 @@ double parallelepiped(const Points& points, const std::vector<Index>& corners) {
     DenseMatrix edges(points.cols(), k);
     for (Eigen::Index i = 0; i < k; ++i)
         edges.col(i) = (points.row(corners[i + 1]) - points.row(corners[0])).transpose();
-    return std::abs(edges.colPivHouseholderQr().matrixQR().diagonal().prod());
+    return std::abs(triangular_factor(edges).diagonal().prod());
 }
 
 class Peeling {

@@ -86,7 +86,7 @@ DenseMatrix coexact_modes(const SparseMatrix& d, const SparseMatrix& upper_star,
                           const DenseMatrix& modes, double eigenvalue) {
     const DenseMatrix curls = d * modes;
     const DenseMatrix energies = curls.transpose() * (upper_star * curls);
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen(energies / eigenvalue);
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen(DenseMatrix(energies / eigenvalue));
     const auto exact = static_cast<Index>((eigen.eigenvalues().array() < 0.5).count());
     return modes * eigen.eigenvectors().rightCols(modes.cols() - exact);
 }

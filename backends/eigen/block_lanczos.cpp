@@ -101,7 +101,8 @@ void Iteration::expand() {
 }
 
 Iteration::Ritz Iteration::ritz() const {
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(projected_.topLeftCorner(done_, done_));
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(
+        DenseMatrix(projected_.topLeftCorner(done_, done_)));
     if (solver.info() != Eigen::Success)
         throw SolverFailure("block-lanczos: the projected eigenproblem did not converge",
                             SolveReport::failed("block-lanczos"));

@@ -3,9 +3,9 @@
 #include "backends/linear/iterative_solver.h"
 #include "backends/linear/petsc_options.h"
 #include "backends/linear/petsc_session.h"
+#include "base/decompositions.h"
 #include "base/errors.h"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,8 +63,7 @@ void set_kernel(const Session& session, Mat matrix, const DenseMatrix& kernel) {
     DenseMatrix basis(kernel.rows(), kernel.cols());
     for (Eigen::Index j = 0; j < kernel.cols(); ++j)
         basis.col(j) = kernel.col(j).stableNormalized();
-    basis = Eigen::HouseholderQR<DenseMatrix>(basis).householderQ() *
-            DenseMatrix::Identity(basis.rows(), basis.cols());
+    basis = orthonormal_columns(basis);
 
     std::vector<PetscVector> columns(static_cast<std::size_t>(basis.cols()));
     std::vector<Vec> handles;

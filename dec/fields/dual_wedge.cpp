@@ -90,8 +90,7 @@ struct Chart {
         DenseMatrix edges(points.cols(), n);
         for (int i = 0; i < n; ++i)
             edges.col(i) = points.row(row[i + 1]) - points.row(row[0]);
-        const Eigen::HouseholderQR<DenseMatrix> qr(edges);
-        const DenseMatrix R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+        const DenseMatrix R = triangular_factor(edges);
         corners = DenseMatrix::Zero(n + 1, n);
         corners.bottomRows(n) = R.transpose();
 

@@ -157,8 +157,9 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
         }
 
         const DenseMatrix T = mean_tangents(mesh, cell);
-        Eigen::FullPivLU<DenseMatrix> solver(T.transpose() * M * T);
-        if (!solver.setThreshold(rank_tolerance).isInvertible())
+        const Eigen::SelfAdjointEigenSolver<DenseMatrix> parts(DenseMatrix(T.transpose() * M * T));
+        const Vector& sizes = parts.eigenvalues();
+        if (!(sizes.cwiseAbs().minCoeff() > rank_tolerance * sizes.cwiseAbs().maxCoeff()))
             throw InvalidInput(
                 fmt::format("the vector at merged cell {} (vertices {}) is not determined by its "
                             "edges, whose weights cancel: move its vertices",
@@ -166,7 +167,8 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
                 {.degree = mesh.dimension(),
                  .cells = {cell},
                  .vertices = cell_vertices(mesh, mesh.dimension(), cell)});
-        result.row(cell) = T * solver.solve(T.transpose() * right_side);
+        const DenseMatrix axes = T * parts.eigenvectors();
+        result.row(cell) = axes * (axes.transpose() * right_side).cwiseQuotient(sizes);
     }
     return result;
 }

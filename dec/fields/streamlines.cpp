@@ -4,8 +4,8 @@
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/glued_box.h"
+#include "dec/metric/simplex_geometry.h"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -133,15 +133,11 @@ void Tracer::find_rates(const DenseMatrix& vectors) {
     at_vertices.array().colwise() /= weights.array();
     slowest_ = 1e-6 * at_vertices.rowwise().norm().maxCoeff();
     for (Index t = 0; t < pieces_.size(n_); ++t) {
-        DenseMatrix edges(n_, points.cols()), corners(n_ + 1, points.cols());
+        DenseMatrix corners(n_ + 1, points.cols());
         for (int i = 0; i <= n_; ++i)
             corners.row(i) = at_vertices.row(simplices(t, i));
-        for (int i = 0; i < n_; ++i)
-            edges.row(i) = points.row(simplices(t, i + 1)) - points.row(simplices(t, 0));
-        DenseMatrix gradients(n_ + 1, points.cols());
-        gradients.bottomRows(n_) = (edges * edges.transpose()).ldlt().solve(edges);
-        gradients.row(0) = -gradients.bottomRows(n_).colwise().sum();
-        rates_.push_back(gradients * corners.transpose());
+        rates_.push_back(barycentric_gradients(points, vertices(simplices, t)) *
+                         corners.transpose());
     }
 }
 

@@ -263,7 +263,7 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
     if (D.cols() == 0)
         return x;
     const DenseMatrix energy = D.transpose() * W * D;
-    x -= D * energy.completeOrthogonalDecomposition().solve(D.transpose() * force);
+    x -= D * least_squares(energy, D.transpose() * force).shortest;
     return x;
 }
 
@@ -312,12 +312,9 @@ void Lift::equate_densities(int m, Index F, const std::vector<Index>& cells, Den
     }
     // flat pieces upon each other say the same but for their height
     constexpr double height = 1e-2;
-    Eigen::CompleteOrthogonalDecomposition<DenseMatrix> solver;
-    solver.setThreshold(height);
-    solver.compute(A * D);
-    x += D * solver.solve(b - A * x);
-    const DenseMatrix basis = DenseMatrix(solver.matrixZ().transpose());
-    D = D * (solver.colsPermutation() * basis.rightCols(D.cols() - solver.rank()));
+    const auto [shortest, kernel] = least_squares(A * D, b - A * x, height);
+    x += D * shortest;
+    D = D * kernel;
 }
 
 } // namespace

@@ -22,13 +22,12 @@ DenseMatrix normals(const Corners& corners) {
             corners.points.row(corners.vertices[j + 1]) - corners.points.row(corners.vertices[0]);
     const Vector lengths = edges.rowwise().norm();
     edges = lengths.cwiseInverse().asDiagonal() * edges; // so that no scale matters
-    const Eigen::CompleteOrthogonalDecomposition<DenseMatrix> factors(edges);
     const double rounding = 64 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
-    if (std::abs(factors.matrixQTZ().diagonal().prod()) <= rounding)
+    if (std::abs(triangular_factor(edges.transpose()).diagonal().prod()) <= rounding)
         return {};
     DenseMatrix result(n + 1, edges.cols());
     result.bottomRows(n) = (lengths.minCoeff() * lengths.cwiseInverse()).asDiagonal() *
-                           DenseMatrix(factors.pseudoInverse().transpose());
+                           pseudo_inverse(edges).transpose();
     result.row(0) = -result.bottomRows(n).colwise().sum();
     result.rowwise().normalize();
     return result;

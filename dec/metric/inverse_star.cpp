@@ -20,8 +20,7 @@ InverseStar::InverseStar(int N, int m, int j)
 void InverseStar::look_at(const DenseMatrix& corners, int orientation) {
     corners_ = corners;
     const DenseMatrix edges = corners.bottomRows(m_).rowwise() - corners.row(0);
-    const Eigen::HouseholderQR<DenseMatrix> qr(edges.transpose());
-    frame_ = qr.householderQ() * DenseMatrix::Identity(corners.cols(), m_);
+    frame_ = orthonormal_columns(edges.transpose());
     const double determinant = (edges * frame_).determinant();
     volume_ = std::abs(determinant) / std::tgamma(m_ + 1.0);
 

@@ -50,7 +50,7 @@ DenseMatrix barycentric_gradients(const Points& points, std::span<const Index> v
         edges.row(i) = points.row(vertices[i + 1]) - points.row(vertices[0]);
     // the gradients of all but the first are dual to the edges, and all sum to zero
     DenseMatrix gradients(m + 1, points.cols());
-    gradients.bottomRows(m) = edges.completeOrthogonalDecomposition().pseudoInverse().transpose();
+    gradients.bottomRows(m) = pseudo_inverse(edges).transpose();
     gradients.row(0) = -gradients.bottomRows(m).colwise().sum();
     return gradients;
 }

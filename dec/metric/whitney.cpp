@@ -28,11 +28,10 @@ public:
     DenseMatrix operator()(const Points& points, std::span<const Index> vertices) const {
         // in coordinates of the simplex's own space; those of all but one vertex span the dual
         // lattice of the edges
-        const DenseMatrix given = barycentric_gradients(points, vertices).transpose();
-        const Eigen::HouseholderQR<DenseMatrix> qr(given.rightCols(m_));
-        const DenseMatrix gradients = (qr.householderQ().adjoint() * given).topRows(m_).transpose();
-        const double volume =
-            1 / (std::abs(qr.matrixQR().diagonal().prod()) * std::tgamma(m_ + 1.0));
+        const DenseMatrix given = barycentric_gradients(points, vertices);
+        const DenseMatrix gradients = given * orthonormal_columns(given.bottomRows(m_).transpose());
+        const double volume = // those of all but one vertex are triangular in these axes
+            1 / (std::abs(gradients.bottomRows(m_).diagonal().prod()) * std::tgamma(m_ + 1.0));
         const auto size = static_cast<Index>(faces_.size());
         DenseMatrix mass = DenseMatrix::Zero(size, size);
         DenseMatrix sum = DenseMatrix::Zero(size, wedge_.size());
