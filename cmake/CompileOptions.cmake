@@ -7,10 +7,10 @@ function(polydec_compile_options target)
     endif()
 endfunction()
 
-# Compiles the files of each folder together, which takes half the time: what they read is read
-# once. Their anonymous namespaces become one, so that names there differ within a folder.
-function(polydec_compile_by_folder target)
-    if(NOT POLYDEC_COMPILE_BY_FOLDER)
+# Compiles the files of each module together, which takes half the time: what they read is read and
+# instantiated once. Their anonymous namespaces become one, so that names there differ in a module.
+function(polydec_compile_by_module target)
+    if(NOT POLYDEC_COMPILE_BY_MODULE)
         return()
     endif()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
@@ -21,10 +21,9 @@ function(polydec_compile_by_folder target)
     list(FILTER sources INCLUDE REGEX "\\.cpp$")
     foreach(source IN LISTS sources)
         cmake_path(ABSOLUTE_PATH source NORMALIZE)
-        cmake_path(GET source PARENT_PATH folder)
-        file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
-        string(MAKE_C_IDENTIFIER ${folder} group)
+        file(RELATIVE_PATH module ${PROJECT_SOURCE_DIR} ${source})
+        string(REGEX REPLACE "/.*" "" module ${module})
         set_source_files_properties(${source} TARGET_DIRECTORY ${target}
-            PROPERTIES UNITY_GROUP ${group})
+            PROPERTIES UNITY_GROUP ${module})
     endforeach()
 endfunction()

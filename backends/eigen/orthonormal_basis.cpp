@@ -18,7 +18,7 @@ namespace {
 constexpr double kept_enough = 0.5;
 
 // Of a unit vector that loses this much in a projection only rounding is left.
-constexpr double rounding = 1e-13;
+constexpr double only_rounding = 1e-13;
 
 // Noise in a space that is nearly used up loses digits in every pass.
 constexpr int most_passes = 8;
@@ -51,7 +51,7 @@ DenseMatrix OrthonormalBasis::append(DenseMatrix& W, double floor) {
     for (int pass = 0; pass < most_passes; ++pass) {
         const DenseMatrix part = transposed_product(basis, W);
         add_product(-1, basis, part, 1, W);
-        const DenseMatrix left = orthonormalize(W, rounding);
+        const DenseMatrix left = orthonormalize(W, only_rounding);
         R = left * R;
         if (left.diagonal().size() == 0 || left.diagonal().minCoeff() > kept_enough)
             break;
@@ -109,7 +109,7 @@ DenseMatrix OrthonormalBasis::orthonormalize_one_by_one(DenseMatrix& W, double f
             R.col(j).head(j) += part;
         }
         const double left = W.col(j).stableNorm();
-        if (left > std::max(floor, rounding * length)) {
+        if (left > std::max(floor, only_rounding * length)) {
             W.col(j) /= left;
             R(j, j) = left;
         } else {

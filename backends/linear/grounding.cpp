@@ -15,7 +15,7 @@ namespace {
 constexpr double kernel_tolerance = 1e-8;
 
 // Column-pivoted QR tells dependent columns from independent ones whatever their scale.
-DenseMatrix orthonormal_columns(const DenseMatrix& basis) {
+DenseMatrix orthonormal_kernel(const DenseMatrix& basis) {
     DenseMatrix scaled = basis;
     for (Eigen::Index j = 0; j < scaled.cols(); ++j) {
         const double size = scaled.col(j).stableNorm();
@@ -60,7 +60,7 @@ void check_annihilated(const SparseMatrix& A, const DenseMatrix& basis) {
 
 Kernel::Kernel(const SparseMatrix& A, const DenseMatrix& basis) {
     check_basis(A, basis);
-    basis_ = orthonormal_columns(basis);
+    basis_ = orthonormal_kernel(basis);
     check_annihilated(A, basis_);
     choose_grounded_rows();
 }

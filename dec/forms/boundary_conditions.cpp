@@ -14,7 +14,7 @@ namespace polydec {
 
 namespace {
 
-void check_number(const CellComplex& complex, const BoundaryConditions& conditions) {
+void check_facets(const CellComplex& complex, const BoundaryConditions& conditions) {
     const int n = complex.dimension();
     if (!conditions.facets.empty() &&
         static_cast<Index>(conditions.facets.size()) != complex.size(n - 1))
@@ -60,7 +60,7 @@ BoundaryConditions exchanged(BoundaryConditions conditions) {
 }
 
 Vector robin_coefficients(const CellComplex& complex, const BoundaryConditions& conditions) {
-    check_number(complex, conditions);
+    check_facets(complex, conditions);
     const int n = complex.dimension();
     const std::vector<double>& given = conditions.coefficients;
     Vector result = Vector::Zero(complex.size(n - 1));
@@ -85,7 +85,7 @@ Vector robin_coefficients(const CellComplex& complex, const BoundaryConditions& 
 
 void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditions,
                   const char* what) {
-    check_number(complex, conditions);
+    check_facets(complex, conditions);
     const int n = complex.dimension();
     for (Index f = 0; f < complex.size(n - 1); ++f)
         if (complex.coface_counts(n - 1)[f] == 1 && conditions.at(f) == BoundaryCondition::robin)
@@ -98,7 +98,7 @@ void refuse_robin(const CellComplex& complex, const BoundaryConditions& conditio
 
 std::string in_words(const BoundaryConditions& conditions, const CellComplex& complex, int degree,
                      const BoundaryData& data) {
-    check_number(complex, conditions);
+    check_facets(complex, conditions);
     const int n = complex.dimension();
     std::int64_t facets = 0, essential = 0, robin = 0;
     const auto& marks = conditions.fixed_vertices;
@@ -173,7 +173,7 @@ BoundaryConditions robin_elsewhere(BoundaryConditions conditions, double coeffic
 }
 
 CellMarks essential_cells(const CellComplex& complex, const BoundaryConditions& conditions) {
-    check_number(complex, conditions);
+    check_facets(complex, conditions);
     if (!conditions.fixed_vertices.empty())
         throw InvalidInput("values are given at vertices, which primal 0-forms alone can have: "
                            "give those of other forms on facets of the boundary");

@@ -16,7 +16,7 @@ namespace polydec {
 
 namespace {
 
-enum class Symmetry { general, symmetric, skew };
+enum class MatrixSymmetry { general, symmetric, skew };
 
 struct Entry {
     Index row;
@@ -39,7 +39,7 @@ std::size_t choice(Scanner& scanner, const std::vector<std::string_view>& words)
 }
 
 /// Reads the first line, in which every word stands as the format defines it.
-Symmetry read_banner(Scanner& scanner, std::string_view layout) {
+MatrixSymmetry read_banner(Scanner& scanner, std::string_view layout) {
     choice(scanner, {"%%MatrixMarket"});
     choice(scanner, {"matrix"});
     choice(scanner, {layout});
@@ -48,7 +48,7 @@ Symmetry read_banner(Scanner& scanner, std::string_view layout) {
                               ? choice(scanner, {"general"})
                               : choice(scanner, {"general", "symmetric", "skew-symmetric"});
     scanner.end_line("the first line");
-    return static_cast<Symmetry>(symmetry);
+    return static_cast<MatrixSymmetry>(symmetry);
 }
 
 /// The lines after the first, in which % begins a comment.
@@ -84,7 +84,7 @@ Index read_place(Scanner& scanner, Index size, std::string_view what) {
 }
 
 std::vector<Entry> read_entries(Scanner& scanner, Index rows, Index columns, Index count,
-                                Symmetry symmetry) {
+                                MatrixSymmetry symmetry) {
     std::vector<Entry> entries;
     entries.reserve(static_cast<std::size_t>(count));
     for (Index i = 0; i < count; ++i) {
@@ -93,8 +93,8 @@ std::vector<Entry> read_entries(Scanner& scanner, Index rows, Index columns, Ind
         const double value = read_value(scanner);
         scanner.end_line("an entry of row, column and value");
         entries.push_back({row, column, value});
-        if (symmetry != Symmetry::general && row != column)
-            entries.push_back({column, row, symmetry == Symmetry::skew ? -value : value});
+        if (symmetry != MatrixSymmetry::general && row != column)
+            entries.push_back({column, row, symmetry == MatrixSymmetry::skew ? -value : value});
     }
     return entries;
 }
@@ -164,7 +164,7 @@ SparseMatrix parse_matrix_market(const SourceFile& file) {
     const Index count = scanner.count("entries", 6);
     scanner.end_line("the line of sizes");
     check_rows(scanner, rows);
-    if (symmetry != Symmetry::general && rows != columns) {
+    if (symmetry != MatrixSymmetry::general && rows != columns) {
         scanner.fail(fmt::format("a symmetric matrix of {} rows and {} columns; expected as many "
                                  "rows as columns; correct the line",
                                  rows, columns));

@@ -92,7 +92,7 @@ private:
 };
 
 /// Triangles and polygons alike, for the formats of surfaces; or edges.
-struct Faces {
+struct SurfaceFaces {
     const Points& points;
     std::span<const Index> corners;
     std::size_t count;
@@ -107,7 +107,7 @@ struct Faces {
     }
 };
 
-void write_faces(Lines& lines, const Faces& faces) {
+void write_faces(Lines& lines, const SurfaceFaces& faces) {
     for (std::size_t face = 0; face < faces.count; ++face) {
         lines.number(faces[face].size());
         for (const Index corner : faces[face])
@@ -123,7 +123,7 @@ void write_vertices(Lines& lines, const Points& points) {
     }
 }
 
-void write_off(const Path& path, const Faces& faces) {
+void write_off(const Path& path, const SurfaceFaces& faces) {
     Lines lines(path);
     lines.text(fmt::format("OFF\n{} {} 0\n", faces.points.rows(), faces.count));
     write_vertices(lines, faces.points);
@@ -131,7 +131,7 @@ void write_off(const Path& path, const Faces& faces) {
     lines.commit();
 }
 
-void write_obj(const Path& path, const Faces& faces) {
+void write_obj(const Path& path, const SurfaceFaces& faces) {
     Lines lines(path);
     for (Eigen::Index vertex = 0; vertex < faces.points.rows(); ++vertex) {
         lines.word("v");
@@ -147,7 +147,7 @@ void write_obj(const Path& path, const Faces& faces) {
     lines.commit();
 }
 
-void write_ply(const Path& path, const Faces& faces) {
+void write_ply(const Path& path, const SurfaceFaces& faces) {
     std::size_t most_corners = 3;
     for (std::size_t face = 0; face < faces.count; ++face)
         most_corners = std::max(most_corners, faces[face].size());
@@ -188,7 +188,7 @@ float to_float(const Path& path, double value, Index vertex) {
     return static_cast<float>(value);
 }
 
-void write_stl(const Path& path, const Faces& faces) {
+void write_stl(const Path& path, const SurfaceFaces& faces) {
     AtomicFile file(path);
     std::string bytes = "binary STL";
     bytes.resize(80, ' ');
@@ -262,7 +262,7 @@ void write_medit(const Path& path, const Mesh& mesh) {
     lines.commit();
 }
 
-void write_surface(const Path& path, const std::string& extension, const Faces& faces) {
+void write_surface(const Path& path, const std::string& extension, const SurfaceFaces& faces) {
     if (extension == ".off")
         write_off(path, faces);
     else if (extension == ".obj")

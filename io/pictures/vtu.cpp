@@ -23,7 +23,7 @@ namespace polydec {
 
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& text) {
+[[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& text) {
     throw InvalidInput(fmt::format("cannot write {}: {}", path.string(), text), {.path = path});
 }
 
@@ -75,19 +75,22 @@ public:
 private:
     void check_points() const {
         if (grid_.points.cols() > 3) {
-            refuse(path_, fmt::format("VTU holds points of R^3, not of R^{}; project them before",
-                                      grid_.points.cols()));
+            refuse_file(path_,
+                        fmt::format("VTU holds points of R^3, not of R^{}; project them before",
+                                    grid_.points.cols()));
         }
         for (Eigen::Index point = 0; point < grid_.points.rows(); ++point) {
             if (!grid_.points.row(point).allFinite()) {
-                refuse(path_, fmt::format("point {} has a coordinate that is NaN or infinite; find "
-                                          "out what made it so",
-                                          point));
+                refuse_file(path_,
+                            fmt::format("point {} has a coordinate that is NaN or infinite; find "
+                                        "out what made it so",
+                                        point));
             }
             if (!(grid_.points.row(point).array().abs() <= largest_).all())
-                refuse(path_, fmt::format("point {} has a coordinate that Float32 cannot hold; "
-                                          "write Float64",
-                                          point));
+                refuse_file(path_,
+                            fmt::format("point {} has a coordinate that Float32 cannot hold; "
+                                        "write Float64",
+                                        point));
         }
     }
 
@@ -96,8 +99,9 @@ private:
         const bool same = grid_.offsets.size() == cells && grid_.face_offsets.size() == cells;
         const auto last = grid_.offsets.empty() ? 0 : grid_.offsets.back();
         if (!same || last != static_cast<std::int64_t>(grid_.corners.size())) {
-            refuse(path_, "types, offsets and corners of the cells do not belong together; append "
-                          "cells with add_cell and add_polyhedron");
+            refuse_file(path_,
+                        "types, offsets and corners of the cells do not belong together; append "
+                        "cells with add_cell and add_polyhedron");
         }
     }
 
@@ -105,19 +109,20 @@ private:
         const auto end = grid_.offsets[cell];
         const auto all = static_cast<std::int64_t>(grid_.corners.size());
         if (end < begin || end > all || !corners_fit(grid_.types[cell], end - begin)) {
-            refuse(path_,
-                   fmt::format("cell {} of VTK's type {} has {} corners; give it the corners "
-                               "of its type",
-                               cell, static_cast<int>(grid_.types[cell]), end - begin));
+            refuse_file(path_,
+                        fmt::format("cell {} of VTK's type {} has {} corners; give it the corners "
+                                    "of its type",
+                                    cell, static_cast<int>(grid_.types[cell]), end - begin));
         }
         for (auto i = begin; i < end; ++i)
             check_corner(cell, grid_.corners[static_cast<std::size_t>(i)]);
 
         const bool has_faces = grid_.face_offsets[cell] >= 0;
         if (has_faces != (grid_.types[cell] == VtuCell::polyhedron)) {
-            refuse(path_, fmt::format("cell {}: polyhedra, and they alone, have faces; append it "
-                                      "with add_cell or add_polyhedron",
-                                      cell));
+            refuse_file(path_,
+                        fmt::format("cell {}: polyhedra, and they alone, have faces; append it "
+                                    "with add_cell or add_polyhedron",
+                                    cell));
         }
         if (has_faces)
             check_faces(cell, faces_begin);
@@ -125,8 +130,8 @@ private:
 
     void check_corner(std::size_t cell, Index corner) const {
         if (corner < 0 || corner >= grid_.points.rows()) {
-            refuse(path_, fmt::format("cell {} has the point {}; expected 0 to {}", cell, corner,
-                                      grid_.points.rows() - 1));
+            refuse_file(path_, fmt::format("cell {} has the point {}; expected 0 to {}", cell,
+                                           corner, grid_.points.rows() - 1));
         }
     }
 
@@ -144,9 +149,10 @@ private:
             next += fits ? 1 + std::int64_t{corners} : 0;
         }
         if (!fits || next != end) {
-            refuse(path_, fmt::format("the faces of polyhedron {} do not fit together; append it "
-                                      "with add_polyhedron, with at least 3 corners a face",
-                                      cell));
+            refuse_file(path_,
+                        fmt::format("the faces of polyhedron {} do not fit together; append it "
+                                    "with add_polyhedron, with at least 3 corners a face",
+                                    cell));
         }
     }
 
@@ -162,9 +168,10 @@ private:
             const bool control = std::any_of(array.name.begin(), array.name.end(),
                                              [](char c) { return c >= 0 && c < ' '; });
             if (array.name.empty() || control || !names.insert(array.name).second) {
-                refuse(path_, fmt::format("the name '{}' of an array of {} is empty, not printable "
-                                          "or there twice; choose another",
-                                          control ? "?" : array.name, plural));
+                refuse_file(path_,
+                            fmt::format("the name '{}' of an array of {} is empty, not printable "
+                                        "or there twice; choose another",
+                                        control ? "?" : array.name, plural));
             }
             check_array(array, count, plural);
             check_numbers(array, count ? largest_ : std::numeric_limits<double>::max(), plural);
@@ -177,12 +184,13 @@ private:
         const auto components = static_cast<std::size_t>(array.components);
         if ((components != 1 && components != 3) ||
             size != count.value_or(size / components) * components) {
-            refuse(path_, fmt::format("the array '{}' has {} values of {} components; expected {}",
-                                      array.name, size, array.components,
-                                      count ? fmt::format("one entry of 1 or 3 components for each "
-                                                          "of {} {}",
-                                                          *count, plural)
-                                            : "entries of 1 or 3 components"));
+            refuse_file(path_,
+                        fmt::format("the array '{}' has {} values of {} components; expected {}",
+                                    array.name, size, array.components,
+                                    count ? fmt::format("one entry of 1 or 3 components for each "
+                                                        "of {} {}",
+                                                        *count, plural)
+                                          : "entries of 1 or 3 components"));
         }
     }
 
@@ -192,14 +200,15 @@ private:
             const double number = (*numbers)[i];
             const auto entry = i / static_cast<std::size_t>(array.components);
             if (!std::isfinite(number))
-                refuse(path_,
-                       fmt::format("the array '{}' of {} is NaN or infinite in entry {}; find "
-                                   "out what made it so",
-                                   array.name, plural, entry));
+                refuse_file(path_,
+                            fmt::format("the array '{}' of {} is NaN or infinite in entry {}; find "
+                                        "out what made it so",
+                                        array.name, plural, entry));
             if (!(std::abs(number) <= largest))
-                refuse(path_, fmt::format("the array '{}' of {} has {} in entry {}, which Float32 "
-                                          "cannot hold; write Float64",
-                                          array.name, plural, number, entry));
+                refuse_file(path_,
+                            fmt::format("the array '{}' of {} has {} in entry {}, which Float32 "
+                                        "cannot hold; write Float64",
+                                        array.name, plural, number, entry));
         }
     }
 
