@@ -7,7 +7,6 @@
 /// entry points are component_module.cpp, and the target to link, by component_linked.cpp.
 namespace polydec::component {
 
-void add_arkode(EngineRegistrar& registrar);
 void add_cholmod(EngineRegistrar& registrar);
 void add_cvode(EngineRegistrar& registrar);
 void add_mumps(EngineRegistrar& registrar);

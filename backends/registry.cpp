@@ -71,15 +71,11 @@ void add_missing(Registry& registry) {
     registry.eigen["slepc"] = {.info = {"slepc", EngineKind::eigen, false,
                                         "SLEPc's Krylov-Schur method", POLYDEC_SLEPC_FROM},
                                .component = "slepc"};
-    const auto integrator = [&](const char* from, const char* name, const char* description) {
-        registry.integrator[name] = {
-            .info = {name, EngineKind::integrator, false, description, from}};
-    };
-    integrator(POLYDEC_ARKODE_FROM, "arkode",
-               "SUNDIALS' ARKODE: Runge-Kutta methods of order 4, explicit, implicit or both");
-    integrator(POLYDEC_CVODE_FROM, "cvode",
-               "SUNDIALS' CVODE: multistep methods of varying order, BDF where something is stiff, "
-               "else Adams");
+    registry.integrator["cvode"] = {
+        .info = {"cvode", EngineKind::integrator, false,
+                 "SUNDIALS' CVODE: multistep methods of varying order, BDF where something is "
+                 "stiff, else Adams",
+                 POLYDEC_CVODE_FROM}};
 }
 
 void add_builtin(Registry& registry) {

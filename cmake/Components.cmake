@@ -121,14 +121,12 @@ function(polydec_linked_component name needs header)
 endfunction()
 
 add_custom_target(polydec_modules ALL)
-polydec_component(arkode SUNDIALS SUNDIALS SUNDIALS::arkode libsundials-dev
-    SOURCES integrators/arkode.cpp integrators/sundials.cpp integrators/sundials.h)
 polydec_component(cholmod SuiteSparse CHOLMOD SuiteSparse::CHOLMOD libsuitesparse-dev
     HEADER linear/cholmod.h
     SOURCES linear/cholmod.cpp linear/engine_threads.h
     LIBRARIES ${CMAKE_DL_LIBS})
 polydec_component(cvode SUNDIALS SUNDIALS SUNDIALS::cvode libsundials-dev
-    SOURCES integrators/cvode.cpp integrators/sundials.cpp integrators/sundials.h
+    SOURCES integrators/cvode.cpp
     LIBRARIES SUNDIALS::sunnonlinsolfixedpoint)
 polydec_component(mumps "the sequential MUMPS" MUMPS MUMPS::MUMPS libmumps-seq-dev
     SOURCES linear/mumps.cpp linear/engine_threads.h # never linked with a program: it may have an MPI

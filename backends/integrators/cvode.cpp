@@ -1,88 +1,146 @@
 // SPDX-License-Identifier: MIT
 #include "backends/component.h"
-#include "backends/integrators/sundials.h"
+#include "backends/integrator.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cvode/cvode.h>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <new>
+#include <nvector/nvector_serial.h>
+#include <string>
+#include <sundials/sundials_context.h>
+#include <sundials/sundials_linearsolver.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+#include <type_traits>
+#include <utility>
 
 namespace polydec {
 
 namespace {
 
-struct FreeCvode {
-    void operator()(void* memory) const { CVodeFree(&memory); }
-};
-struct FreeIteration {
-    void operator()(SUNNonlinearSolver solver) const { SUNNonlinSolFree(solver); }
-};
+// Where gammas are equal but for rounding.
+constexpr double rounding = 1e-12;
 
-/// Solves for what is not stiff as well, with the derivative of the stiff part alone.
-class Cvode final : public SundialsIntegrator {
+// How far the gamma of a factorization may be off: Newton's method does the rest.
+constexpr double gamma_may_be_off = 0.2;
+
+constexpr int recoverable = 1, unrecoverable = -1;
+
+template <auto free_it>
+struct FreeBy {
+    template <typename Handle>
+    void operator()(Handle* handle) const {
+        free_it(handle);
+    }
+};
+template <typename Handle, auto free_it>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, FreeBy<free_it>>;
+void free_context(SUNContext context) {
+    SUNContext_Free(&context);
+}
+void free_memory(void* memory) {
+    CVodeFree(&memory);
+}
+
+Eigen::Map<Eigen::VectorXd> entries(N_Vector vector) {
+    return {N_VGetArrayPointer(vector), static_cast<Eigen::Index>(N_VGetLength(vector))};
+}
+
+SUNLinearSolver_Type matrix_embedded(SUNLinearSolver) {
+    return SUNLINEARSOLVER_MATRIX_EMBEDDED;
+}
+
+/// Our functions as those of CVODE, and its answers as ours; nothing of C++ is thrown through its
+/// code. Solves for what is not stiff as well, with the derivative of the stiff part alone.
+class Cvode final : public Integrator {
 public:
-    explicit Cvode(const IntegratorOptions& options) : SundialsIntegrator("cvode", options, 0.2) {}
+    explicit Cvode(const IntegratorOptions& options);
 
     IntegratorTraits traits() const override {
         return {.has_fixed_steps = false, .resumes_exactly = false};
     }
 
 protected:
-    void create() override;
-    void set_options();
-
-    int stop_at(double until) override {
-        // Steps that no longer change the time would be taken until most_steps are used up.
-        const double least = 4 * std::numeric_limits<double>::epsilon() *
-                             std::max(std::abs(time()), std::abs(until));
-        if (const int answer = CVodeSetMinStep(memory_.get(), least); answer != 0)
-            return answer;
-        return CVodeSetStopTime(memory_.get(), until);
-    }
-
-    int evolve(double until, double& reached) override {
-        return CVode(memory_.get(), until, vector(), &reached, CV_NORMAL);
-    }
-
-    Counts engine_counts() const override {
-        Counts result;
-        CVodeGetNumSteps(memory_.get(), &result.steps);
-        CVodeGetLastStep(memory_.get(), &result.last_step);
-        long failures = 0;
-        CVodeGetNumErrTestFails(memory_.get(), &result.rejected);
-        CVodeGetNumNonlinSolvConvFails(memory_.get(), &failures);
-        result.rejected += failures;
-        return result;
-    }
-
-    void current(double& time, double& gamma, N_Vector& state) const override {
-        CVodeGetCurrentTime(memory_.get(), &time);
-        CVodeGetCurrentGamma(memory_.get(), &gamma);
-        CVodeGetCurrentState(memory_.get(), &state);
-    }
+    void start(const Vector& memory) override;
+    Arrival march(double until) override;
 
 private:
-    std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, FreeIteration> iteration_;
-    std::unique_ptr<void, FreeCvode> memory_;
+    void create();
+    void set_options();
+    int stop_at(double until);
+    void count(double& last_step);
+
+    /// Throws what an answer below 0 says.
+    void require(int answer, const char* step);
+
+    static int call_rates(double time, N_Vector state, N_Vector result, void* self);
+    static int call_event(double time, N_Vector state, double* result, void* self);
+    static int call_weights(N_Vector state, N_Vector weights, void* self);
+    static int call_solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, double);
+    static void hear(int code, const char* module, const char* function, char* text, void* self);
+    Vector solve_with_current(const Vector& b);
+    int write(const Vector& values, N_Vector result);
+
+    template <typename Work>
+    static int guarded(void* self, Work work);
+
+    Owned<SUNContext, free_context> context_;
+    Owned<N_Vector, N_VDestroy> vector_; ///< of the state; CVODE's own copy is its own
+    Owned<SUNLinearSolver, SUNLinSolFreeEmpty> solver_;
+    Owned<SUNNonlinearSolver, SUNNonlinSolFree> iteration_;
+    std::unique_ptr<void, FreeBy<free_memory>> memory_;
+    double prepared_ = 0; ///< the gamma that can be solved with
+    double prepared_time_ = 0;
+    bool is_finite_ = true; ///< what CVODE was given last
+    std::string heard_;     ///< what it said last
+    std::exception_ptr thrown_;
 };
 
+Cvode::Cvode(const IntegratorOptions& options) : Integrator("cvode", options) {
+    SUNContext context = nullptr;
+    if (SUNContext_Create(nullptr, &context) != 0)
+        throw std::bad_alloc();
+    context_.reset(context);
+}
+
+void Cvode::start(const Vector& memory) {
+    if (memory.size() != 0)
+        throw InvalidInput(name() + ": cannot go on with a memory: expected none");
+    vector_.reset(N_VNew_Serial(state().size(), context_.get()));
+    solver_.reset(SUNLinSolNewEmpty(context_.get()));
+    if (!vector_ || !solver_)
+        throw std::bad_alloc();
+    entries(vector_.get()) = state();
+    solver_->content = this;
+    solver_->ops->gettype = matrix_embedded;
+    solver_->ops->solve = call_solve;
+    prepared_ = 0;
+    heard_.clear();
+    thrown_ = nullptr;
+    is_finite_ = true;
+    create();
+}
+
 void Cvode::create() {
-    memory_.reset(CVodeCreate(is_stiff() ? CV_BDF : CV_ADAMS, context()));
+    memory_.reset(CVodeCreate(is_stiff() ? CV_BDF : CV_ADAMS, context_.get()));
     if (!memory_)
         throw std::bad_alloc();
     void* const memory = memory_.get();
     CVodeSetErrHandlerFn(memory, hear, this);
-    require(CVodeInit(memory, call_all_rates, time(), vector()), "setting up");
+    require(CVodeInit(memory, call_rates, time(), vector_.get()), "setting up");
     require(CVodeSetUserData(memory, this), "setting up");
     require(CVodeWFtolerances(memory, call_weights), "setting the tolerances");
     set_options();
     if (is_stiff())
-        require(CVodeSetLinearSolver(memory, solver(), nullptr), "setting the solver");
+        require(CVodeSetLinearSolver(memory, solver_.get(), nullptr), "setting the solver");
     else {
-        iteration_.reset(SUNNonlinSol_FixedPoint(vector(), 0, context()));
+        iteration_.reset(SUNNonlinSol_FixedPoint(vector_.get(), 0, context_.get()));
         if (!iteration_)
             throw std::bad_alloc();
         require(CVodeSetNonlinearSolver(memory, iteration_.get()), "setting the iteration");
@@ -99,6 +157,125 @@ void Cvode::set_options() {
         require(CVodeSetInitStep(memory, options().first_step), "setting the options");
     if (options().largest_step > 0)
         require(CVodeSetMaxStep(memory, options().largest_step), "setting the options");
+}
+
+int Cvode::stop_at(double until) {
+    // Steps that no longer change the time would be taken until most_steps are used up.
+    const double least =
+        4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(time()), std::abs(until));
+    if (const int answer = CVodeSetMinStep(memory_.get(), least); answer != 0)
+        return answer;
+    return CVodeSetStopTime(memory_.get(), until);
+}
+
+void Cvode::count(double& last_step) {
+    long steps = 0, rejected = 0, failures = 0;
+    CVodeGetNumSteps(memory_.get(), &steps);
+    CVodeGetLastStep(memory_.get(), &last_step);
+    CVodeGetNumErrTestFails(memory_.get(), &rejected);
+    CVodeGetNumNonlinSolvConvFails(memory_.get(), &failures);
+    counts().steps = static_cast<Index>(steps);
+    counts().rejected = static_cast<Index>(rejected + failures);
+}
+
+Arrival Cvode::march(double until) {
+    require(stop_at(until), "setting the end");
+    double reached = time(), last_step = 0;
+    const int answer = CVode(memory_.get(), until, vector_.get(), &reached, CV_NORMAL);
+    count(last_step);
+    const bool at_event = answer == CV_ROOT_RETURN;
+    if (answer >= 0)
+        accept(at_event ? reached : until, entries(vector_.get()), last_step);
+    require(answer, "marching");
+    return at_event ? Arrival::at_event : Arrival::at_time;
+}
+
+void Cvode::require(int answer, const char* step) {
+    if (thrown_)
+        std::rethrow_exception(std::exchange(thrown_, nullptr));
+    if (answer >= 0)
+        return;
+    if ((answer == CV_CONV_FAILURE && !is_finite_) || answer == CV_RHSFUNC_FAIL ||
+        answer == CV_FIRST_RHSFUNC_ERR || answer == CV_REPTD_RHSFUNC_ERR)
+        fail_of_rate();
+    if (answer == CV_TOO_MUCH_WORK)
+        fail(fmt::format("{} steps do not suffice: allow more by most_steps or larger errors, or, "
+                         "if steps are short where the solution is smooth, make what is stiff the "
+                         "stiff part",
+                         options().most_steps));
+    fail(fmt::format("{}: {}", step, heard_.empty() ? fmt::format("error {}", answer) : heard_));
+}
+
+int Cvode::write(const Vector& values, N_Vector result) {
+    entries(result) = values;
+    is_finite_ = values.allFinite();
+    return is_finite_ ? 0 : recoverable;
+}
+
+template <typename Work>
+int Cvode::guarded(void* self, Work work) {
+    auto& integrator = *static_cast<Cvode*>(self);
+    try {
+        return work(integrator);
+    } catch (...) {
+        integrator.thrown_ = std::current_exception();
+        return unrecoverable;
+    }
+}
+
+int Cvode::call_rates(double time, N_Vector state, N_Vector result, void* self) {
+    return guarded(self, [&](Cvode& integrator) {
+        Vector sum = Vector::Zero(entries(state).size());
+        if (integrator.problem().rate)
+            sum += integrator.rate(time, entries(state));
+        if (integrator.is_stiff())
+            sum += integrator.stiff_rate(time, entries(state));
+        return integrator.write(sum, result);
+    });
+}
+
+int Cvode::call_event(double time, N_Vector state, double* result, void* self) {
+    return guarded(self, [&](Cvode& integrator) {
+        *result = integrator.event(time, entries(state));
+        return 0;
+    });
+}
+
+int Cvode::call_weights(N_Vector state, N_Vector weights, void* self) {
+    return guarded(self, [&](Cvode& integrator) {
+        entries(weights) = integrator.allowed(entries(state)).cwiseInverse();
+        return 0;
+    });
+}
+
+int Cvode::call_solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, double) {
+    return guarded(solver->content, [&](Cvode& integrator) {
+        return integrator.write(integrator.solve_with_current(entries(b)), x);
+    });
+}
+
+void Cvode::hear(int code, const char*, const char*, char* text, void* self) {
+    if (code < 0)
+        static_cast<Cvode*>(self)->heard_ = text;
+}
+
+Vector Cvode::solve_with_current(const Vector& b) {
+    double time = 0, gamma = 0;
+    N_Vector state = nullptr;
+    CVodeGetCurrentTime(memory_.get(), &time);
+    CVodeGetCurrentGamma(memory_.get(), &gamma);
+    CVodeGetCurrentState(memory_.get(), &state);
+    const bool is_affine = problem().stiff->linearity == Linearity::affine;
+    const bool is_elsewhere = !is_affine && time != prepared_time_;
+    if (is_elsewhere || !(std::abs(gamma / prepared_ - 1) <= gamma_may_be_off)) {
+        prepare(time, entries(state), gamma);
+        prepared_ = gamma;
+        prepared_time_ = time;
+    }
+    // a solution with another gamma is too long or too short for what decays fast
+    const double excess =
+        std::abs(gamma / prepared_ - 1) <= rounding ? 1 : 2 / (1 + gamma / prepared_);
+    return excess * solve(b);
 }
 
 } // namespace

@@ -56,7 +56,6 @@ TEST(registry, missing_engines_are_listed_with_how_to_get_them) {
           std::tuple{"petsc.cg-hypre", "petsc-dev", "POLYDEC_PETSC"},
           std::tuple{"petsc.cg-gamg", "petsc-dev", "POLYDEC_PETSC"},
           std::tuple{"slepc", "slepc-dev", "POLYDEC_SLEPC"},
-          std::tuple{"arkode", "libsundials-dev", "POLYDEC_ARKODE"},
           std::tuple{"cvode", "libsundials-dev", "POLYDEC_CVODE"}}) {
         const auto info = info_of(name);
         EXPECT_EQ(info.name, name);

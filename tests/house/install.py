@@ -52,7 +52,7 @@ def configure(options, consumer, prefix, binary, components, expect_success=True
 
 
 ENGINES = {"cholmod": "cholmod", "mumps": "mumps", "petsc": "petsc.cg-gamg", "slepc": "slepc",
-           "arkode": "arkode", "cvode": "cvode"}
+           "cvode": "cvode"}
 LINKED = {"": [], "cholmod": ["cholmod"], "petsc": ["petsc"], "slepc": ["slepc", "petsc"]}
 
 

@@ -22,7 +22,7 @@ MAX_LINES = 400
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"[a-z_]+[0-9]*$")
 ENGINE = re.compile(
-    r"Spectra/|suitesparse/|(sundials|arkode|cvode|nvector|sunnonlinsol)/"
+    r"Spectra/|suitesparse/|(sundials|cvode|nvector|sunnonlinsol)/"
     r"|(cholmod|umfpack|klu|amd|colamd|petsc|slepc|tetgen|mpi)\w*\.(h|hpp)$"
     r"|Eigen/(\w+Support|SparseCholesky|SparseLU|IterativeLinearSolvers)$")
 OVER_RANKS = re.compile(r"(petsc|slepc|mpi)\w*\.h$")
