@@ -9,15 +9,8 @@ function bytesOfBase64(text) {
     return bytes;
 }
 
-/** By the browser where it can, else by inflate.js. */
 async function inflated(bytes) {
-    let decompression;
-    try {
-        decompression = new DecompressionStream("deflate-raw");
-    } catch {
-        return inflate(bytes);
-    }
-    const stream = new Blob([bytes]).stream().pipeThrough(decompression);
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 

@@ -90,10 +90,6 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
         {"cell_centers after flips", 0, 2, [](int k) { cell_centers(sample("flipped").mesh, k); }},
         {"cell_vertices after flips", 0, 2,
          [](int k) { cell_vertices(sample("flipped").mesh, k, 0); }},
-        {"dual_parts, k", 0, n,
-         [=, &s, &mesh](int k) { dual_parts(s.K(), mesh.metric(), s.W(), k, n); }},
-        {"dual_parts, m", 0, n,
-         [=, &s, &mesh](int m) { dual_parts(s.K(), mesh.metric(), s.W(), 0, m); }},
         {"de_rham", 0, n, [=, &mesh](int k) { de_rham(mesh, k, constant(k, N)); }},
         {"dual_de_rham", 0, n, [=, &mesh](int j) { dual_de_rham(mesh, j, constant(j, N)); }},
         {"interior_product", 0, n + 1,
@@ -104,11 +100,6 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
          [=, &s](int k) { lie_derivative(s.K(), s.mesh.points(), field, k, Sampling::upwind); }},
         {"interior_product on cells", 0, n + 1,
          [=, &s](int k) { interior_product(s.mesh, field, k, Sampling::upwind); }},
-        {"whitney_mass", 0, n,
-         [=, &s, &mesh](int j) {
-             const auto corners = s.K().simplices(n);
-             whitney_mass(mesh.points(), {&corners(0, 0), std::size_t(n) + 1}, j);
-         }},
     };
 }
 

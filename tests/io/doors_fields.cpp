@@ -155,11 +155,6 @@ Questions of_fields(const Sample& s, int k) {
              return fit(combinations(s.pieces(), degree, places, in.points(s.pieces().size(0), 2)),
                         s.pieces().size(k), 2);
          }},
-        {"dual_parts",
-         [&s, k, n](Inputs& in) {
-             return fit(dual_parts(s.pieces(), s.mesh.metric(), s.piece_volumes(), in.degree(k), n),
-                        s.pieces().size(n), s.pieces().size(k));
-         }},
         {"dual volumes",
          [&s, k](Inputs&) {
              return fit(circumcentric_volumes(s.pieces(), s.mesh.metric()).dual(k),
@@ -210,16 +205,6 @@ Questions of_diagnoses(const Sample& s) {
          [&s, n](Inputs&) {
              return fit(std::ssize(spectrum_verdicts(s.V())) == n + 1 &&
                         std::ssize(spectrum_verdicts(s.mesh, Side::dual)) == n + 1);
-         }},
-        {"boundary_facets_without_dual",
-         [&s, n](Inputs&) {
-             return fit(std::ssize(boundary_facets_without_dual(s.P(), s.V())) == s.size(n - 1));
-         }},
-        {"find_overlaps",
-         [&s](Inputs& in) {
-             const auto found =
-                 find_overlaps(s.K(), in.points(s.K().size(0), s.mesh.input_points().cols()));
-             return fit(Index(found.folded.size()) <= s.K().size(s.n()));
          }},
         {"essential_where and in_words",
          [&s, n](Inputs& in) {

@@ -77,12 +77,6 @@ Questions of_makers(const Sample& s, int k) {
                  d[k].conservativeResize(d[k].rows(), in.vector(d[k].cols()).size());
              return fit(CellComplex(d).size(k) == s.K().size(k));
          }},
-        {"parts_of_duals",
-         [&s, k, n](Inputs& in) {
-             const auto parts =
-                 parts_of_duals(s.pieces(), s.mesh.metric(), s.piece_volumes(), in.degree(k), n);
-             return fit(parts.allFinite() && parts.rows() == s.pieces().size(n));
-         }},
         {"Pieces",
          [&s, k, n](Inputs& in) {
              const auto& K = s.pieces();
@@ -142,11 +136,6 @@ Questions of_makers(const Sample& s, int k) {
              return fit(chosen.galerkin_share() <= 1 &&
                         std::ssize(chosen.galerkin) == s.size(s.n()) &&
                         fit(chosen.stars[k].matrix(), s.size(k), s.size(k)).empty());
-         }},
-        {"check_positive_mass",
-         [&s, k](Inputs& in) {
-             check_positive_mass(star(s.V(), in.degree(k)), Side::primal, k);
-             return fit(star(s.V(), k).diagonal().minCoeff() > 0);
          }},
     };
 }
@@ -312,15 +301,6 @@ Questions of_engines(const Sample& s) {
          [size, stiffness](Inputs& in) {
              CertifiedEigensolver solver(stiffness(), in.vector(size).cwiseAbs());
              return fit(solver.smallest(1).vectors, size, 1);
-         }},
-        {"solve_matrix_free",
-         [size, stiffness](Inputs& in) {
-             SparseMatrix A = stiffness();
-             for (Index v = 0; v < size; ++v)
-                 A.coeffRef(v, v) += 1;
-             const SymmetricOperator op{size, [A](const Vector& x, Vector& y) { y = A * x; }};
-             const Vector b = in.vector(size);
-             return fit(solve_matrix_free(op, b, in.vector(size).cwiseAbs()), size);
          }},
     };
 }

@@ -148,7 +148,6 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
                 {"star", [&] { star(s.P(), other.V(), w); }},
                 {"inner_product", [&] { inner_product(s.P(), other.V(), w, w); }},
                 {"dual_to_merged", [&] { dual_to_merged(s.mesh.merging(), other.W(), k); }},
-                {"dual_parts", [&] { dual_parts(s.K(), s.mesh.metric(), other.W(), k, s.n()); }},
                 {"lift", [&] { commuting_lift(s.mesh.merging(), s.mesh.metric(), other.W()); }},
                 {"merge", [&] { merge_cospherical(s.K(), s.mesh.metric(), other.W()); }},
                 {"facet_kinds", [&] { facet_kinds(s.K(), s.mesh.metric(), other.W()); }},

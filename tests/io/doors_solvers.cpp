@@ -204,8 +204,6 @@ Questions of_pictures(const Sample& s, int k) {
              return fit(!draw_solid(faces).shapes.empty() && !painting_order(cells).empty() &&
                         !to_svg(draw_solid(cells)).empty());
          }},
-        {"estimate_size",
-         [&s, n](Inputs&) { return fit(estimate_size(n, s.K().size(n), s.K().size(0)).bytes()); }},
     };
 }
 
