@@ -79,9 +79,12 @@ class Base64Reader {
 public:
     explicit Base64Reader(std::string_view text) : text_(text) {}
 
+    /// How many bytes the rest of the text can hold at most.
+    std::size_t remaining() const { return waiting_.size() + text_.size(); }
+
     /// Appends the next bytes; false if the text ends before, or holds what is not base64.
     bool read(std::size_t bytes, std::string& result) {
-        if (bytes > waiting_.size() + text_.size())
+        if (bytes > remaining())
             return false;
         while (waiting_.size() < bytes)
             if (!read_group())

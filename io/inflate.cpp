@@ -8,9 +8,8 @@
 namespace polydec {
 
 std::optional<std::string> inflate(std::string_view stream, std::size_t size) {
-    constexpr std::size_t most_bytes_per_byte = 1032;
     constexpr std::size_t most = std::numeric_limits<uLong>::max();
-    if (size / most_bytes_per_byte > stream.size() || size > most || stream.size() > most)
+    if (size / most_inflated_per_byte > stream.size() || size > most || stream.size() > most)
         return std::nullopt;
     std::string result(size, '\0');
     uLongf written = size;

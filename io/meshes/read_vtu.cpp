@@ -43,6 +43,7 @@ private:
     }
 
     void read_piece(int piece) {
+        vtu_.check(piece);
         const auto before = static_cast<double>(arrays_.points.size() / 3);
         const auto points = vtu_.values(vtu_.points(piece));
         const VtuText& text = vtu_.cells("connectivity", piece);

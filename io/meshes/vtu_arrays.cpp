@@ -47,6 +47,9 @@ public:
     ByteSource(std::string_view text, bool is_raw, const Scanner& place)
         : raw_(text), base64_(text), is_raw_(is_raw), place_(place) {}
 
+    /// How many bytes follow, at most.
+    std::size_t remaining() const { return is_raw_ ? raw_.size() : base64_.remaining(); }
+
     std::string read(std::size_t bytes) {
         std::string result;
         bool fits = false;
@@ -76,13 +79,26 @@ private:
 class ArrayDecoder {
 public:
     ArrayDecoder(ByteSource source, const VtuEncoding& encoding, const Scanner& place)
-        : source_(source), encoding_(encoding), place_(place) {}
-
-    /// Asks `check` before it inflates to so many bytes.
-    template <typename Check>
-    std::string bytes(Check check) {
-        return encoding_.is_compressed ? compressed_bytes(check) : source_.read(header());
+        : source_(source), encoding_(encoding), place_(place) {
+        (encoding.is_compressed ? blocks_ : size_) = header();
+        if (blocks_ > 0) {
+            size_ = header();
+            last_size_ = header();
+        }
     }
+
+    /// How many bytes a compressed array has, by what stands in front of it.
+    double promised() const {
+        return (static_cast<double>(blocks_) - 1) * static_cast<double>(size_) +
+               static_cast<double>(last_size_ == 0 ? size_ : last_size_);
+    }
+
+    /// How many bytes the rest of the file can inflate to.
+    double capacity() const {
+        return most_inflated_per_byte * static_cast<double>(source_.remaining());
+    }
+
+    std::string bytes() { return encoding_.is_compressed ? inflated() : source_.read(size_); }
 
 private:
     std::size_t header() {
@@ -92,24 +108,15 @@ private:
                    : number_at<std::uint32_t>(number.data(), encoding_.order);
     }
 
-    /// In front: the number of blocks, the size of each, the size of the last if it is smaller,
-    /// and the compressed size of each.
-    template <typename Check>
-    std::string compressed_bytes(Check check) {
-        const auto blocks = header();
-        if (blocks == 0)
-            return {};
-        const auto size = header();
-        const auto last_size = header();
-        check(static_cast<double>(blocks - 1) * static_cast<double>(size) +
-              static_cast<double>(last_size == 0 ? size : last_size));
+    std::string inflated() {
         std::vector<std::size_t> sizes;
-        for (std::size_t block = 0; block < blocks; ++block)
+        for (std::size_t block = 0; block < blocks_; ++block)
             sizes.push_back(header());
         std::string result;
-        for (std::size_t block = 0; block < blocks; ++block) {
-            const bool is_smaller = block + 1 == blocks && last_size != 0;
-            const auto content = inflate(source_.read(sizes[block]), is_smaller ? last_size : size);
+        for (std::size_t block = 0; block < blocks_; ++block) {
+            const bool is_smaller = block + 1 == blocks_ && last_size_ != 0;
+            const auto content =
+                inflate(source_.read(sizes[block]), is_smaller ? last_size_ : size_);
             if (!content) {
                 place_.fail(fmt::format("block {} of a compressed array is damaged; expected a "
                                         "zlib stream of the size that is promised; export it "
@@ -124,6 +131,9 @@ private:
     ByteSource source_;
     const VtuEncoding& encoding_;
     const Scanner& place_;
+    // In front of a compressed array: the number of blocks, the size of each, the size of the last
+    // if it is smaller, and the compressed size of each. Of others it is their size.
+    std::size_t blocks_ = 0, size_ = 0, last_size_ = 0;
 };
 
 std::vector<double> values_from_text(Scanner scanner) {
@@ -146,20 +156,45 @@ std::size_t offset_of(const VtuText& array, std::size_t appended_bytes, const Sc
     return begin;
 }
 
-/// A small stream can inflate to a thousand times its size.
-void check_promise(const VtuText& array, double promised, double most, const Scanner& place) {
-    if (!(promised <= most)) {
-        place.fail(fmt::format("the compressed array {} promises {:.0f} bytes; expected at most "
-                               "{:.0f}, by the numbers of points, cells and corners of its piece; "
-                               "export it again",
-                               quote_word(array.name()), promised, most));
-    }
-}
-
 Scanner place_of(const VtuText& array, const SourceFile& file) {
     Scanner place(file.name, array.text);
     place.set_line(array.text_line);
     return place;
+}
+
+/// A small stream can inflate to a thousand times its size, and a small file tell of any numbers.
+void check_promise(const VtuText& array, const ArrayDecoder& decoder, std::size_t each,
+                   const Scanner& place) {
+    const double promised = decoder.promised();
+    if (array.numbers && promised != *array.numbers * static_cast<double>(each)) {
+        place.fail(fmt::format("the compressed array {} promises {:.0f} bytes; expected {:.0f}, by "
+                               "the numbers of points, cells and corners of its piece; export it "
+                               "again",
+                               quote_word(array.name()), promised,
+                               *array.numbers * static_cast<double>(each)));
+    }
+    if (promised > decoder.capacity()) {
+        place.fail(fmt::format("the compressed array {} promises {:.0f} bytes; expected at most "
+                               "{:.0f}, which the rest of the file can hold; export it again, it "
+                               "seems cut off",
+                               quote_word(array.name()), promised, decoder.capacity()));
+    }
+}
+
+/// The bytes of an array that is not text.
+ArrayDecoder decoder_of(const VtuText& array, const VtuEncoding& encoding, const Scanner& place) {
+    const auto format = array.tag.attribute("format", "ascii");
+    const bool is_appended = format == "appended";
+    if (!is_appended && format != "binary") {
+        place.fail(fmt::format("an array in the format {}; expected ascii, binary or appended; "
+                               "export it again",
+                               quote_word(format)));
+    }
+    const auto begin = is_appended ? offset_of(array, encoding.appended.size(), place) : 0;
+    return {{is_appended ? encoding.appended.substr(begin) : array.text,
+             is_appended && encoding.appended_is_raw, place},
+            encoding,
+            place};
 }
 
 } // namespace
@@ -198,30 +233,27 @@ std::optional<VtuPlace> vtu_place(const VtuText& array, std::size_t appended_byt
                     offset_of(array, appended_bytes, place)};
 }
 
-std::vector<double> vtu_values(const VtuText& array, double most, const VtuEncoding& encoding,
+double check_vtu_array(const VtuText& array, const VtuEncoding& encoding, const SourceFile& file) {
+    if (!encoding.is_compressed || array.tag.attribute("format", "ascii") == "ascii")
+        return 0;
+    const Scanner place = place_of(array, file);
+    const auto each = size_of(type_of(array.tag.attribute("type"), place));
+    const ArrayDecoder decoder = decoder_of(array, encoding, place);
+    check_promise(array, decoder, each, place);
+    return decoder.promised() *
+           (1 + static_cast<double>(sizeof(double)) / static_cast<double>(each));
+}
+
+std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding,
                                const SourceFile& file) {
     const Scanner place = place_of(array, file);
-    const auto format = array.tag.attribute("format", "ascii");
     const auto type = type_of(array.tag.attribute("type"), place);
-    if (format == "ascii")
+    if (array.tag.attribute("format", "ascii") == "ascii")
         return values_from_text(place);
-    const bool is_appended = format == "appended";
-    if (!is_appended && format != "binary") {
-        place.fail(fmt::format("an array in the format {}; expected ascii, binary or appended; "
-                               "export it again",
-                               quote_word(format)));
-    }
-    const ByteSource source(
-        is_appended ? encoding.appended.substr(offset_of(array, encoding.appended.size(), place))
-                    : array.text,
-        is_appended && encoding.appended_is_raw, place);
+    check_memory(check_vtu_array(array, encoding, file),
+                 fmt::format("{}: the array {}", file.name, quote_word(array.name())));
+    const auto bytes = decoder_of(array, encoding, place).bytes();
     const auto each = size_of(type);
-    const auto bytes = ArrayDecoder(source, encoding, place).bytes([&](double promised) {
-        check_promise(array, promised, most * static_cast<double>(each), place);
-        const double as_numbers = promised / static_cast<double>(each) * sizeof(double);
-        check_memory(promised + as_numbers,
-                     fmt::format("{}: the array {}", file.name, quote_word(array.name())));
-    });
     if (bytes.size() % each != 0) {
         place.fail(fmt::format("an array of {} bytes, of which each number takes {}; expected a "
                                "multiple; export it again",

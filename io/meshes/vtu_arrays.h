@@ -28,7 +28,7 @@ struct VtuText {
     XmlTag tag;
     std::string_view text;
     std::size_t text_line = 1;
-    double most = 0; ///< how many numbers its piece lets it have
+    std::optional<double> numbers = {}; ///< how many its piece says it has; lists have any
 
     std::string name() const { return tag.attribute("Name"); }
 };
@@ -47,10 +47,15 @@ struct VtuPlace {
 std::optional<VtuPlace> vtu_place(const VtuText& array, std::size_t appended_bytes,
                                   const SourceFile& file);
 
+/// About how many bytes of memory the array takes if it is compressed, by what stands in front of
+/// it; else 0, for it takes a small multiple of the file. Throws InvalidInput, naming the line of
+/// the array, if that is not what its piece says, or more than the file can hold.
+double check_vtu_array(const VtuText& array, const VtuEncoding& encoding, const SourceFile& file);
+
 /// The numbers of the array: from text, or from base64 or raw bytes, here or in AppendedData.
-/// Throws InvalidInput, naming the line of the array, if they are damaged, and, before it inflates
-/// anything, if they are compressed and more than `most`; IoError if memory does not suffice.
-std::vector<double> vtu_values(const VtuText& array, double most, const VtuEncoding& encoding,
+/// Throws InvalidInput, naming the line of the array, if they are damaged and, before it inflates
+/// anything, like check_vtu_array; IoError if memory does not suffice.
+std::vector<double> vtu_values(const VtuText& array, const VtuEncoding& encoding,
                                const SourceFile& file);
 
 } // namespace polydec

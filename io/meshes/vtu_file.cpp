@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/meshes/vtu_file.h"
 
+#include "base/memory.h"
 #include "io/scanner.h"
 
 #include <fmt/format.h>
@@ -108,9 +109,13 @@ void VtuFile::keep_array(XmlTag tag, const std::string& outer) {
     const bool has_text = !tag.closes;
     const auto line = tag.line;
     const bool is_of_points = outer == "Points" || outer == "PointData";
-    const double most = (is_of_points ? points_ : cells_) *
-                        count_in(tag, "NumberOfComponents", outer == "Points" ? "3" : "1");
-    arrays_.push_back({outer, VtuText{std::move(tag), {}, line, most}, piece});
+    const bool has_lists =
+        outer == "Cells" && name != "offsets" && name != "types" && name != "faceoffsets";
+    std::optional<double> numbers;
+    if (!has_lists)
+        numbers = (is_of_points ? points_ : cells_) *
+                  count_in(tag, "NumberOfComponents", outer == "Points" ? "3" : "1");
+    arrays_.push_back({outer, VtuText{std::move(tag), {}, line, numbers}, piece});
     is_array_open_ = has_text;
     array_depth_ = reader_.path().size();
 }
@@ -136,13 +141,22 @@ const VtuText* VtuFile::find(std::string_view section, std::string_view name, in
     return nullptr;
 }
 
+void VtuFile::check(int piece) const {
+    double bytes = 0;
+    for (const auto& [outer, array, own_piece] : arrays_)
+        if (own_piece == piece && (outer == "Points" || outer == "Cells"))
+            bytes += check_vtu_array(array, encoding_, file_);
+    check_memory(bytes, fmt::format("{}: points and cells of a piece", file_.name));
+}
+
 std::vector<double> VtuFile::values(const VtuText& array) const {
-    return vtu_values(array, array.most, encoding_, file_);
+    return vtu_values(array, encoding_, file_);
 }
 
 std::vector<double> VtuFile::lists(const VtuText& array, const std::vector<double>& ends) const {
-    const double most = ends.empty() ? 0.0 : *std::max_element(ends.begin(), ends.end());
-    return vtu_values(array, most, encoding_, file_);
+    VtuText ended = array;
+    ended.numbers = ends.empty() ? 0.0 : std::max(0.0, *std::max_element(ends.begin(), ends.end()));
+    return vtu_values(ended, encoding_, file_);
 }
 
 const VtuText& VtuFile::needed(const VtuText* array, const char* name) const {

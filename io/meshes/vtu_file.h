@@ -36,6 +36,10 @@ public:
     const VtuText& cells(const char* name, int piece = 0) const;
     const VtuText& points(int piece = 0) const;
 
+    /// Compares what all arrays of points and cells promise with what the piece says, with what the
+    /// file can hold and with memory, before any is read. Throws like vtu_values.
+    void check(int piece = 0) const;
+
     /// The numbers of an array with as many for each point, or each cell.
     std::vector<double> values(const VtuText& array) const;
 

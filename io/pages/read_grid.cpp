@@ -28,6 +28,7 @@ class GridReader {
 public:
     explicit GridReader(const SourceFile& source) : vtu_(source) {
         vtu_.require_one_piece();
+        vtu_.check();
         grid_.points = points_from(vtu_.values(vtu_.points()));
         const auto ends = vtu_.values(vtu_.cells("offsets"));
         ends_ = whole(ends);

@@ -309,7 +309,7 @@ TEST(VtuReading, DamagedArraysAreNamed) {
                      {"InvalidInput", "a.vtu:25", "block 0", "compressed", "zlib"}));
 }
 
-TEST(VtuReading, CompressedArraysInflateToNoMoreThanTheirPieceTells) {
+TEST(VtuReading, CompressedArraysInflateToWhatTheirPieceTells) {
     struct Array {
         const char* name;
         const char* found;
@@ -319,9 +319,10 @@ TEST(VtuReading, CompressedArraysInflateToNoMoreThanTheirPieceTells) {
         if (!variant.is_compressed)
             continue;
         for (const auto& [name, found, expected] :
-             {Array{"Points", "128 bytes", "most 120"},
-              Array{"connectivity", "96 bytes", "most 88"}, Array{"offsets", "16 bytes", "most 12"},
-              Array{"types", "4 bytes", "most 3"}, Array{"gmsh:physical", "8 bytes", "most 6"}}) {
+             {Array{"Points", "128 bytes", "expected 120"},
+              Array{"connectivity", "96 bytes", "expected 88"},
+              Array{"offsets", "16 bytes", "expected 12"}, Array{"types", "4 bytes", "expected 3"},
+              Array{"gmsh:physical", "8 bytes", "expected 6"}}) {
             variant.longer = name;
             EXPECT_TRUE(says(reading_error("a.vtu", grid(variant)),
                              {"InvalidInput", "a.vtu:", name, found, expected}));
@@ -337,10 +338,33 @@ TEST(VtuReading, NothingIsInflatedForAPromiseThatIsTooLarge) {
                                "NumberOfComponents=\"3\" format=\"binary\">\n",
                                "NumberOfComponents=\"3\" format=\"binary\">\n" + base64(header));
     EXPECT_TRUE(says(reading_error("a.vtu", text),
-                     {"InvalidInput", "a.vtu:", "Points", "2199023255552 bytes", "most 120"}));
+                     {"InvalidInput", "a.vtu:", "Points", "2199023255552 bytes", "expected 120"}));
     const auto spaced = replaced(grid({Place::in_line, std::endian::little, true, true}),
                                  "NumberOfPoints=\"5\"", "NumberOfPoints=\"   5\"");
     EXPECT_EQ(parse_mesh({"a.vtu", spaced}).points.rows(), 5);
+}
+
+TEST(VtuReading, ClaimsOfGiantPiecesAreRefusedBeforeAnythingIsInflated) {
+    const Variant variant{Place::in_line, std::endian::little, true, true};
+    const std::string giant = std::to_string(std::size_t{1} << 40U);
+    const auto points = "NumberOfComponents=\"3\" format=\"binary\">\n";
+    // a stream of points that is damaged behind its header, so that inflating it would be told
+    auto damaged = grid(variant);
+    damaged[damaged.find(points) + std::string(points).size() + 120] = '/';
+    EXPECT_TRUE(says(reading_error("a.vtu", damaged), {"InvalidInput", "a.vtu:", "block"}));
+    EXPECT_TRUE(says(reading_error("a.vtu", replaced(damaged, "OfCells=\"3", "OfCells=\"" + giant)),
+                     {"InvalidInput", "a.vtu:", "offsets", "12 bytes", "expected 4398046511104"}));
+    EXPECT_TRUE(
+        says(reading_error("a.vtu", replaced(damaged, "OfPoints=\"5", "OfPoints=\"" + giant)),
+             {"InvalidInput", "a.vtu:", "Points", "120 bytes", "expected 26388279066624"}));
+
+    // what stands in front of the array agrees, but no file of this size holds so much
+    const auto header = bytes_of_all<std::uint64_t>(
+        std::vector<std::size_t>{1, std::size_t{24} << 40U, 0, 16}, std::endian::little);
+    const auto agreed = replaced(replaced(grid(variant), "OfPoints=\"5", "OfPoints=\"" + giant),
+                                 points, points + base64(header));
+    EXPECT_TRUE(says(reading_error("a.vtu", agreed),
+                     {"InvalidInput", "a.vtu:", "Points", "26388279066624 bytes", "rest"}));
 }
 
 } // namespace polydec::test::in_vtu_reading
