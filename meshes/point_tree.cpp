@@ -2,9 +2,11 @@
 #include "meshes/point_tree.h"
 
 #include "base/decompositions.h"
+#include "meshes/rearrange.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -25,9 +27,54 @@ PointTree::PointTree(const Points& points) : tree_(points, points), points_(poin
         points_.row(i) = points.row(tree_.order()[i]);
 }
 
-void PointTree::join_near(double length, DisjointSets& sets) const {
-    if (!tree_.nodes().empty())
-        join_all(0, length * length, sets);
+namespace {
+
+/// The points that may have others at most this far from them, ascending: those that share a cell
+/// of a grid, or lie as near to its walls. Most points of a mesh do not, and need no tree.
+std::vector<Index> crowded(const Points& points, double length) {
+    const auto axes = std::min<Index>(static_cast<Index>(points.cols()), 63);
+    const int digits = std::min(axes > 0 ? 63 / axes : 1, 21); // of the number of a cell, each axis
+    constexpr double roomy = 256;      // of 3 axes, one point in 43 is near to a wall
+    constexpr double apart = 0.381966; // from walls; no ratio of sides puts grids of points there
+    constexpr double rounding = 1e-8;  // of places, which are below 2^22
+    const double extent = points.size() > 0 ? points.maxCoeff() : 0;
+    const double side = std::max({roomy * length, extent / (std::ldexp(1.0, digits) - 1),
+                                  std::numeric_limits<double>::min()});
+    const double margin = length / side + rounding;
+
+    std::vector<std::uint64_t> cells(static_cast<std::size_t>(points.rows()), 0);
+    std::vector<bool> found(cells.size(), false);
+    for (Index i = 0; i < points.rows(); ++i)
+        for (Index axis = 0; axis < axes; ++axis) {
+            const double place = points(i, axis) / side + apart, cell = std::floor(place);
+            cells[i] = cells[i] << digits | static_cast<std::uint64_t>(cell);
+            if (place - cell <= margin || place - cell >= 1 - margin)
+                found[i] = true;
+        }
+    const auto order = ascending_order(cells);
+    for (std::size_t i = 1; i < order.size(); ++i)
+        if (cells[order[i]] == cells[order[i - 1]])
+            found[order[i]] = found[order[i - 1]] = true;
+
+    std::vector<Index> result;
+    for (Index i = 0; i < points.rows(); ++i)
+        if (found[i])
+            result.push_back(i);
+    return result;
+}
+
+} // namespace
+
+void join_near(const Points& points, double length, DisjointSets& sets) {
+    const auto near = crowded(points, length);
+    if (near.empty())
+        return;
+    const PointTree tree(points(near, Eigen::all));
+    DisjointSets of_near(static_cast<Index>(near.size()));
+    tree.join_all(0, length * length, of_near);
+    const auto firsts = of_near.firsts();
+    for (std::size_t i = 0; i < near.size(); ++i)
+        sets.join(near[static_cast<std::size_t>(firsts[i])], near[i]);
 }
 
 void PointTree::join_all(Index node, double square, DisjointSets& sets) const {

@@ -22,15 +22,15 @@ struct OwnUnits {
     double half; ///< of the unit, a power of 2
 };
 
+/// Joins points that are at most this far apart, and so also those between which others form a
+/// chain of such steps. Coordinates are as of OwnUnits. Time O(n log n) however many points are
+/// near each other, but for clusters just beyond the length.
+void join_near(const Points& points, double length, DisjointSets& sets);
+
 /// Points of R^N in a BoxTree; coordinates are as of OwnUnits. Any number of points, also none.
 class PointTree {
 public:
     explicit PointTree(const Points& points);
-
-    /// Joins points that are at most this far apart, and so also those between which others form a
-    /// chain of such steps. Boxes no larger than the length are joined as a whole, so that the time
-    /// is O(n log n) however many points are near each other, but for clusters just beyond it.
-    void join_near(double length, DisjointSets& sets) const;
 
     /// The points at most this far from a simplex, given by its k+1 corners, k >= 0, ascending;
     /// without some that are none of the question.
@@ -41,6 +41,9 @@ private:
     struct Piece;
     struct Near; // a search, and what it has found
 
+    friend void join_near(const Points& points, double length, DisjointSets& sets);
+
+    /// Boxes no larger than the length are joined as a whole.
     void join_all(Index node, double square, DisjointSets& sets) const;
     void join_across(Index a, Index b, double square, DisjointSets& sets) const;
     void join_leaves(Index a, Index b, double square, DisjointSets& sets) const;

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace polydec {
@@ -68,16 +70,57 @@ Renumbered arranged(const Mesh& mesh, const Simplices& renumbered, std::vector<I
 
 } // namespace
 
-std::vector<Index> ascending_order(const std::vector<std::uint64_t>& keys) {
-    std::vector<std::pair<std::uint64_t, Index>> sorted;
-    sorted.reserve(keys.size());
+namespace {
+
+/// Sorts by the bits from this one on, a digit at a time, the last first (Knuth 1973, 5.2.5).
+void sort_by_digits(std::vector<std::uint64_t>& words, int first_bit) {
+    constexpr int word_bits = 64, digit_bits = 11;
+    constexpr std::size_t digits = std::size_t{1} << digit_bits;
+    std::vector<std::uint64_t> sorted(words.size());
+    for (int bit = first_bit; bit < word_bits; bit += digit_bits) {
+        const auto digit = [&](std::uint64_t word) { return word >> bit & (digits - 1); };
+        std::array<std::size_t, digits + 1> ends{}; // of the words of each digit, then begins
+        for (const std::uint64_t word : words)
+            ++ends[digit(word) + 1];
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+        for (const std::uint64_t word : words)
+            sorted[ends[digit(word)]++] = word;
+        words.swap(sorted);
+    }
+}
+
+} // namespace
+
+KeyGroups groups_of(const std::vector<std::uint64_t>& keys) {
+    std::uint64_t all = 0;
     for (const std::uint64_t key : keys)
-        sorted.emplace_back(key, static_cast<Index>(sorted.size()));
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<Index> order;
-    order.reserve(keys.size());
-    for (const auto& [key, number] : sorted)
-        order.push_back(number);
+        all |= key;
+    const int unused = all > 0 ? std::countl_zero(all) : 0,
+              number_bits = std::bit_width(keys.size());
+    const std::uint64_t numbers = (std::uint64_t{1} << number_bits) - 1;
+    std::vector<std::uint64_t> words(keys.size());
+    for (std::size_t number = 0; number < keys.size(); ++number)
+        words[number] = (keys[number] << unused & ~numbers) | number;
+    sort_by_digits(words, number_bits);
+
+    KeyGroups groups;
+    groups.order.reserve(words.size());
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        groups.order.push_back(static_cast<Index>(words[i] & numbers));
+        if (i + 1 == words.size() || (words[i] ^ words[i + 1]) > numbers)
+            groups.ends.push_back(static_cast<Index>(i) + 1);
+    }
+    return groups;
+}
+
+std::vector<Index> ascending_order(const std::vector<std::uint64_t>& keys) {
+    auto [order, ends] = groups_of(keys);
+    auto begin = order.begin();
+    for (const Index end : ends) {
+        std::sort(begin, order.begin() + end,
+                  [&](Index a, Index b) { return std::pair(keys[a], a) < std::pair(keys[b], b); });
+        begin = order.begin() + end;
+    }
     return order;
 }
 

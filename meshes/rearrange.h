@@ -37,6 +37,13 @@ Renumbered along_morton_curve(const Mesh& mesh);
 /// coordinates, taken in turn. Equal points have equal keys.
 std::vector<std::uint64_t> morton_keys(const Points& points);
 
+/// Numbers of keys that ascend by as many leading bits as fit into a word beside a number. Groups
+/// of equal ones end at `ends`; within them numbers ascend.
+struct KeyGroups {
+    std::vector<Index> order, ends;
+};
+KeyGroups groups_of(const std::vector<std::uint64_t>& keys);
+
 /// Numbers of the keys in ascending order, equal keys in the order they have.
 std::vector<Index> ascending_order(const std::vector<std::uint64_t>& keys);
 

@@ -50,7 +50,7 @@ std::vector<Index> different(const Simplices& rows) {
 std::vector<Index> first_at_place(const Simplices& rows, const Points& points, double length) {
     const auto vertices = different(rows);
     DisjointSets sets(static_cast<Index>(vertices.size()));
-    PointTree(points(vertices, Eigen::all)).join_near(length, sets);
+    join_near(points(vertices, Eigen::all), length, sets);
     const auto firsts = sets.firsts();
     std::vector<Index> result(static_cast<std::size_t>(points.rows()));
     std::iota(result.begin(), result.end(), 0);

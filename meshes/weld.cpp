@@ -12,43 +12,63 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace polydec {
 
 namespace {
 
-/// Where vertices of cells are: those with equal coordinates are at one place. DistinctPlaces are
-/// numbered along Morton's curve, so that their numbers do not depend on the order of the vertices.
+/// Where vertices of cells are: those with equal coordinates are at one place. Places are numbered
+/// by their cells along Morton's curve, so that their numbers do not depend on the order of
+/// vertices.
 struct DistinctPlaces {
     std::vector<Index> of_vertex; // -1 for vertices of no cell
-    std::vector<Index> vertices;  // one of each place
+    std::vector<Index> order;     // vertices of cells, those at one place behind each other
+    std::vector<Index> begins;    // of places in the order, and the end
+
+    Index size() const { return static_cast<Index>(begins.size()) - 1; }
+    std::span<const Index> at(Index place) const {
+        return {order.begin() + begins[place], order.begin() + begins[place + 1]};
+    }
+
+    /// One of each place.
+    std::vector<Index> vertices() const {
+        std::vector<Index> result;
+        for (Index place = 0; place < size(); ++place)
+            result.push_back(order[begins[place]]);
+        return result;
+    }
 };
 
 DistinctPlaces places_of(const Mesh& mesh) {
     std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
-    for (const Index v : mesh.simplices.reshaped())
+    for (const Index v : mesh.simplices.reshaped<Eigen::RowMajor>())
         used[v] = true;
-    DistinctPlaces places{std::vector<Index>(used.size(), -1), {}};
-    const auto row = [&](Index v) { return mesh.points.data() + v * mesh.points.cols(); };
+    DistinctPlaces places{std::vector<Index>(used.size(), -1), {}, {}};
     const auto N = mesh.points.cols();
-    const auto keys = morton_keys(mesh.points);
-    auto order = ascending_order(keys);
-    for (auto begin = order.begin(); begin != order.end();) {
-        const auto end =
-            std::find_if(begin, order.end(), [&](Index v) { return keys[v] != keys[*begin]; });
+    const auto row = [&](Index v) { return mesh.points.data() + v * N; };
+    auto [order, ends] = groups_of(morton_keys(mesh.points));
+    constexpr std::ptrdiff_t ahead = 32;
+    auto begin = order.begin();
+    for (const Index group_end : ends) {
+        const auto end = order.begin() + group_end;
+        for (auto next = begin; next != end && order.end() - next > ahead; ++next)
+            __builtin_prefetch(row(next[ahead])); // vertices at one place are anywhere in memory
         std::sort(begin, end, [&](Index a, Index b) {
             return std::lexicographical_compare(row(a), row(a) + N, row(b), row(b) + N);
         });
         for (; begin != end; ++begin) {
             if (!used[*begin])
                 continue;
-            if (places.vertices.empty() ||
-                !std::equal(row(*begin), row(*begin) + N, row(places.vertices.back())))
-                places.vertices.push_back(*begin);
-            places.of_vertex[*begin] = static_cast<Index>(places.vertices.size()) - 1;
+            auto& kept = places.order;
+            if (kept.empty() || !std::equal(row(*begin), row(*begin) + N, row(kept.back())))
+                places.begins.push_back(static_cast<Index>(kept.size()));
+            places.of_vertex[*begin] = static_cast<Index>(places.begins.size()) - 1;
+            kept.push_back(*begin);
         }
     }
+    places.begins.push_back(static_cast<Index>(places.order.size()));
     return places;
 }
 
@@ -77,7 +97,7 @@ double thickness(const DenseMatrix& edges) {
 class Welding {
 public:
     Welding(const Mesh& mesh, const DistinctPlaces& places, double length)
-        : Welding(mesh, places, OwnUnits(mesh.points(places.vertices, Eigen::all)), length) {}
+        : Welding(mesh, places, OwnUnits(mesh.points(places.vertices(), Eigen::all)), length) {}
 
     Index leader(Index place) const { return leaders_[place]; }
     bool is_joined(Index place) const { return sizes_[leaders_[place]] > 1; }
@@ -98,7 +118,7 @@ private:
 
     /// Again and again, with half the length where the length before joins what must stay apart.
     void find_classes(double length) {
-        std::vector<Index> open(places_.vertices.size());
+        std::vector<Index> open(static_cast<std::size_t>(places_.size()));
         std::iota(open.begin(), open.end(), 0);
         leaders_ = open;
         lengths_.resize(open.size());
@@ -106,7 +126,7 @@ private:
             constexpr int most_halvings = 40;
             DisjointSets sets(static_cast<Index>(open.size()));
             if (length > 0 && halvings < most_halvings) // scaled, different places may coincide
-                PointTree(scaled_(open, Eigen::all)).join_near(length, sets);
+                join_near(scaled_(open, Eigen::all), length, sets);
             const auto firsts = sets.firsts();
             for (std::size_t i = 0; i < open.size(); ++i) {
                 leaders_[open[i]] = open[static_cast<std::size_t>(firsts[i])];
@@ -122,31 +142,28 @@ private:
 
     /// The lower median of each coordinate over the vertices of each class.
     void find_targets() {
-        sources_.resize(std::ssize(leaders_), mesh_.points.cols());
-        for (Index place = 0; place < sources_.rows(); ++place)
-            sources_.row(place).setConstant(places_.vertices[place]);
-
-        std::vector<Index> ends(leaders_.size() + 1, 0); // of the members of each class
-        const auto for_members = [&](auto work) {
-            for (Index v = 0; v < std::ssize(places_.of_vertex); ++v)
-                if (const Index place = places_.of_vertex[v]; place >= 0 && is_joined(place))
-                    work(v, leaders_[place]);
-        };
-        for_members([&](Index, Index leader) { ++ends[static_cast<std::size_t>(leader) + 1]; });
-        std::partial_sum(ends.begin(), ends.end(), ends.begin());
-        std::vector<Index> members(static_cast<std::size_t>(ends.back()));
-        for_members([&](Index v, Index leader) { members[ends[leader]++] = v; });
-        auto begin = members.begin();
-        for (Index leader = 0; leader < std::ssize(leaders_); ++leader) {
-            const auto end = members.begin() + ends[leader];
-            const auto middle = begin + (end - begin - 1) / 2;
-            for (Index axis = 0; axis < sources_.cols() && begin < end; ++axis) {
-                std::nth_element(begin, middle, end, [&](Index a, Index b) {
+        std::vector<Index> joined; // places, by classes
+        sources_.resize(places_.size(), mesh_.points.cols());
+        for (Index place = 0; place < places_.size(); ++place) {
+            sources_.row(place).setConstant(places_.at(place).front());
+            if (is_joined(place))
+                joined.push_back(place);
+        }
+        std::sort(joined.begin(), joined.end(), [&](Index p, Index q) {
+            return std::pair(leaders_[p], p) < std::pair(leaders_[q], q);
+        });
+        for (auto place = joined.begin(); place != joined.end();) {
+            const Index leader = leaders_[*place];
+            std::vector<Index> members; // vertices
+            for (; place != joined.end() && leaders_[*place] == leader; ++place)
+                members.insert(members.end(), places_.at(*place).begin(), places_.at(*place).end());
+            const auto middle = members.begin() + (std::ssize(members) - 1) / 2;
+            for (Index axis = 0; axis < sources_.cols(); ++axis) {
+                std::nth_element(members.begin(), middle, members.end(), [&](Index a, Index b) {
                     return mesh_.points(a, axis) < mesh_.points(b, axis);
                 });
                 sources_(leader, axis) = *middle;
             }
-            begin = end;
         }
     }
 
@@ -295,16 +312,16 @@ Joined weld(Mesh mesh, std::optional<double> length) {
     Mesh& made = result.mesh;
     const auto vertices = static_cast<Index>(made.points.rows());
     const DistinctPlaces places = places_of(made);
-    if (places.vertices.empty()) {
+    if (places.size() == 0) {
         result.vertices.resize(static_cast<std::size_t>(vertices));
         std::iota(result.vertices.begin(), result.vertices.end(), 0);
         return result;
     }
-    const double used = length ? *length : weld_length(made.points(places.vertices, Eigen::all));
+    const double used = length ? *length : weld_length(made.points(places.vertices(), Eigen::all));
     const Welding welding(made, places, used);
 
     // numbers in the order of the first vertex of each class
-    std::vector<Index> number_of(places.vertices.size(), -1), kept;
+    std::vector<Index> number_of(static_cast<std::size_t>(places.size()), -1), kept;
     Index classes = 0, used_vertices = 0;
     for (Index v = 0; v < vertices; ++v) {
         const Index place = places.of_vertex[v];
@@ -329,7 +346,7 @@ Joined weld(Mesh mesh, std::optional<double> length) {
     for (auto* rows : {&made.simplices, &made.facet_tags.simplices})
         *rows = rows->unaryExpr([&](Index v) { return result.vertices[v]; }).eval();
     result.joined = used_vertices - classes;
-    result.apart = static_cast<Index>(places.vertices.size()) - classes;
+    result.apart = places.size() - classes;
     if (result.joined > 0)
         made.warnings.push_back(fmt::format("joined {} {} with {} at most {:.3g} away",
                                             result.joined,

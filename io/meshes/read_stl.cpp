@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -22,12 +23,12 @@ constexpr std::size_t triangle_bytes = 50; // a normal, three vertices, two byte
 
 /// Corners of triangles, three after the other, become vertices: a file has no others. Numbers
 /// ascend by first appearance.
-Mesh joined(const std::vector<double>& coordinates) {
-    Mesh corners{points_from(coordinates), {}, {}};
-    corners.simplices = Eigen::VectorX<Index>::LinSpaced(
-                            corners.points.rows(), 0, static_cast<Index>(corners.points.rows()) - 1)
-                            .reshaped<Eigen::RowMajor>(corners.points.rows() / 3, 3);
-    if (coordinates.empty())
+Mesh joined(Points places) {
+    Mesh corners{std::move(places), {}, {}};
+    const auto count = static_cast<Index>(corners.points.rows());
+    corners.simplices.resize(count / 3, 3);
+    std::iota(corners.simplices.data(), corners.simplices.data() + count, 0);
+    if (count == 0)
         return corners;
     const double length = weld_length(corners.points);
     Joined welded = weld(std::move(corners), length);
@@ -46,8 +47,7 @@ std::size_t promised_bytes(const SourceFile& file) {
     return header_bytes + triangle_bytes * triangles;
 }
 
-void read_corner(const SourceFile& file, std::size_t triangle, std::size_t corner,
-                 std::vector<double>& coordinates) {
+void read_corner(const SourceFile& file, std::size_t triangle, std::size_t corner, Points& places) {
     constexpr std::size_t normal_bytes = 12;
     const char* place =
         file.text.data() + header_bytes + triangle_bytes * triangle + normal_bytes * (1 + corner);
@@ -61,20 +61,18 @@ void read_corner(const SourceFile& file, std::size_t triangle, std::size_t corne
                     file.name, corner, triangle),
                 {.degree = 2, .cells = {static_cast<Index>(triangle)}, .path = file.name});
         }
-        coordinates.push_back(value + 0.0); // no zero has a sign
+        places(3 * triangle + corner, axis) = value + 0.0; // no zero has a sign
     }
 }
 
 /// Of the triangles that the header promises; what follows them is left out.
 Mesh read_binary(const SourceFile& file) {
     const std::size_t triangles = (promised_bytes(file) - header_bytes) / triangle_bytes;
-    checked_count(3 * triangles, "corners of triangles", file);
-    std::vector<double> coordinates;
-    coordinates.reserve(9 * triangles);
+    Points places(checked_count(3 * triangles, "corners of triangles", file), 3);
     for (std::size_t triangle = 0; triangle < triangles; ++triangle)
         for (std::size_t corner = 0; corner < 3; ++corner)
-            read_corner(file, triangle, corner, coordinates);
-    Mesh mesh = joined(coordinates);
+            read_corner(file, triangle, corner, places);
+    Mesh mesh = joined(std::move(places));
     if (file.text.size() > promised_bytes(file)) {
         mesh.warnings.push_back(fmt::format("{} bytes behind the {} triangles left out",
                                             file.text.size() - promised_bytes(file), triangles));
@@ -102,7 +100,7 @@ public:
                 read_facet();
             scanner_.next_line();
         }
-        return joined(coordinates_);
+        return joined(points_from(coordinates_));
     }
 
 private:

@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
+#include <random>
 
 namespace polydec::test::in_rearrange {
 
@@ -22,6 +25,34 @@ void expect_renumbered(const Renumbered& result, const Mesh& mesh) {
             EXPECT_EQ(result.vertices[result.mesh.simplices(cell, i)],
                       mesh.simplices(result.cells[cell], i));
     EXPECT_TRUE(same_geometry(result.mesh, mesh));
+}
+
+TEST(AscendingOrder, is_that_of_a_stable_sort) {
+    std::mt19937_64 engine(5);
+    for (const std::size_t size : {0, 1, 2, 100, 5000})
+        for (const std::uint64_t mask : {~std::uint64_t{0}, std::uint64_t{0xFF000000000000FF},
+                                         std::uint64_t{0x3F}, std::uint64_t{0}}) {
+            std::vector<std::uint64_t> keys;
+            for (std::size_t i = 0; i < size; ++i)
+                keys.push_back(engine() & mask);
+            std::vector<Index> expected(size);
+            std::iota(expected.begin(), expected.end(), 0);
+            std::stable_sort(expected.begin(), expected.end(),
+                             [&](Index a, Index b) { return keys[a] < keys[b]; });
+            EXPECT_EQ(ascending_order(keys), expected) << size << " keys of " << mask;
+
+            const auto [order, ends] = groups_of(keys);
+            EXPECT_EQ(order.size(), size);
+            EXPECT_TRUE(std::is_sorted(ends.begin(), ends.end()));
+            for (std::size_t i = 0, group = 0; i + 1 < size; ++i) {
+                const bool ends_here = ends[group] == static_cast<Index>(i) + 1;
+                group += ends_here ? 1 : 0;
+                if (keys[order[i]] == keys[order[i + 1]])
+                    EXPECT_FALSE(ends_here);
+                if (ends_here)
+                    EXPECT_LT(keys[order[i]], keys[order[i + 1]]);
+            }
+        }
 }
 
 TEST(Perturbed, moves_every_coordinate_by_at_most_the_amplitude) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/weld.h"
 
+#include "base/random.h"
 #include "meshes/generate.h"
+#include "meshes/point_tree.h"
 #include "meshes/rearrange.h"
 #include "meshes/tidy.h"
 #include "tests/meshes/propositions.h"
@@ -234,6 +236,39 @@ TEST(Weld, refuses_what_makes_no_sense) {
     mesh.points(3, 1) = std::numeric_limits<double>::infinity();
     EXPECT_TRUE(says(refusal([&] { weld(mesh); }), {"vertex 3", "finite"}));
     EXPECT_EQ(weld({Points(3, 2), Simplices(0, 3), {}}).mesh.simplices.rows(), 0);
+}
+
+TEST(JoinNear, is_the_closure_of_all_pairs_that_are_near) {
+    constexpr Index clusters = 300, of_cluster = 3;
+    for (const Index N : {1, 2, 3, 5, 70})
+        for (const double length : {1e-9, 1e-4, 0.03}) {
+            Random random(static_cast<std::uint64_t>(N));
+            Points points(clusters * of_cluster, N);
+            for (Index i = 0; i < points.rows(); ++i)
+                points.row(i) =
+                    i % of_cluster == 0
+                        ? Eigen::RowVectorXd(random.point(N).transpose())
+                        : Eigen::RowVectorXd(points.row(i - 1) +
+                                             1.2 * random.fraction() * length *
+                                                 random.point(N).normalized().transpose());
+            points.col(N - 1).head(clusters).setZero(); // on a wall of the box
+            points.rowwise() -= points.colwise().minCoeff().eval();
+            DisjointSets found(static_cast<Index>(points.rows())), expected = found;
+            join_near(points, length, found);
+            for (Index i = 0; i < points.rows(); ++i)
+                for (Index j = 0; j < i; ++j)
+                    if ((points.row(i) - points.row(j)).squaredNorm() <= length * length)
+                        expected.join(i, j);
+            EXPECT_EQ(found.firsts(), expected.firsts()) << N << " coordinates, " << length;
+        }
+}
+
+TEST(JoinNear, equal_points_are_near_without_any_length) {
+    for (const Index rows : {0, 1, 5}) {
+        DisjointSets sets(rows);
+        join_near(Points::Zero(rows, 3), 0, sets);
+        EXPECT_EQ(sets.firsts(), std::vector<Index>(static_cast<std::size_t>(rows), 0));
+    }
 }
 
 } // namespace polydec::test::in_weld
