@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "backends/blas.h"
 
+#include "backends/linear_solver.h"
+#include "base/decompositions.h"
+#include "base/errors.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <mutex>
+#include <vector>
 
 namespace polydec {
 
@@ -16,11 +21,16 @@ using Gemm = void(const char*, const char*, const int*, const int*, const int*, 
                   const double*, const int*, const double*, const int*, const double*, double*,
                   const int*, std::size_t, std::size_t);
 
+// LAPACK's dsyevd, likewise.
+using Syevd = void(const char*, const char*, const int*, double*, const int*, double*, double*,
+                   const int*, int*, const int*, int*, std::size_t, std::size_t);
+
 struct FoundBlas {
     const char* (*configuration)() = nullptr;
     const char* (*kernels)() = nullptr;
     int (*threads)() = nullptr;
     Gemm* gemm = nullptr; // null where its integers have 64 bits
+    Syevd* syevd = nullptr;
 };
 
 std::mutex found_mutex;
@@ -48,16 +58,17 @@ bool has_long_integers(const std::string& configuration) {
     return configuration.find("USE64BITINT") != std::string::npos;
 }
 
-Gemm* found_gemm() {
+FoundBlas found() {
     const std::lock_guard lock(found_mutex);
-    return found_blas.gemm;
+    return found_blas;
 }
 
 /// False where there is none.
 bool multiply_by_blas(const char* how, double a, const ConstDenseBlock& A, const ConstDenseBlock& B,
                       double keep, DenseBlock C) {
-    Gemm* const gemm = found_gemm();
-    if (!gemm || C.size() == 0 || B.rows() == 0)
+    Gemm* const gemm = found().gemm;
+    if (!gemm || C.size() == 0 || B.rows() == 0 ||
+        C.cols() == 1) // packing A costs more than one column
         return false;
     const auto sizes = [](auto... number) { return std::array{static_cast<int>(number)...}; };
     const auto [rows, columns, inner] = sizes(C.rows(), C.cols(), B.rows());
@@ -66,6 +77,25 @@ bool multiply_by_blas(const char* how, double a, const ConstDenseBlock& A, const
     gemm(how, "N", &rows, &columns, &inner, &a, A.data(), &stride_A, B.data(), &stride_B, &keep,
          C.data(), &stride_C, 1, 1);
     return true;
+}
+
+/// False where there is none, or where it fails.
+bool pairs_by_lapack(const ConstDenseBlock& A, SymmetricPairs& pairs) {
+    Syevd* const syevd = found().syevd;
+    const auto n = static_cast<int>(A.rows());
+    constexpr int least = 100; // below it Eigen costs nothing and keeps more digits of small values
+    constexpr int largest = 30000; // so that the numbers below are ints
+    if (!syevd || n < least || n > largest)
+        return false;
+    pairs.vectors = A;
+    pairs.values.resize(n);
+    const int numbers = 1 + 6 * n + 2 * n * n, integers = 3 + 5 * n;
+    std::vector<double> work(static_cast<std::size_t>(numbers));
+    std::vector<int> more_work(static_cast<std::size_t>(integers));
+    int outcome = 0;
+    syevd("V", "L", &n, pairs.vectors.data(), &n, pairs.values.data(), work.data(), &numbers,
+          more_work.data(), &integers, &outcome, 1, 1);
+    return outcome == 0;
 }
 
 } // namespace
@@ -86,8 +116,10 @@ void find_blas(void* library) {
     look_up(library, "openblas_get_num_threads", found.threads);
     if (!found.configuration || !found.kernels || !found.threads)
         return;
-    if (!has_long_integers(found.configuration()))
+    if (!has_long_integers(found.configuration())) {
         look_up(library, "dgemm_", found.gemm);
+        look_up(library, "dsyevd_", found.syevd);
+    }
     found_blas = found;
 }
 
@@ -122,6 +154,17 @@ DenseMatrix transposed_product(const ConstDenseBlock& A, const ConstDenseBlock& 
     if (!multiply_by_blas("T", 1, A, B, 0, C))
         C.noalias() = A.transpose() * B;
     return C;
+}
+
+SymmetricPairs symmetric_pairs(const ConstDenseBlock& A, const std::string& engine) {
+    SymmetricPairs pairs;
+    if (pairs_by_lapack(A, pairs))
+        return pairs;
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver{DenseMatrix(A)};
+    if (solver.info() != Eigen::Success)
+        throw SolverFailure(engine + ": the dense eigensolver did not converge",
+                            SolveReport::failed(engine));
+    return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
 } // namespace polydec

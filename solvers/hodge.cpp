@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/hodge.h"
 
+#include "backends/blas.h"
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "complex/homology.h"
@@ -142,8 +143,7 @@ void orthonormalize(DenseMatrix& columns, const SparseMatrix& M) {
         auto block = columns.middleCols(begin, std::min<Index>(width, columns.cols() - begin));
         for (int pass = 0; pass < 2; ++pass) {
             const DenseMatrix weighted = M * block;
-            const DenseMatrix products = done.transpose() * weighted;
-            block -= done * products;
+            add_product(-1, done, transposed_product(done, weighted), 1, block);
             for (Index i = 0; i < block.cols(); ++i) {
                 const Vector along = block.leftCols(i).transpose() * (M * block.col(i));
                 block.col(i) -= block.leftCols(i) * along;

@@ -101,12 +101,9 @@ void Iteration::expand() {
 }
 
 Iteration::Ritz Iteration::ritz() const {
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(
-        DenseMatrix(projected_.topLeftCorner(done_, done_)));
-    if (solver.info() != Eigen::Success)
-        throw SolverFailure("block-lanczos: the projected eigenproblem did not converge",
-                            SolveReport::failed("block-lanczos"));
-    Ritz found{solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse(), {}};
+    const auto [values, vectors] =
+        symmetric_pairs(projected_.topLeftCorner(done_, done_), "block-lanczos");
+    Ritz found{values.reverse(), vectors.rowwise().reverse(), {}};
 
     // |A v - theta v| of a Ritz vector v = V s is |C s|; no residual falls below rounding.
     const Index wide = done_ - coupled_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/eigen/dense_pairs.h"
 
-#include "base/decompositions.h"
-#include "base/errors.h"
+#include "backends/blas.h"
 
 #include <algorithm>
 
@@ -24,13 +23,10 @@ EigenPairs dense_pairs(const SymmetricOperator& A, Index count, const std::strin
         A.apply_to_columns(units, images);
         entries.middleCols(first, width) = images;
     }
-    const DenseMatrix symmetric = 0.5 * (entries + entries.transpose());
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(symmetric);
-    if (solver.info() != Eigen::Success)
-        throw SolverFailure(engine + ": the dense eigensolver did not converge",
-                            SolveReport::failed(engine));
-    return {solver.eigenvalues().reverse().head(count),
-            solver.eigenvectors().rowwise().reverse().leftCols(count), count, A.size};
+    const auto [values, vectors] =
+        symmetric_pairs(DenseMatrix(0.5 * (entries + entries.transpose())), engine);
+    return {values.reverse().head(count), vectors.rowwise().reverse().leftCols(count), count,
+            A.size};
 }
 
 } // namespace polydec::builtin

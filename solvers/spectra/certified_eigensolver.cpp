@@ -274,26 +274,26 @@ void CertifiedEigensolver::State::move_shift(Index wanted) {
         set_shift(next, Definiteness::indefinite);
 }
 
-/// The first index i >= count such that a gap lies between values i-1 and i; -1 if none is seen.
-/// Behind all eigenvalues there is always one.
+/// The first index i >= count such that a gap lies between values i-1 and i, or, as a count will
+/// tell, behind all that are found; -1 if there is none. What is next tells the radii of zeros.
 Index CertifiedEigensolver::State::gap_behind(Index count) const {
     const Index behind = pairs.gap_behind(count);
-    return behind < 0 && found() == size() ? size() : behind;
+    const bool may_end = found() == size() || (found() > 0 && pairs.values()[found() - 1] > small);
+    return behind < 0 && count <= found() && may_end ? found() : behind;
 }
 
 /// Proves that the first `count` are all there are below the gap behind them, or below some place
 /// behind them if these are all that are found.
 Proof CertifiedEigensolver::State::certify(Index count) {
     if (count == size()) {
-        // no eigenvalue is larger than the norm, so there is nothing to count
-        certificate = {2 * norm + small, count, count, true};
+        certificate = {2 * norm + small, count, count, true}; // no eigenvalue is above the norm
         return Proof::complete;
     }
     tell("counting");
     const Vector &values = pairs.values(), &radii = pairs.radii();
     const double low = values[count - 1] + radii[count - 1];
-    const double high =
-        count < found() ? values[count] - radii[count] : low + std::max(std::abs(low), small);
+    const double near = std::max(std::abs(low) / 64, small); // others follow soon
+    const double high = count < found() ? values[count] - radii[count] : low + near;
     const auto counted = counter.between(low, high, count);
     if (!counted)
         return Proof::untrusted;
@@ -309,7 +309,7 @@ Proof CertifiedEigensolver::State::prove(Index count) {
         if (const Proof proof = certify(i); proof != Proof::untrusted)
             return proof;
         untrusted = pairs.values()[i - 1];
-        if (++failures > most_failures)
+        if (i < found() && ++failures > most_failures)
             throw SolverFailure(fmt::format(
                 "the eigenvalues up to {:.6g} cannot be counted: the factorizations of A - tau M "
                 "near it are not accurate enough ({} found); ask for fewer or more eigenvalues, or "

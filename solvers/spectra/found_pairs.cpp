@@ -24,72 +24,95 @@ constexpr double largest_radius_share = 1e-6;
 /// Smaller radii than this share are not striven for.
 constexpr double fine_share = 1e-9;
 
-/// Consecutive values that cannot be told apart.
-struct Group {
-    Index begin, end;
-    double radius;
-};
+/// Puts consecutive values that cannot be told apart into groups, with radii of all of each.
+class Grouping {
+public:
+    /// `gram` is of the vectors.
+    Grouping(const Vector& values, const Vector& radii, const DenseMatrix& gram)
+        : values_(values),
+          radii_(radii),
+          scale_(gram.diagonal().cwiseSqrt().cwiseInverse()),
+          gram_(gram),
+          others_(Vector::Zero(values.size())) {}
 
-/// What the squares of singular values of normalized columns are at least (Gershgorin).
-double smallest_square(const DenseMatrix& gram, Index begin, Index end) {
-    constexpr double rounding = 1e-12;
-    const auto block = gram.block(begin, begin, end - begin, end - begin);
-    double smallest = 1;
-    for (Index i = 0; i < block.rows(); ++i) {
-        double others = 0;
-        for (Index j = 0; j < block.cols(); ++j)
-            if (j != i)
-                others += std::abs(block(i, j)) / std::sqrt(block(i, i) * block(j, j));
-        smallest = std::min(smallest, 1 - others - rounding);
-    }
-    return smallest;
-}
-
-/// The first values of a semidefinite matrix, as long as the sum of their energies, which as many
-/// eigenvalues do not exceed, says more than their residuals.
-Group zeros(const Vector& energies, const Vector& radii, const DenseMatrix& gram) {
-    Group group{0, 0, 0};
-    double sum = 0;
-    for (Index i = 0; i < energies.size(); ++i) {
-        sum += energies[i];
-        if (!(sum < radii[i] / 2))
-            break;
-        group = {0, i + 1, 2 * sum};
-    }
-    return smallest_square(gram, 0, group.end) >= 0.5 ? group : Group{0, 0, 0};
-}
-
-/// The radii of all together from those of each alone.
-Vector joint_radii(const Vector& values, const Vector& radii, const Vector& energies,
-                   const DenseMatrix& gram) {
-    const auto radius = [&](Index begin, Index end) {
-        if (end - begin == 1)
-            return radii[begin];
-        const double square = smallest_square(gram, begin, end);
-        return square > 0 ? radii.segment(begin, end - begin).norm() / std::sqrt(square)
-                          : std::numeric_limits<double>::infinity();
-    };
-    std::vector<Group> groups;
-    const Group first = zeros(energies, radii, gram);
-    if (first.end > 0)
-        groups.push_back(first);
-    for (Index i = first.end; i < values.size(); ++i) {
-        groups.push_back({i, i + 1, radii[i]});
-        while (groups.size() > 1) {
-            const Group last = groups.back();
-            Group& before = groups[groups.size() - 2];
-            const double end_before = values[before.end - 1] + before.radius;
-            if (end_before < values[last.begin] - last.radius)
-                break;
-            before = {before.begin, last.end, radius(before.begin, last.end)};
-            groups.pop_back();
+    Vector joint_radii(const Vector& energies) {
+        put_zeros(energies);
+        for (Index i = groups_.empty() ? 0 : groups_.back().end; i < values_.size(); ++i) {
+            groups_.push_back({i, i + 1, radii_[i] * radii_[i], radii_[i]});
+            while (groups_.size() > 1 && meet(groups_[groups_.size() - 2], groups_.back()))
+                merge_last();
         }
+        Vector joint(values_.size());
+        for (const Group& group : groups_)
+            joint.segment(group.begin, group.end - group.begin).setConstant(group.radius);
+        return joint;
     }
-    Vector joint(values.size());
-    for (const Group& group : groups)
-        joint.segment(group.begin, group.end - group.begin).setConstant(group.radius);
-    return joint;
-}
+
+private:
+    struct Group {
+        Index begin, end;
+        double squares; // sum of those of the radii of each alone
+        double radius;
+    };
+
+    bool meet(const Group& before, const Group& last) const {
+        return values_[before.end - 1] + before.radius >= values_[last.begin] - last.radius;
+    }
+
+    /// The last two become one. What others share of a vector is added up for those of one group.
+    void merge_last() {
+        const Group last = groups_.back();
+        groups_.pop_back();
+        Group& group = groups_.back();
+        couple(group.begin, group.end, last.end);
+        group.end = last.end;
+        group.squares += last.squares;
+        const double square = smallest_square(group.begin, group.end);
+        group.radius = square > 0 ? std::sqrt(group.squares / square)
+                                  : std::numeric_limits<double>::infinity();
+    }
+
+    void couple(Index begin, Index middle, Index end) {
+        for (Index j = middle; j < end; ++j)
+            for (Index i = begin; i < middle; ++i) {
+                const double share = std::abs(gram_(i, j)) * scale_[i] * scale_[j];
+                others_[i] += share;
+                others_[j] += share;
+            }
+    }
+
+    /// What the squares of singular values of normalized columns are at least (Gershgorin).
+    double smallest_square(Index begin, Index end) const {
+        constexpr double rounding = 1e-12;
+        return 1 - others_.segment(begin, end - begin).maxCoeff() - rounding;
+    }
+
+    /// The first values of a semidefinite matrix, as long as the sum of their energies, which as
+    /// many eigenvalues do not exceed, says more than their residuals.
+    void put_zeros(const Vector& energies) {
+        double sum = 0;
+        Group zeros{0, 0, 0, 0};
+        for (Index i = 0; i < values_.size(); ++i) {
+            sum += energies[i];
+            if (!(sum < radii_[i] / 2))
+                break;
+            couple(0, i, i + 1);
+            zeros = {0, i + 1, zeros.squares + radii_[i] * radii_[i], 2 * sum};
+        }
+        if (zeros.end == 0)
+            return;
+        if (smallest_square(0, zeros.end) >= 0.5)
+            groups_.push_back(zeros);
+        else
+            others_.setZero();
+    }
+
+    const Vector &values_, &radii_;
+    Vector scale_; // of vectors to length 1
+    const DenseMatrix& gram_;
+    Vector others_; // of each vector, what those of its group have in common with it
+    std::vector<Group> groups_;
+};
 
 } // namespace
 
@@ -97,6 +120,10 @@ void FoundPairs::take(const DenseMatrix& vectors, const std::vector<Enclosure>& 
     const Index before = count(), after = before + static_cast<Index>(vectors.cols());
     vectors_.conservativeResize(Eigen::NoChange, after);
     vectors_.rightCols(vectors.cols()) = vectors;
+    gram_.conservativeResize(after, after);
+    gram_.rightCols(vectors.cols()) = products_(vectors_, vectors);
+    gram_.bottomLeftCorner(vectors.cols(), before) =
+        gram_.topRightCorner(before, vectors.cols()).transpose();
     for (Vector* const list : {&values_, &lone_radii_, &doubts_, &energies_, &residuals_})
         list->conservativeResize(after);
     for (Index i = before; i < after; ++i) {
@@ -117,7 +144,8 @@ void FoundPairs::keep(const std::vector<Index>& chosen) {
     vectors_ = DenseMatrix(vectors_(Eigen::all, chosen));
     for (Vector* const list : {&values_, &lone_radii_, &doubts_, &energies_, &residuals_})
         *list = Vector((*list)(chosen));
-    radii_ = joint_radii(values_, lone_radii_, energies_, products_(vectors_, vectors_));
+    gram_ = DenseMatrix(gram_(chosen, chosen));
+    radii_ = Grouping(values_, lone_radii_, gram_).joint_radii(energies_);
 }
 
 /// Distance from value i to the nearest one that its interval does not meet; 0 if there is none.

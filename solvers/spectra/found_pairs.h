@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "backends/blas.h"
 #include "solvers/spectra/scaled_pencil.h"
 
 #include <functional>
@@ -18,7 +19,7 @@ public:
     FoundPairs(
         Index size, double small,
         Products products = [](const DenseMatrix& X, const DenseMatrix& Y) -> DenseMatrix {
-            return X.transpose() * Y;
+            return transposed_product(X, Y);
         })
         : vectors_(size, 0), small_(small), products_(std::move(products)) {}
 
@@ -48,7 +49,7 @@ public:
     template <class Columns>
     void project_out(Columns& X) const {
         if (count() > 0)
-            X -= vectors_ * products_(vectors_, X);
+            add_product(-1, vectors_, products_(vectors_, X), 1, X);
     }
 
     /// Whether the radius of pair i is at most this share of its value or of its distance to the
@@ -72,7 +73,7 @@ private:
     double distance_to_others(Index i) const;
 
     Vector values_, lone_radii_, doubts_, energies_, radii_, residuals_;
-    DenseMatrix vectors_;
+    DenseMatrix vectors_, gram_;
     double small_;
     Products products_;
 };

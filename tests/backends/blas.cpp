@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 
@@ -27,6 +28,21 @@ TEST(blas, products_are_those_of_eigen_also_of_blocks_and_of_nothing) {
             .norm(),
         1e-13);
     EXPECT_EQ(transposed_product(part.leftCols(0), part).size(), 0);
+}
+
+TEST(blas, eigenpairs_of_symmetric_matrices_are_all_there_ascending_and_orthonormal) {
+    has_linear_solver("cholmod");
+    for (const Index n : {0, 1, 7, 150, 220}) {
+        const DenseMatrix given = random_matrix(n, n, 4);
+        const DenseMatrix A = given + given.transpose();
+        DenseMatrix lower = A; // the rest is not read
+        lower.triangularView<Eigen::StrictlyUpper>().setConstant(1e3);
+        const auto [values, vectors] = symmetric_pairs(lower, "an engine");
+        ASSERT_EQ(values.size(), n);
+        EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+        EXPECT_LE((A * vectors - vectors * values.asDiagonal()).norm(), 1e-12 * n);
+        EXPECT_LE((vectors.transpose() * vectors - DenseMatrix::Identity(n, n)).norm(), 1e-13 * n);
+    }
 }
 
 TEST(blas, what_is_not_kept_need_not_be_a_number) {

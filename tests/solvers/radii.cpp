@@ -222,6 +222,22 @@ TEST(ManyComponents, have_all_their_zeros_at_once) {
     EXPECT_LE(rounds, 4);
 }
 
+TEST(ManyComponents, have_all_copies_of_an_eigenvalue_by_a_count_of_them) {
+    constexpr Index copies = 60;
+    Mesh spheres = icosphere(1);
+    for (Index i = 1; i < copies; ++i)
+        spheres = united(spheres, icosphere(1));
+    const Complex cells(spheres);
+    Index rounds = 0;
+    const auto found = spectrum(cells.complex, cells.volumes,
+                                {.count = copies + 1, .progress = [&](std::string_view what) {
+                                     rounds += what == "iterating" ? 1 : 0;
+                                 }});
+    EXPECT_EQ(found.certificate.below_shift, 4 * copies);
+    EXPECT_TRUE(found.certificate.complete);
+    EXPECT_LE(rounds, 2);
+}
+
 TEST(SpectrumOfTwoSpheres, is_that_of_the_large_one_and_zeros_of_both) {
     const Mesh sphere = icosphere(3);
     const Complex one(sphere);
