@@ -38,6 +38,7 @@ MUTANTS = {
                               "face.dual += std::abs(*number) * share.dual;"),
     "gram_last_term_only": ("dec/forms/gram.cpp", "            values_[last_] += value;",
                             "            values_[last_] = value;"),
+    "lifts_of_any_time": ("dec/merging/lift.cpp", "if (pieces > most_pieces)", "if (false)"),
     "wedge_share": ("dec/fields/wedge.cpp", "1.0 / (a.degree + b.degree + 1)",
                     "1.0 / (a.degree + b.degree + 2)"),
     "wedge_orientation": ("dec/fields/wedge.cpp",

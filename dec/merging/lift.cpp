@@ -79,6 +79,19 @@ Index position(std::span<const Index> ascending, Index item) {
                               ascending.begin());
 }
 
+/// A full matrix of p^2 numbers takes p^3 products: with as many pieces as this, 20 seconds.
+constexpr std::size_t most_pieces = 2000;
+
+void check_work(int m, Index F, std::size_t pieces) {
+    if (pieces > most_pieces)
+        throw InvalidInput(
+            fmt::format("the {}-cell {} is merged from {} simplices: lifting forms to them takes "
+                        "time as the cube of their number; expected at most {}; take "
+                        "StarKind::circumcentric, which lifts nothing, or leave cells unmerged",
+                        m, F, pieces, most_pieces),
+            {.degree = m, .cells = {F}});
+}
+
 class Lift {
 public:
     Lift(const Merging& merging, const SimplexMetric& metric, const CellVolumes& volumes,
@@ -186,6 +199,7 @@ void Lift::fill_degree(int m, Index F, int j) {
         8.0 * static_cast<double>(cells.size()) *
             static_cast<double>(equations.size() + 3 * unknown.size()),
         fmt::format("lifting forms to the {} simplices of a {}-cell", inside_[m][m][F].size(), m));
+    check_work(m, F, inside_[m][m][F].size());
 
     std::vector<Eigen::Triplet<double, Index>> entries;
     DenseMatrix right_side = DenseMatrix::Zero(equations.size(), cells.size());

@@ -20,7 +20,9 @@ namespace polydec {
 ///
 /// S(s, E) is not 0 only for E in the closure of the carrier of s. Within a polygon of p corners
 /// that is of the order of p^2 entries.
-/// volumes are those of the input complex. Throws InvalidInput beyond 2^31 - 1 entries.
+/// volumes are those of the input complex. Throws InvalidInput beyond 2^31 - 1 entries, and, naming
+/// the cell, where one with simplices inside has more than 2000 pieces; IoError beyond
+/// memory_limit().
 std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
                                          const CellVolumes& volumes,
                                          const std::vector<bool>& flat = {});

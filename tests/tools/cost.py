@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What would take more memory than allowed is refused before it is begun."""
 import os
+import subprocess
 import time
 
 import command
@@ -89,6 +90,51 @@ class Cost(TestCase):
             self.skipTest("sanitizers reserve more addresses than any limit allows")
         self.assertSays(self.fail_with(4, "info", self.simplex(22), limit=True), "simplex22.nsc",
                         "1 simplex", "memory", "MB")
+
+    def test_lifts_to_giant_cells_are_refused_before_they_take_minutes(self):
+        for corners in (5000, 20000):
+            self.write("polygon.off", ladder.polygon(corners))
+            for side in ("primal", "dual"):
+                started = time.monotonic()
+                said = self.fail_with(2, "poisson", "polygon.off", "--side", side, "--rhs", 1,
+                                      "--star", "galerkin", "--max-memory", "200G")
+                self.assertLess(time.monotonic() - started, command.patience(20))
+                self.assertSays(said, "polygon.off", "2-cell 0", f"{corners - 2} simplices", "2000",
+                                "--star circumcentric")
+                self.succeed("poisson", "polygon.off", "--side", side, "--rhs", 1)
+
+    # what commands need beside a mesh; none of these have a mesh of their own
+    ARGUMENTS = {
+        "info": (), "operators": ("--out", "out"), "merge": ("-o", "a.vtu"),
+        "view": ("-o", "a.html"), "draw": ("-o", "a.svg"),
+        "spectrum": ("--side", "primal", "--degree", "0"),
+        "poisson": ("--side", "primal", "--rhs", "1"),
+        "hodge": ("--side", "primal", "--degree", "1", "--form", "x;y;z"),
+        "heat": ("--side", "primal", "--initial", "x", "--until", "1"),
+        "wave": ("--side", "primal", "--degree", "0", "--initial", "x", "--until", "1"),
+        "maxwell": ("--initial", "y;x;0", "--until", "1"), "flow": ("--vorticity", "x", "--until", "1"),
+        "distance": ("--from", "0")}
+    WITHOUT_MESH = {"generate", "reproduce", "backends"}
+
+    def test_every_command_that_takes_a_mesh_is_bounded(self):
+        listed = self.succeed("--help").out.split("Subcommands:\n")[1].splitlines()
+        names = {line.split()[0] for line in listed if line.startswith("  ") and line[2] != " "}
+        self.assertEqual(names, set(self.ARGUMENTS) | self.WITHOUT_MESH)
+        self.succeed("generate", "grid", "--nx", 200, "--ny", 200, "-o", "grid.nsc")
+        for name, arguments in self.ARGUMENTS.items():
+            for most in (1, 20):
+                with self.subTest(name, most=most):
+                    with command.start(name, "grid.nsc", *arguments, "--max-memory", f"{most}M",
+                                       cwd=self.folder, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.PIPE, text=True) as process:
+                        said = process.stderr.read()
+                        _, status, used = os.wait4(process.pid, 0)
+                        process.returncode = os.waitstatus_to_exitcode(status)
+                    self.assertEqual(process.returncode, 4, said)
+                    self.assertSays(said, "grid.nsc", f"{most} MB", "--max-memory")
+                    if command.limited:  # 20 MB are those of the program and the text of the mesh
+                        self.assertLess(used.ru_maxrss * 1024, (20 + most) * 10**6)
+        self.assertEqual(os.listdir(self.folder), ["grid.nsc"])
 
 
 if __name__ == "__main__":
