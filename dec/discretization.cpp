@@ -202,12 +202,14 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     } else {
         facet_tags = {};
     }
-    const Discretization result({std::move(mesh.points), std::move(points), std::move(passage),
+    Discretization::Parts parts({std::move(mesh.points), std::move(points), std::move(passage),
                                  std::move(merged.merging), of_input, merged.volumes, volumes,
                                  options, std::move(merged.degenerate), std::move(mesh.warnings),
                                  std::move(cell_tags), std::move(lengths), unit,
                                  std::move(isolated), std::move(facet_tags), centers,
                                  std::move(mesh.groups), std::move(merged.flat), std::move(plane)});
+    parts.input_cells = std::move(mesh.input_cells);
+    const Discretization result(std::move(parts));
     if (options.star != StarKind::circumcentric && options.star != StarKind::automatic) {
         begin(stage, "stars");
         result.chosen_stars(); // or why there are none
@@ -368,6 +370,7 @@ Discretization discretize(const PeriodicMesh& mesh, const DiscretizeOptions& opt
     check_as_many("numbers of the vertices of a box", std::ssize(mesh.vertices),
                   mesh.box.points.rows());
     Mesh about{{}, {}, mesh.box.warnings, mesh.box.tags, mesh.box.facet_tags, mesh.box.groups};
+    about.input_cells = mesh.box.input_cells;
     for (Index& v : about.facet_tags.simplices.reshaped())
         v = mesh.vertices[v];
     if (options.delaunay != Delaunay::off)

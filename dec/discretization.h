@@ -57,6 +57,7 @@ public:
         std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others, or empty
         Points plane = {}; ///< the input's points in the n-plane that has them all (plane_points)
         std::shared_ptr<const GluedBox> box = {}; ///< of a glued mesh, which knows lengths
+        InputCells input_cells = {};              ///< by rows of the input (see input_row)
     };
 
     /// Throws InvalidInput unless volumes, tags and points are those of as many cells and vertices,
@@ -177,6 +178,10 @@ public:
     /// Of the input's edges if only these are known; or empty.
     const Vector& lengths() const& { return parts_->lengths; }
     Vector lengths() && { return lengths(); }
+
+    /// Of which cells of the input the simplices of input() are parts, by their input_row.
+    const InputCells& input_cells() const& { return parts_->input_cells; }
+    InputCells input_cells() && { return input_cells(); }
 
     /// How it was made, and which facets were found degenerate.
     const DiscretizeOptions& options() const& { return parts_->options; }

@@ -22,10 +22,11 @@ DenseMatrix inverse(const DenseMatrix& tensor, int n, Index cell) {
         (tensor - tensor.transpose()).norm() <= 1e-12 * tensor.norm())
         if (const Eigen::LLT<DenseMatrix> factors(tensor); factors.info() == Eigen::Success)
             return pseudo_inverse(tensor);
-    throw InvalidInput(fmt::format("the conductivity of {1}-cell {2} is a {3} x {4} matrix: "
-                                   "expected a symmetric positive definite one of {0} x {0}",
-                                   n, n, cell, tensor.rows(), tensor.cols()),
-                       {.degree = n, .cells = {cell}});
+    throw InvalidInput(
+        fmt::format("the conductivity of the input's {1}-cell {2} is a {3} x {4} matrix: "
+                    "expected a symmetric positive definite one of {0} x {0}",
+                    n, n, cell, tensor.rows(), tensor.cols()),
+        {.degree = n, .cells = {cell}});
 }
 
 void check_in_place(const Discretization& mesh) {
@@ -71,37 +72,32 @@ SparseMatrix pattern(SparseMatrix matrix) {
 
 } // namespace
 
-void check_cell_weights(const char* what, const Vector& weights, int n) {
-    for (Index cell = 0; cell < weights.size(); ++cell)
-        if (!(weights[cell] > 0 && std::isfinite(weights[cell])))
-            throw InvalidInput(fmt::format("the {} of {}-cell {} is {}: expected a positive number",
-                                           what, n, cell, weights[cell]),
-                               {.degree = n, .cells = {cell}});
-}
-
-SparseMatrix material_star(const Discretization& mesh, int k, const Vector& weights) {
-    const int n = mesh.dimension();
-    check_number("a star of degree", k, 0, n);
-    check_as_many(fmt::format("weights of {}-cells", n), weights.size(), mesh.complex().size(n));
-    check_cell_weights("weight", weights, n);
-    return GalerkinMass(mesh)(k, weights);
+SparseMatrix material_star(const Discretization& mesh, int k, const CellData& weights) {
+    check_number("a star of degree", k, 0, mesh.dimension());
+    return GalerkinMass(mesh)(k, weights.on(mesh, "weight", Range::positive));
 }
 
 SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors) {
     const int n = mesh.dimension();
     check_in_place(mesh);
-    check_as_many(fmt::format("conductivities of {}-cells", n), std::ssize(tensors),
-                  mesh.complex().size(n));
+    check_as_many(fmt::format("conductivities of the input's {}-cells", n), std::ssize(tensors),
+                  count_input_cells(mesh));
+    std::vector<DenseMatrix> inverses;
+    for (Index cell = 0; cell < std::ssize(tensors); ++cell)
+        inverses.push_back(inverse(tensors[cell], n, cell));
+    const auto numbers = cells_of_input(mesh, "conductivities", [&](Index a, Index b) {
+        return (tensors[a] - tensors[b]).norm() > 1e-12 * tensors[a].norm();
+    });
     const GalerkinMass mass(mesh);
     const Pieces& K = mass.pieces();
     const Points& points = *mass.metric().points();
     std::vector<Eigen::Triplet<double, Index>> entries;
     entries.reserve(K.size(n) * (n + 1) * (n + 1));
     for (Index t = 0; t < K.size(n); ++t) {
-        const Index cell = mass.cell(t);
+        const Index cell = numbers[mass.cell(t)];
         const Points corners = points(vertices(K.simplices(n), t), Eigen::all);
         const DenseMatrix edges = corners.bottomRows(n).rowwise() - corners.row(0);
-        const DenseMatrix M = flux_products(corners, inverse(tensors[cell], n, cell),
+        const DenseMatrix M = flux_products(corners, inverses[cell],
                                             std::abs(edges.determinant()) / std::tgamma(n + 1));
         // face i, without corner i, has the sign (-1)^i where flux leaves
         for (int i = 0; i <= n; ++i)
@@ -114,16 +110,9 @@ SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMa
     return mass.lifted(n - 1, W);
 }
 
-Vector cell_means(const Discretization& mesh, int k, const Vector& weights) {
-    const int n = mesh.dimension();
-    check_number("means around cells of degree", k, 0, n);
-    check_as_many(fmt::format("weights of {}-cells", n), weights.size(), mesh.complex().size(n));
-    for (Index cell = 0; cell < weights.size(); ++cell)
-        if (!(weights[cell] >= 0 && std::isfinite(weights[cell])))
-            throw InvalidInput(fmt::format("the weight of {}-cell {} is {}: expected a number of "
-                                           "at least 0",
-                                           n, cell, weights[cell]),
-                               {.degree = n, .cells = {cell}});
+Vector cell_means(const Discretization& mesh, int k, const CellData& given) {
+    check_number("means around cells of degree", k, 0, mesh.dimension());
+    const Vector weights = given.on(mesh, "weight", Range::not_negative);
     const SparseMatrix parts = parts_of_star(mesh, k);
     const Vector sums = parts.transpose() * Vector::Ones(parts.rows());
     Vector means = (parts.transpose() * weights).cwiseQuotient(sums);
@@ -138,20 +127,19 @@ Vector cell_means(const Discretization& mesh, int k, const Vector& weights) {
     return means;
 }
 
-HodgeStars weighted_stars(const Discretization& mesh, int k, const Vector& weights) {
+HodgeStars weighted_stars(const Discretization& mesh, int k, const CellData& given) {
     const int n = mesh.dimension();
     check_number("a star of degree", k, 0, n);
-    check_as_many(fmt::format("weights of {}-cells", n), weights.size(), mesh.complex().size(n));
-    check_cell_weights("weight", weights, n);
     const HodgeStars& stars = mesh.stars();
     if (!stars[k].is_diagonal())
-        return stars.with(k, material_star(mesh, k, weights));
+        return stars.with(k, material_star(mesh, k, given));
+    const Vector weights = given.on(mesh, "weight", Range::positive);
     const CellVolumes& volumes = stars.volumes();
     const SparseMatrix parts = parts_of_star(mesh, k);
     const Vector around = pattern(parts).transpose() * weights;
     const Vector dual =
         mesh.chosen_stars().kind == StarKind::own
-            ? Vector(volumes.dual(k).cwiseProduct(cell_means(mesh, k, weights)))
+            ? Vector(volumes.dual(k).cwiseProduct(cell_means(mesh, k, CellData::on_cells(weights))))
             : Vector((parts.transpose() * weights).cwiseQuotient(volumes.primal(k)));
     HodgeStars result(volumes.with_dual(k, dual, around.cwiseProduct(volumes.terms(k).vector()),
                                         around.cwiseProduct(volumes.rounding(k).vector())));
@@ -161,7 +149,7 @@ HodgeStars weighted_stars(const Discretization& mesh, int k, const Vector& weigh
     return result;
 }
 
-Discretization with_material(const Discretization& mesh, int k, const Vector& weights) {
+Discretization with_material(const Discretization& mesh, int k, const CellData& weights) {
     const ChosenStars& now = mesh.chosen_stars();
     return mesh.with_stars(ChosenStars(weighted_stars(mesh, k, weights), now.kind, now.galerkin));
 }

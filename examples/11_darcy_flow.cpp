@@ -23,7 +23,8 @@ int main() {
     const polydec::Points facets = polydec::PoissonSolver(box).flux_sites();
     const auto ends = polydec::essential_where(
         facets, [](const auto& x) { return x[0] < 1e-9 || x[0] > 2 - 1e-9; });
-    polydec::DarcySolver solver(box, {.boundary = ends, .conductivity = kappa});
+    polydec::DarcySolver solver(
+        box, {.boundary = ends, .conductivity = polydec::CellData::on_cells(kappa)});
     const polydec::Vector nothing = polydec::Vector::Zero(facets.rows());
     const auto flow =
         solver.solve(polydec::Vector::Zero(places.rows()), 1 - facets.col(0).array() / 2, nothing);

@@ -68,7 +68,8 @@ void rod() {
     const polydec::Points centers = polydec::cell_centers(mesh, 2);
     const polydec::Vector permittivity =
         centers.rowwise().norm().unaryExpr([](double r) { return r < 8 ? 4.0 : 1.0; });
-    mesh = mesh.with_stars(polydec::weighted_stars(mesh, 0, permittivity));
+    mesh = mesh.with_stars(
+        polydec::weighted_stars(mesh, 0, polydec::CellData::on_cells(permittivity)));
     const polydec::Leapfrog light(mesh, {}, polydec::Side::primal, 0,
                                   {.time_step = step, .layer = {.width = layer}});
     polydec::WaveState state{polydec::Vector::Zero(mesh.complex().size(0)),

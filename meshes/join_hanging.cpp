@@ -130,11 +130,9 @@ public:
         for (Index i = 0; i < std::ssize(centers_); ++i)
             result.points.row(vertices + i) = center(mesh_.points, centers_[i]);
         const auto width = mesh_.simplices.cols();
+        follow_rows(result, rows_, static_cast<Index>(mesh_.simplices.rows()));
         result.simplices =
             Eigen::Map<const Simplices>(all_corners_.data(), std::ssize(rows_), width);
-        result.tags.clear();
-        for (std::size_t i = 0; i < rows_.size() && !mesh_.tags.empty(); ++i)
-            result.tags.push_back(mesh_.tags[rows_[i]]);
         divide_facets(result.facet_tags);
         result.warnings.push_back(fmt::format("split {} {} at {} hanging {}", divided_.size(),
                                               divided_.size() == 1 ? "cell" : "cells", nodes,

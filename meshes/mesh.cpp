@@ -11,6 +11,35 @@
 
 namespace polydec {
 
+void follow_rows(Mesh& mesh, const std::vector<Index>& rows, Index count) {
+    const auto followed = [&](const std::vector<Index>& numbers) {
+        std::vector<Index> result;
+        result.reserve(rows.size());
+        for (const Index row : rows)
+            result.push_back(numbers[row]);
+        return result;
+    };
+    if (!mesh.tags.empty())
+        mesh.tags = followed(mesh.tags);
+    auto& cells = mesh.input_cells;
+    if (cells.of_simplices.empty())
+        cells = {rows, count};
+    else
+        cells.of_simplices = followed(cells.of_simplices);
+}
+
+std::vector<Index> keep_rows(Mesh& mesh, const std::vector<bool>& left_out) {
+    std::vector<Index> rows;
+    for (Index row = 0; row < mesh.simplices.rows(); ++row)
+        if (!left_out[row])
+            rows.push_back(row);
+    follow_rows(mesh, rows, static_cast<Index>(mesh.simplices.rows()));
+    for (std::size_t to = 0; to < rows.size(); ++to)
+        mesh.simplices.row(static_cast<Index>(to)) = mesh.simplices.row(rows[to]);
+    mesh.simplices.conservativeResize(static_cast<Eigen::Index>(rows.size()), Eigen::NoChange);
+    return rows;
+}
+
 void check_facet_tags(const Mesh& mesh) {
     const auto& [facets, tags] = mesh.facet_tags;
     if (static_cast<Eigen::Index>(tags.size()) != facets.rows())

@@ -22,6 +22,13 @@ struct GroupName {
     std::string name = {};
 };
 
+/// Of which cells of the input the simplices of a mesh are parts: polygons and solids are split,
+/// other cells are divided or left out. Data by cell are given in the order of the input's cells.
+struct InputCells {
+    std::vector<Index> of_simplices = {}; ///< numbers from 0; empty: each simplex is one, in order
+    Index count = 0;                      ///< of the input's cells, if there are numbers
+};
+
 /// What a file or a generator gives: points of R^N and top simplices of one dimension n.
 struct Mesh {
     Points points;       ///< one row per vertex, N columns
@@ -33,10 +40,18 @@ struct Mesh {
     /// (n-1)-simplices, in any order.
     TaggedSimplices facet_tags = {};
     std::vector<GroupName> groups = {}; ///< those that have names
+    InputCells input_cells = {};
 
     int ambient_dimension() const { return static_cast<int>(points.cols()); }
     int dimension() const { return static_cast<int>(simplices.cols()) - 1; }
 };
+
+/// What the mesh knows of `count` cells by row, tags and numbers of the input's cells, for
+/// simplices that are, or are parts of, the cells of these rows.
+void follow_rows(Mesh& mesh, const std::vector<Index>& rows, Index count);
+
+/// Takes simplices out, which are marked, with what is known of them; the rows that stay.
+std::vector<Index> keep_rows(Mesh& mesh, const std::vector<bool>& left_out);
 
 /// Throws InvalidInput, naming the facet, unless every facet with a tag has n vertices of the mesh,
 /// and one tag.

@@ -176,21 +176,10 @@ Mesh peeled(Mesh mesh) {
                                        "dimensions, and at least 2",
                                        mesh.dimension(), mesh.ambient_dimension()));
     const auto is_left_out = Peeling(mesh).run();
-    Index rows = 0;
-    for (Index row = 0; row < mesh.simplices.rows(); ++row) {
-        if (is_left_out[row])
-            continue;
-        mesh.simplices.row(rows) = mesh.simplices.row(row);
-        if (!mesh.tags.empty())
-            mesh.tags[rows] = mesh.tags[row];
-        ++rows;
-    }
-    const auto count = mesh.simplices.rows() - rows;
+    const auto count = std::count(is_left_out.begin(), is_left_out.end(), true);
     if (count == 0)
         return mesh;
-    mesh.simplices.conservativeResize(rows, Eigen::NoChange);
-    if (!mesh.tags.empty())
-        mesh.tags.resize(static_cast<std::size_t>(rows));
+    keep_rows(mesh, is_left_out);
     mesh.warnings.push_back(
         fmt::format("peeled {} flat cell{} off the boundary", count, count == 1 ? "" : "s"));
     return mesh;

@@ -74,9 +74,8 @@ public:
         }
     }
 
-    /// The corners of the triangles; appends to `tags` one for each of them if the faces have tags.
-    std::vector<Index> triangles(const std::vector<Index>& tags_of_faces,
-                                 std::vector<Index>& tags) const {
+    /// The corners of the triangles; appends to `faces_of` the face of each of them.
+    std::vector<Index> triangles(std::vector<Index>& faces_of) const {
         std::vector<Index> result;
         result.reserve(3 * triangles_.size());
         for (std::size_t face = 0; face < faces(); ++face) {
@@ -85,8 +84,7 @@ public:
                 const auto [a, b, c] = triangles_[t];
                 result.insert(result.end(), {a, turned_[face] ? c : b, turned_[face] ? b : c});
             }
-            if (!tags_of_faces.empty())
-                tags.resize(result.size() / 3, tags_of_faces[face]);
+            faces_of.resize(result.size() / 3, static_cast<Index>(face));
         }
         return result;
     }
@@ -328,7 +326,10 @@ Mesh split_polygons(PolygonMesh polygons) {
         Tallies tallies;
         PolygonSplitting splitting(polygons, tallies);
         splitting.split();
-        mesh.simplices = simplices_from(splitting.triangles(polygons.tags, mesh.tags));
+        std::vector<Index> faces;
+        mesh.simplices = simplices_from(splitting.triangles(faces));
+        mesh.tags = std::move(polygons.tags);
+        follow_rows(mesh, faces, static_cast<Index>(polygons.offsets.size()) - 1);
         mesh.warnings = warnings_of(tallies);
     }
     mesh.points = std::move(polygons.points);

@@ -61,8 +61,9 @@ Renumbered arranged(const Mesh& mesh, const Simplices& renumbered, std::vector<I
         result.mesh.points.row(static_cast<Eigen::Index>(i)) = mesh.points.row(result.vertices[i]);
     for (std::size_t i = 0; i < result.cells.size(); ++i)
         result.mesh.simplices.row(static_cast<Eigen::Index>(i)) = renumbered.row(result.cells[i]);
-    for (std::size_t i = 0; i < mesh.tags.size(); ++i)
-        result.mesh.tags[i] = mesh.tags[result.cells[i]];
+    follow_rows(result.mesh, result.cells, static_cast<Index>(mesh.simplices.rows()));
+    if (mesh.input_cells.of_simplices.empty())
+        result.mesh.input_cells = {}; // the simplices have new numbers
     auto& facets = result.mesh.facet_tags.simplices;
     facets = with_new_numbers(std::move(facets), result.vertices, "facets with tags");
     return result;

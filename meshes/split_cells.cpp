@@ -152,7 +152,7 @@ void orient(const Points& points, int dimension, std::span<Index> simplices) {
 Mesh split_solids(PolygonMesh cells, int dimension) {
     check_polygons(cells);
     Mesh mesh;
-    std::vector<Index> simplices;
+    std::vector<Index> simplices, cells_of;
     Solids split, flat;
     for (std::size_t cell = 0; cell + 1 < cells.offsets.size(); ++cell) {
         const auto corners = corners_of(cells.corners, cells.offsets, cell);
@@ -172,10 +172,11 @@ Mesh split_solids(PolygonMesh cells, int dimension) {
             split.add(cell);
             orient(cells.points, dimension, std::span(simplices).subspan(before));
         }
-        if (!cells.tags.empty())
-            mesh.tags.resize(simplices.size() / (static_cast<std::size_t>(dimension) + 1),
-                             cells.tags[cell]);
+        cells_of.resize(simplices.size() / (static_cast<std::size_t>(dimension) + 1),
+                        static_cast<Index>(cell));
     }
+    mesh.tags = std::move(cells.tags);
+    follow_rows(mesh, cells_of, static_cast<Index>(cells.offsets.size()) - 1);
     mesh.points = std::move(cells.points);
     mesh.simplices = simplices_of(simplices, dimension);
     if (split.count > 0) {

@@ -88,23 +88,13 @@ void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view f
                                         cells.size() == 1 ? "cell" : "cells", flaw,
                                         listed(cells, name)));
 
-    std::size_t left_out = 0;
-    for (Index cell = cells.front(); cell < mesh.simplices.rows(); ++cell) {
-        if (left_out < cells.size() && cells[left_out] == cell) {
-            ++left_out;
-            continue;
-        }
-        const Index to = cell - static_cast<Index>(left_out);
-        mesh.simplices.row(to) = mesh.simplices.row(cell);
-        if (!mesh.tags.empty())
-            mesh.tags[to] = mesh.tags[cell];
-        sieve.numbers[to] = sieve.numbers[cell];
-    }
-    sieve.numbers.resize(sieve.numbers.size() - left_out);
-    mesh.simplices.conservativeResize(static_cast<Eigen::Index>(sieve.numbers.size()),
-                                      Eigen::NoChange);
-    if (!mesh.tags.empty())
-        mesh.tags.resize(sieve.numbers.size());
+    std::vector<bool> is_left_out(static_cast<std::size_t>(mesh.simplices.rows()), false);
+    for (const Index cell : cells)
+        is_left_out[cell] = true;
+    const auto rows = keep_rows(mesh, is_left_out);
+    for (std::size_t to = 0; to < rows.size(); ++to)
+        sieve.numbers[to] = sieve.numbers[rows[to]];
+    sieve.numbers.resize(rows.size());
 }
 
 /// The cells' vertices in ascending order.

@@ -86,6 +86,16 @@ std::optional<double> in_input_units(double value, double unit, double power) {
     return result;
 }
 
+namespace {
+
+[[noreturn]] void refuse(double value, double unit, double power, std::string_view what) {
+    throw InvalidInput(fmt::format("{}: {:.3g} times the power {} of {:.3g} is no number of "
+                                   "double precision; scale the mesh to a size nearer to 1",
+                                   what, value, power, unit));
+}
+
+} // namespace
+
 Vector in_input_units(const Vector& values, double unit, double power, std::string_view what) {
     Vector result = values;
     const double rounding =
@@ -96,13 +106,20 @@ Vector in_input_units(const Vector& values, double unit, double power, std::stri
         if (!scaled && std::abs(value) <= rounding)
             scaled = 0;
         if (!scaled)
-            throw InvalidInput(
-                fmt::format("{}: {:.3g} times the power {} of {:.3g} is no number of "
-                            "double precision; scale the mesh to a size nearer to 1",
-                            what, value, power, unit));
+            refuse(value, unit, power, what);
         value = *scaled;
     }
     return result;
+}
+
+Vector form_in_input_units(const Vector& values, double unit, double power, std::string_view what) {
+    if (unit == 1 || values.size() == 0)
+        return values;
+    const double largest = values.cwiseAbs().maxCoeff();
+    if (!in_input_units(largest, unit, power))
+        refuse(largest, unit, power, what);
+    const int exponent = static_cast<int>(power * std::ilogb(unit));
+    return values.unaryExpr([&](double value) { return std::ldexp(value, exponent); });
 }
 
 } // namespace polydec

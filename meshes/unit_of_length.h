@@ -36,4 +36,9 @@ std::optional<double> in_input_units(double value, double unit, double power);
 /// InvalidInput, naming what they are, where another one leaves the range.
 Vector in_input_units(const Vector& values, double unit, double power, std::string_view what);
 
+/// The same for values whose errors count beside the largest, as those of a form do: near the ends
+/// of the range smaller ones lose digits that are rounding beside it. Throws where the largest
+/// leaves the range.
+Vector form_in_input_units(const Vector& values, double unit, double power, std::string_view what);
+
 } // namespace polydec

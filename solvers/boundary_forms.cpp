@@ -8,21 +8,34 @@
 
 namespace polydec {
 
-Vector outward_flow(const Discretization& mesh, Side side, const Vector& given) {
+Vector outward_flow(const Discretization& mesh, Side side, const Vector& derivatives) {
     const CellComplex& complex = mesh.complex();
     const int n = complex.dimension();
-    check_as_many("outward derivatives", given.size(), complex.size(n - 1));
-    const Vector derivatives = in_input_units(given, mesh.unit(), 1, "outward derivatives");
+    check_as_many("outward derivatives", derivatives.size(), complex.size(n - 1));
+    const auto in_input = [&](const Vector& flow) {
+        return form_in_input_units(flow, mesh.unit(), n - 1, "flows through facets");
+    };
     if (side == Side::primal)
-        return dual_boundary_derivative(complex, n - 1).transpose() *
-               Vector(boundary_star(mesh, 0, derivatives) * Vector::Ones(complex.size(0)));
+        return in_input(
+            dual_boundary_derivative(complex, n - 1).transpose() *
+            Vector(boundary_star(mesh, 0, derivatives) * Vector::Ones(complex.size(0))));
     const Vector& areas = mesh.volumes().primal(n - 1);
     Vector flow = Vector::Zero(derivatives.size());
     for (Index t = 0; t < complex.size(n); ++t)
         for (const SignedFace& f : complex.incidences(n - 1)[t])
             if (complex.coface_counts(n - 1)[f.face] == 1)
                 flow[f.face] = f.sign * areas[f.face] * derivatives[f.face];
-    return flow;
+    return in_input(flow);
+}
+
+BoundaryForms in_unit(const BoundaryForms& data, double unit, int n, int degree) {
+    const auto taken = [&](const Vector& values, int power, const char* what) {
+        return form_in_input_units(values, unit, -power, what);
+    };
+    // relative to u, whose values are the same
+    return {data.values, taken(data.codifferential, -2, "codifferentials on the boundary"),
+            taken(data.flow, n - 2 * degree, "flows through the boundary"),
+            taken(data.derivative_flow, n - 2 * degree - 2, "flows of derivatives")};
 }
 
 } // namespace polydec

@@ -27,9 +27,12 @@ struct BoundaryForms {
 
 /// The derivative_flow of 0-forms with these outward normal derivatives, one for each (n-1)-cell,
 /// of which those of the boundary matter: each times the area of its facet, as that is oriented.
-/// Size size(0) for primal forms, size(n-1) for dual ones. Derivatives are by lengths of the input,
-/// the flow is in the unit of the mesh, as its stars are. Throws InvalidInput for another number of
-/// them.
+/// Size size(0) for primal forms, size(n-1) for dual ones. In the units of the input. Throws
+/// InvalidInput for another number of them.
 Vector outward_flow(const Discretization& mesh, Side side, const Vector& derivatives);
+
+/// Data of forms of this degree in the units of the input as they are on a mesh of dimension n that
+/// is measured in a unit of length. Throws InvalidInput where they are no numbers.
+BoundaryForms in_unit(const BoundaryForms& data, double unit, int n, int degree);
 
 } // namespace polydec

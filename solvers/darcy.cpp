@@ -2,6 +2,7 @@
 #include "solvers/darcy.h"
 
 #include "dec/forms/derivative.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/mixed_poisson.h"
 
 #include <utility>
@@ -37,10 +38,19 @@ DarcySolver::DarcySolver(const CellComplex& complex, const CellVolumes& volumes,
 
 DarcyFlow DarcySolver::solve(const Vector& source, const Vector& pressures,
                              const Vector& outflow) const {
+    poisson_.check(source, pressures, -outflow);
+    DarcyFlow flow = solve_in_unit(poisson_.in_unit(source, 2, "sources"), pressures,
+                                   poisson_.in_unit(outflow, 1, "outflow"));
+    flow.flux.values =
+        form_in_input_units(flow.flux.values, poisson_.unit_, complex_.dimension() - 2, "fluxes");
+    return flow;
+}
+
+DarcyFlow DarcySolver::solve_in_unit(const Vector& source, const Vector& pressures,
+                                     const Vector& outflow) const {
     const int n = complex_.dimension();
     if (poisson_.mixed_)
         return mixed_flow(source, pressures, outflow);
-    poisson_.check(source, pressures, -outflow);
     const auto [columns, report, compatibility, warnings] =
         poisson_.solve_in_unit(source, pressures, -outflow);
     const Vector p = columns;
@@ -82,7 +92,6 @@ DarcyFlow DarcySolver::solve(const Vector& source, const Vector& pressures,
 DarcyFlow DarcySolver::mixed_flow(const Vector& source, const Vector& pressures,
                                   const Vector& outflow) const {
     const int n = complex_.dimension();
-    poisson_.check(source, pressures, -outflow);
     auto flow = poisson_.mixed_->solve(volumes_.primal(n).cwiseProduct(source), pressures,
                                        volumes_.primal(n - 1).cwiseProduct(outflow));
     return {{Side::dual, 0, std::move(flow.values)},

@@ -22,7 +22,7 @@ struct DarcyFlow {
 ///
 /// Where the dual of an essential facet has no length the pressure of its cell is given, and what
 /// flows through the facet is what the balance of the cell asks for, shared by area among such
-/// facets of one cell.
+/// facets of one cell. On a mesh all is in the units of the input.
 class DarcySolver {
 public:
     /// Of the options the side does not matter. Throws like PoissonSolver for dual 0-forms.
@@ -42,6 +42,8 @@ private:
     DarcySolver(const CellComplex& complex, const CellVolumes& volumes, PoissonSolver poisson,
                 const BoundaryConditions& conditions);
 
+    DarcyFlow solve_in_unit(const Vector& source, const Vector& pressures,
+                            const Vector& outflow) const;
     DarcyFlow mixed_flow(const Vector& source, const Vector& pressures,
                          const Vector& outflow) const;
 

@@ -74,7 +74,9 @@ Diffusion::Diffusion(const Discretization& mesh, Side side, int degree,
     : Diffusion(
           mesh.complex(), mesh.stars(),
           with_robin(mesh, side, degree, options.conditions.value_or(built_in_conditions(side))),
-          side, degree, in_unit_of(mesh, options)) {}
+          side, degree, in_unit_of(mesh, options)) {
+    unit_ = mesh.unit();
+}
 
 Diffusion::Diffusion(const CellComplex& complex, const HodgeStars& stars, Side side, int degree,
                      const DiffusionOptions& options)
@@ -197,6 +199,10 @@ const HodgeLaplaceEquations& Diffusion::equations() const {
     });
 }
 
+BoundaryLoads Diffusion::loads(const BoundaryForms& data) const {
+    return equations().loads(in_unit(data, unit_, mass_.dimension(), degree_));
+}
+
 /// What the mass makes of fixed values, as values of the kept cells.
 Vector Diffusion::moved(const Vector& fixed) const {
     if (!space_ || mass_.is_diagonal())
@@ -208,7 +214,7 @@ Vector Diffusion::moved(const Vector& fixed) const {
 
 Vector Diffusion::boundary_rate(const BoundaryForms& data) const {
     const HodgeLaplaceEquations& of = equations();
-    auto [w, below, b, g, b_terms, g_terms] = of.loads(data);
+    auto [w, below, b, g, b_terms, g_terms] = loads(data);
     const Vector shift = of.kept * moved(w);
     b += of.upper * shift + of.robin * shift;
     g += of.down * shift;
@@ -228,7 +234,7 @@ Vector Diffusion::form_of(const Vector& values, const BoundaryForms& data) const
     const HodgeStar& star = space_->stars[k];
     Vector w = Vector::Zero(star.size());
     if (has_any(data))
-        w = equations().loads(data).w;
+        w = loads(data).w;
     if (side_ == Side::dual && mass_.is_diagonal()) {
         w = star * w;
         w(kept_) = values;
@@ -250,7 +256,7 @@ Vector Diffusion::values_of(const Vector& form) const {
 Vector Diffusion::values_of(const Vector& form, const BoundaryForms& data) const {
     if (side_ == Side::dual || mass_.is_diagonal())
         return form(kept_);
-    Vector whole = has_any(data) ? equations().loads(data).w : Vector::Zero(form.size());
+    Vector whole = has_any(data) ? loads(data).w : Vector::Zero(form.size());
     whole(kept_) = form(kept_);
     return values_of(whole);
 }

@@ -14,6 +14,7 @@
 
 namespace polydec {
 
+struct BoundaryLoads;
 struct HodgeLaplaceEquations;
 
 struct DiffusionOptions {
@@ -85,13 +86,14 @@ private:
 
     SparseMatrix step_matrix(double gamma) const;
     const HodgeLaplaceEquations& equations() const;
+    BoundaryLoads loads(const BoundaryForms& data) const;
     Vector moved(const Vector& fixed) const;
     void check_growth(const Vector& before, const Vector& after) const;
 
     std::vector<Index> kept_;
     Side side_;
     int degree_;
-    double coefficient_ = 1;
+    double coefficient_ = 1, unit_ = 1; // of length
     Operator stiffness_;
     HodgeStar mass_;
     SparseMatrix robin_; // what Robin's condition adds to the stiffness of primal forms

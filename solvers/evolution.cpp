@@ -3,6 +3,7 @@
 
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "meshes/unit_of_length.h"
 
 #include <fmt/format.h>
 
@@ -111,7 +112,8 @@ void Evolution::Equation::add(const CellComplex& whole, const HodgeStars& stars,
     std::iota(kept.begin(), kept.end(), 0);
     if (stiff)
         kept = stiff->kept();
-    const Vector sizes = sizes_of_cells(stars.volumes(), side, degree);
+    const Vector sizes = in_input_units(sizes_of_cells(stars.volumes(), side, degree),
+                                        mesh ? mesh->unit() : 1, degree, "sizes of cells");
     const auto first = static_cast<Index>(start.size());
     start.conservativeResize(first + kept.size());
     scale.conservativeResize(first + kept.size());
@@ -202,6 +204,16 @@ InitialValueProblem Evolution::Equation::problem(const std::shared_ptr<Equation>
             return self->options.event(time, self->forms(time, y));
         };
     return result;
+}
+
+double largest_coefficient(const Discretization& mesh, const Cochain& form) {
+    check(mesh.complex(), form);
+    if (form.values.size() == 0)
+        return 0;
+    const Vector sizes = sizes_of_cells(mesh.stars().volumes(), form.side, form.degree);
+    const Vector coefficients = in_input_units(Vector(form.values.cwiseQuotient(sizes)),
+                                               mesh.unit(), -form.degree, "coefficients");
+    return coefficients.cwiseAbs().maxCoeff();
 }
 
 Evolution::Evolution(const Discretization& mesh, std::vector<Unknown> unknowns, Reaction reaction,

@@ -42,6 +42,11 @@ struct EvolutionOptions {
     std::function<void(double time)> progress = {};
 };
 
+/// The largest coefficient of a form: of its values over the sizes of cells, by which Evolution
+/// measures the errors of steps, in the units of the input. Throws InvalidInput for a form of other
+/// cells.
+double largest_coefficient(const Discretization& mesh, const Cochain& form);
+
 /// Forms that change in time: u_i' = -nu_i Delta u_i + f_i(t, u_1, u_2, ..), for primal and dual
 /// forms of any degrees on one mesh. The steps are what the tolerances ask for, however fine the
 /// mesh is, since diffusion is solved for. A step's error is measured in values over the sizes of

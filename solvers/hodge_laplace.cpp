@@ -126,7 +126,8 @@ FormSolution HodgeLaplaceSolver::solve(const Cochain& given, const BoundaryForms
     const bool primal = side_ == Side::primal;
     if (harmonic.size() != 0)
         check_as_many("coefficients of harmonic forms", harmonic.size(), of.harmonic.cols());
-    auto [w, below, b, g, b_terms, g_terms] = of.loads(data);
+    auto [w, below, b, g, b_terms, g_terms] =
+        of.loads(in_unit(data, unit_, complex_.dimension(), degree_));
     b += primal ? of.M * f : f;
     b_terms += primal ? Vector(of.M.cwiseAbs() * f.cwiseAbs()) : f.cwiseAbs();
     Vector free = of.kept.transpose() * b;
@@ -151,7 +152,7 @@ FormSolution HodgeLaplaceSolver::solve(const Cochain& given, const BoundaryForms
     const int n = complex_.dimension();
     if (primal)
         return {{side_, k_, std::move(w)},
-                {side_, k_ - 1, std::move(below)},
+                {side_, k_ - 1, form_in_input_units(below, unit_, -2, "codifferential")},
                 {side_, k_, removed},
                 report};
     return {{side_, degree_, of.M * w},
@@ -173,8 +174,7 @@ CurlCurlSolution solve_curl_curl(const HodgeLaplaceSolver& solver, const CellCom
     const auto first = solver.solve(j, data);
     Cochain exact{Side::primal, j.degree, Vector::Zero(j.values.size())};
     if (j.degree > 0)
-        exact.values = in_input_units(d(complex, first.beside).values, solver.unit(), -2,
-                                      "exact part of the source");
+        exact.values = d(complex, first.beside).values;
     auto second = solver.solve(j - exact, data);
     return {std::move(second.form), exact + first.removed, std::move(second.report)};
 }

@@ -63,26 +63,19 @@ Vector natural_facets(const CellComplex& complex, const CellMarks& essential) {
     return result;
 }
 
-void check_conductivity(const CellComplex& complex, const Vector& conductivity) {
-    const int n = complex.dimension();
-    if (conductivity.size() != 0 && conductivity.size() != complex.size(n))
-        throw InvalidInput(fmt::format("{} conductivities are given: expected one for each of the "
-                                       "{} {}-cells, or none",
-                                       conductivity.size(), complex.size(n), n));
-    check_cell_weights("conductivity", conductivity, n);
-}
-
 /// The mesh with the star of flows that belongs to a conductivity.
 Discretization with_conductivity(const Discretization& mesh, Side side, int flows,
-                                 const Vector& conductivity) {
+                                 const CellData& conductivity) {
     if (mesh.chosen_stars().kind == StarKind::own && !mesh.stars()[flows].is_diagonal())
         throw InvalidInput(fmt::format("conductivities are given beside a star of {}-cells of your "
                                        "own that is a matrix, of which the cells' parts are not "
                                        "known: make the star of them (material_star)",
                                        flows),
                            {.degree = flows});
-    return with_material(mesh, flows,
-                         side == Side::primal ? conductivity : Vector(conductivity.cwiseInverse()));
+    const Vector kappa = conductivity.on(mesh, "conductivity", Range::positive);
+    return with_material(
+        mesh, flows,
+        CellData::on_cells(side == Side::primal ? kappa : Vector(kappa.cwiseInverse())));
 }
 
 /// What connects the unknowns, and what is known of it.
@@ -226,8 +219,7 @@ struct PoissonSolver::Problem {
     /// Of options in the unit of the mesh.
     static Problem of(const Discretization& mesh, const PoissonOptions& options) {
         const int flows = options.side == Side::primal ? 1 : mesh.dimension() - 1;
-        check_conductivity(mesh.complex(), options.conductivity);
-        if (options.conductivity.size() != 0) {
+        if (!options.conductivity.is_empty()) {
             PoissonOptions others = options;
             others.conductivity = {};
             return of(with_conductivity(mesh, options.side, flows, options.conductivity), others);
@@ -255,7 +247,7 @@ struct PoissonSolver::Problem {
     static Problem of(const CellComplex& complex, const HodgeStars& stars,
                       const PoissonOptions& options) {
         check_fit(complex, stars);
-        if (options.conductivity.size() != 0)
+        if (!options.conductivity.is_empty())
             throw InvalidInput("conductivities are given for cells of one's own: how their duals "
                                "are divided among them is not known; give a mesh");
         Problem problem =

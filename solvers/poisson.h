@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/cell_data.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/side.h"
 #include "solvers/constrained_system.h"
@@ -15,7 +15,7 @@ struct PoissonOptions {
     /// everywhere.
     BoundaryConditions boundary = {};
     std::string linear_solver = "auto";
-    Vector conductivity = {}; ///< kappa > 0 of each merged n-cell; empty: 1 everywhere
+    CellData conductivity = {}; ///< kappa > 0 of each cell of the input; none: 1 everywhere
 };
 
 class MixedPoisson;

@@ -2,6 +2,7 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_vertices.h"
+#include "dec/input_vertices.h"
 #include "solvers/surfaces/geodesic_distance.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <ranges>
 
 namespace polydec::tools {
 
@@ -30,25 +30,10 @@ struct DistanceArguments {
     PictureArguments picture;
 };
 
-/// The 0-cell of a vertex of the input.
-Index cell_of(const Discretization& mesh, const std::string& word) {
-    const SimplicialComplex& input = mesh.input();
-    const auto cells = std::views::iota(Index{0}, input.size(0));
-    const auto number = [&](Index cell) { return input.vertex_number(cell); };
-    if (const auto vertex = group_tag({}, 0, word)) {
-        const auto found = std::ranges::lower_bound(cells, *vertex, {}, number);
-        if (found != cells.end() && number(*found) == *vertex)
-            return *found;
-    }
-    throw InvalidInput(fmt::format("--from {}: no triangle has such a vertex; vertices are "
-                                   "numbered from 0, the last one is {}; or say boundary",
-                                   word, number(input.size(0) - 1)));
-}
-
 /// The 0-cells that the options choose, ascending.
 std::vector<Index> sources(const Discretization& mesh, const DistanceArguments& arguments,
                            const std::optional<SiteValues>& where) {
-    std::vector<Index> cells;
+    std::vector<Index> cells, numbers;
     if (!arguments.from_on.empty())
         cells = vertices_on(mesh, arguments.from_on);
     if (where) {
@@ -65,7 +50,9 @@ std::vector<Index> sources(const Discretization& mesh, const DistanceArguments& 
             for (const Index v : boundary_vertices(mesh))
                 cells.push_back(v);
         else
-            cells.push_back(cell_of(mesh, word));
+            numbers.push_back(group_tag({}, 0, word).value());
+    const auto named = cells_of_vertices(mesh, "--from", numbers);
+    cells.insert(cells.end(), named.begin(), named.end());
     return cells;
 }
 

@@ -3,7 +3,6 @@
 #include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
 #include "io/diagnosis_json.h"
-#include "meshes/unit_of_length.h"
 #include "solvers/flow/flow_data.h"
 #include "solvers/flow/flow_solver.h"
 #include "tools/commands.h"
@@ -18,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -48,11 +48,8 @@ struct Given {
           no_slip_on(arguments.no_slip_on),
           open_on(arguments.open_on) {}
 
-    /// Lengths are measured in the units of the mesh.
     FlowOptions options(const Discretization& mesh, FlowOptions options) const {
-        const double unit = mesh.unit();
-        options.viscosity = options.viscosity / unit / unit;
-        const Points facets = unit * facet_sites(mesh);
+        const Points facets = mesh.unit() * facet_sites(mesh);
         options.facets.assign(static_cast<std::size_t>(facets.rows()), FlowBoundary::free_slip);
         const auto mark = [&](const ComponentValues& where, const std::vector<std::string>& groups,
                               FlowBoundary kind) {
@@ -69,11 +66,11 @@ struct Given {
         mark(no_slip, no_slip_on, FlowBoundary::no_slip);
         mark(open, open_on, FlowBoundary::open);
         if (boundary.given()) {
-            options.wall_velocity = boundary.at(facets, facets.cols()) / unit;
+            options.wall_velocity = boundary.at(facets, facets.cols());
             options.boundary_flux = flux_through_boundary(mesh, options.wall_velocity);
         }
         if (rotation.given())
-            options.rotation = rotation.at(unit * cell_centers(mesh, 0));
+            options.rotation = rotation.at(mesh.unit() * cell_centers(mesh, 0));
         return options;
     }
 
@@ -83,7 +80,7 @@ struct Given {
         if (vorticity.given())
             return flow_of_vorticity(mesh, vorticity.at(sites));
         if (velocity.given())
-            return flow_of_velocity(mesh, velocity.at(sites, sites.cols()) / mesh.unit());
+            return flow_of_velocity(mesh, velocity.at(sites, sites.cols()));
         return Vector::Zero(mesh.complex().size(mesh.dimension() - 1));
     }
 };
@@ -100,6 +97,15 @@ std::string boundary_in_words(const std::vector<FlowBoundary>& facets, const Cel
                        counts[1], counts[2]);
 }
 
+/// What is a number in the units of the file.
+std::optional<double> in_range(const std::function<double()>& number) {
+    try {
+        return number();
+    } catch (const InvalidInput&) {
+        return std::nullopt;
+    }
+}
+
 struct Flowed : Answer {
     TimeSteps steps;
     Ran ran;
@@ -113,15 +119,13 @@ struct Flowed : Answer {
           exchange_time(flow.exchange_time(w)),
           circulation(flow.total_circulation(w)),
           divergence(flow.divergence(w)),
-          relative_energy(part_of(flow.energy(w), flow.energy(start))),
           stars(flow.mesh().chosen_stars()) {
-        const double unit = flow.mesh().unit();
-        const int n = flow.mesh().dimension();
-        energy = in_input_units(flow.energy(w), unit, n + 2);
-        const Vector z = flow.vorticity(w);
-        enstrophy = in_input_units(z.dot(flow.mesh().stars()[n - 2] * z) / 2, unit, n);
-        most = in_input_units(z.maxCoeff(), unit, n - 2);
-        least = in_input_units(z.minCoeff(), unit, n - 2);
+        if (!start.isZero(0))
+            relative_energy = in_range([&] { return flow.relative_energy(w, start); });
+        energy = in_range([&] { return flow.energy(w); });
+        enstrophy = in_range([&] { return flow.enstrophy(w); });
+        most = in_range([&] { return flow.vorticity(w).maxCoeff(); });
+        least = in_range([&] { return flow.vorticity(w).minCoeff(); });
     }
 
     void write(JsonWriter& json) const override {
@@ -156,7 +160,8 @@ double own_step(const IncompressibleFlow& flow, const Vector& w, const FlowArgum
     const int n = flow.mesh().dimension();
     double time = flow.exchange_time(w);
     if (walls.size() > 0) {
-        const double size = std::pow(flow.mesh().volumes().primal(n).minCoeff(), 1.0 / n);
+        const double size =
+            flow.mesh().unit() * std::pow(flow.mesh().volumes().primal(n).minCoeff(), 1.0 / n);
         time = std::min(time, size / walls.rowwise().norm().maxCoeff());
     }
     const double part = arguments.scheme == FlowScheme::imex ? 0.8 : 0.4;
@@ -167,8 +172,7 @@ std::vector<NamedForm> shown(const IncompressibleFlow& flow, const Vector& w) {
     const int n = flow.mesh().dimension();
     if (n == 2)
         return {NamedForm("vorticity", {Side::primal, 0, flow.vorticity(w)}, "the vorticity")};
-    const double unit = flow.mesh().unit();
-    return {NamedForm("energy", {Side::dual, 0, unit * unit * flow.advection().kinetic_energy(w)},
+    return {NamedForm("energy", {Side::dual, 0, flow.advection().kinetic_energy(w)},
                       "half of the squared velocity")};
 }
 

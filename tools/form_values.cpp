@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
+#include "dec/input_vertices.h"
 #include "solvers/boundary_forms.h"
 #include "tools/common.h"
 #include "tools/component_values.h"
@@ -30,18 +31,34 @@ Index binomial(int of, int chosen) {
 Vector integrals(const Discretization& mesh, Side side, int degree,
                  const std::vector<SiteValues>& coefficients, double time) {
     const auto form = [&](const Vector& point) {
-        const Points site = mesh.unit() * point.transpose();
+        const Points site = point.transpose();
         Vector values(static_cast<Eigen::Index>(coefficients.size()));
         for (std::size_t i = 0; i < coefficients.size(); ++i)
             values[static_cast<Eigen::Index>(i)] = coefficients[i].at(site, time)[0];
         return values;
     };
-    const Cochain found =
-        side == Side::primal ? de_rham(mesh, degree, form) : dual_de_rham(mesh, degree, form);
-    return std::pow(mesh.unit(), degree) * found.values;
+    return side == Side::primal ? de_rham(mesh, degree, form).values
+                                : dual_de_rham(mesh, degree, form).values;
 }
 
 } // namespace
+
+CellData cell_values(const Discretization& mesh, const SiteValues& values) {
+    if (values.file())
+        return values.at(Points(count_input_cells(mesh), 0));
+    const int n = mesh.dimension();
+    const bool has_points = mesh.ambient_dimension() > 0;
+    const Points sites = has_points ? Points(mesh.unit() * cell_centroids(mesh, n))
+                                    : Points(mesh.complex().size(n), 0);
+    return CellData::on_cells(values.at(sites, mesh.tags()));
+}
+
+Vector vertex_values(const Discretization& mesh, const SiteValues& values, const Points& places,
+                     double time) {
+    if (!values.file())
+        return values.at(places, time);
+    return values.at(Points(count_vertices(mesh), 0))(vertices_of_cells(mesh));
+}
 
 CLI::Option* add_form(CLI::App& command, const std::string& option, std::string& text,
                       const std::string& what) {
@@ -82,10 +99,11 @@ Cochain FormValues::on(const Discretization& mesh, Side side, int degree, double
     if (degree < 0 || degree > n)
         throw InvalidInput(
             fmt::format("forms of degree {} are asked for: expected 0 to {}", degree, n));
-    if (coefficients_.front().file()) {
-        const int k = cell_degree(mesh.complex(), side, degree);
+    const int k = cell_degree(mesh.complex(), side, degree);
+    if (coefficients_.front().file() && k == 0)
+        return {side, degree, vertex_values(mesh, coefficients_.front(), {})};
+    if (coefficients_.front().file())
         return {side, degree, coefficients_.front().at(Points(mesh.complex().size(k), 0))};
-    }
     check_count(mesh, degree);
     if (degree > 0)
         return {side, degree, integrals(mesh, side, degree, coefficients_, time)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
+#include "dec/cell_data.h"
 #include "dec/forms/cochain.h"
 #include "tools/expression.h"
 
@@ -13,6 +13,16 @@
 #include <vector>
 
 namespace polydec::tools {
+
+/// What an option gives for each n-cell: numbers of a file in the order of the input's cells, or
+/// the values of an expression at the centroids, its label the physical group. Throws like
+/// SiteValues.
+CellData cell_values(const Discretization& mesh, const SiteValues& values);
+
+/// What an option gives for each 0-cell, which are at these places: numbers of a file, one for each
+/// vertex of the mesh file, or the values of an expression. Throws like SiteValues.
+Vector vertex_values(const Discretization& mesh, const SiteValues& values, const Points& places,
+                     double time = 0);
 
 /// Adds an option that FormValues are made of, a required one; `what` says what form it is.
 CLI::Option* add_form(CLI::App& command, const std::string& option, std::string& text,

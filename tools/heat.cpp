@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -144,10 +145,30 @@ std::function<Vector(double)> in_time(const std::optional<FormValues>& values,
     return [value = values ? at(0) : Vector()](double) { return value; };
 }
 
+/// What errors of steps are measured by: the largest coefficient of the start, of the source over
+/// the time, and of what is given on the boundary. 1 where these are 0.
+double largest_of(const Heat& heat) {
+    const auto& [side, degree, values] = heat.start;
+    const double until = heat.arguments.time.until;
+    double largest = largest_coefficient(heat.mesh, heat.start);
+    for (const double t : {0.0, until / 2, until}) {
+        if (heat.source)
+            largest = std::max(
+                largest, until * largest_coefficient(heat.mesh,
+                                                     heat.source->on(heat.mesh, side, degree, t)));
+        if (!heat.boundary)
+            continue;
+        const Vector given = heat.boundary->on_boundary(heat.mesh, side, degree, t);
+        largest = std::max(largest, side == Side::primal
+                                        ? largest_coefficient(heat.mesh, {side, degree, given})
+                                        : given.cwiseAbs().maxCoeff()); // of 0-forms, at facets
+    }
+    return largest > 0 ? largest : 1;
+}
+
 std::shared_ptr<Evolution> evolution(const Heat& heat, std::function<void(double)> progress) {
     const Side side = heat.start.side;
     const int degree = heat.start.degree;
-    const Vector& values = heat.start.values;
     const Discretization& mesh = heat.mesh;
     Unknown unknown{.start = heat.start, .diffusion = 1, .conditions = heat.conditions};
     if (heat.boundary || heat.flux)
@@ -167,12 +188,11 @@ std::shared_ptr<Evolution> evolution(const Heat& heat, std::function<void(double
                         return heat.source->on(mesh, side, degree, t).values;
                     })](double t, const std::vector<Cochain>&) { return std::vector{rate(t)}; };
     const double tolerance = heat.arguments.tolerance > 0 ? heat.arguments.tolerance : 1e-5;
-    const double largest = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
     EvolutionOptions options{.integrator = heat.arguments.integrator,
                              .linear_solver = heat.arguments.heat.linear_solver,
                              .progress = std::move(progress)};
     options.steps = {.relative_tolerance = tolerance,
-                     .absolute_tolerance = 1e-3 * tolerance * (largest > 0 ? largest : 1),
+                     .absolute_tolerance = 1e-3 * tolerance * largest_of(heat),
                      .fixed_step = heat.arguments.time.time_step};
     return std::make_shared<Evolution>(mesh, std::vector{unknown}, reaction, options);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "dec/fields/cell_centers.h"
 #include "dec/material_stars.h"
 #include "tools/commands.h"
 #include "tools/common.h"
@@ -52,11 +51,6 @@ struct Material {
     }
 };
 
-/// A number for each n-cell, at its centroid.
-Vector at_cells(const Discretization& mesh, const SiteValues& values) {
-    return values.at(Points(mesh.unit() * cell_centroids(mesh, mesh.dimension())), mesh.tags());
-}
-
 /// What materials make of a field of one side and degree: energies are of permittivity |E|^2 and
 /// |B|^2 / permeability, and dual forms are stars of primal ones by what is between them, 1 over
 /// it.
@@ -69,12 +63,10 @@ public:
           k_(cell_degree(empty.complex(), arguments.side, arguments.degree)) {
         const auto at = [&](const char* name, const std::optional<SiteValues>& values,
                             double none) {
-            Vector result = values
-                                ? at_cells(empty, *values)
-                                : Vector::Constant(empty.complex().size(empty.dimension()), none);
-            if (none > 0)
-                check_cell_weights(name, result, empty.dimension());
-            return result;
+            if (!values)
+                return Vector(Vector::Constant(empty.complex().size(empty.dimension()), none));
+            return cell_values(empty, *values)
+                .on(empty, name, none > 0 ? Range::positive : Range::not_negative);
         };
         permittivity_ = at("permittivity", material.permittivity, 1);
         permeability_ = at("permeability", material.permeability, 1);
@@ -85,7 +77,7 @@ public:
         Discretization result = empty_;
         const auto put = [&](int k, const Vector& weights) {
             if (!weights.isOnes(0))
-                result = with_material(result, k, weights);
+                result = with_material(result, k, CellData::on_cells(weights));
         };
         put(k_, is_primal_ ? permittivity_ : Vector(permittivity_.cwiseInverse()));
         put(is_primal_ ? k_ + 1 : k_ - 1,
@@ -109,9 +101,12 @@ private:
     /// Means around cells: of primal fields, which neighbors share, of each; of dual ones, of which
     /// neighbors share the flux, of the quotient.
     Vector over_permittivity(const Vector& values) const {
+        const auto means = [&](const Vector& of_cells) {
+            return cell_means(empty_, k_, CellData::on_cells(of_cells));
+        };
         if (!is_primal_)
-            return cell_means(empty_, k_, values.cwiseQuotient(permittivity_));
-        return cell_means(empty_, k_, values).cwiseQuotient(cell_means(empty_, k_, permittivity_));
+            return means(values.cwiseQuotient(permittivity_));
+        return means(values).cwiseQuotient(means(permittivity_));
     }
 
     const Discretization& empty_;
@@ -179,7 +174,8 @@ void add_materials(CLI::App& command, MaxwellArguments& arguments) {
     const auto add = [&](const char* option, std::string& text, const char* what) {
         command.add_option(option, text,
                            fmt::format("{}: a number for each cell,\nan expression (also in "
-                                       "`group`, the cell's physical group) or file",
+                                       "`group`, the cell's physical group) or file,\nwhich has "
+                                       "them in the order of the mesh file",
                                        what));
     };
     add("--permittivity", arguments.permittivity, "of each cell, default 1");

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dec/operators.h"
-
 #include "base/atomic_file.h"
 #include "base/atomic_folder.h"
 #include "base/errors.h"
 #include "base/memory.h"
 #include "base/printable.h"
+#include "dec/forms/laplacian.h"
 #include "io/matrices/matrix_market.h"
 #include "meshes/unit_of_length.h"
 #include "tools/commands.h"
@@ -139,8 +138,8 @@ private:
         const int j = mesh_.dimension() - k;
         const auto primal = file("laplacian_primal", k), dual = file("laplacian_dual", j);
         try {
-            write_scaled(primal, laplacian(mesh_, k), -2);
-            write_scaled(dual, dual_laplacian(mesh_, j), -2);
+            write_scaled(primal, laplacian(P_, mesh_.stars(), k), -2);
+            write_scaled(dual, dual_laplacian(P_, mesh_.stars(), j), -2);
         } catch (const InvalidInput& error) {
             log_.warn(fmt::format("{} and {} are not written: {}", primal.filename().string(),
                                   dual.filename().string(), error.what()));

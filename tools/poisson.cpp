@@ -8,6 +8,7 @@
 #include "tools/common.h"
 #include "tools/conditions.h"
 #include "tools/expression.h"
+#include "tools/form_values.h"
 #include "tools/messages.h"
 #include "tools/outputs.h"
 #include "tools/picture.h"
@@ -112,15 +113,6 @@ std::string known(const Discretization& mesh, const PoissonArguments& arguments)
                     {.values = !arguments.boundary.empty(), .flow = !arguments.flux.empty()});
 }
 
-/// One number for each merged cell, known at its centroid.
-Vector conductivity(const Discretization& mesh, const SiteValues& values) {
-    const int n = mesh.dimension();
-    const bool has_points = mesh.ambient_dimension() > 0;
-    const Points sites = has_points ? Points(mesh.unit() * cell_centroids(mesh, n))
-                                    : Points(mesh.complex().size(n), 0);
-    return values.at(sites, mesh.tags());
-}
-
 void run_poisson(PoissonArguments arguments) {
     Log log;
     const Data data(arguments);
@@ -132,14 +124,18 @@ void run_poisson(PoissonArguments arguments) {
     if (!arguments.picture.out.empty())
         check_drawable(mesh);
     if (data.conductivity)
-        arguments.poisson.conductivity = conductivity(mesh, *data.conductivity);
+        arguments.poisson.conductivity = cell_values(mesh, *data.conductivity);
     log.timing.begin("solve");
     PoissonSolver solver = computed_on(arguments.mesh.mesh, [&] {
         const Progress progress;
         progress("solve");
         return PoissonSolver(mesh, arguments.poisson);
     });
-    const Vector f = data.rhs.at(solver.sites()), g = data.boundary.at(solver.boundary_sites()),
+    const bool at_vertices = arguments.poisson.side == Side::primal;
+    const auto at = [&](const SiteValues& values, const Points& sites) {
+        return at_vertices ? vertex_values(mesh, values, sites) : values.at(sites);
+    };
+    const Vector f = at(data.rhs, solver.sites()), g = at(data.boundary, solver.boundary_sites()),
                  h = data.flux.at(solver.flux_sites());
     const auto solution = computed_on(arguments.mesh.mesh, [&] { return solver.solve(f, g, h); });
     log.warn(solution.warnings);
@@ -147,7 +143,7 @@ void run_poisson(PoissonArguments arguments) {
     answer.conditions = known(mesh, arguments);
     if (data.exact)
         answer.errors =
-            errors(mesh, arguments.poisson.side, solution.values - data.exact->at(solver.sites()));
+            errors(mesh, arguments.poisson.side, solution.values - at(*data.exact, solver.sites()));
     if (!arguments.picture.out.empty()) {
         log.timing.begin("write");
         draw(mesh, arguments, solution.values, answer, log);
@@ -180,7 +176,7 @@ void add_poisson(CLI::App& app) {
                         "outward derivative of u on the rest of the boundary (default 0:\n"
                         "no flow through it), times the conductivity where one is given");
     command->add_option("--conductivity", arguments->conductivity,
-                        "solve -div(kappa grad u) = f, kappa > 0 in each merged cell:\n"
+                        "solve -div(kappa grad u) = f, kappa > 0 in each cell:\n"
                         "expression (also in `group`, the cell's physical group) or file");
     command->add_option("--exact", arguments->exact, "exact solution to compare with");
     add_picture(*command, arguments->picture, "u");
@@ -192,8 +188,9 @@ void add_poisson(CLI::App& app) {
         "one\n"
         "for each vertex or merged facet, of which those off the boundary do not matter; for "
         "--flux\n"
-        "and --essential-where one for each merged facet; for --conductivity one for each merged "
-        "cell.\n\n"
+        "and --essential-where one for each merged facet; for --conductivity one for each cell "
+        "of the\n"
+        "mesh file, in its order.\n\n"
         "Examples:\n"
         "  polydec poisson grid.nsc --side dual --rhs '2*pi^2*sin(pi*x)*sin(pi*y)' -o u.vtu\n"
         "  polydec poisson grid.nsc --side primal --rhs 1 --essential-where 'x<.01' --flux=-y\n"

@@ -7,6 +7,7 @@
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
 #include "dec/glued_box.h"
+#include "dec/input_units.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/inverse_star.h"
@@ -15,28 +16,12 @@
 #include "dec/metric/simplex_geometry.h"
 #include "dec/surfaces/places.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <cmath>
 #include <utility>
 
 namespace polydec {
 
 namespace {
-
-/// What a callable gives at a point, if that is `size` finite numbers.
-Vector checked_value(const SmoothForm& form, const Vector& point, Index size, const char* what) {
-    Vector value = form(point);
-    if (value.size() != size)
-        throw InvalidInput(fmt::format("the {} has {} coefficients at the point ({}): {} expected",
-                                       what, value.size(), fmt::join(point, ", "), size));
-    if (!value.allFinite())
-        throw InvalidInput(fmt::format("the {} is not finite at the point ({}): the mesh must not "
-                                       "touch a singularity",
-                                       what, fmt::join(point, ", ")));
-    return value;
-}
 
 /// The mean of the coefficients over the simplex whose corners are the rows.
 Vector mean_of(const SmoothForm& form, const SimplexQuadrature& rule, const DenseMatrix& corners,
@@ -223,30 +208,6 @@ private:
 
 } // namespace
 
-SmoothForm function_form(std::function<double(const Vector& point)> function) {
-    return [f = std::move(function)](const Vector& point) {
-        return Vector(Vector::Constant(1, f(point)));
-    };
-}
-
-SmoothForm circulation_form(std::function<Vector(const Vector& point)> field) {
-    return [X = std::move(field)](const Vector& point) {
-        return checked_value(X, point, static_cast<Index>(point.size()), "vector field");
-    };
-}
-
-SmoothForm flux_form(std::function<Vector(const Vector& point)> field) {
-    return [X = std::move(field)](const Vector& point) {
-        const auto N = static_cast<Index>(point.size());
-        const Vector value = checked_value(X, point, N, "vector field");
-        // the subset that omits the last axis comes first
-        Vector coefficients(N);
-        for (Index axis = 0; axis < N; ++axis)
-            coefficients[N - 1 - axis] = (axis % 2 == 0 ? 1 : -1) * value[axis];
-        return coefficients;
-    };
-}
-
 Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothForm& form,
                int quadrature_degree) {
     cell_degree(complex, Side::primal, k);
@@ -262,9 +223,32 @@ Vector de_rham(const Pieces& complex, const Points& points, int k, const SmoothF
     return result;
 }
 
+namespace {
+
+/// The form at places in the unit of the mesh.
+SmoothForm in_unit_of(const Discretization& mesh, const SmoothForm& form) {
+    require_form(form);
+    const double unit = mesh.unit();
+    return unit == 1 ? form : [&form, unit](const Vector& place) {
+        const Vector point = unit * place;
+        const Vector value = form(point);
+        return checked_value([&](const Vector&) { return value; }, point,
+                             static_cast<Index>(value.size()), "form");
+    };
+}
+
+/// Integrals of j-forms over cells of dimension j.
+Vector in_input_units_of(const Discretization& mesh, int j, const Vector& integrals) {
+    return form_in_input_units(integrals, mesh.unit(), j, "integrals of a form");
+}
+
+} // namespace
+
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
     const Discretization& at = placed(mesh);
-    const Vector values = de_rham(at.input(), at.input_points(), k, form, quadrature_degree);
+    const Vector values = in_input_units_of(
+        mesh, k,
+        de_rham(at.input(), at.input_points(), k, in_unit_of(mesh, form), quadrature_degree));
     return to_merged(mesh, {Side::primal, k, from_places(mesh, k, values)});
 }
 
@@ -332,10 +316,9 @@ std::vector<bool> boundary_facets(const Discretization& mesh) {
     return result;
 }
 
-} // namespace
-
-Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
-                     int quadrature_degree) {
+/// Of forms at places in the unit of the mesh.
+Cochain dual_integrals(const Discretization& mesh, int j, const SmoothForm& form,
+                       int quadrature_degree) {
     const auto N = mesh.ambient_dimension();
     require_points(N, "the de Rham map");
     const int k = cell_degree(mesh.pieces(), Side::dual, j);
@@ -359,13 +342,11 @@ Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
     return on_cells(mesh, {Side::dual, j, sums_from_places(mesh, k, values)});
 }
 
-Vector boundary_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
-                        int quadrature_degree) {
+/// Likewise, within the boundary.
+Vector boundary_integrals(const Discretization& mesh, int j, const SmoothForm& form,
+                          int quadrature_degree) {
     const auto N = mesh.ambient_dimension();
     const int n = mesh.dimension();
-    require_points(N, "the de Rham map");
-    check_number("boundary data of dual forms of degree", j, 0, n - 1);
-    require_form(form);
     const Discretization& at = placed(mesh);
     const auto boundary = boundary_facets(mesh);
     const int k = n - 1 - j;
@@ -391,6 +372,23 @@ Vector boundary_de_rham(const Discretization& mesh, int j, const SmoothForm& for
     const Vector outward =
         mesh.complex().boundary(n).cast<double>() * Vector::Ones(mesh.complex().size(n));
     return result.cwiseProduct(outward);
+}
+
+} // namespace
+
+Cochain dual_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
+                     int quadrature_degree) {
+    Cochain result = dual_integrals(mesh, j, in_unit_of(mesh, form), quadrature_degree);
+    result.values = in_input_units_of(mesh, j, result.values);
+    return result;
+}
+
+Vector boundary_de_rham(const Discretization& mesh, int j, const SmoothForm& form,
+                        int quadrature_degree) {
+    require_points(mesh.ambient_dimension(), "the de Rham map");
+    check_number("boundary data of dual forms of degree", j, 0, mesh.dimension() - 1);
+    return in_input_units_of(
+        mesh, j, boundary_integrals(mesh, j, in_unit_of(mesh, form), quadrature_degree));
 }
 
 } // namespace polydec

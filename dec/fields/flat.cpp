@@ -6,6 +6,7 @@
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
 #include "dec/glued_box.h"
+#include "dec/input_units.h"
 #include "dec/metric/centers.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/inverse_star.h"
@@ -160,10 +161,8 @@ Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const Dense
                 at_vertices ? to_merged(mesh, fluxes) : on_cells(mesh, fluxes));
 }
 
-} // namespace
-
-Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
-    check_field(mesh, is_at_vertices(kind), field);
+/// Of vectors in the unit of the mesh.
+Cochain flat_in_unit(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     if (!is_primal(kind) && !mesh.chosen_stars().is_over_duals(mesh.dimension() - 1))
         return star_of_fluxes(mesh, is_at_vertices(kind), field);
     if (!is_primal(kind))
@@ -173,6 +172,15 @@ Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
     if (kind == Flat::dpp)
         return on_cells(mesh, {Side::primal, 1, around_edges(mesh, field)});
     return to_merged(mesh, {Side::primal, 1, along_edges(mesh, field)});
+}
+
+} // namespace
+
+Cochain flat(const Discretization& mesh, Flat kind, const DenseMatrix& field) {
+    check_field(mesh, is_at_vertices(kind), field);
+    Cochain form = flat_in_unit(mesh, kind, field);
+    form.values = form_in_input_units(form.values, mesh.unit(), 1, "circulations");
+    return form;
 }
 
 } // namespace polydec

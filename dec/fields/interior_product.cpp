@@ -3,6 +3,7 @@
 
 #include "dec/fields/contraction.h"
 #include "dec/forms/derivative.h"
+#include "dec/input_units.h"
 #include "dec/merging/lift.h"
 
 namespace polydec {
@@ -54,10 +55,10 @@ SparseMatrix lie_derivative(const Pieces& complex, const PlacedSimplices& places
     return sampling == Sampling::upwind ? SparseMatrix(L + inflow(complex, places, field, k)) : L;
 }
 
-/// The vectors at the vertices of the input.
+/// The vectors at the vertices of the input, in the unit of the mesh.
 Points on_input(const Discretization& mesh, const Points& field) {
     require_points(mesh.ambient_dimension(), "a vector field");
-    return mesh.passage().back(0, field);
+    return in_input_units(Points(mesh.passage().back(0, field)), mesh.unit(), -1, "vectors");
 }
 
 /// An operator on the input's simplices, from k-forms to j-forms, for those on the cells.

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/fields/contraction.h"
 #include "dec/fields/transfer.h"
+#include "dec/input_units.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +38,7 @@ struct LieDerivative::Parts {
     Points checked(const Points& field) const {
         const Points here = mesh ? Points(mesh->passage().back(0, field)) : field;
         check_field(complex, N, here);
-        return here;
+        return mesh ? in_input_units(here, mesh->unit(), -1, "vectors") : here;
     }
 
     /// The values on the simplices.

@@ -8,6 +8,7 @@
 #include "dec/fields/transfer.h"
 #include "dec/forms/star.h"
 #include "dec/glued_box.h"
+#include "dec/input_units.h"
 #include "dec/metric/dual_parts.h"
 #include "dec/metric/simplex_geometry.h"
 
@@ -136,7 +137,7 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
             at_cells.row(v) += parts(t, i) / mesh.input_volumes().dual(0)[v] * seen.row(i);
         }
     }
-    return mesh.passage().forth(0, at_cells);
+    return in_input_units(mesh.passage().forth(0, at_cells), mesh.unit(), -1, "vectors");
 }
 
 DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
@@ -170,7 +171,7 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
         const DenseMatrix axes = T * parts.eigenvectors();
         result.row(cell) = axes * (axes.transpose() * right_side).cwiseQuotient(sizes);
     }
-    return result;
+    return in_input_units(std::move(result), mesh.unit(), -1, "vectors");
 }
 
 DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
@@ -196,7 +197,7 @@ DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
             result.row(cell) += sign * form.values[f] * (facets.row(f) - centroids.row(cell));
         result.row(cell) /= mesh.volumes().primal(n)[cell];
     }
-    return result;
+    return in_input_units(DenseMatrix(result), mesh.unit(), 1 - n, "vectors");
 }
 
 } // namespace polydec

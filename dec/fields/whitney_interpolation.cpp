@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "dec/fields/flat_pieces.h"
 #include "dec/fields/transfer.h"
+#include "dec/input_units.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/simplex_geometry.h"
 #include "dec/metric/simplex_metric.h"
@@ -127,14 +128,15 @@ Vector whitney_form(const Discretization& mesh, const Cochain& form, Index top,
     const Cochain on_input = lifted(mesh, form);
     const WhitneyForms whitney(mesh.input(), mesh.places(), on_input);
     check_place(mesh.input(), top, barycentric);
-    return whitney.at(top, barycentric);
+    return form_in_input_units(whitney.at(top, barycentric), mesh.unit(), -form.degree,
+                               "coefficients");
 }
 
 DenseMatrix whitney_at_centroids(const Discretization& mesh, const Cochain& form) {
     Points rows = at_centroids(mesh.input(), mesh.places(), lifted(mesh, form));
     if (mesh.passage().is_identity())
         fill_flat_pieces(mesh, rows);
-    return rows;
+    return in_input_units(DenseMatrix(rows), mesh.unit(), -form.degree, "coefficients");
 }
 
 } // namespace polydec

@@ -9,7 +9,7 @@ box = polydec.discretize(polydec.meshes.fcc([16, 8, 8], 0.125),  # 2 x 1 x 1
                          star="circumcentric")
 places = box.dual_sites()
 clay = (abs(places[:, 0] - 1) < 0.3) & (places[:, 2] < 0.6) # a block from the floor upwards
-kappa = np.where(clay, 1e-4, 1.0)
+kappa = box.cochain(np.where(clay, 1e-4, 1.0), 0, "dual")
 
 # pressures are given left and right, and nothing flows through the other walls
 solver = polydec.DarcySolver(box, conductivity=kappa, essential=lambda facets: (

@@ -38,8 +38,7 @@ def run(half: int, width: float) -> Floats:
 
 def rod() -> None:
     mesh = plane(30)
-    permittivity = np.where(np.linalg.norm(mesh.centers(2), axis=1) < 8, 4.0, 1.0)
-    mesh = mesh.with_material(0, permittivity)
+    mesh = mesh.with_material(0, lambda x: np.where(np.linalg.norm(x, axis=1) < 8, 4.0, 1.0))
     light = polydec.Leapfrog(mesh, 0, step, essential=True, layer=layer)
     state = polydec.WaveState(np.zeros(mesh.size(0)), np.zeros(mesh.size(1)))
     antenna = hill(mesh, -14, 1.5)

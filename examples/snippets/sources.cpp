@@ -32,8 +32,8 @@ void magnet() {
     for (polydec::Index t = 0; t < over_mu.size(); ++t)
         if (std::hypot(middle(t, 0) - 0.5, middle(t, 1) - 0.5) < 0.2)
             over_mu[t] = 1 / 100.0;
-    const auto iron =
-        mesh.with_stars(mesh.stars().with(2, polydec::material_star(mesh, 2, over_mu)));
+    const auto iron = mesh.with_stars(mesh.stars().with(
+        2, polydec::material_star(mesh, 2, polydec::CellData::on_cells(over_mu))));
     const auto coil = polydec::de_rham(mesh, 1, polydec::circulation_form([](const auto& x) {
                                            const double a = x[0] - 0.5, b = x[1] - 0.5;
                                            const double r = std::hypot(a, b);

@@ -6,7 +6,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/sharp.h"
 #include "dec/fields/streamlines.h"
-#include "dec/forms/star.h"
+#include "dec/operators.h"
 #include "io/pages/page_header.h"
 #include "io/pages/page_template.h"
 #include "io/pages/page_text.h"
@@ -84,7 +84,7 @@ void add_arrows(Page& page, const std::string& field, const Discretization& mesh
             arrows.vectors = sharp_pd(mesh, form);
         else
             arrows.vectors =
-                flux_sharp(mesh, {Side::primal, n - 1, mesh.stars()[n - 1].solve(form.values)});
+                flux_sharp(mesh, {Side::primal, n - 1, star(mesh, n - 1).solve(form.values)});
         add_flow(page, arrows, mesh);
         page.arrows.push_back(std::move(arrows));
     } catch (const InvalidInput& error) {

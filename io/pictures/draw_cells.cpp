@@ -11,7 +11,6 @@
 #include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/overlay.h"
 #include "io/pictures/vtu_solids.h"
-#include "meshes/unit_of_length.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -211,9 +210,7 @@ bool add_vectors(VtuGrid& grid, const Discretization& mesh, const std::string& n
     if (form.side != Side::primal || form.degree != 1)
         return false;
     try {
-        DenseMatrix vectors = sharp_pp(mesh, form);
-        for (auto column : vectors.colwise())
-            column = in_input_units(column, mesh.unit(), -1, name);
+        const DenseMatrix vectors = sharp_pp(mesh, form);
         const Discretization& at = placed(mesh);
         const Points others = Points::Zero(at.isolated().rows(), vectors.cols());
         grid.point_data.push_back(

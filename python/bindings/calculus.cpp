@@ -25,7 +25,7 @@ Calculus own_cells(const std::vector<MatrixParts>& coboundaries, const std::vect
     const CellVolumes volumes(vectors(primal), vectors(dual));
     CellComplex complex(std::move(incidences));
     check_fit(complex, volumes);
-    return {complex, volumes};
+    return Calculus(complex, volumes);
 }
 
 void add_matrices(py::class_<Calculus>& calculus) {
@@ -53,20 +53,20 @@ void add_matrices(py::class_<Calculus>& calculus) {
         .def("codifferential",
              [](const Calculus& of, const std::string& side, int k) {
                  return matrix([&, side = side_of(side)] {
-                     return side == Side::primal ? codifferential(of.complex, of.stars, k)
-                                                 : dual_codifferential(of.complex, of.stars, k);
+                     return side == Side::primal ? codifferential(of.complex, of.stars(), k)
+                                                 : dual_codifferential(of.complex, of.stars(), k);
                  });
              })
         .def("laplacian",
              [](const Calculus& of, const std::string& side, int k) {
                  return matrix([&, side = side_of(side)] {
-                     return side == Side::primal ? laplacian(of.complex, of.stars, k)
-                                                 : dual_laplacian(of.complex, of.stars, k);
+                     return side == Side::primal ? laplacian(of.complex, of.stars(), k)
+                                                 : dual_laplacian(of.complex, of.stars(), k);
                  });
              })
         .def("stiffness",
              [](const Calculus& of, int k) {
-                 return matrix([&] { return symmetric_laplacian(of.complex, of.stars, k); });
+                 return matrix([&] { return symmetric_laplacian(of.complex, of.stars(), k); });
              })
         .def("dual_boundary_derivative",
              [](const Calculus& of, int j) {
@@ -78,35 +78,38 @@ void add_matrices(py::class_<Calculus>& calculus) {
 }
 
 void add_stars(py::class_<Calculus>& calculus) {
-    calculus.def("is_diagonal", [](const Calculus& of, int k) { return of.stars[k].is_diagonal(); })
+    calculus
+        .def("is_diagonal", [](const Calculus& of, int k) { return of.stars()[k].is_diagonal(); })
         .def("star",
              [](const Calculus& of, int k) -> py::object {
-                 const HodgeStar star = of.stars[k];
+                 const HodgeStar star = of.stars()[k];
                  if (star.is_diagonal())
                      return array(star.diagonal());
                  return csr(star.matrix());
              })
-        .def("inverse_star", [](const Calculus& of, int k) { return array(of.stars[k].inverse()); })
+        .def("inverse_star",
+             [](const Calculus& of, int k) { return array(of.stars()[k].inverse()); })
         .def("solve_star",
              [](const Calculus& of, int k, const Numbers& values) {
                  return array(
-                     unlocked([&, given = vector(values)] { return of.stars[k].solve(given); }));
+                     unlocked([&, given = vector(values)] { return of.stars()[k].solve(given); }));
              })
-        .def("zeros", [](const Calculus& of, int k) { return array(of.stars[k].zeros()); })
-        .def("negatives", [](const Calculus& of, int k) { return array(of.stars[k].negatives()); })
+        .def("zeros", [](const Calculus& of, int k) { return array(of.stars()[k].zeros()); })
+        .def("negatives",
+             [](const Calculus& of, int k) { return array(of.stars()[k].negatives()); })
         .def("with_star",
              [](const Calculus& of, int k, const MatrixParts& star) {
-                 const HodgeStars stars = of.stars.with(k, sparse(star));
-                 return of.mesh ? Calculus{of.complex, stars, of.mesh->with_stars(stars)}
-                                : Calculus{of.complex, stars};
+                 const HodgeStars stars = of.stars().with(k, sparse(star)); // or what is wrong
+                 return of.mesh ? Calculus(with_star_of_input(*of.mesh, k, sparse(star)))
+                                : Calculus(of.complex, stars);
              })
         .def("volumes",
              [](const py::object& self, int k) {
-                 const Vector& volumes = self.cast<Calculus&>().stars.volumes().primal(k);
+                 const Vector& volumes = self.cast<Calculus&>().stars().volumes().primal(k);
                  return view(volumes.data(), {volumes.size()}, self);
              })
         .def("dual_volumes", [](const py::object& self, int k) {
-            const Vector& volumes = self.cast<Calculus&>().stars.volumes().dual(k);
+            const Vector& volumes = self.cast<Calculus&>().stars().volumes().dual(k);
             return view(volumes.data(), {volumes.size()}, self);
         });
 }
@@ -125,17 +128,17 @@ void add_forms(py::class_<Calculus>& calculus) {
                                     {"codifferential", &polydec::codifferential},
                                     {"laplacian", &polydec::laplacian}});
                  const Cochain given = form(side, degree, values);
-                 return parts(unlocked([&] { return apply(of.complex, of.stars, given); }));
+                 return parts(unlocked([&] { return apply(of.complex, of.stars(), given); }));
              })
         .def("inner_product",
              [](const Calculus& of, const std::string& side, int degree, const Numbers& a,
                 const Numbers& b) {
-                 return inner_product(of.complex, of.stars, form(side, degree, a),
+                 return inner_product(of.complex, of.stars(), form(side, degree, a),
                                       form(side, degree, b));
              })
         .def("norm",
              [](const Calculus& of, const std::string& side, int degree, const Numbers& values) {
-                 return norm(of.complex, of.stars, form(side, degree, values));
+                 return norm(of.complex, of.stars(), form(side, degree, values));
              });
 }
 
@@ -170,14 +173,20 @@ py::tuple conditioned_cells(const Calculus& of, const std::string& side, int deg
     py::list cells;
     for (auto& numbers : space.relative.cells)
         cells.append(array(std::move(numbers)));
-    return py::make_tuple(Calculus{space.relative.complex, space.stars}, cells);
+    return py::make_tuple(Calculus(space.relative.complex, space.stars), cells);
 }
 
 } // namespace
 
+Discretization with_star_of_input(const Discretization& mesh, int k, const SparseMatrix& star) {
+    const int power = mesh.dimension() - 2 * k;
+    return mesh.with_stars(
+        mesh.stars().with(k, in_input_units(star, mesh.unit(), -power, "the star")));
+}
+
 ConditionedComplex conditioned(const Calculus& of, Side side, int degree,
                                const BoundaryConditions& conditions) {
-    return conditioned_complex(of.complex, of.stars, side, degree, conditions);
+    return conditioned_complex(of.complex, of.stars(), side, degree, conditions);
 }
 
 void add_calculus(py::module_& module) {

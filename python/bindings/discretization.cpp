@@ -10,6 +10,7 @@
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/chosen_vertices.h"
 #include "dec/glued_box.h"
+#include "dec/input_vertices.h"
 #include "dec/material_stars.h"
 #include "io/diagnosis_json.h"
 #include "io/pictures/draw_cells.h"
@@ -128,21 +129,29 @@ void add_parts(py::class_<Discretization>& type) {
                                    return view(points.data(), {points.rows(), points.cols()}, self);
                                })
         .def_property_readonly("calculus",
-                               [](const Discretization& mesh) {
-                                   return Calculus{mesh.complex(), mesh.stars(), mesh};
-                               })
+                               [](const Discretization& mesh) { return Calculus(mesh); })
         .def_property_readonly("input_calculus",
                                [](const Discretization& mesh) {
-                                   return Calculus{mesh.input(), mesh.input_volumes()};
+                                   return Calculus(mesh.input(), mesh.input_volumes(), mesh.unit());
                                })
         .def_property_readonly("pieces_calculus",
                                [](const Discretization& mesh) {
-                                   return Calculus{mesh.pieces(), mesh.piece_volumes()};
+                                   return Calculus(mesh.pieces(), mesh.piece_volumes(),
+                                                   mesh.unit());
                                })
         .def_property_readonly("warnings",
                                [](const Discretization& mesh) { return mesh.warnings(); })
         .def_property_readonly("tags",
                                [](const Discretization& mesh) { return array(mesh.tags()); })
+        .def_property_readonly(
+            "vertices", [](const Discretization& mesh) { return array(vertices_of_cells(mesh)); })
+        .def_property_readonly("vertex_count", &count_vertices)
+        .def_property_readonly(
+            "isolated", [](const Discretization& mesh) { return array(Points(mesh.isolated())); })
+        .def("cells_of_vertices",
+             [](const Discretization& mesh, const std::string& what, const Integers& vertices) {
+                 return array(cells_of_vertices(mesh, what, indices(vertices)));
+             })
         .def("boundary_vertices",
              [](const Discretization& mesh) { return array(boundary_vertices(mesh)); })
         .def("vertices_on",
@@ -209,32 +218,38 @@ void add_stars(py::class_<Discretization>& type) {
              })
         .def("with_star_matrix",
              [](const Discretization& mesh, int k, const MatrixParts& star) {
-                 return mesh.with_stars(mesh.stars().with(k, sparse(star)));
+                 return with_star_of_input(mesh, k, sparse(star));
              })
         .def("with_material",
-             [](const Discretization& mesh, int k, const Numbers& weights) {
-                 return unlocked(
-                     [&, given = vector(weights)] { return with_material(mesh, k, given); });
+             [](const Discretization& mesh, int k, const CellData& weights) {
+                 return unlocked([&] { return with_material(mesh, k, weights); });
              })
         .def("cell_means",
-             [](const Discretization& mesh, int k, const Numbers& weights) {
-                 return array(
-                     unlocked([&, given = vector(weights)] { return cell_means(mesh, k, given); }));
+             [](const Discretization& mesh, int k, const CellData& weights) {
+                 return array(unlocked([&] { return cell_means(mesh, k, weights); }));
              })
         .def("material_star",
-             [](const Discretization& mesh, int k, const Numbers& weights) {
-                 return csr(unlocked(
-                     [&, given = vector(weights)] { return material_star(mesh, k, given); }));
+             [](const Discretization& mesh, int k, const CellData& weights) {
+                 return csr(unlocked([&] {
+                     return in_input_units(material_star(mesh, k, weights), mesh.unit(),
+                                           mesh.dimension() - 2 * k, "the star");
+                 }));
              })
         .def("tensor_star", [](const Discretization& mesh, const Numbers& tensors) {
-            return csr(
-                unlocked([&, given = matrices(tensors)] { return material_star(mesh, given); }));
+            return csr(unlocked([&, given = matrices(tensors)] {
+                return in_input_units(material_star(mesh, given), mesh.unit(), 2 - mesh.dimension(),
+                                      "the star");
+            }));
         });
 }
 
 } // namespace
 
 void add_discretization(py::module_& module) {
+    py::class_<CellData>(module, "CellData")
+        .def(py::init([](const Numbers& values, bool are_on_cells) {
+            return are_on_cells ? CellData::on_cells(vector(values)) : CellData(vector(values));
+        }));
     py::class_<Discretization> type(module, "Discretization");
     add_parts(type);
     add_merging(type);

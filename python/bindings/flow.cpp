@@ -189,7 +189,7 @@ void add_stokes(py::module_& module) {
                 .facets = boundary_of(no_slip, open, of.complex.size(of.complex.dimension() - 1)),
                 .linear_solver = engine};
             return of.mesh ? guarded<StokesSolver>(*of.mesh, options)
-                           : guarded<StokesSolver>(of.complex, of.stars, options);
+                           : guarded<StokesSolver>(of.complex, of.stars(), options);
         }))
         .def("solve", [](Solver& self, int degree, const Numbers& force,
                          const std::array<Numbers, 4>& known) {

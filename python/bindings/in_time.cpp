@@ -30,9 +30,9 @@ void add_heat(py::module_& module) {
             const Side side = side_of(given_side);
             if (!conditions)
                 return of.mesh ? guarded<HeatSolver>(*of.mesh, side, degree, options)
-                               : guarded<HeatSolver>(of.complex, of.stars, side, degree, options);
+                               : guarded<HeatSolver>(of.complex, of.stars(), side, degree, options);
             return of.mesh ? guarded<HeatSolver>(*of.mesh, *conditions, side, degree, options)
-                           : guarded<HeatSolver>(of.complex, of.stars, *conditions, side, degree,
+                           : guarded<HeatSolver>(of.complex, of.stars(), *conditions, side, degree,
                                                  options);
         }))
         .def("step", [](Heat& self, const std::string& side, int degree, const Numbers& values,
@@ -143,7 +143,7 @@ void add_evolution(py::module_& module) {
             const auto given = unknowns_of(unknowns);
             const auto rate = reaction_of(reaction);
             return of.mesh ? guarded<Evolution>(*of.mesh, given, rate, options)
-                           : guarded<Evolution>(of.complex, of.stars, given, rate, options);
+                           : guarded<Evolution>(of.complex, of.stars(), given, rate, options);
         }))
         .def("march",
              [](Run& self, double until) {
@@ -194,7 +194,7 @@ std::unique_ptr<Guarded<Leapfrog>> waves_of(const Calculus& of, const std::strin
     const Side side = side_of(given_side);
     const LeapfrogOptions options{time_step, vector(loss), vector(upper_loss), layer_of(layer)};
     if (!conditions && options.layer.width == 0 && !of.mesh)
-        return guarded<Leapfrog>(of.complex, of.stars, side, k, options);
+        return guarded<Leapfrog>(of.complex, of.stars(), side, k, options);
     return guarded<Leapfrog>(whole_mesh(of), conditions.value_or(built_in_conditions(side)), side,
                              k, options);
 }
@@ -245,7 +245,7 @@ void add_waves(py::module_& module) {
         const Side side = side_of(given_side);
         return unlocked([&] {
             return !conditions && !of.mesh
-                       ? stable_step(of.complex, of.stars, side, k)
+                       ? stable_step(of.complex, of.stars(), side, k)
                        : stable_step(whole_mesh(of), conditions.value_or(built_in_conditions(side)),
                                      side, k);
         });

@@ -20,12 +20,15 @@ namespace {
 
 Mesh mesh_of(const Numbers& points, const Integers& simplices, const Integers& tags,
              const Integers& facets, const Integers& facet_tags,
-             const std::vector<std::string>& warnings) {
+             const std::vector<std::string>& warnings, const Integers& input_cells,
+             Index input_count) {
     return {rows(points),
             rows(simplices),
             warnings,
             indices(tags),
-            {rows(facets), indices(facet_tags)}};
+            {rows(facets), indices(facet_tags)},
+            {},
+            {indices(input_cells), input_count}};
 }
 
 /// Cells of one kind: dimension, corners, where those of each end, tags, other nodes of each.
@@ -88,6 +91,10 @@ void add_classes(py::module_& module) {
         .def_property_readonly("facet_tags",
                                [](const Mesh& mesh) { return array(mesh.facet_tags.tags); })
         .def_property_readonly("groups", [](const Mesh& mesh) { return names_of(mesh.groups); })
+        .def_property_readonly(
+            "input_cells", [](const Mesh& mesh) { return array(mesh.input_cells.of_simplices); })
+        .def_property_readonly("input_count",
+                               [](const Mesh& mesh) { return mesh.input_cells.count; })
         .def_readonly("warnings", &Mesh::warnings);
     py::class_<LengthMesh>(module, "LengthMesh")
         .def(py::init([](const Integers& simplices, Index vertices, const Integers& edges,

@@ -23,11 +23,11 @@ void add_poisson(py::module_& module) {
     using Solver = Guarded<PoissonSolver>;
     py::class_<Solver>(module, "PoissonSolver")
         .def(py::init([](const Calculus& of, const std::string& side,
-                         const BoundaryConditions& conditions, const Numbers& conductivity,
+                         const BoundaryConditions& conditions, const CellData& conductivity,
                          const std::string& engine) {
-            const PoissonOptions options{side_of(side), conditions, engine, vector(conductivity)};
+            const PoissonOptions options{side_of(side), conditions, engine, conductivity};
             return of.mesh ? guarded<PoissonSolver>(*of.mesh, options)
-                           : guarded<PoissonSolver>(of.complex, of.stars, options);
+                           : guarded<PoissonSolver>(of.complex, of.stars(), options);
         }))
         .def_property_readonly(
             "sites", [](const Solver& self) { return array(Points(self.solver.sites())); })
@@ -53,10 +53,10 @@ void add_darcy(py::module_& module) {
     using Solver = Guarded<DarcySolver>;
     py::class_<Solver>(module, "DarcySolver")
         .def(py::init([](const Calculus& of, const BoundaryConditions& conditions,
-                         const Numbers& conductivity, const std::string& engine) {
-            const PoissonOptions options{Side::dual, conditions, engine, vector(conductivity)};
+                         const CellData& conductivity, const std::string& engine) {
+            const PoissonOptions options{Side::dual, conditions, engine, conductivity};
             return of.mesh ? guarded<DarcySolver>(*of.mesh, options)
-                           : guarded<DarcySolver>(of.complex, of.stars, options);
+                           : guarded<DarcySolver>(of.complex, of.stars(), options);
         }))
         .def_property_readonly(
             "sites", [](const Solver& self) { return array(Points(self.solver.sites())); })
@@ -80,7 +80,7 @@ void add_hodge(py::module_& module) {
     py::class_<Solver>(module, "HodgeSolver")
         .def(py::init(
             [](const Calculus& of, const std::string& side, int degree, const std::string& engine) {
-                return guarded<HodgeSolver>(of.complex, of.stars, side_of(side), degree, engine);
+                return guarded<HodgeSolver>(of.complex, of.stars(), side_of(side), degree, engine);
             }))
         .def("decompose",
              [](Solver& self, const std::string& side, int degree, const Numbers& values) {

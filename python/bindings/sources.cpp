@@ -21,7 +21,7 @@ std::unique_ptr<Guarded<FormSolver>> form_solver(const Calculus& of, const std::
     return unlocked([&] {
         return std::make_unique<Guarded<FormSolver>>(
             FormSolver{of.complex, of.mesh ? HodgeLaplaceSolver(*of.mesh, options)
-                                           : HodgeLaplaceSolver(of.complex, of.stars, options)});
+                                           : HodgeLaplaceSolver(of.complex, of.stars(), options)});
     });
 }
 

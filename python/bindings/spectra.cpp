@@ -45,12 +45,12 @@ py::dict spectrum_of(const Calculus& of, const std::string& side, int degree, In
                                   listener(progress)};
     Spectrum found = unlocked([&] {
         if (!conditions)
-            return coexact   ? coexact_spectrum(of.complex, of.stars, options)
+            return coexact   ? coexact_spectrum(of.complex, of.stars(), options)
                    : of.mesh ? spectrum(*of.mesh, options)
-                             : spectrum(of.complex, of.stars, options);
+                             : spectrum(of.complex, of.stars(), options);
         if (!coexact)
             return of.mesh ? spectrum(*of.mesh, *conditions, options)
-                           : spectrum(of.complex, of.stars, *conditions, options);
+                           : spectrum(of.complex, of.stars(), *conditions, options);
         const auto space = conditioned(of, options.side, degree, *conditions);
         Spectrum on_space = coexact_spectrum(space.relative.complex, space.stars, options);
         on_space.modes =

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from ._arrays import Floats, floats
 from ._cells import Cells
 from ._errors import InvalidInput
+from ._vertices import at_cells
 
 
 class Cochain:
@@ -18,7 +19,7 @@ class Cochain:
     Parameters
     ----------
     values : array_like
-        A number for each cell.
+        A number for each cell; of a primal 0-form also one for each vertex that was given.
     degree : int
     side : {"primal", "dual"}
     complex : Cells
@@ -43,6 +44,8 @@ class Cochain:
         self.degree = degree
         self.side = side
         self._complex = complex
+        if complex is not None and degree == (0 if side == "primal" else complex.dim):
+            self.values = at_cells(complex, self.values)
         if side not in ("primal", "dual"):
             raise InvalidInput(f'side is "{side}": expected "primal" or "dual"')
         if complex is not None and len(self.values) != complex.size(degree, side):

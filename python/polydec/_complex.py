@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats, Integers, floats, matrix_parts
+from ._cell_data import CellNumbers, cell_data
 from ._cells import Cells, Form, as_form
 from ._cochain import Cochain
 from ._errors import InvalidInput, PolydecWarning, told, warn
@@ -18,6 +19,7 @@ from ._given import MeshLike, as_mesh
 from ._lists import CellList, Polygons
 from ._mesh import LengthMesh, Mesh
 from ._periodic import PeriodicMesh
+from ._vertices import points_of
 
 Progress = Callable[[str], object]
 #: Cells, or a mesh that they are made of.
@@ -32,9 +34,11 @@ class Complex(Cells):
 
     Attributes
     ----------
-    points : numpy.ndarray, shape (size(0), N)
-        Of the vertices; without columns if only lengths are known. Of a mesh that `periodic` or
-        `glue` made, their first places in its box.
+    points : numpy.ndarray, shape (vertices, N)
+        Of all vertices that were given; without columns if only lengths are known. Of a mesh that
+        `periodic` or `glue` made, their first places in its box.
+    vertices : numpy.ndarray of int, shape (size(0),)
+        Which of them are 0-cells, as matrices and cochains have them: those that cells use.
     input : Cells
         The simplices that were given, by themselves.
     merging : Merging
@@ -50,7 +54,11 @@ class Complex(Cells):
 
     @property
     def points(self) -> Floats:
-        return self._placed(self._mesh.points)
+        return self._placed(points_of(self._mesh))
+
+    @property
+    def vertices(self) -> Integers:
+        return self._mesh.vertices
 
     def _placed(self, places: Floats) -> Floats:
         """Places in the units of the input."""
@@ -125,14 +133,14 @@ class Complex(Cells):
 
     def boundary_vertices(self) -> Integers:
         """The vertices on the boundary, ascending. Raises InvalidInput if there is none."""
-        return self._mesh.boundary_vertices()
+        return self.vertices[self._mesh.boundary_vertices()]
 
     def vertices_in(self, *groups: str | int) -> Integers:
         """The vertices of n-cells, or else of facets, in these groups of the file, ascending.
 
         Groups are given by names or tags. Raises InvalidInput for one that there is not.
         """
-        return self._mesh.vertices_on([str(group) for group in groups])
+        return self.vertices[self._mesh.vertices_on([str(group) for group in groups])]
 
     def report(self) -> dict[str, Any]:
         """What the mesh is, and what can be done on it: what ``polydec info --json`` says
@@ -173,7 +181,8 @@ class Complex(Cells):
         >>> len(square), square.cell(0)
         (1, array([1, 0, 2, 3], dtype=int32))
         """
-        return CellList(*self._mesh.cells(k))
+        begins, corners = self._mesh.cells(k)
+        return CellList(begins, self.vertices[corners])
 
     def polygons(self) -> Polygons:
         """The 2-cells of a surface as they lie in space, after flips cut along the input's edges."""
@@ -190,33 +199,35 @@ class Complex(Cells):
         """The same with stars of another kind, as the option ``star`` of `discretize`."""
         return Complex(self._mesh.with_star(kind), self._given, {**self._options, "star": kind})
 
-    def with_material(self, k: int, weights: npt.ArrayLike) -> Complex:
-        """The same with the star of k-forms times a weight of each n-cell, at least 0: times the
-        means around k-cells where it is diagonal, else Galerkin's of the material.
+    def with_material(self, k: int, weights: CellNumbers) -> Complex:
+        """The same with the star of k-forms weighted by positive numbers of cells: signed shares of
+        a diagonal, else Galerkin's of the material. Numbers are one for all, one for each cell of
+        the input in its order (simplices, or polygons and solids that were split), a dual 0-form,
+        or a function of the centroids of the n-cells.
 
         Of Maxwell's equations with E a primal 1-form that of degree 1 is weighted by the
         permittivity, that of degree 2 by the inverse of the permeability.
 
         >>> import numpy as np, polydec
         >>> square = polydec.discretize(polydec.meshes.grid(4, 4))
-        >>> heavy = square.with_material(0, np.full(16, 3.0))
+        >>> heavy = square.with_material(0, np.full(32, 3.0)) # of 32 triangles
         >>> np.allclose(heavy.star(0), 3 * square.star(0))
         True
         """
-        made = self._mesh.with_material(k, floats(weights, "weights"))
+        made = self._mesh.with_material(k, cell_data(self, weights, "weights"))
         return Complex(made, None, self._options)
 
-    def cell_means(self, k: int, weights: npt.ArrayLike) -> Floats:
-        """The mean of a weight of n-cells around each k-cell, such as the losses that `Leapfrog`
-        takes."""
-        return self._mesh.cell_means(k, floats(weights, "weights"))
+    def cell_means(self, k: int, weights: CellNumbers) -> Floats:
+        """The mean around each k-cell of numbers of cells, as `with_material` takes them but at
+        least 0, such as the losses that `Leapfrog` takes."""
+        return self._mesh.cell_means(k, cell_data(self, weights, "weights"))
 
-    def material_star(self, k: int, weights: npt.ArrayLike) -> Any:
-        """Galerkin's star of k-forms, each n-cell's part times a positive weight."""
-        return self._mesh.material_star(k, floats(weights, "weights"))
+    def material_star(self, k: int, weights: CellNumbers) -> Any:
+        """Galerkin's star of k-forms, each n-cell's part times its weight (see `with_material`)."""
+        return self._mesh.material_star(k, cell_data(self, weights, "weights"))
 
     def conductivity_star(self, tensors: npt.ArrayLike) -> Any:
-        """Galerkin's star of (n-1)-forms by a symmetric n x n conductivity of each n-cell."""
+        """Galerkin's star of (n-1)-forms by symmetric n x n conductivities of the input's cells."""
         return self._mesh.tensor_star(floats(tensors, "tensors", 3))
 
     # ---- forms

@@ -11,6 +11,7 @@ from ._arrays import Floats, Integers, floats, integers, marks
 from ._cells import Cells
 from ._complex import Complex
 from ._errors import InvalidInput
+from ._vertices import at_cells, numbers_of
 
 
 def facet_marks(cells: Cells, essential: Any) -> list[bool]:
@@ -40,16 +41,19 @@ def facet_coefficients(cells: Cells, robin: Any) -> Floats:
 
 
 def vertex_numbers(cells: Cells, chosen: Any, name: str) -> Integers:
-    """Vertices by their numbers, by a mark for each, by a function of all points that marks them,
-    or by "boundary" or a group of the file, for which cells are those of a mesh."""
+    """The 0-cells of vertices that are given by their numbers, by a mark for each, by a function of
+    all points that marks them, or by "boundary" or a group of the file, for which cells are those
+    of a mesh."""
     if isinstance(chosen, str):
         complex = _whole(cells)
-        return complex.boundary_vertices() if chosen == "boundary" else complex.vertices_in(chosen)
+        return numbers_of(cells, complex.boundary_vertices() if chosen == "boundary"
+                          else complex.vertices_in(chosen), name)
     if callable(chosen):
         chosen = chosen(_whole(cells).points)
     given = np.atleast_1d(np.asarray(chosen))
     if given.dtype != bool:
-        return integers(given, name)
+        return numbers_of(cells, integers(given, name), name)
+    given = at_cells(cells, given)
     if given.shape != (cells.size(0),) or not given.any():
         raise InvalidInput(f"{name} marks {np.count_nonzero(given)} of {given.size} vertices: "
                            f"expected some of {cells.size(0)}")

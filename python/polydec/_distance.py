@@ -11,6 +11,7 @@ from . import _core
 from ._arrays import Floats, Integers, floats, integers
 from ._complex import CellsLike, Complex, as_complex
 from ._conditions import vertex_numbers
+from ._vertices import at_vertices, numbers_of
 
 
 class GeodesicDistance:
@@ -33,7 +34,8 @@ class GeodesicDistance:
 
     def to(self, sources: Any) -> Floats:
         """The distance of every vertex from the nearest source vertex, see `geodesic_distance`."""
-        return self._solver.to(vertex_numbers(self._complex, sources, "sources"))[0]
+        found = self._solver.to(vertex_numbers(self._complex, sources, "sources"))[0]
+        return at_vertices(self._complex, found)
 
 
 def geodesic_distance(complex: CellsLike, sources: Any, *, time_scale: float = 4.0,
@@ -43,9 +45,14 @@ def geodesic_distance(complex: CellsLike, sources: Any, *, time_scale: float = 4
     Parameters
     ----------
     sources : int, array_like of int or bool, callable or str
-        Numbers of vertices, or marks of all of them; a callable takes all points, an array
-        (size(0), N), and returns marks; "boundary", or else a group of the file. The other
-        parameters are those of `GeodesicDistance`.
+        Numbers of vertices, or marks of all of them; a callable takes all points and returns marks;
+        "boundary", or else a group of the file. The other parameters are those of
+        `GeodesicDistance`.
+
+    Returns
+    -------
+    numpy.ndarray
+        A number for each vertex that was given; nan where no cell uses it.
 
     Examples
     --------
@@ -76,19 +83,20 @@ class ParallelTransport:
     @property
     def reference(self) -> Any:
         """The edge of each vertex that has angle 0, as a row (vertex, vertex it leads to)."""
-        return self._solver.reference(self._complex._mesh)
+        return self._complex.vertices[self._solver.reference(self._complex._mesh)]
 
     @property
     def directions(self) -> Floats:
         """The unit vector along it, a row for each vertex."""
-        edges = _ways(self._complex, self.reference)
+        edges = _ways(self._complex, self._solver.reference(self._complex._mesh))
         return np.asarray(edges / np.linalg.norm(edges, axis=1)[:, None])
 
     def extend(self, sources: npt.ArrayLike, vectors: npt.ArrayLike) -> npt.NDArray[np.complex128]:
         """A vector at every vertex from one at each source vertex."""
         given = np.atleast_1d(np.asarray(vectors, dtype=np.complex128))
         real, imaginary = self._solver.extend(
-            integers(np.atleast_1d(np.asarray(sources)), "sources"),
+            numbers_of(self._complex, integers(np.atleast_1d(np.asarray(sources)), "sources"),
+                       "sources"),
             floats(given.real, "vectors"), floats(given.imag, "vectors"))
         return np.asarray(real + 1j * imaginary)
 
@@ -97,7 +105,8 @@ def _ways(complex: Complex, ends: Integers) -> Floats:
     """The vectors along edges of the simplices, from their first vertices to their second: of a
     glued mesh where the edges lie in the box."""
     if not complex._mesh.is_glued:
-        return np.asarray(complex.points[ends[:, 1]] - complex.points[ends[:, 0]])
+        points = complex.points[complex.vertices]
+        return np.asarray(points[ends[:, 1]] - points[ends[:, 0]])
     box = complex.box
     pairs = box.input.d(0).tocsr().indices.reshape(-1, 2)
     pairs = np.concatenate([pairs, pairs[:, ::-1]])

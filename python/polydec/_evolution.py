@@ -16,6 +16,7 @@ from ._complex import CellsLike, as_cells
 from ._conditions import conditions_or_none
 from ._errors import InvalidInput
 from ._sources import boundary_data
+from ._vertices import at_cells, at_vertices
 
 _Data = tuple[Floats, Floats, Floats, Floats]
 _names = {"values", "codifferential", "flow", "derivative_flow"}
@@ -50,7 +51,7 @@ class HeatSolver:
                  side: str = "primal", scheme: str = "backward_euler", essential: Any = None,
                  robin: Values | None = None, fixed: Any = None,
                  engine: str = "auto") -> None:
-        complex = as_cells(complex, in_units=True)
+        self._complex = complex = as_cells(complex, in_units=True)
         conditions = conditions_or_none(complex, essential, robin, fixed)
         self._kind = side, degree
         self._solver = _core.HeatSolver(complex._calculus, conditions, side, degree, time_step,
@@ -58,8 +59,11 @@ class HeatSolver:
 
     def step(self, u: Form, steps: int = 1) -> Floats:
         """The values so many steps later. Ctrl-C ends it between two steps."""
-        side, degree = self._kind
-        return self._solver.step(*as_form(u, degree, side), steps)[2]
+        side, degree, values = as_form(u, self._kind[1], self._kind[0])
+        if degree != (0 if side == "primal" else self._complex.dim):
+            return self._solver.step(side, degree, values, steps)[2]
+        later = self._solver.step(side, degree, at_cells(self._complex, values), steps)[2]
+        return at_vertices(self._complex, later)
 
 
 def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degree: int = 0,

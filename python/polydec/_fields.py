@@ -14,6 +14,12 @@ from ._cells import Form, as_form
 from ._cochain import Cochain
 from ._complex import Complex, mesh_of
 from ._errors import InvalidInput
+from ._vertices import at_cells, at_vertices
+
+
+def _vectors(complex: Complex, field: npt.ArrayLike) -> Floats:
+    """Rows of 0-cells, also of all vertices that were given, or of others."""
+    return np.ascontiguousarray(at_cells(complex, floats(field, "vectors", 2)))
 
 
 def _given_back(complex: Complex, parts: tuple[str, int, Floats], *given: Form) -> Any:
@@ -172,7 +178,7 @@ def flat(complex: Complex, kind: str, field: npt.ArrayLike) -> Cochain:
     >>> np.allclose(polydec.sharp_pp(square, form), 1.0)
     True
     """
-    side, degree, values = _core.flat(mesh_of(complex), kind, floats(field, "vectors", 2))
+    side, degree, values = _core.flat(mesh_of(complex), kind, _vectors(complex, field))
     return Cochain(values, degree, side, complex)
 
 
@@ -184,7 +190,7 @@ def sharp_pp(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.sharp_pp(square, square.d(0) @ square.points[:, 1]), [0, 1])
     True
     """
-    return _core.sharp(mesh_of(complex), "pp", *as_form(form, 1))
+    return at_vertices(complex, _core.sharp(mesh_of(complex), "pp", *as_form(form, 1)))
 
 
 def sharp_pd(complex: Complex, form: Form) -> Floats:
@@ -291,7 +297,7 @@ def interior_product(complex: Complex, field: npt.ArrayLike, k: int, *,
     >>> np.allclose(polydec.interior_product(square, X, 1) @ dx, 2.0)     # i_X dx
     True
     """
-    return _core.contraction(mesh_of(complex), "interior_product", floats(field, "vectors", 2), k,
+    return _core.contraction(mesh_of(complex), "interior_product", _vectors(complex, field), k,
                              sampling)
 
 
@@ -308,7 +314,7 @@ def lie_derivative(complex: Complex, field: npt.ArrayLike, k: int, *,
     >>> abs(square.d(0) @ L - polydec.lie_derivative(square, X, 1) @ square.d(0)).max() < 1e-12
     True
     """
-    return _core.contraction(mesh_of(complex), "lie_derivative", floats(field, "vectors", 2), k,
+    return _core.contraction(mesh_of(complex), "lie_derivative", _vectors(complex, field), k,
                              sampling)
 
 
@@ -323,7 +329,7 @@ def inflow(complex: Complex, field: npt.ArrayLike, k: int) -> Any:
     >>> polydec.inflow(square, X, 0).shape[0] == square.size(0)
     True
     """
-    return _core.contraction(mesh_of(complex), "inflow", floats(field, "vectors", 2), k, "upwind")
+    return _core.contraction(mesh_of(complex), "inflow", _vectors(complex, field), k, "upwind")
 
 
 class LieDerivative:
@@ -372,4 +378,4 @@ class LieDerivative:
     def _applied(self, what: str, field: npt.ArrayLike, form: Form) -> Any:
         given = as_form(form, self._k)
         return _given_back(self._complex,
-                           self._lie.apply(what, floats(field, "vectors", 2), *given), form)
+                           self._lie.apply(what, _vectors(self._complex, field), *given), form)

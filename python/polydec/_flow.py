@@ -12,6 +12,7 @@ from ._arrays import Floats, Values, at_places, floats
 from ._cochain import Cochain
 from ._complex import CellsLike, Complex, as_complex, mesh_of
 from ._conditions import facet_marks
+from ._vertices import at_cells
 
 
 def _fluxes(w: npt.ArrayLike) -> Floats:
@@ -156,7 +157,8 @@ def flow_of_velocity(complex: Complex, velocity: npt.ArrayLike) -> Floats:
     >>> bool(abs(square.d(1) @ w).max() < 1e-12)
     True
     """
-    return _core.flow_of_velocity(mesh_of(complex), floats(velocity, "velocities", 2))
+    rows = np.ascontiguousarray(at_cells(complex, floats(velocity, "velocities", 2)))
+    return _core.flow_of_velocity(mesh_of(complex), rows)
 
 
 def flux_through_boundary(complex: Complex, velocity: Values) -> Floats:

@@ -62,7 +62,7 @@ class Mesh:
             floats(points, "points", 2), integers(simplices, "simplices", 2),
             none if tags is None else integers(tags, "tags"),
             none.reshape(0, 0) if facets is None else integers(facets, "facets", 2),
-            none if facet_tags is None else integers(facet_tags, "facet_tags"), [])
+            none if facet_tags is None else integers(facet_tags, "facet_tags"), [], none, 0)
 
     @classmethod
     def _of(cls, mesh: _core.Mesh) -> Mesh:
@@ -91,6 +91,12 @@ class Mesh:
         return self._mesh.facet_tags
 
     @property
+    def input_cells(self) -> Integers:
+        """Of each simplex the cell of the file that it is part of, by which numbers of cells are
+        given; empty where each simplex is one."""
+        return self._mesh.input_cells
+
+    @property
     def groups(self) -> list[tuple[int, int, str]]:
         return self._mesh.groups
 
@@ -110,7 +116,8 @@ class Mesh:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _unpickled, (np.array(self.points), np.array(self.simplices), np.array(self.tags),
-                            np.array(self.facets), np.array(self.facet_tags), self.warnings)
+                            np.array(self.facets), np.array(self.facet_tags), self.warnings,
+                            np.array(self.input_cells), self._mesh.input_count)
 
     def __repr__(self) -> str:
         return (f"Mesh({len(self.points)} points in R^{self.ambient_dim}, "

@@ -13,6 +13,7 @@ from ._cochain import Cochain
 from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput
 from ._lists import CellList, Polygons
+from ._vertices import at_cells, at_vertices
 
 
 def _polygons(complex: Complex) -> tuple[Floats, list[Floats], Integers]:
@@ -96,7 +97,7 @@ def _colors(complex: Complex, values: Form, degree: int | None, side: str,
     if isinstance(values, Cochain):
         side, degree, array = as_form(values, None)
     else:
-        array = floats(values, "values")
+        array = at_cells(complex, floats(values, "values"))
         if degree is None:
             side, degree = "primal", 0 if len(array) == complex.size(0) else 2
     cells = degree if side == "primal" else complex.dim - degree
@@ -108,7 +109,7 @@ def _colors(complex: Complex, values: Form, degree: int | None, side: str,
     if cells == 2:
         return np.asarray(array[seen])
     lists = complex.box.cells(2)
-    sums = np.add.reduceat(array[lists.corners], lists.offsets[:-1])
+    sums = np.add.reduceat(at_vertices(complex.box, array)[lists.corners], lists.offsets[:-1])
     return np.asarray((sums / np.diff(lists.offsets))[seen])
 
 
@@ -142,9 +143,9 @@ def to_meshio(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = None
         numbers.append(of_size)
     point_data, cell_data = {}, {}
     for name, values in (forms or {}).items():
-        array = floats(np.asarray(values), name)
+        array = at_cells(complex, floats(np.asarray(values), name))
         if len(array) == complex.size(0):
-            point_data[name] = complex._on_box(0, array)
+            point_data[name] = at_vertices(box, complex._on_box(0, array))
         elif len(array) == complex.size(n):
             array = complex._on_box(n, array)
             cell_data[name] = [array[of_size] for of_size in numbers]
@@ -175,9 +176,11 @@ def to_pyvista(complex: Complex, forms: Mapping[str, npt.ArrayLike] | None = Non
     result = pyvista.PolyData(np.pad(points, ((0, 0), (0, 3 - points.shape[1]))),
                               np.concatenate(faces))
     for name, values in (forms or {}).items():
-        array = floats(np.asarray(values), name)
+        array = at_cells(complex, floats(np.asarray(values), name))
         if len(array) == complex.size(0):
-            result.point_data[name] = complex._on_box(0, array)
+            array = complex._on_box(0, array)
+            result.point_data[name] = array if len(array) == len(points) else \
+                at_vertices(box, array)
         else:
             result.cell_data[name] = complex._on_box(2, array)[seen]
     return result

@@ -6,19 +6,16 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _core
-from ._arrays import Floats, Values, at_places, floats
+from ._arrays import Floats, Values, at_places
+from ._cell_data import CellNumbers, cell_data
 from ._cells import Form, as_form
 from ._cochain import Cochain
-from ._complex import CellsLike, as_cells
+from ._complex import CellsLike, Complex, as_cells
 from ._conditions import conditions_of
+from ._vertices import at_cells, at_vertices
 from ._engines import Solution
-
-
-def _conductivity(values: Any) -> Floats:
-    return floats([] if values is None else values, "conductivities")
 
 
 class PoissonSolver:
@@ -39,15 +36,18 @@ class PoissonSolver:
     fixed : array_like or callable or str, optional
         Vertices at which u is given besides, inside as well, of primal 0-forms: as sources of
         `geodesic_distance`.
-    conductivity : array_like, optional
-        kappa > 0 of each n-cell.
+    conductivity : float, array_like, Cochain or callable, optional
+        kappa > 0: one for each cell of the input, in its order (simplices, or polygons and solids
+        that were split), a dual 0-form, or a function of the centroids of the n-cells.
     engine : str
         A name of `backends`.
 
     Attributes
     ----------
     sites, boundary_sites, flux_sites : numpy.ndarray
-        Places of f and u, of boundary values, and of normal derivatives, a row each.
+        Places of f and u, of boundary values, and of normal derivatives, a row each. Of primal
+        forms all vertices that were given; where no cell uses one data do not matter, and u is
+        nan.
 
     Raises
     ------
@@ -57,14 +57,24 @@ class PoissonSolver:
 
     def __init__(self, complex: CellsLike, *, side: str = "primal", essential: Any = True,
                  robin: Values | None = None, fixed: Any = None,
-                 conductivity: npt.ArrayLike | None = None, engine: str = "auto") -> None:
+                 conductivity: CellNumbers | None = None, engine: str = "auto") -> None:
         complex = as_cells(complex, in_units=True)
         self._solver = _core.PoissonSolver(complex._calculus, side,
                                            conditions_of(complex, essential, robin, fixed),
-                                           _conductivity(conductivity), engine)
+                                           cell_data(complex, conductivity, "conductivities"), engine)
+        self._complex = complex
+        self._are_vertices = side == "primal"
         self.sites = self._solver.sites
         self.boundary_sites = self._solver.boundary_sites
+        if self._are_vertices and isinstance(complex, Complex):
+            self.sites = self.boundary_sites = complex.points
         self.flux_sites = self._solver.flux_sites
+
+    def _at_vertices(self, rows: Floats) -> Floats:
+        return at_vertices(self._complex, rows) if self._are_vertices else rows
+
+    def _at_cells(self, rows: Floats) -> Floats:
+        return at_cells(self._complex, rows) if self._are_vertices else rows
 
     def solve(self, f: Values = 0.0, boundary: Values = 0.0, flux: Values = 0.0) -> Solution:
         """u at the sites.
@@ -80,7 +90,8 @@ class PoissonSolver:
             The derivative along the outward normal, times kappa, at `flux_sites`; where there is
             Robin's condition with its coefficient times u added.
         """
-        right = at_places(f, self.sites, "values of f")
+        given = at_places(f, self.sites, "values of f")
+        right = self._at_cells(given)
         columns = 1 if right.ndim == 1 else right.shape[1]
 
         def table(values: Values, places: Floats, name: str) -> Floats:
@@ -89,14 +100,15 @@ class PoissonSolver:
                 array.reshape(len(array), -1), (len(array), columns)))
 
         values, report = self._solver.solve(
-            right.reshape(len(right), -1), table(boundary, self.boundary_sites, "boundary values"),
+            right.reshape(len(right), -1),
+            self._at_cells(table(boundary, self.boundary_sites, "boundary values")),
             table(flux, self.flux_sites, "normal derivatives"))
-        return Solution(values.reshape(right.shape), report)
+        return Solution(self._at_vertices(values.reshape(right.shape)), report)
 
 
 def poisson(complex: CellsLike, f: Values = 0.0, boundary: Values = 0.0, flux: Values = 0.0, *,
             side: str = "primal", essential: Any = True, robin: Values | None = None,
-            fixed: Any = None, conductivity: npt.ArrayLike | None = None,
+            fixed: Any = None, conductivity: CellNumbers | None = None,
             engine: str = "auto") -> Solution:
     """Solves ``-div kappa grad u = f``: a `PoissonSolver` made for one solve.
 
@@ -131,16 +143,16 @@ class DarcySolver:
     complex : Cells, or a mesh as `discretize` takes it
     essential : bool or array of bool or callable
         Facets of the boundary where the pressure is given; elsewhere the outflow is.
-    conductivity : array_like, optional
-        kappa > 0 of each n-cell.
+    conductivity : float, array_like, Cochain or callable, optional
+        kappa > 0, as `PoissonSolver` takes it.
     engine : str
     """
 
     def __init__(self, complex: CellsLike, *, essential: Any = True,
-                 conductivity: npt.ArrayLike | None = None, engine: str = "auto") -> None:
+                 conductivity: CellNumbers | None = None, engine: str = "auto") -> None:
         self._complex = complex = as_cells(complex)
         self._solver = _core.DarcySolver(complex._calculus, conditions_of(complex, essential),
-                                         _conductivity(conductivity), engine)
+                                         cell_data(complex, conductivity, "conductivities"), engine)
         self.sites = self._solver.sites
         self.facet_sites = self._solver.facet_sites
 
@@ -157,7 +169,7 @@ class DarcySolver:
 
 def darcy(complex: CellsLike, source: Values = 0.0, pressure: Values = 0.0,
           outflow: Values = 0.0, *, essential: Any = True,
-          conductivity: npt.ArrayLike | None = None, engine: str = "auto") -> DarcyFlow:
+          conductivity: CellNumbers | None = None, engine: str = "auto") -> DarcyFlow:
     """A `DarcySolver` made for one solve.
 
     Examples

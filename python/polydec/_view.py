@@ -17,6 +17,7 @@ from ._cochain import Cochain
 from ._complex import CellsLike, Complex, as_complex
 from ._errors import InvalidInput, IoError
 from ._spectra import Spectrum
+from ._vertices import at_cells
 
 #: One form, several by their names, or the modes of a spectrum.
 Fields = Union[Form, Mapping[str, Form], Spectrum]
@@ -228,6 +229,7 @@ def _forms(complex: Complex, fields: Mapping[str, Form], degree: int | None,
     forms = []
     for name, values in fields.items():
         if not isinstance(values, Cochain):
+            values = at_cells(complex, np.asarray(values))
             values = Cochain(values, _degree(complex, values, degree, side), side)
         forms.append((name, values.side, values.degree, values.values,
                       f"{values.side} {values.degree}-form"))

@@ -114,7 +114,7 @@ def test_two_solvers_have_one_solution_of_one_problem(consistent, side, with_rob
 
 def test_materials_are_the_conductivities_of_poisson_problems():
     c = polydec.discretize(meshes.perturbed(meshes.grid(6, 6), .04, 1), star="circumcentric")
-    kappa = 1 + np.arange(c.size(2)) % 5
+    kappa = c.cochain(1 + np.arange(c.size(2)) % 5, 0, "dual")
     f = np.ones(c.size(0))
     by_star = polydec.PoissonSolver(c.with_material(1, kappa), side="primal").solve(f).values
     by_option = polydec.PoissonSolver(c, side="primal", conductivity=kappa).solve(f).values

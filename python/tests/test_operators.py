@@ -156,8 +156,8 @@ def test_own_stars():
 
 def test_material_stars():
     c = polydec.discretize(polydec.meshes.grid(4, 4), star="galerkin")
-    assert near(c.material_star(1, np.full(c.size(2), 3.0)), 3 * c.star(1), 1e-14)
-    tensors = np.broadcast_to(np.eye(2) / 3, (c.size(2), 2, 2))
+    assert near(c.material_star(1, 3.0), 3 * c.star(1), 1e-14)
+    tensors = np.broadcast_to(np.eye(2) / 3, (c.input.size(2), 2, 2))
     assert near(c.conductivity_star(tensors), 3 * c.star(1), 1e-14)
 
 

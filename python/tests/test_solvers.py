@@ -45,7 +45,7 @@ def test_values_may_be_numbers_arrays_and_functions(square):
     assert np.array_equal(polydec.poisson(square, list(f)).values, u)
     both = polydec.poisson(square, np.c_[f, 2 * f]).values
     assert both.shape == (len(f), 2) and np.allclose(both, np.c_[u, 2 * u])
-    three = polydec.PoissonSolver(square, conductivity=np.full(square.size(2), 3.0)).solve(f)
+    three = polydec.PoissonSolver(square, conductivity=3.0).solve(f)
     assert np.allclose(3 * three.values, u)
 
 

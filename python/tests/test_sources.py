@@ -33,7 +33,7 @@ def test_sources_of_forms(name, k, side):
 
 
 def test_magnets():
-    box = complex_of("kuhn").with_material(2, np.linspace(0.1, 1, 8))
+    box = complex_of("kuhn").with_material(2, lambda x: 0.1 + x[:, 0])
     j = box.cochain(np.cos(np.arange(box.size(1))), 1)
     found = polydec.HodgeLaplaceSolver(box, degree=1).solve_curl_curl(j)
     A = found.potential
@@ -125,10 +125,35 @@ def test_boxes_with_a_twist():
 
 
 def test_materials_weight_stars(square):
-    weights = np.linspace(1, 2, square.size(2))
+    weights = square.cochain(np.linspace(1, 2, square.size(2)), 0, "dual")
     assert near(square.with_material(1, weights).star(1),
                 square.star(1) * square.cell_means(1, weights))
-    assert near(square.cell_means(2, weights), weights)
+    assert near(square.cell_means(2, weights), weights.values)
+
+
+def test_numbers_of_cells_are_in_the_order_of_the_input():
+    mesh = polydec.meshes.perturbed(polydec.meshes.grid(5, 5), 0.03, 2)
+    order = np.random.default_rng(1).permutation(len(mesh.simplices))
+    kappa = np.linspace(1, 5, len(order))
+    one, other = (polydec.discretize((mesh.points, mesh.simplices[rows]), star="circumcentric")
+                  for rows in (np.arange(len(order)), order))
+    u = polydec.poisson(one, 1.0, side="primal", conductivity=kappa).values
+    assert near(polydec.poisson(other, 1.0, side="primal", conductivity=kappa[order]).values, u)
+    assert not near(polydec.poisson(other, 1.0, side="primal", conductivity=kappa).values, u, 1e-3)
+    for made in (lambda c, weights: c.with_material(1, weights).star(1),
+                 lambda c, weights: c.cell_means(1, weights),
+                 lambda c, weights: c.material_star(1, weights).data,
+                 lambda c, weights: c.conductivity_star(weights[:, None, None] * np.eye(2)).data):
+        assert near(made(one, kappa), made(other, kappa[order]))
+        assert not near(made(one, kappa), made(other, kappa), 1e-3)
+    by_place = polydec.discretize(polydec.meshes.grid(2, 2))
+    means = by_place.cell_means(2, lambda x: 1 + x[:, 0])
+    assert near(means, 1 + by_place.centroids(2)[:, 0])
+    assert near(by_place.cell_means(2, by_place.cochain(means, 0, "dual")), means)
+    with pytest.raises(polydec.InvalidInput, match=said("4 values", "8")):
+        by_place.cell_means(2, means)
+    with pytest.raises(polydec.InvalidInput, match=said("differ", "merged", "keep_apart")):
+        by_place.with_material(1, np.arange(1.0, 9))
 
 
 @pytest.mark.parametrize("name", ["grid", "well_centered"])

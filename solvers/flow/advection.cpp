@@ -5,6 +5,7 @@
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "dec/developed_cells.h"
+#include "dec/input_units.h"
 #include "dec/metric/exterior_product.h"
 #include "dec/metric/permutation_sign.h"
 #include "dec/metric/simplex_geometry.h"
@@ -88,6 +89,7 @@ private:
 
 struct Advection::Parts {
     int n;
+    double unit; // of all lengths that follow
     CellComplex complex;
     Vector volumes;            // of n-cells
     std::vector<Index> begins; // of the facets of each n-cell in what follows
@@ -101,6 +103,7 @@ struct Advection::Parts {
 
     explicit Parts(const Discretization& mesh)
         : n(mesh.dimension()),
+          unit(mesh.unit()),
           complex(mesh.complex()),
           volumes(mesh.volumes().primal(n)),
           pairs(pairs_of(n)) {
@@ -110,6 +113,16 @@ struct Advection::Parts {
     }
 
     Index cells() const { return static_cast<Index>(volumes.size()); }
+
+    /// Vorticities at facets, and fluxes, in the unit. Throw InvalidInput for another number.
+    Vector at_facets(const Vector& z) const {
+        check_as_many("values of the vorticity", z.size(), vorticity.cols());
+        return vorticity * form_in_input_units(z, unit, 2 - n, "vorticities");
+    }
+    Vector fluxes(const Vector& w) const {
+        check_as_many("fluxes", w.size(), complex.size(n - 1));
+        return form_in_input_units(w, unit, -n, "fluxes");
+    }
 
     Eigen::RowVectorXd velocity(Index cell, const Vector& w) const {
         Eigen::RowVectorXd u = Eigen::RowVectorXd::Zero(n);
@@ -288,23 +301,20 @@ int Advection::dimension() const {
 
 Vector Advection::operator()(const Vector& z, const Vector& w) const {
     const Parts& parts = *parts_;
-    check_as_many("values of the vorticity", z.size(), parts.vorticity.cols());
-    check_as_many("fluxes", w.size(), parts.complex.size(parts.n - 1));
-    const Vector at_facets = parts.vorticity * z;
+    const Vector at_facets = parts.at_facets(z), flux = parts.fluxes(w);
     Vector force = Vector::Zero(w.size());
     Points u;
     for (Index cell = 0; cell < parts.cells(); ++cell) {
-        parts.velocities(cell, w, u);
+        parts.velocities(cell, flux, u);
         parts.turn(cell, at_facets, u);
         parts.add_forces(cell, u, force);
     }
-    return force;
+    return form_in_input_units(force, parts.unit, 2, "forces");
 }
 
 SparseMatrix Advection::matrix(const Vector& z) const {
     const Parts& parts = *parts_;
-    check_as_many("values of the vorticity", z.size(), parts.vorticity.cols());
-    const Vector at_facets = parts.vorticity * z;
+    const Vector at_facets = parts.at_facets(z);
     std::vector<Eigen::Triplet<double, Index>> entries;
     Vector unit = Vector::Zero(parts.complex.size(parts.n - 1)), force = unit;
     Points u;
@@ -324,25 +334,25 @@ SparseMatrix Advection::matrix(const Vector& z) const {
         }
     SparseMatrix result(unit.size(), unit.size());
     result.setFromTriplets(entries.begin(), entries.end());
-    return result;
+    return in_input_units(std::move(result), parts.unit, 2 - parts.n, "the matrix of advection");
 }
 
 Vector Advection::kinetic_energy(const Vector& w) const {
-    check_as_many("fluxes", w.size(), parts_->complex.size(parts_->n - 1));
+    const Vector flux = parts_->fluxes(w);
     Vector result(parts_->cells());
     for (Index cell = 0; cell < parts_->cells(); ++cell)
-        result[cell] = parts_->velocity(cell, w).squaredNorm() / 2;
-    return result;
+        result[cell] = parts_->velocity(cell, flux).squaredNorm() / 2;
+    return form_in_input_units(result, parts_->unit, 2, "kinetic energies");
 }
 
 double Advection::exchange_rate(const Vector& w) const {
     const Parts& parts = *parts_;
-    check_as_many("fluxes", w.size(), parts.complex.size(parts.n - 1));
+    const Vector flux = parts.fluxes(w);
     double most = 0;
     for (Index cell = 0; cell < parts.cells(); ++cell) {
         double sum = 0;
         for (Index i = parts.begins[cell]; i < parts.begins[cell + 1]; ++i)
-            sum += std::abs(w[parts.facets[i].face]);
+            sum += std::abs(flux[parts.facets[i].face]);
         most = std::max(most, sum / 2 / parts.volumes[cell]);
     }
     return most;

@@ -21,7 +21,7 @@ namespace polydec {
 /// rounding. For constant z and u on flat cells A(z) w is exactly the integral of i_u omega from
 /// centroid to centroid: along dual edges but for a gradient of cells, which the pressure takes.
 /// Source: Mullen et al. 2009 for the principle; Perot 2000 for the mean velocity; Eymard,
-/// Gallouet, Herbin 2010 for what is added in cones.
+/// Gallouet, Herbin 2010 for what is added in cones. All is in the units of the input.
 class Advection {
 public:
     /// Throws InvalidInput for n < 2, naming facets where cells are not oriented alike or branch,

@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "dec/fields/interior_product.h"
 #include "dec/forms/operator.h"
+#include "dec/input_units.h"
 #include "dec/metric/simplex_geometry.h"
 #include "solvers/poisson.h"
 
@@ -20,14 +21,16 @@ Vector flow_of_vorticity(const Discretization& mesh, const Vector& vorticity) {
                                        "vertices: expected a surface; else give velocities",
                                        mesh.dimension()));
     const Vector none = Vector::Zero(mesh.complex().size(0));
-    // in the unit of the mesh, as its flows are
-    const Vector psi = PoissonSolver(mesh.complex(), mesh.stars()).solve(vorticity, none).values;
+    const Vector psi = PoissonSolver(mesh).solve(vorticity, none).values;
     return Operator::derivative(mesh.complex(), 0) * psi;
 }
 
 Vector flow_of_velocity(const Discretization& mesh, const Points& velocity) {
     const int n = mesh.dimension();
-    return interior_product(mesh, velocity, n, Sampling::centered) * mesh.volumes().primal(n);
+    const Vector flux =
+        interior_product(mesh, velocity, n, Sampling::centered) * mesh.volumes().primal(n);
+    return form_in_input_units(flux, mesh.unit(), n,
+                               "fluxes"); // of vectors in the unit of the mesh
 }
 
 Vector flux_through_boundary(const Discretization& mesh, const Points& velocity) {
@@ -59,7 +62,7 @@ Vector flux_through_boundary(const Discretization& mesh, const Points& velocity)
     for (Index f = 0; f < flux.size(); ++f)
         if (std::abs(flux[f]) <= rounding * areas[f] * velocity.row(f).norm())
             flux[f] = 0;
-    return flux;
+    return form_in_input_units(flux, mesh.unit(), n - 1, "fluxes");
 }
 
 } // namespace polydec

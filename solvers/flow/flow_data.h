@@ -5,6 +5,8 @@
 
 namespace polydec {
 
+// All is in the units of the input.
+
 /// The flow on a surface (n = 2) with this vorticity at the vertices, length^0 over time, without
 /// harmonic part: w = d psi with Delta psi the vorticity and psi 0 on the boundary. On closed
 /// components the mean of the vorticity is removed. Size size(1).

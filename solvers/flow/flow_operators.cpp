@@ -131,6 +131,18 @@ Vector given_flux(const CellComplex& complex, const FlowOptions& options, const 
     return result;
 }
 
+FlowOptions in_unit_of(const Discretization& mesh, FlowOptions options) {
+    const double unit = mesh.unit();
+    const int n = mesh.dimension();
+    options.viscosity =
+        in_input_units(Vector::Constant(1, options.viscosity), unit, -2, "viscosity")[0];
+    options.boundary_flux = in_input_units(options.boundary_flux, unit, -n, "boundary fluxes");
+    options.wall_velocity =
+        in_input_units(std::move(options.wall_velocity), unit, -1, "velocities of walls");
+    options.rotation = in_input_units(options.rotation, unit, 2 - n, "vorticities of the frame");
+    return options;
+}
+
 RelativeComplex without(const CellComplex& complex, const CellMarks& marks) {
     return relative_complex(complex, marks);
 }
@@ -139,7 +151,7 @@ RelativeComplex without(const CellComplex& complex, const CellMarks& marks) {
 
 FlowOperators::FlowOperators(const Discretization& on, const FlowOptions& how)
     : mesh((check_options(on, how), on)),
-      options(how),
+      options(in_unit_of(on, how)),
       n(mesh.dimension()),
       star(Operator::star(mesh.stars()[n - 1])),
       swirling(without(mesh.complex(), Marks(mesh.complex(), options).still)),

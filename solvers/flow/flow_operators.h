@@ -3,6 +3,7 @@
 
 #include "complex/relative.h"
 #include "dec/forms/operator.h"
+#include "dec/input_units.h"
 #include "solvers/flow/incompressible_flow.h"
 
 #include <vector>
@@ -10,7 +11,8 @@
 namespace polydec {
 
 /// The linear operators of a flow, made once: star_(n-1), the vorticity where it is not 0 by the
-/// conditions, and the facets whose flux is not given.
+/// conditions, and the facets whose flux is not given. All is in the unit of the mesh, but for the
+/// options that are handed over.
 struct FlowOperators {
     FlowOperators(const Discretization& mesh, const FlowOptions& options);
 
@@ -35,6 +37,14 @@ struct FlowOperators {
     Vector curl_of(const Vector& vorticity) const { return star * (curl * vorticity); }
 
     Vector unknowns_of(const Vector& all) const { return all(unknown); }
+
+    /// Values of a power of length in the unit of the mesh, and the other way round.
+    Vector in_unit(const Vector& values, int power, const char* what) const {
+        return form_in_input_units(values, mesh.unit(), -power, what);
+    }
+    Vector in_input(const Vector& values, int power, const char* what) const {
+        return form_in_input_units(values, mesh.unit(), power, what);
+    }
 };
 
 } // namespace polydec

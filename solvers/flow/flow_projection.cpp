@@ -75,7 +75,7 @@ FlowProjection::FlowProjection(std::shared_ptr<const FlowOperators> operators, d
 
 FlowProjection::Flow FlowProjection::solve(const Vector& momentum) const {
     const FlowOperators& flow = *operators_;
-    Vector right_side = momentum;
+    Vector right_side = flow.in_unit(momentum, 2, "momenta");
     if (const double factor = theta_ * flow.options.viscosity; factor > 0)
         right_side -= factor * flow.curl_of(flow.vorticity(flow.boundary_flux, 1));
     return solve(right_side, flow.boundary_flux);
@@ -85,7 +85,7 @@ FlowProjection::Flow FlowProjection::solve_at_rest(const Vector& momentum) const
     if (theta_ != 0)
         throw InvalidInput("a flow at rest is asked for of a projection with friction: take theta "
                            "= 0");
-    return solve(momentum, Vector::Zero(momentum.size()));
+    return solve(operators_->in_unit(momentum, 2, "momenta"), Vector::Zero(momentum.size()));
 }
 
 FlowProjection::Flow FlowProjection::solve(const Vector& momentum, const Vector& boundary) const {
@@ -95,7 +95,7 @@ FlowProjection::Flow FlowProjection::solve(const Vector& momentum, const Vector&
     auto [x, c] = solver_->solve(f, g);
     Vector flux = boundary;
     flux(flow.unknown) = x;
-    return {std::move(flux), std::move(c)};
+    return {flow.in_input(flux, flow.n, "fluxes"), std::move(c)};
 }
 
 } // namespace polydec

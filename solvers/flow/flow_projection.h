@@ -10,7 +10,7 @@ namespace polydec {
 struct FlowOperators;
 
 /// Takes what gradients do out of a flow, and friction with it. Made by IncompressibleFlow; a
-/// handle, used by one thread at a time.
+/// handle, used by one thread at a time. All is in the units of the input.
 class FlowProjection {
 public:
     /// Throws what linear engines throw, and InvalidInput for theta * viscosity < 0.
@@ -20,7 +20,7 @@ public:
 
     struct Flow {
         Vector flux;       ///< w: size(n-1)
-        Vector multiplier; ///< c: size(n)
+        Vector multiplier; ///< c: size(n), which may be rounding alone; in the unit of the mesh
     };
 
     /// The flow w that the boundary data ask for, without divergence, with star w - theta
@@ -34,6 +34,7 @@ public:
 private:
     struct Solver;
 
+    /// Of data in the unit of the mesh.
     Flow solve(const Vector& momentum, const Vector& boundary) const;
 
     std::shared_ptr<const FlowOperators> operators_;

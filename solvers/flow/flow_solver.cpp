@@ -61,8 +61,8 @@ Vector FlowSolver::midpoint(const Vector& w) const {
     for (int pass = 0; pass < steps_.most_passes && std::isfinite(change); ++pass) {
         const Vector next =
             implicit_.solve(momentum + steps_.time_step / 2 * flow_.inertia(middle)).flux;
-        const double size = flow_.energy(next);
-        change = size == 0 ? 0 : std::sqrt(flow_.energy(next - middle) / size);
+        const Vector by = next - middle;
+        change = by.isZero(0) ? 0 : std::sqrt(flow_.ratio_of_energies(by, next));
         middle = next;
         if (change <= steps_.tolerance)
             return 2 * middle - w;

@@ -2,6 +2,7 @@
 #include "solvers/flow/flux_transport.h"
 
 #include "base/checks.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/dual_fluxes.h"
 
 #include <algorithm>
@@ -20,6 +21,11 @@ FluxTransport::FluxTransport(const CellComplex& complex, const CellVolumes& volu
     for (Index cell = 0; cell < complex.size(n); ++cell)
         for (const auto& [f, sign] : complex.incidences(n - 1)[cell])
             (sign > 0 ? sides_[f].back : sides_[f].front) = cell;
+}
+
+FluxTransport::FluxTransport(const Discretization& mesh, Sampling sampling)
+    : FluxTransport(mesh.complex(), mesh.volumes(), sampling) {
+    volumes_ = in_input_units(volumes_, mesh.unit(), mesh.dimension(), "volumes of cells");
 }
 
 Vector FluxTransport::mass_flux(const Vector& flux, const Vector& density,

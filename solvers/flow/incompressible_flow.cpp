@@ -2,6 +2,7 @@
 #include "solvers/flow/incompressible_flow.h"
 
 #include "base/checks.h"
+#include "base/errors.h"
 #include "dec/forms/derivative.h"
 #include "solvers/flow/flow_operators.h"
 
@@ -11,17 +12,25 @@
 namespace polydec {
 
 struct IncompressibleFlow::Parts {
+    FlowOptions options; // as they were given
     Advection advection;
     std::shared_ptr<const FlowOperators> operators;
     FlowProjection projection;
 
-    Parts(const Discretization& mesh, const FlowOptions& options)
-        : advection(mesh),
-          operators(std::make_shared<FlowOperators>(mesh, options)),
+    Parts(const Discretization& mesh, const FlowOptions& given)
+        : options(given),
+          advection(mesh),
+          operators(std::make_shared<FlowOperators>(mesh, given)),
           projection(operators, 0) {}
 
-    void check(const Vector& w) const {
+    /// Fluxes in the unit of the mesh.
+    Vector fluxes(const Vector& w) const {
         check_as_many("fluxes", w.size(), operators->mesh.complex().size(operators->n - 1));
+        return operators->in_unit(w, operators->n, "fluxes");
+    }
+
+    double in_input(double value, int power, const char* what) const {
+        return operators->in_input(Vector::Constant(1, value), power, what)[0];
     }
 };
 
@@ -33,7 +42,7 @@ const Discretization& IncompressibleFlow::mesh() const {
 }
 
 const FlowOptions& IncompressibleFlow::options() const {
-    return parts_->operators->options;
+    return parts_->options;
 }
 
 const Advection& IncompressibleFlow::advection() const {
@@ -41,14 +50,13 @@ const Advection& IncompressibleFlow::advection() const {
 }
 
 Vector IncompressibleFlow::project(const Vector& flux) const {
-    parts_->check(flux);
-    return parts_->projection.solve(parts_->operators->star * flux).flux;
+    return parts_->projection.solve(momentum(flux)).flux;
 }
 
 Vector IncompressibleFlow::vorticity(const Vector& w) const {
-    parts_->check(w);
     const auto& flow = *parts_->operators;
-    return flow.swirling.extend(flow.n - 2, flow.vorticity(w, 1));
+    const Vector z = flow.swirling.extend(flow.n - 2, flow.vorticity(parts_->fluxes(w), 1));
+    return flow.in_input(z, flow.n - 2, "vorticities");
 }
 
 Vector IncompressibleFlow::inertia(const Vector& w) const {
@@ -59,11 +67,12 @@ Vector IncompressibleFlow::inertia(const Vector& w) const {
 }
 
 Vector IncompressibleFlow::friction(const Vector& w) const {
-    parts_->check(w);
+    const Vector flux = parts_->fluxes(w);
     const auto& flow = *parts_->operators;
     if (flow.options.viscosity == 0)
         return Vector::Zero(w.size());
-    return -flow.options.viscosity * flow.curl_of(flow.vorticity(w, 1));
+    return flow.in_input(-flow.options.viscosity * flow.curl_of(flow.vorticity(flux, 1)), 2,
+                         "forces");
 }
 
 Vector IncompressibleFlow::rate(const Vector& w) const {
@@ -71,13 +80,13 @@ Vector IncompressibleFlow::rate(const Vector& w) const {
 }
 
 Vector IncompressibleFlow::momentum(const Vector& w) const {
-    parts_->check(w);
-    return parts_->operators->star * w;
+    return parts_->operators->in_input(parts_->operators->star * parts_->fluxes(w), 2, "momenta");
 }
 
 Cochain IncompressibleFlow::pressure(const Vector& w) const {
     const auto& flow = *parts_->operators;
-    const Vector total = -parts_->projection.solve_at_rest(inertia(w) + friction(w)).multiplier;
+    const Vector c = parts_->projection.solve_at_rest(inertia(w) + friction(w)).multiplier;
+    const Vector total = -flow.in_input(c, 2, "pressures");
     Vector p = total - parts_->advection.kinetic_energy(w);
     bool open = false;
     for (const bool tied : flow.tied)
@@ -89,29 +98,51 @@ Cochain IncompressibleFlow::pressure(const Vector& w) const {
 }
 
 double IncompressibleFlow::energy(const Vector& w) const {
-    parts_->check(w);
-    return w.dot(parts_->operators->star * w) / 2;
+    const Vector flux = parts_->fluxes(w);
+    const auto& flow = *parts_->operators;
+    return parts_->in_input(flux.dot(flow.star * flux) / 2, flow.n + 2, "the energy of a flow");
+}
+
+double IncompressibleFlow::relative_energy(const Vector& w, const Vector& other) const {
+    if (w.isZero(0) && other.isZero(0))
+        return 1;
+    const double ratio = ratio_of_energies(w, other);
+    if (!std::isfinite(ratio))
+        throw InvalidInput("the energy of a flow is asked for in that of one at rest, or of one "
+                           "too fast for it to be a number");
+    return ratio;
+}
+
+double IncompressibleFlow::ratio_of_energies(const Vector& w, const Vector& other) const {
+    const auto& flow = *parts_->operators;
+    const auto twice = [&](const Vector& given) {
+        const Vector flux = parts_->fluxes(given);
+        return flux.dot(flow.star * flux);
+    };
+    return twice(w) / twice(other);
+}
+
+double IncompressibleFlow::enstrophy(const Vector& w) const {
+    const auto& flow = *parts_->operators;
+    const Vector z = flow.vorticity(parts_->fluxes(w), 1);
+    return parts_->in_input(z.dot(flow.vorticity_star * z) / 2, flow.n, "the enstrophy of a flow");
 }
 
 double IncompressibleFlow::dissipation(const Vector& w) const {
-    parts_->check(w);
-    const auto& flow = *parts_->operators;
-    const Vector z = flow.vorticity(w, 1);
-    return flow.options.viscosity * z.dot(flow.vorticity_star * z);
+    return options().viscosity == 0 ? 0 : 2 * options().viscosity * enstrophy(w);
 }
 
 Vector IncompressibleFlow::circulations(const Vector& w) const {
-    parts_->check(w);
     const auto& flow = *parts_->operators;
-    return Operator::derivative(flow.mesh.complex(), flow.n - 2).transposed() * (flow.star * w);
+    return Operator::derivative(flow.mesh.complex(), flow.n - 2).transposed() * momentum(w);
 }
 
 double IncompressibleFlow::divergence(const Vector& w) const {
-    parts_->check(w);
+    const Vector flux = parts_->fluxes(w);
     const auto& flow = *parts_->operators;
     const SparseMatrix d = polydec::derivative(flow.mesh.complex(), flow.n - 1);
-    const double size = (d.cwiseAbs() * w.cwiseAbs()).maxCoeff();
-    return size > 0 ? (d * w).cwiseAbs().maxCoeff() / size : 0;
+    const double size = (d.cwiseAbs() * flux.cwiseAbs()).maxCoeff();
+    return size > 0 ? (d * flux).cwiseAbs().maxCoeff() / size : 0;
 }
 
 double IncompressibleFlow::exchange_time(const Vector& w) const {

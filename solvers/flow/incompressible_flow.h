@@ -37,7 +37,7 @@ struct FlowOptions {
 ///
 /// The vorticity z is a primal (n-2)-form, star^-1 of the circulation around its cells. The sum of
 /// the circulations around all cells is that along the boundary, to rounding: 0 on closed surfaces.
-/// A handle; one thread at a time.
+/// A handle; one thread at a time. All is in the units of the input.
 /// Source: Mullen, Crane, Pavlov, Tong, Desbrun 2009; Mohamed, Hirani, Samtaney 2016.
 class IncompressibleFlow {
 public:
@@ -75,6 +75,13 @@ public:
     double energy(const Vector& w) const;
     double dissipation(const Vector& w) const;
 
+    /// |omega|^2 / 2 in all, length^n over time^2.
+    double enstrophy(const Vector& w) const;
+
+    /// The energy of a flow over that of another, whatever the size of the mesh; 1 between flows at
+    /// rest. Throws InvalidInput where it is no number.
+    double relative_energy(const Vector& w, const Vector& other) const;
+
     /// Circulations along all cells' duals: star_(n-2) z; and their sum.
     Vector circulations(const Vector& w) const;
     double total_circulation(const Vector& w) const { return circulations(w).sum(); }
@@ -90,7 +97,10 @@ public:
     FlowProjection implicit_part(double theta) const;
 
 private:
+    friend class FlowSolver;
     struct Parts;
+
+    double ratio_of_energies(const Vector& w, const Vector& other) const;
 
     std::shared_ptr<const Parts> parts_;
 };

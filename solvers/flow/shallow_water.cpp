@@ -6,6 +6,7 @@
 #include "complex/relative.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/derivative.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/flow/advection.h"
 #include "solvers/spectra/positive_mass.h"
 
@@ -43,7 +44,9 @@ SparseMatrix means_at_vertices(const Discretization& mesh) {
 
 } // namespace
 
+/// In the unit of the mesh, but for depths, whose unit is their own.
 struct ShallowWater::Parts {
+    double unit;
     ShallowWaterOptions options;
     Advection advection;
     Vector areas, star, vertex_areas;
@@ -51,7 +54,8 @@ struct ShallowWater::Parts {
     SparseMatrix curl, divergence, sides, at_vertices;
 
     Parts(const Discretization& mesh, const ShallowWaterOptions& how)
-        : options(how),
+        : unit(mesh.unit()),
+          options(how),
           advection(mesh),
           areas(mesh.volumes().primal(2)),
           vertex_areas(mesh.stars()[0].diagonal()),
@@ -73,9 +77,21 @@ struct ShallowWater::Parts {
             options.bottom = Vector::Zero(areas.size());
         check_as_many("vorticities of the frame", options.rotation.size(), vertex_areas.size());
         check_as_many("heights of the bottom", options.bottom.size(), areas.size());
+        options.gravity = in_unit(Vector::Constant(1, options.gravity), 2, "gravity")[0];
     }
 
-    void check(const State& state) const {
+    Vector in_unit(const Vector& values, int power, const char* what) const {
+        return form_in_input_units(values, unit, -power, what);
+    }
+    Vector in_input(const Vector& values, int power, const char* what) const {
+        return form_in_input_units(values, unit, power, what);
+    }
+    double in_input(double value, int power, const char* what) const {
+        return in_input(Vector(Vector::Constant(1, value)), power, what)[0];
+    }
+
+    /// The fluxes, of a state that is one.
+    Vector flux(const State& state) const {
         check_as_many("depths", state.depth.size(), areas.size());
         check_as_many("fluxes", state.flux.size(), star.size());
         for (Index cell = 0; cell < areas.size(); ++cell)
@@ -84,13 +100,14 @@ struct ShallowWater::Parts {
                                                "depth above 0; take shorter steps, or more water",
                                                cell, state.depth[cell]),
                                    {.degree = 2, .cells = {cell}});
+        return in_unit(state.flux, 2, "fluxes");
     }
 
     /// The mean depth at each edge: of the cells on both sides.
     Vector depth_at_edges(const Vector& depth) const { return sides * depth / 2; }
 
     Vector potential_vorticity(const State& state) const {
-        const Vector circulation = curl * star.cwiseProduct(state.flux);
+        const Vector circulation = curl * star.cwiseProduct(flux(state));
         return (options.rotation + circulation.cwiseQuotient(vertex_areas))
             .cwiseQuotient(at_vertices * state.depth);
     }
@@ -106,16 +123,19 @@ ShallowWater::ShallowWater(const Discretization& mesh, const ShallowWaterOptions
 
 ShallowWater::State ShallowWater::rate(const State& state) const {
     const Parts& parts = *parts_;
-    parts.check(state);
-    const Vector carried = parts.depth_at_edges(state.depth).cwiseProduct(state.flux);
-    const Vector twice_energy = parts.star.cwiseProduct(state.flux).cwiseProduct(state.flux);
+    const Vector flux = parts.flux(state);
+    const Vector carried = parts.depth_at_edges(state.depth).cwiseProduct(flux);
+    const Vector twice_energy = parts.star.cwiseProduct(flux).cwiseProduct(flux);
     const Vector head = (parts.sides.transpose() * twice_energy).cwiseQuotient(parts.areas) / 4 +
                         parts.options.gravity * (state.depth + parts.options.bottom);
-    const Vector along = parts.divergence.transpose() * head -
-                         parts.advection(parts.potential_vorticity(state), carried);
+    const Vector turned = parts.advection(parts.potential_vorticity(state),
+                                          parts.in_input(carried, 2, "fluxes of mass"));
+    const Vector along =
+        parts.divergence.transpose() * head - parts.in_unit(turned, 2, "forces on fluxes");
     State result{-(parts.divergence * carried).cwiseQuotient(parts.areas), Vector(along.size())};
     for (Index e = 0; e < along.size(); ++e)
         result.flux[e] = parts.wall[e] ? 0 : along[e] / parts.star[e];
+    result.flux = parts.in_input(result.flux, 2, "rates of fluxes");
     return result;
 }
 
@@ -133,7 +153,7 @@ ShallowWater::State ShallowWater::step(const State& state, double time_step) con
 
 double ShallowWater::stable_step(const State& state) const {
     const Parts& parts = *parts_;
-    parts.check(state);
+    parts.flux(state);
     // waves have squared frequencies up to the row sums of div g h star^-1 grad
     const Vector depth = parts.depth_at_edges(state.depth);
     Vector conductances = Vector::Zero(depth.size());
@@ -145,29 +165,29 @@ double ShallowWater::stable_step(const State& state) const {
 }
 
 double ShallowWater::mass(const State& state) const {
-    parts_->check(state);
-    return parts_->areas.dot(state.depth);
+    parts_->flux(state);
+    return parts_->in_input(parts_->areas.dot(state.depth), 2, "the mass");
 }
 
 double ShallowWater::energy(const State& state) const {
     const Parts& parts = *parts_;
-    parts.check(state);
-    const Vector kinetic = parts.star.cwiseProduct(state.flux).cwiseProduct(state.flux);
+    const Vector flux = parts.flux(state);
+    const Vector kinetic = parts.star.cwiseProduct(flux).cwiseProduct(flux);
     const Vector surface = state.depth + parts.options.bottom;
-    return (parts.depth_at_edges(state.depth).dot(kinetic) +
-            parts.options.gravity * parts.areas.dot(surface.cwiseProduct(surface))) /
-           2;
+    const double twice = parts.depth_at_edges(state.depth).dot(kinetic) +
+                         parts.options.gravity * parts.areas.dot(surface.cwiseProduct(surface));
+    return parts.in_input(twice / 2, 4, "the energy");
 }
 
 Vector ShallowWater::potential_vorticity(const State& state) const {
-    parts_->check(state);
     return parts_->potential_vorticity(state);
 }
 
 double ShallowWater::potential_enstrophy(const State& state) const {
     const Vector q = potential_vorticity(state);
     const Vector depth = parts_->at_vertices * state.depth;
-    return parts_->vertex_areas.dot(depth.cwiseProduct(q).cwiseProduct(q)) / 2;
+    const double twice = parts_->vertex_areas.dot(depth.cwiseProduct(q).cwiseProduct(q));
+    return parts_->in_input(twice / 2, 2, "the potential enstrophy");
 }
 
 } // namespace polydec

@@ -18,7 +18,8 @@ struct ShallowWaterOptions {
 /// dual 0-form, u a dual 1-form along the duals of edges, so that w = star^-1 u is its flux. Walls
 /// are not crossed and have free slip. The term of the vorticity is that of Advection, which does
 /// no work, and kinetic energy and mass fluxes are derivatives of the energy: mass is kept to
-/// rounding, energy but for steps in time, whatever the mesh. Needs positive diagonal stars.
+/// rounding, energy but for steps in time, whatever the mesh. Needs positive diagonal stars. All is
+/// in the units of the input.
 /// Source: Thuburn, Ringler, Skamarock, Klemp 2009 and Ringler et al. 2010 for the form; Arakawa,
 /// Lamb 1981 for the principle.
 class ShallowWater {

@@ -7,6 +7,7 @@
 #include "complex/homology.h"
 #include "dec/conditioned_complex.h"
 #include "dec/forms/derivative.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/saddle_solver.h"
 #include "solvers/spectra/positive_mass.h"
 
@@ -134,6 +135,7 @@ Vector or_zeros(const char* what, const Vector& values, Eigen::Index size) {
 struct StokesSolver::System {
     CellComplex complex;
     int n;
+    double unit; // of lengths; of data and viscosity that of the input
     double viscosity;
     Walls walls;
     std::vector<Index> inside;   // facets of unknown flux
@@ -143,10 +145,12 @@ struct StokesSolver::System {
     FreeComponents free; // of the pressure
     std::unique_ptr<SaddleSolver> solver;
 
-    System(const CellComplex& cells, const HodgeStars& stars, const StokesOptions& options)
-        : complex(cells),
+    System(const CellComplex& cells, const HodgeStars& stars, const StokesOptions& options,
+           double length)
+        : complex((check_options(cells, stars, options), cells)),
           n(cells.dimension()),
-          viscosity(options.viscosity),
+          unit(length),
+          viscosity(in_unit(Vector::Constant(1, options.viscosity), 2, "viscosity")[0]),
           walls(cells, options),
           inside(other_cells(walls.closed[n - 1])),
           swirling(other_cells(walls.slipping[n - 2])),
@@ -184,6 +188,13 @@ struct StokesSolver::System {
             options.linear_solver, n);
     }
 
+    Vector in_unit(const Vector& values, int power, const char* what) const {
+        return form_in_input_units(values, unit, -power, what);
+    }
+    Vector in_input(const Vector& values, int power, const char* what) const {
+        return form_in_input_units(values, unit, power, what);
+    }
+
     /// The pressure at open facets, as the difference of pressures that facets see has it.
     Vector beyond(const Vector& pressure) const {
         const SparseMatrix cells = divergence.transpose();
@@ -195,12 +206,11 @@ struct StokesSolver::System {
 };
 
 StokesSolver::StokesSolver(const Discretization& mesh, const StokesOptions& options)
-    : StokesSolver(mesh.complex(), mesh.stars(), options) {}
+    : system_(std::make_unique<System>(mesh.complex(), mesh.stars(), options, mesh.unit())) {}
 
 StokesSolver::StokesSolver(const CellComplex& complex, const HodgeStars& stars,
                            const StokesOptions& options)
-    : system_(std::make_unique<System>((check_options(complex, stars, options), complex), stars,
-                                       options)) {}
+    : system_(std::make_unique<System>(complex, stars, options, 1.0)) {}
 
 StokesSolver::StokesSolver(StokesSolver&&) noexcept = default;
 StokesSolver::~StokesSolver() = default;
@@ -213,10 +223,13 @@ StokesFlow StokesSolver::solve(const Cochain& force, const StokesData& data) con
         throw InvalidInput(fmt::format("a {} {}-form is given as a force: expected its flux, a "
                                        "primal {}-form",
                                        name(force.side), force.degree, n - 1));
-    Vector flux = or_zeros("fluxes through facets", data.through, of.M.rows());
-    const Vector along = or_zeros("tangential velocities", data.along, of.M_below.rows());
-    Vector vorticity = or_zeros("vorticities", data.vorticity, of.M_below.rows());
-    const Vector pressure = or_zeros("pressures", data.pressure, of.M.rows());
+    const auto given = [&](const char* what, const Vector& values, int power, const auto& star) {
+        return of.in_unit(or_zeros(what, values, star.rows()), power, what);
+    };
+    Vector flux = given("fluxes through facets", data.through, n, of.M);
+    const Vector along = given("tangential velocities", data.along, 2, of.M_below);
+    Vector vorticity = given("vorticities", data.vorticity, n - 2, of.M_below);
+    const Vector pressure = given("pressures", data.pressure, 2, of.M);
     flux(of.inside).setZero();
     vorticity(of.swirling).setZero();
     const double nu = of.viscosity;
@@ -227,7 +240,7 @@ StokesFlow StokesSolver::solve(const Cochain& force, const StokesData& data) con
         throw InvalidInput(fmt::format("of what flows through the boundary of a component {:.3g} "
                                        "more flows in or out: expected a balance, or an open facet",
                                        excess));
-    const Vector b = of.M * force.values - of.beyond(pressure) -
+    const Vector b = of.M * of.in_unit(force.values, n, "forces") - of.beyond(pressure) -
                      nu * (of.divergence.transpose() * out.cwiseQuotient(of.volumes)) -
                      nu * (of.turn.transpose() * vorticity);
     const double sign = n % 2 == 0 ? 1 : -1; // of star u in the derivative of degree n-2
@@ -241,9 +254,9 @@ StokesFlow StokesSolver::solve(const Cochain& force, const StokesData& data) con
     vorticity(of.swirling) = c.head(std::ssize(of.swirling));
     Vector found = -c.tail(out.size());
     of.free.remove_means(found);
-    return {{Side::primal, n - 1, std::move(flux)},
-            {Side::primal, n - 2, std::move(vorticity)},
-            {Side::dual, 0, std::move(found)},
+    return {{Side::primal, n - 1, of.in_input(flux, n, "fluxes")},
+            {Side::primal, n - 2, of.in_input(vorticity, n - 2, "vorticities")},
+            {Side::dual, 0, of.in_input(found, 2, "pressures")},
             std::move(report)};
 }
 

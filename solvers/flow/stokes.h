@@ -46,7 +46,7 @@ struct StokesFlow {
 /// vorticity (free slip), or the pressure and the velocity along it (open). No flow is lost: d flux
 /// = 0 in every cell to rounding. On grids it is the scheme of markers and cells. Source: Dubois
 /// 2002 (vorticity, velocity, pressure); Harlow, Welch 1965 (grids). An object is used by one
-/// thread at a time.
+/// thread at a time. On a mesh all is in the units of the input.
 class StokesSolver {
 public:
     /// n >= 2. Throws InvalidInput for another dimension, a viscosity that is not positive, other

@@ -228,7 +228,7 @@ TEST(Slivers, leave_fields_and_stars_exact_for_constants) {
             const auto galerkin = choose_stars(mesh, StarKind::galerkin);
             EXPECT_NEAR(form.values.dot(galerkin.stars[1] * form.values), 27, 27 * tolerance);
             const SparseMatrix twice =
-                material_star(mesh, 1, Vector::Constant(mesh.complex().size(3), 2));
+                material_star(mesh, 1, Vector::Constant(mesh.input().size(3), 2));
             EXPECT_NEAR(form.values.dot(twice * form.values), 54, 54 * tolerance);
         }
     }

@@ -38,14 +38,15 @@ TEST(Fingerprint, KnowsEveryStarOfAMesh) {
     EXPECT_EQ(of(mesh), of(discretize(kuhn(3, 2))));
     for (int k = 0; k <= 3; ++k) {
         Vector weights = Vector::Ones(cells);
-        const auto same = of(with_material(mesh, k, weights));
-        EXPECT_EQ(of(with_material(mesh, k, weights)), same) << k;
+        const auto same = of(with_material(mesh, k, CellData::on_cells(weights)));
+        EXPECT_EQ(of(with_material(mesh, k, CellData::on_cells(weights))), same) << k;
         weights[cells / 2] += 1e-15;
-        EXPECT_NE(of(with_material(mesh, k, weights)), same) << k;
+        EXPECT_NE(of(with_material(mesh, k, CellData::on_cells(weights))), same) << k;
     }
     const auto galerkin = discretize(kuhn(3, 2), {.star = StarKind::galerkin});
     EXPECT_NE(of(galerkin), of(mesh));
-    EXPECT_NE(of(with_material(galerkin, 1, Vector::Constant(cells, 2))), of(galerkin));
+    EXPECT_NE(of(with_material(galerkin, 1, CellData::on_cells(Vector::Constant(cells, 2)))),
+              of(galerkin));
 }
 
 TEST(Checkpoint, IsReadToTheSameBits) {

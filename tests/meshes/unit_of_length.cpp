@@ -117,5 +117,17 @@ TEST(InInputUnits, many_numbers_are_refused_by_name_unless_rounding_is_all_that_
              {"volumes", "1", "power -3", "3.05e-151"}));
 }
 
+TEST(InInputUnits, values_of_a_form_lose_digits_that_are_rounding_beside_the_largest) {
+    const double unit = std::exp2(-500);
+    const Vector form{{1, -1e-10, 0}};
+    const Vector found = form_in_input_units(form, unit, 2, "x");
+    EXPECT_EQ(found[0], std::exp2(-1000));
+    EXPECT_NE(found[1], 0);
+    EXPECT_LE((found * std::exp2(1000) - form).norm(), 1e-16);
+    EXPECT_TRUE(says(refusal([&] { form_in_input_units(1e-10 * form, unit, 2, "flux"); }),
+                     {"flux", "1e-10", "power 2", "3.05e-151"}));
+    EXPECT_EQ(form_in_input_units(form, 1, 2, "x"), form);
+}
+
 } // namespace
 } // namespace polydec::test::in_unit_of_length

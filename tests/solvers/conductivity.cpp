@@ -69,7 +69,7 @@ DenseMatrix sum_over_simplices(const Discretization& mesh, const Vector& conduct
 /// differ by a constant on a component without boundary are equal.
 double error_of_solution(const Discretization& mesh, const Vector& conductivity,
                          const DenseMatrix& A) {
-    PoissonSolver solver(mesh, {.conductivity = conductivity});
+    PoissonSolver solver(mesh, {.conductivity = CellData::on_cells(conductivity)});
     const Vector v = random_vector(mesh.complex().size(0), 17);
     const Vector f = (A * v).cwiseQuotient(star(mesh.volumes(), 0).diagonal());
     const Vector u = solver.solve(f, v).values;
@@ -163,7 +163,7 @@ Vector conductive_half(const Discretization& mesh) {
 TEST(ConcyclicEdges, between_different_conductivities_conduct) {
     const auto mesh = circumcentric(trapezoid_in_ring(), {.criterion = MergeCriterion::none});
     const Vector kappa = conductive_half(mesh);
-    PoissonSolver solver(mesh, {.conductivity = kappa});
+    PoissonSolver solver(mesh, {.conductivity = CellData::on_cells(kappa)});
     const Vector squares = solver.boundary_sites().col(0).cwiseAbs2();
     const Vector u = solver.solve(Vector::Zero(8), squares).values;
     // linear finite elements, by an independent program
@@ -182,9 +182,7 @@ TEST(DualFluxes, whose_resistances_cancel_are_refused_by_the_facet) {
     // the centers are at -3/4 and -15/8: parts of the dual -3/4 and 15/8
     const auto mesh = circumcentric(obtuse_beside_acute());
     const auto solved = [&](double obtuse, double acute) {
-        Vector kappa(2);
-        for (Index t = 0; t < 2; ++t)
-            kappa[t] = mesh.input().input_row(t) == 0 ? obtuse : acute;
+        const Vector kappa{{obtuse, acute}};
         return refusal([&] { PoissonSolver(mesh, {.side = Side::dual, .conductivity = kappa}); });
     };
     EXPECT_EQ(solved(1, 1), "accepted");

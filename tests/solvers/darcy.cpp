@@ -181,7 +181,8 @@ TEST(DarcyLayers, resistances_in_series_are_exact) {
         const auto ends =
             essential_where(facets, [](const Vector& p) { return p[0] < 1e-9 || p[0] > 1 - 1e-9; });
         for (const Side side : {Side::primal, Side::dual}) {
-            PoissonSolver solver(mesh, {.side = side, .boundary = ends, .conductivity = kappa});
+            PoissonSolver solver(
+                mesh, {.side = side, .boundary = ends, .conductivity = CellData::on_cells(kappa)});
             const Vector drop = -0.625 * solver.boundary_sites().col(0);
             const Vector u = solver.solve(Vector::Zero(solver.sites().rows()), drop).values;
             if (side == Side::dual) {
@@ -199,8 +200,8 @@ TEST(DarcyLayers, resistances_in_series_are_exact) {
 TEST(DarcyErrors, name_what_does_not_fit) {
     const auto mesh = circumcentric(grid(2, 2));
     EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.conductivity = Vector::Ones(3)}); }),
-                     {"3 conductivities", "4 2-cells"}));
-    Vector kappa = Vector::Ones(4);
+                     {"3 values", "conductivity", "8"}));
+    Vector kappa = Vector::Ones(8);
     kappa[2] = 0;
     EXPECT_TRUE(says(refusal([&] { DarcySolver(mesh, {.conductivity = kappa}); }),
                      {"conductivity", "2-cell 2", "0"}));

@@ -276,9 +276,12 @@ TEST(MaterialStars, of_1_are_those_of_galerkin) {
         const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
         const Vector ones = Vector::Ones(mesh.complex().size(n));
         for (int k = 0; k < n; ++k)
-            EXPECT_LE(relative_difference(material_star(mesh, k, ones), stars[k].matrix()), 1e-13)
+            EXPECT_LE(relative_difference(material_star(mesh, k, CellData::on_cells(ones)),
+                                          stars[k].matrix()),
+                      1e-13)
                 << title;
-        const std::vector<DenseMatrix> tensors(ones.size(), 2 * DenseMatrix::Identity(n, n));
+        const std::vector<DenseMatrix> tensors(mesh.input().size(n),
+                                               2 * DenseMatrix::Identity(n, n));
         EXPECT_LE(relative_difference(material_star(mesh, tensors),
                                       SparseMatrix(stars[n - 1].matrix() / 2)),
                   1e-12)
@@ -291,7 +294,7 @@ TEST(MaterialStars, carry_linear_pressures_through_anisotropic_media) {
         const auto mesh = circumcentric(input);
         const int n = mesh.dimension();
         const DenseMatrix K = tensor(n);
-        const std::vector<DenseMatrix> tensors(mesh.complex().size(n), K);
+        const std::vector<DenseMatrix> tensors(mesh.input().size(n), K);
         const auto stars =
             choose_stars(mesh, StarKind::galerkin).stars.with(n - 1, material_star(mesh, tensors));
         const auto medium = mesh.with_stars(stars);
@@ -320,8 +323,8 @@ TEST(MaterialStars, are_exact_for_resistances_in_series) {
             exact[i] = x < 0.5 ? -x : -0.5 - (x - 0.5) / 4;
         }
         const Vector resistivity = kappa.cwiseInverse();
-        const auto medium =
-            mesh.with_stars(mesh.stars().with(n - 1, material_star(mesh, n - 1, resistivity)));
+        const auto medium = mesh.with_stars(
+            mesh.stars().with(n - 1, material_star(mesh, n - 1, CellData::on_cells(resistivity))));
         const auto ends = essential_where(
             facet_sites(medium), [](const Vector& p) { return p[0] < 1e-9 || p[0] > 1 - 1e-9; });
         const DarcySolver solver(medium, {.boundary = ends});
@@ -334,12 +337,13 @@ TEST(MaterialStars, are_exact_for_resistances_in_series) {
 
 TEST(MaterialStars, refuse_what_is_no_conductivity) {
     const auto mesh = circumcentric(grid(2, 2));
-    std::vector<DenseMatrix> tensors(4, DenseMatrix::Identity(2, 2));
+    std::vector<DenseMatrix> tensors(8, DenseMatrix::Identity(2, 2));
     tensors[2](0, 1) = 1;
     EXPECT_TRUE(says(refusal([&] { material_star(mesh, tensors); }),
                      {"conductivity", "2-cell 2", "2 x 2", "symmetric"}));
-    EXPECT_TRUE(says(refusal([&] { material_star(mesh, 1, Eigen::Vector4d(1, 0, 1, 1)); }),
-                     {"weight", "2-cell 1", "0"}));
+    EXPECT_TRUE(says(
+        refusal([&] { material_star(mesh, 1, CellData::on_cells(Eigen::Vector4d(1, 0, 1, 1))); }),
+        {"weight", "2-cell 1", "0"}));
     const auto sphere = circumcentric(icosphere(1));
     EXPECT_TRUE(says(refusal([&] {
                          material_star(sphere,
@@ -356,7 +360,7 @@ TEST(DarcyByStarsErrors, name_what_does_not_fit) {
                      {"cells", "facet", "flux"}));
     const auto mesh = circumcentric(grid(2, 2));
     const auto by_galerkin = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
-    EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.conductivity = Vector::Ones(4)}); }),
+    EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.conductivity = Vector::Ones(8)}); }),
                      {"material_star"}));
     EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.linear_solver = "eigen.cg"}); }),
                      {"positive", "definite"}));

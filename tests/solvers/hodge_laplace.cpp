@@ -179,8 +179,8 @@ TEST(CurlCurl, removes_what_is_no_curl_and_keeps_the_gauge) {
     const Vector permeability = Vector::LinSpaced(mesh.complex().size(3), 1, 3);
     for (const bool material : {false, true}) {
         if (material)
-            mesh = mesh.with_stars(
-                mesh.stars().with(2, material_star(mesh, 2, permeability.cwiseInverse())));
+            mesh = mesh.with_stars(mesh.stars().with(
+                2, material_star(mesh, 2, CellData::on_cells(permeability.cwiseInverse()))));
         HodgeLaplaceSolver solver(mesh, {.degree = 1});
         const auto relative = relative_to_boundary(mesh.complex());
         const auto inside = [&](int k, unsigned seed) {

@@ -97,7 +97,8 @@ TEST(PoissonOnFlippedSquare, gives_linear_functions_back_on_both_sides) {
 TEST(PoissonOnFlippedSquare, takes_a_conductivity_for_each_polygon) {
     const auto mesh = flipped(perturbed(grid(9, 9), 0.04, 3));
     const auto solve = [&](Side side, const Vector& conductivity) {
-        PoissonSolver solver(mesh, {.side = side, .conductivity = conductivity});
+        PoissonSolver solver(mesh,
+                             {.side = side, .conductivity = CellData::on_cells(conductivity)});
         const Vector boundary = solver.boundary_sites().col(0);
         return solver.solve(Vector::Zero(solver.sites().rows()), boundary).values;
     };

@@ -39,7 +39,7 @@ double error(const Mesh& input, MergeCriterion criterion, Side side, double seco
     Vector conductivity(mesh.complex().size(mesh.dimension()));
     for (Index cell = 0; cell < conductivity.size(); ++cell)
         conductivity[cell] = mesh.tags()[cell] == 1 ? 1 : second;
-    PoissonSolver solver(mesh, {.side = side, .conductivity = conductivity});
+    PoissonSolver solver(mesh, {.side = side, .conductivity = CellData::on_cells(conductivity)});
     const auto exact = [](const Points& sites) {
         return Vector(sites.col(0).unaryExpr(&potential));
     };

@@ -201,7 +201,7 @@ const std::vector<Refusal>& refusals() {
         {"conductivity",
          [] {
              const auto mesh = circumcentric(grid(2, 2));
-             PoissonSolver(mesh, {.conductivity = Vector{{1, 2, -3, 4}}});
+             PoissonSolver(mesh, {.conductivity = CellData::on_cells(Vector{{1, 2, -3, 4}})});
          }},
         {"three triangles",
          [] {

@@ -228,9 +228,11 @@ TEST(PoissonByStars, makes_the_star_of_conductivities) {
     for (const Side side : {Side::primal, Side::dual}) {
         const int k = side == Side::primal ? 1 : 2;
         const Vector weights = side == Side::primal ? kappa : Vector(kappa.cwiseInverse());
-        const auto own = mesh.with_stars(mesh.stars().with(k, material_star(mesh, k, weights)));
+        const auto own = mesh.with_stars(
+            mesh.stars().with(k, material_star(mesh, k, CellData::on_cells(weights))));
         const auto solve = [&](const Discretization& given, const Vector& conductivity) -> Vector {
-            const PoissonSolver solver(given, {.side = side, .conductivity = conductivity});
+            const PoissonSolver solver(
+                given, {.side = side, .conductivity = CellData::on_cells(conductivity)});
             return solver.solve(Vector::Ones(solver.sites().rows()), solver.boundary_sites().col(0))
                 .values;
         };
@@ -244,7 +246,8 @@ TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
     const auto stars = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
     const Vector ones = Vector::Ones(mesh.complex().size(3));
     EXPECT_TRUE(
-        says(refusal([&] { PoissonSolver(stars, {.conductivity = ones}); }), {"material_star"}));
+        says(refusal([&] { PoissonSolver(stars, {.conductivity = CellData::on_cells(ones)}); }),
+             {"material_star"}));
 }
 
 } // namespace

@@ -210,8 +210,8 @@ TEST(WavesWithLosses, die_away_alike_where_stars_are_matrices) {
         }
     for (const Side side : {Side::primal, Side::dual}) {
         const int k = side == Side::primal ? 1 : 2;
-        const auto mesh =
-            diagonal.with_stars(diagonal.stars().with(k, material_star(diagonal, k, ones)));
+        const auto mesh = diagonal.with_stars(
+            diagonal.stars().with(k, material_star(diagonal, k, CellData::on_cells(ones))));
         const Waves waves{mesh, side, 1, {BoundaryCondition::essential}};
         EXPECT_NEAR(energy_left(waves, 0), 1, 1e-11) << name(side);
         EXPECT_LT(energy_left(waves, 0.1), 0.5) << name(side);
@@ -243,11 +243,11 @@ TEST(Materials, weigh_diagonal_stars_by_the_parts_of_duals) {
         const int n = mesh.dimension();
         for (int k = 0; k <= n; ++k) {
             const Vector two = Vector::Constant(mesh.complex().size(n), 2);
-            const Vector twice = weighted_stars(mesh, k, two)[k].diagonal();
+            const Vector twice = weighted_stars(mesh, k, CellData::on_cells(two))[k].diagonal();
             EXPECT_LE(relative_difference(twice, 2 * mesh.stars()[k].diagonal()), 1e-14);
             const Vector weights =
                 Vector::Ones(two.size()) + random_vector(two.size(), 3).cwiseAbs();
-            const Vector means = cell_means(mesh, k, weights);
+            const Vector means = cell_means(mesh, k, CellData::on_cells(weights));
             EXPECT_GE(means.minCoeff(), weights.minCoeff() - 1e-14);
             EXPECT_LE(means.maxCoeff(), weights.maxCoeff() + 1e-14);
             // the sums over all of |s||*s| count each n-cell binomial(n, k) times
@@ -263,7 +263,7 @@ TEST(Materials, slow_waves_down) {
     const auto mesh = circumcentric(kuhn(2, 4));
     const Vector four = Vector::Constant(mesh.complex().size(2), 4);
     for (const int k : {0, 1}) {
-        const auto slow = mesh.with_stars(weighted_stars(mesh, k, four));
+        const auto slow = mesh.with_stars(weighted_stars(mesh, k, CellData::on_cells(four)));
         EXPECT_NEAR(stable_step(slow, k), 2 * stable_step(mesh, k), 1e-6);
     }
 }

@@ -172,6 +172,27 @@ class InTime(TestCase):
                 self.assertEqual(one["steps"], other["steps"])
                 self.assertAlmostEqual(one["max"], other["max"], delta=1e-9)
 
+    def test_steps_by_a_tolerance_are_the_same_in_every_unit(self):
+        with open(golden("grid4.nsc"), encoding="ascii") as file:
+            lines = file.read().splitlines()
+        points = int(lines[0].split()[2])
+        forms = {0: "sin(3*{x})", 1: "sin(3*{x})/{s}; {x}*y/{s}/{s}", 2: "sin(3*{x})/{s}/{s}"}
+        counts = {}
+        for exponent in (0, 10, -20, 100, -100):
+            size = 2.0 ** exponent
+            moved = [" ".join(repr(float(x) * size) for x in line.split())
+                     for line in lines[1:1 + points]]
+            self.write("scaled.nsc", "\n".join(lines[:1] + moved + lines[1 + points:]) + "\n")
+            for side, degree in (("primal", 0), ("primal", 1), ("primal", 2), ("dual", 1)):
+                form = forms[degree].format(x=f"x/({size!r})", s=f"({size!r})")
+                answer = self.ask("heat", "scaled.nsc", "--side", side, "--degree", degree,
+                                  "--initial", form, "--until", 0.1 * size ** 2,
+                                  "--tolerance-in-time", 1e-4)
+                counts.setdefault((side, degree), set()).add(
+                    (answer["integrator_steps"], answer["integrator_rejected"]))
+        for kind, numbers in counts.items():
+            self.assertEqual(len(numbers), 1, (kind, numbers))
+
     def test_a_series_has_every_frame(self):
         for name, more in (("heat", ("--side", "dual")), ("wave", ())):
             answer = self.ask(name, golden("uv8.off"), "--initial", "z", "--until", 1, "--frames", 7,

@@ -5,8 +5,8 @@ import numpy as np
 import polydec
 
 box = polydec.discretize(polydec.meshes.kuhn([10, 10, 10]))
-is_core = np.linalg.norm(box.centroids(3)[:, :2] - 0.5, axis=1) < 0.2
-iron = box.with_material(2, np.where(is_core, 0.01, 1.0))
+iron = box.with_material(2, lambda x: np.where(
+    np.linalg.norm(x[:, :2] - 0.5, axis=1) < 0.2, 0.01, 1.0))
 turned = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 0]])
 coil = polydec.de_rham(box, 1, lambda x: (x - 0.5) @ turned * np.exp(
     -30 * ((x[:, :2] - 0.5) ** 2).sum(axis=1, keepdims=True)))

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/discretization.h"
+#include "meshes/unit_of_length.h"
+
+#include <type_traits>
+
+namespace polydec {
+
+/// Volumes, and stars, measured in a unit of length as they are in those of the input (see
+/// Discretization::unit). Throw InvalidInput, naming the degree, for numbers out of range.
+CellVolumes in_input_units(const CellVolumes& volumes, double unit);
+HodgeStars in_input_units(const HodgeStars& stars, double unit);
+
+/// A matrix of numbers to some power of length, likewise. Throws InvalidInput, naming what it is.
+SparseMatrix in_input_units(SparseMatrix matrix, double unit, double power, std::string_view what);
+
+/// Columns of values each of which is one of form_in_input_units.
+template <class Rows>
+Rows in_input_units(Rows rows, double unit, double power,
+                    std::string_view what) requires(Rows::ColsAtCompileTime == Eigen::Dynamic &&
+                                                    !std::is_same_v<Rows, SparseMatrix>) {
+    for (auto column : rows.colwise())
+        column = form_in_input_units(Vector(column), unit, power, what);
+    return rows;
+}
+
+} // namespace polydec

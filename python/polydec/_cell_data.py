@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+"""Numbers for cells, such as conductivities."""
+from __future__ import annotations
+
+from typing import Any, Callable, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, at_places, floats
+from ._cells import Cells
+from ._cochain import Cochain
+from ._errors import InvalidInput
+
+#: Numbers of cells: one for all; one for each cell of the input, in its order; a dual 0-form; or a
+#: function of all centroids of the n-cells.
+CellNumbers = Union[float, npt.ArrayLike, Cochain, Callable[[Floats], Any]]
+
+
+def cell_data(cells: Cells, given: CellNumbers | None, name: str) -> _core.CellData:
+    """The same for C++."""
+    if given is None:
+        return _core.CellData(np.zeros(0), False)
+    if isinstance(given, Cochain):
+        if (given.side, given.degree) != ("dual", 0):
+            raise InvalidInput(f"{name}: {given!r} is given: expected a dual 0-form")
+        return _core.CellData(given.values, True)
+    if callable(given):
+        places = getattr(cells, "centroids", None)
+        if places is None:
+            raise InvalidInput(f"{name}: a function of places is given for cells of one's own, "
+                               "which have none: give a dual 0-form")
+        return _core.CellData(at_places(given, places(cells.dim), name), True)
+    if np.ndim(given) == 0:
+        return _core.CellData(floats(np.full(cells.size(cells.dim), given), name), True)
+    return _core.CellData(floats(given, name), False)

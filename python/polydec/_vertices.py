@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""Vertices as the input numbers them, whether cells use them or not."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Floats, Integers
+from ._cells import Cells
+
+
+def _unused(cells: Cells) -> _core.Discretization | None:
+    """The mesh of these cells, if it has vertices that no cell uses."""
+    mesh: _core.Discretization | None = getattr(cells, "_mesh", None)
+    return mesh if mesh is not None and mesh.vertex_count != cells.size(0) else None
+
+
+def at_vertices(cells: Cells, rows: Floats) -> Floats:
+    """Values of 0-cells as values of all vertices that were given: nan where no cell uses one."""
+    mesh = _unused(cells)
+    if mesh is None or len(rows) != cells.size(0):
+        return rows
+    result = np.full((mesh.vertex_count, *rows.shape[1:]), np.nan)
+    result[mesh.vertices] = rows
+    return result
+
+
+def at_cells(cells: Cells, rows: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """The other way round; others than values of all vertices stay as they are."""
+    mesh = _unused(cells)
+    if mesh is None or len(rows) != mesh.vertex_count:
+        return rows
+    chosen: npt.NDArray[Any] = rows[mesh.vertices]
+    return chosen
+
+
+def points_of(mesh: _core.Discretization) -> Floats:
+    """Those of all vertices, in the unit of the mesh; nan where a place is not known."""
+    if mesh.vertex_count == len(mesh.points):
+        return mesh.points
+    result = np.full((mesh.vertex_count, mesh.points.shape[1]), np.nan)
+    result[mesh.vertices] = mesh.points
+    unused = np.ones(len(result), dtype=bool)
+    unused[mesh.vertices] = False
+    if mesh.isolated.shape[1] == result.shape[1]:
+        result[unused] = mesh.isolated
+    return result
+
+
+def numbers_of(cells: Cells, chosen: Integers, name: str) -> Integers:
+    """The 0-cells of vertices given by their numbers."""
+    mesh: _core.Discretization | None = getattr(cells, "_mesh", None)
+    return chosen if mesh is None else mesh.cells_of_vertices(name, chosen)

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+"""Numbers and units are those of the arrays that users gave."""
+import numpy as np
+import pytest
+import scipy.sparse as sp
+
+import polydec
+from conftest import near, said
+
+
+def test_vertices_keep_the_numbers_of_the_arrays():
+    mesh = polydec.meshes.grid(4, 3)
+    unused = np.array([0, 5, 21])
+    used = np.setdiff1d(np.arange(len(mesh.points) + 3), unused)
+    points = np.full((len(used) + 3, 2), 7.0)
+    points[used] = mesh.points
+    given = points, used[mesh.simplices]
+    plain = polydec.discretize(mesh)
+    with pytest.warns(polydec.PolydecWarning, match=said("3 vertices", "no cell")):
+        c = polydec.discretize(given)
+    assert np.array_equal(c.points, points) and np.array_equal(c.vertices, used)
+
+    def same(values, expected):
+        return np.isnan(values[unused]).all() and np.array_equal(values[used], expected)
+
+    with pytest.warns(polydec.PolydecWarning):
+        assert same(polydec.geodesic_distance(given, 6), polydec.geodesic_distance(mesh, 4))
+    f = np.cos(points[:, 0])
+    u = polydec.poisson(c, f, lambda x: x[:, 1]).values
+    assert same(u, polydec.poisson(plain, f[used], lambda x: x[:, 1]).values)
+    assert same(polydec.poisson(c, 0.0, f, essential=False, fixed=[6, 20]).values,
+                polydec.poisson(plain, 0.0, f[used], essential=False, fixed=[4, 18]).values)
+    assert same(polydec.heat(c, f, 0.1, 2), polydec.heat(plain, f[used], 0.1, 2))
+    assert np.array_equal(c.boundary_vertices(), used[plain.boundary_vertices()])
+    assert np.array_equal(c.cells(2).corners, used[plain.cells(2).corners])
+    assert np.array_equal(c.cochain(f, 0).values, f[used])
+    assert same(polydec.sharp_pp(c, polydec.flat(c, "ppp", np.ones_like(points)))[:, 0],
+                polydec.sharp_pp(plain, polydec.flat(plain, "ppp", np.ones((20, 2))))[:, 0])
+    for ask in (lambda: polydec.geodesic_distance(c, 5),
+                lambda: polydec.poisson(c, 1.0, fixed=[0])):
+        with pytest.raises(polydec.InvalidInput, match=said("no cell", "vertex")):
+            ask()
+
+
+@pytest.mark.parametrize("exponent", [-300, 200])
+def test_all_is_in_the_units_of_the_input(exponent):
+    size = 2.0 ** exponent
+    mesh = polydec.meshes.kuhn([2, 2, 2])
+    usual = polydec.discretize(mesh)
+    with pytest.warns(polydec.PolydecWarning, match=said("far", "1")):
+        c = polydec.discretize((mesh.points * size, mesh.simplices))
+    assert c.unit != 1 and np.array_equal(c.points, size * usual.points)
+    for k in range(4):
+        form = np.cos(np.arange(c.size(k)))
+        assert near(c.volumes(k) / size ** k, usual.volumes(k))
+        assert near(c.dual_volumes(k) / size ** (3 - k), usual.dual_volumes(k))
+        assert near(c.star(k) / size ** (3 - 2 * k), usual.star(k))
+        assert near(c.laplacian(k) @ form * size ** 2, usual.laplacian(k) @ form)
+        assert np.isclose(c.cochain(form, k).norm() / size ** (1.5 - k),
+                          usual.cochain(form, k).norm())
+        assert near(c.input.volumes(k) / size ** k, usual.input.volumes(k))
+    field = np.array([[0, 1, 0], [0, 0, 2], [3, 0, 0]])
+    for side in ("primal", "dual"):
+        assert near(polydec.de_rham(c, 1, lambda x: x / size @ field, side=side) / size,
+                    polydec.de_rham(usual, 1, lambda x: x @ field, side=side))
+    own = c.with_star(1, sp.diags(np.asarray(usual.star(1)) * size))
+    assert near(own.star(1).diagonal() / size, usual.star(1))
+    assert near(c.material_star(1, 2.0) / size, usual.material_star(1, 2.0))

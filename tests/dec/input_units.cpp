@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "dec/input_units.h"
+
+#include "dec/fields/de_rham.h"
+#include "dec/fields/flat.h"
+#include "dec/fields/interior_product.h"
+#include "dec/fields/lie_derivative.h"
+#include "dec/fields/sharp.h"
+#include "dec/fields/whitney_interpolation.h"
+#include "dec/operators.h"
+#include "tests/support/all_sizes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test::in_input_units {
+namespace {
+
+/// One whose coefficients change over a length.
+SmoothForm any_smooth_form(const Discretization& mesh, double size, int k) {
+    const int N = mesh.ambient_dimension();
+    double count = 1;
+    for (int i = 0; i < k; ++i)
+        count = count * (N - i) / (i + 1);
+    return [size, count](const Vector& point) {
+        Vector values(static_cast<Index>(std::lround(count)));
+        for (Index i = 0; i < values.size(); ++i)
+            values[i] = std::sin(1.0 + static_cast<double>(i) + (point / size).sum());
+        return values;
+    };
+}
+
+Cochain any_form(const Discretization& mesh, Side side, int degree) {
+    const Index size = mesh.complex().size(cell_degree(mesh.complex(), side, degree));
+    return {side, degree, random_vector(size, 5)};
+}
+
+DenseMatrix any_rows(const Discretization& mesh, int k) {
+    const Index rows = mesh.complex().size(k), N = mesh.ambient_dimension();
+    return random_vector(rows * N, 3).reshaped(rows, N);
+}
+
+Vector in_one(const DenseMatrix& rows) {
+    return rows.reshaped();
+}
+
+TEST(InputUnits, are_those_of_integrals_and_of_places_where_forms_are_asked) {
+    for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin})
+        expect_the_same_of_all_sizes(
+            [kind](const Discretization& given, double size, Side side, int k) {
+                const auto mesh = given.with_stars(choose_stars(given, kind));
+                const auto form = any_smooth_form(mesh, size, k);
+                const Cochain all =
+                    side == Side::primal ? de_rham(mesh, k, form) : dual_de_rham(mesh, k, form);
+                Vector on_boundary;
+                if (k < mesh.dimension())
+                    on_boundary = boundary_de_rham(mesh, k, form);
+                return Vector(joined({all.values, on_boundary}) / std::pow(size, k));
+            },
+            all_degrees);
+}
+
+TEST(InputUnits, are_those_of_flats) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side, int) {
+            std::vector<Vector> forms;
+            for (const Flat kind :
+                 {Flat::ppp, Flat::pdp, Flat::dpp, Flat::ppd, Flat::pdd, Flat::dpd}) {
+                const bool at_cells = kind == Flat::dpp || kind == Flat::dpd;
+                forms.push_back(
+                    flat(mesh, kind, any_rows(mesh, at_cells ? mesh.dimension() : 0)).values);
+            }
+            return Vector(joined(forms) / size);
+        },
+        1);
+}
+
+TEST(InputUnits, are_those_of_vectors_and_coefficients_of_forms) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side, int k) {
+            const int n = mesh.dimension();
+            const Cochain one = any_form(mesh, Side::primal, 1),
+                          flux = any_form(mesh, Side::primal, n - 1),
+                          form = any_form(mesh, Side::primal, k);
+            const Vector middle = Vector::Constant(n + 1, 1.0 / (n + 1));
+            const double power = std::pow(size, k);
+            return joined({in_one(size * sharp_pp(mesh, one)), in_one(size * sharp_pd(mesh, one)),
+                           in_one(std::pow(size, n - 1) * flux_sharp(mesh, flux)),
+                           in_one(power * whitney_at_centroids(mesh, form)),
+                           Vector(power * whitney_form(mesh, form, 0, middle))});
+        },
+        all_degrees);
+}
+
+TEST(InputUnits, are_those_of_vector_fields_that_act_on_forms) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int k) {
+            const auto sampling = side == Side::primal ? Sampling::centered : Sampling::upwind;
+            const Points X = size * any_rows(mesh, 0);
+            const Cochain form = any_form(mesh, Side::primal, k);
+            const LieDerivative L(mesh, k, sampling);
+            return joined({lie_derivative(mesh, X, k, sampling) * form.values,
+                           interior_product(mesh, X, k, sampling) * form.values,
+                           inflow(mesh, X, k) * form.values, L(X, form).values,
+                           L.interior_product(X, form).values, L.inflow(X, form).values});
+        },
+        all_degrees);
+}
+
+TEST(InputUnits, are_those_of_operators) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int k) {
+            const int n = mesh.dimension();
+            const Cochain form = any_form(mesh, side, k);
+            const double power = n - 2 * k; // of both sides
+            return joined({star(mesh, form).values / std::pow(size, power),
+                           size * size * codifferential(mesh, form).values,
+                           size * size * laplacian(mesh, form).values,
+                           Vector{{norm(mesh, form) / std::pow(size, power / 2)}}});
+        },
+        all_degrees);
+}
+
+} // namespace
+} // namespace polydec::test::in_input_units

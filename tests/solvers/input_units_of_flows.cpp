@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/darcy.h"
+#include "solvers/flow/flow_data.h"
+#include "solvers/flow/flow_solver.h"
+#include "solvers/flow/flux_transport.h"
+#include "solvers/flow/shallow_water.h"
+#include "solvers/flow/stokes.h"
+#include "tests/support/all_sizes.h"
+#include "tests/support/refusal.h"
+#include "tests/support/says.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polydec::test::in_input_units_of_flows {
+namespace {
+
+const std::vector<std::string> surfaces{"grid4", "wellcentred4", "icosphere3"};
+
+Vector any_flux(const Discretization& mesh, double size, unsigned seed) {
+    const int n = mesh.dimension();
+    return std::pow(size, n) * random_vector(mesh.complex().size(n - 1), seed);
+}
+
+/// A row of velocities for each k-cell.
+Points any_velocities(const Discretization& mesh, double size, int k, unsigned seed) {
+    const Index rows = mesh.complex().size(k), N = mesh.ambient_dimension();
+    return size * random_vector(rows * N, seed).reshaped(rows, N);
+}
+
+TEST(InputUnits, are_those_of_pressures_and_fluxes) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int) {
+            const bool essential = side == Side::primal || mesh.complex().size(0) > 60;
+            const DarcySolver solver(mesh, {.boundary = {essential ? BoundaryCondition::essential
+                                                                   : BoundaryCondition::natural}});
+            const Vector source = random_vector(solver.sites().rows(), 3) / (size * size);
+            const Index facets = static_cast<Index>(solver.facet_sites().rows());
+            const Vector pressures = random_vector(facets, 4),
+                         outflow = random_vector(facets, 5) / size;
+            const auto flow = solver.solve(source, pressures, outflow);
+            return joined(
+                {flow.pressure.values, flow.flux.values / std::pow(size, mesh.dimension() - 2)});
+        },
+        1);
+}
+
+TEST(InputUnits, are_those_of_slow_flows) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side, int) {
+            const int n = mesh.dimension();
+            const StokesSolver solver(mesh, {.viscosity = 0.3 * size * size});
+            StokesData data;
+            data.along = size * size * random_vector(mesh.complex().size(n - 2), 2);
+            const auto flow = solver.solve({Side::primal, n - 1, any_flux(mesh, size, 1)}, data);
+            return joined({flow.flux.values / std::pow(size, n),
+                           flow.vorticity.values / std::pow(size, n - 2),
+                           flow.pressure.values / (size * size)});
+        },
+        1);
+}
+
+TEST(InputUnits, are_those_of_flows_with_inertia) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int) {
+            const int n = mesh.dimension();
+            FlowOptions options{.viscosity = 0.1 * size * size,
+                                .everywhere = FlowBoundary::no_slip};
+            options.wall_velocity = any_velocities(mesh, size, n - 1, 6);
+            options.rotation = std::pow(size, n - 2) * random_vector(mesh.complex().size(n - 2), 7);
+            const IncompressibleFlow flow(mesh, options);
+            const Vector start = flow.project(any_flux(mesh, size, 1));
+            const double step = 0.1 * flow.exchange_time(start);
+            const FlowSolver solver(flow,
+                                    {.time_step = step,
+                                     .scheme = side == Side::primal ? FlowScheme::implicit_midpoint
+                                                                    : FlowScheme::imex});
+            const Vector w = solver.step(start);
+            return joined({w / std::pow(size, n), flow.rate(w) / std::pow(size, n),
+                           flow.vorticity(w) / std::pow(size, n - 2),
+                           flow.pressure(w).values / (size * size),
+                           flow.circulations(w) / (size * size),
+                           Vector{{step, flow.relative_energy(w, start)}}});
+        },
+        1);
+}
+
+TEST(InputUnits, are_those_of_what_flows_begin_with) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side, int) {
+            const int n = mesh.dimension();
+            const Vector z = random_vector(mesh.complex().size(0), 3);
+            std::vector<Vector> fluxes{
+                flow_of_velocity(mesh, any_velocities(mesh, size, 0, 1)),
+                flux_through_boundary(mesh, any_velocities(mesh, size, n - 1, 2))};
+            if (n == 2)
+                fluxes.push_back(flow_of_vorticity(mesh, z));
+            return Vector(joined(fluxes) / std::pow(size, n));
+        },
+        1);
+}
+
+TEST(InputUnits, are_those_of_shallow_water) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side, int) {
+            const Index cells = mesh.complex().size(2);
+            const ShallowWater water(mesh, {.gravity = 9 * size,
+                                            .rotation = random_vector(mesh.complex().size(0), 2),
+                                            .bottom = size * 0.1 * random_vector(cells, 3)});
+            ShallowWater::State state{size * (Vector::Ones(cells) + 0.1 * random_vector(cells, 4)),
+                                      0.1 * any_flux(mesh, size, 5)};
+            for (Index e = 0; e < state.flux.size(); ++e)
+                if (mesh.complex().coface_counts(1)[e] == 1)
+                    state.flux[e] = 0;
+            const double stable = water.stable_step(state);
+            state = water.step(state, 0.5 * stable);
+            return joined({state.depth / size, state.flux / (size * size),
+                           size * water.potential_vorticity(state),
+                           Vector{{stable, water.mass(state) / std::pow(size, 3),
+                                   water.potential_enstrophy(state) / size}}});
+        },
+        1, surfaces);
+}
+
+TEST(InputUnits, are_those_of_transport) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side side, int) {
+            const int n = mesh.dimension();
+            const FluxTransport transport(mesh, side == Side::primal ? Sampling::upwind
+                                                                     : Sampling::centered);
+            const Vector flux = any_flux(mesh, size, 1),
+                         density = random_vector(mesh.complex().size(n), 2);
+            return joined({transport.rate(flux, density),
+                           Vector{{transport.stable_step(flux),
+                                   transport.mass(density) / std::pow(size, n)}}});
+        },
+        1);
+}
+
+// Energies are powers of lengths that may be no numbers.
+TEST(InputUnits, of_energies_are_refused_where_they_are_no_numbers) {
+    Mesh mesh = mesh_named("kuhn3");
+    mesh.points *= 0x1p-300;
+    const IncompressibleFlow flow(discretize(mesh));
+    const Vector w = flow.project(any_flux(flow.mesh(), 0x1p-300, 1));
+    EXPECT_TRUE(says(refusal([&] { return flow.energy(w); }), {"energy", "scale"}));
+    EXPECT_NEAR(flow.relative_energy(2 * w, w), 4, 1e-12);
+}
+
+} // namespace
+} // namespace polydec::test::in_input_units_of_flows
