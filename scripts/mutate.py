@@ -107,7 +107,7 @@ MUTANTS = {
     "cells_turned_by_welding": ("meshes/weld.cpp", "if (is_turned(cell))", "if (false)"),
     "plates_welded": ("meshes/weld.cpp", "if (!one_place && !one_sign)", "if (false)"),
     "first_place_for_all": ("meshes/weld.cpp", "sources_(leader, axis) = *middle;",
-                            "sources_(leader, axis) = *begin;"),
+                            "sources_(leader, axis) = members.front();"),
     "boxes_never_meet": ("meshes/point_tree.cpp", "        join_across(left, right, square, sets);", ""),
     "places_by_another_simplex": ("dec/fields/cell_centers.cpp", "points.row(corners(sum.anchor, i));",
                                   "points.row(corners(0, i));"),
