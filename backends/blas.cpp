@@ -157,8 +157,8 @@ DenseMatrix transposed_product(const ConstDenseBlock& A, const ConstDenseBlock& 
 }
 
 SymmetricPairs symmetric_pairs(const ConstDenseBlock& A, const std::string& engine) {
-    SymmetricPairs pairs;
-    if (pairs_by_lapack(A, pairs))
+    SymmetricPairs pairs{Vector(0), DenseMatrix(0, 0)};
+    if (A.rows() == 0 || pairs_by_lapack(A, pairs))
         return pairs;
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver{DenseMatrix(A)};
     if (solver.info() != Eigen::Success)

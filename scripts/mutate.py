@@ -77,7 +77,6 @@ MUTANTS = {
                              "found() == size() ?"),
     "groups_as_if_orthogonal": ("solvers/spectra/found_pairs.cpp",
                                 "                others_[i] += share;\n                others_[j] += share;\n", ""),
-    "lapack_reads_the_upper_part": ("backends/blas.cpp", 'syevd("V", "L",', 'syevd("V", "U",'),
     "zeros_searched": ("solvers/spectra/found_pairs.cpp", "    pairs.take(Y, pencil.enclose(Y));", ""),
     "sources_everywhere": ("dec/fields/chosen_vertices.cpp", "tag && of_cell == *tag", "tag && of_cell != 0"),
     "robin_one_for_all": ("dec/forms/boundary_conditions.cpp",

@@ -196,5 +196,13 @@ TEST(LiftsOfGiants, are_held_against_memory_before_they_are_made) {
     EXPECT_EQ(message_of<IoError>([&] { mesh.lift(); }), "accepted");
 }
 
+TEST(LiftsOfGiants, are_refused_where_they_would_take_minutes) {
+    const auto mesh = discretize(polygon(2003));
+    ASSERT_EQ(mesh.complex().size(2), 1);
+    EXPECT_TRUE(says(message_of<InvalidInput>([&] { mesh.lift(); }),
+                     {"2-cell 0", "2001 simplices", "2000", "StarKind::circumcentric"}));
+    choose_stars(mesh, StarKind::circumcentric); // which lifts nothing
+}
+
 } // namespace
 } // namespace polydec::test::in_lift

@@ -112,7 +112,8 @@ class Cost(TestCase):
         "hodge": ("--side", "primal", "--degree", "1", "--form", "x;y;z"),
         "heat": ("--side", "primal", "--initial", "x", "--until", "1"),
         "wave": ("--side", "primal", "--degree", "0", "--initial", "x", "--until", "1"),
-        "maxwell": ("--initial", "y;x;0", "--until", "1"), "flow": ("--vorticity", "x", "--until", "1"),
+        "maxwell": ("--initial", "y;x;0", "--until", "1"),
+        "flow": ("--vorticity", "x", "--until", "1"),
         "distance": ("--from", "0")}
     WITHOUT_MESH = {"generate", "reproduce", "backends"}
 
