@@ -210,10 +210,10 @@ public:
     const std::vector<GroupName>& groups() const& { return parts_->groups; }
     std::vector<GroupName> groups() && { return groups(); }
 
-    /// What points, lengths and volumes are measured in, as a length of the input: 1, or a power of
-    /// 4 where the input is so large or small that products of its lengths would be no numbers. So
-    /// distances are to be multiplied by it, solutions of Delta u = f by its square, eigenvalues
-    /// of Delta to be divided by its square (in_input_units).
+    /// What the members above measure points, lengths, volumes and stars in, as a length of the
+    /// input: 1, or a power of 4 where the input is so large or small that products of its lengths
+    /// would be no numbers. Functions of a discretization, and solvers, take and give numbers in
+    /// the units of the input; in_input_units converts what the members give.
     double unit() const { return parts_->unit; }
 
 private:

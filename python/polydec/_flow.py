@@ -144,7 +144,8 @@ def flow_of_vorticity(complex: Complex, vorticity: npt.ArrayLike) -> Floats:
     >>> bool(abs(flow.vorticity(polydec.flow_of_vorticity(sphere, z)) - z).max() < 1e-9)
     True
     """
-    return _core.flow_of_vorticity(mesh_of(complex), floats(vorticity, "values of the vorticity"))
+    values = np.ascontiguousarray(at_cells(complex, floats(vorticity, "values of the vorticity")))
+    return _core.flow_of_vorticity(mesh_of(complex), values)
 
 
 def flow_of_velocity(complex: Complex, velocity: npt.ArrayLike) -> Floats:
