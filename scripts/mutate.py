@@ -273,8 +273,8 @@ SECONDS = 600
 
 
 def flags(build, path):
-    """Compiler command of the file, or of its folder's unity file, up to -o; working directory."""
-    unity = f"/unity_{path.rsplit('/', 1)[0].replace('/', '_')}_cxx.cxx"
+    """Compiler command of the file, or of its module's unity file, up to -o; working directory."""
+    unity = f"/unity_{path.split('/', 1)[0]}_cxx.cxx"
     entries = json.loads((build / "compile_commands.json").read_text())
     entry = next((entry for wanted in ("/" + path, unity) for entry in entries
                   if entry["file"].endswith(wanted)), None)
