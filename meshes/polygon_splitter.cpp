@@ -53,6 +53,7 @@ bool PolygonSplitter::split(std::span<const Index> corners, std::span<const Edge
     corners_ = corners;
     avoided_ = avoided;
     places_.clear();
+    scale();
     measure();
     const bool is_fan = make_fan();
     const bool is_large = corners_.size() > most_corners_without_fan;
@@ -65,6 +66,17 @@ bool PolygonSplitter::split(std::span<const Index> corners, std::span<const Edge
         flip_to_delaunay();
     keep_result();
     return true;
+}
+
+/// Fourth powers of lengths are then numbers, and all is the same in every unit.
+void PolygonSplitter::scale() {
+    scaled_.resize(std::ssize(corners_), points_.cols());
+    for (Index corner = 0; corner < scaled_.rows(); ++corner)
+        scaled_.row(corner) = points_.row(corners_[static_cast<std::size_t>(corner)]);
+    const double largest = scaled_.size() > 0 ? scaled_.cwiseAbs().maxCoeff() : 0;
+    constexpr int most = 1000; // so that the power is a number
+    if (largest > 0)
+        scaled_ *= std::ldexp(1.0, -std::clamp(std::ilogb(largest), -most, most));
 }
 
 /// The area vector, by pairs of axes; relative to the first corner, for accuracy.
@@ -103,7 +115,7 @@ double PolygonSplitter::area(std::size_t i, std::size_t j, std::size_t k) const 
 }
 
 double PolygonSplitter::squared_distance(std::size_t i, std::size_t j) const {
-    return (points_.row(corners_[i]) - points_.row(corners_[j])).squaredNorm();
+    return (scaled_.row(static_cast<Index>(i)) - scaled_.row(static_cast<Index>(j))).squaredNorm();
 }
 
 /// False also where the polygon has no area at all, and `area` gives NaN.
@@ -316,7 +328,7 @@ double PolygonSplitter::rounding(const Quad& quad) const {
     double largest = 0.0;
     double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < quad.size(); ++i) {
-        largest = std::max(largest, points_.row(corners_[quad[i]]).cwiseAbs().maxCoeff());
+        largest = std::max(largest, scaled_.row(static_cast<Index>(quad[i])).cwiseAbs().maxCoeff());
         shortest = std::min(shortest, squared_distance(quad[i], quad[(i + 1) % quad.size()]));
     }
     return 32 * std::numeric_limits<double>::epsilon() * (1 + largest / std::sqrt(shortest));

@@ -55,8 +55,9 @@ private:
     using Places = std::array<std::size_t, 3>; ///< of the corners of a triangle in the polygon
 
     double coordinate(std::size_t corner, Eigen::Index axis) const {
-        return points_(corners_[corner], axis);
+        return scaled_(static_cast<Index>(corner), axis);
     }
+    void scale();
     void measure();
     double wedge(std::size_t i, std::size_t j, std::size_t k, Eigen::Index a, Eigen::Index b) const;
     double area(std::size_t i, std::size_t j, std::size_t k) const;
@@ -86,6 +87,7 @@ private:
     const Points& points_;
     std::span<const Index> corners_;
     std::span<const EdgeEnds> avoided_;
+    Points scaled_; ///< of the corners, by a power of 2: the largest coordinate is near 1
     std::vector<double> area_vector_;
     double length_ = 0.0;
     std::vector<std::size_t> next_, previous_;

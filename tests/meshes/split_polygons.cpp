@@ -174,6 +174,15 @@ TEST(SplitPolygons, TheOrderAndTheSideOfFacesDoNotMatter) {
     EXPECT_EQ(sorted(turned), first);
 }
 
+TEST(SplitPolygons, TheUnitDoesNotMatter) {
+    Random random(6);
+    const PolygonMesh mesh = patches(random, 8);
+    const Cells first = split(mesh.points, faces_of(mesh));
+    for (const int power : {-900, -300, 300, 900})
+        EXPECT_EQ(split(mesh.points * std::ldexp(1.0, power), faces_of(mesh)), first) << power;
+    EXPECT_EQ(split(five * 1e234, closed), split(five, closed));
+}
+
 TEST(SplitPolygons, TrianglesOfAPlanePolygonAreDelaunay) {
     Random random(5);
     for (int trial = 0; trial < 100; ++trial) {
