@@ -16,7 +16,7 @@ HodgeStars in_input_units(const HodgeStars& stars, double unit);
 /// A matrix of numbers to some power of length, likewise. Throws InvalidInput, naming what it is.
 SparseMatrix in_input_units(SparseMatrix matrix, double unit, double power, std::string_view what);
 
-/// Columns of values each of which is one of form_in_input_units.
+/// Applies form_in_input_units to each column of a table.
 template <class Rows>
 Rows in_input_units(Rows rows, double unit, double power,
                     std::string_view what) requires(Rows::ColsAtCompileTime == Eigen::Dynamic &&

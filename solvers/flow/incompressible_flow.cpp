@@ -108,8 +108,9 @@ double IncompressibleFlow::relative_energy(const Vector& w, const Vector& other)
         return 1;
     const double ratio = ratio_of_energies(w, other);
     if (!std::isfinite(ratio))
-        throw InvalidInput("the energy of a flow is asked for in that of one at rest, or of one "
-                           "too fast for it to be a number");
+        throw InvalidInput(
+            "the ratio of the energies of two flows is no number: the second flow is "
+            "at rest, or the first is too fast");
     return ratio;
 }
 
