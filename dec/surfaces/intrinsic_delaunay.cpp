@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <queue>
 #include <utility>
 
 namespace polydec {
@@ -111,12 +113,13 @@ private:
 
     double measure_all();
     void give_needles_some_area(double missing);
-    bool is_negative(Index edge) const;
+    double negative_mean(Index edge) const;
+    bool is_negative(Index edge) const { return negative_mean(edge) < 0; }
     void count_what_is_left();
 
     void look_at(Index edge) {
-        if (surface_.can_flip(edge) && is_negative(edge))
-            queue_.push_back(edge);
+        if (const double mean = negative_mean(edge); mean < 0 && surface_.can_flip(edge))
+            queue_.emplace(mean, edge);
     }
     void flip_all();
     void flip(Index edge);
@@ -135,7 +138,11 @@ private:
     NormalCoordinates crossings_;
     IntrinsicDelaunayOptions options_;
     IntrinsicStatistics statistics_;
-    std::vector<Index> queue_, stuck_;
+    /// By the means when they came, so that the order of flips does not depend on numbers.
+    std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>,
+                        std::greater<>>
+        queue_;
+    std::vector<Index> stuck_;
     double mean_length_ = 0;
     Index boundary_edges_ = 0;
 };
@@ -170,16 +177,16 @@ void Flipping::give_needles_some_area(double missing) {
     statistics_.added_area = before > 0 ? area() / before - 1 : 0;
 }
 
-/// The mean of the cotangents on both sides, beyond rounding.
-bool Flipping::is_negative(Index edge) const {
+/// The mean of the cotangents on both sides; 0 unless it is negative beyond rounding.
+double Flipping::negative_mean(Index edge) const {
     double sum = 0, rounding = 0;
     for (const Index h : surface_.halfedges(edge))
         sum += h < 0 ? 0 : beside(h).cotangent();
     if (!(sum < 0))
-        return false;
+        return 0;
     for (const Index h : surface_.halfedges(edge))
         rounding = std::max(rounding, h < 0 ? 0 : beside(h).rounding());
-    return sum / 2 < -rounding;
+    return sum / 2 < -rounding ? sum / 2 : 0;
 }
 
 void Flipping::count_what_is_left() {
@@ -192,10 +199,10 @@ void Flipping::count_what_is_left() {
 void Flipping::flip_all() {
     const std::int64_t limit = 1000 + 1000 * std::int64_t{surface_.edges()};
     while (!queue_.empty()) {
-        const Index edge = queue_.back();
-        queue_.pop_back();
-        if (!surface_.can_flip(edge) || !is_negative(edge))
-            continue;
+        const auto [mean, edge] = queue_.top();
+        queue_.pop();
+        if (!surface_.can_flip(edge) || negative_mean(edge) != mean)
+            continue; // it came again when a triangle beside it changed
         flip(edge);
         if (statistics_.flips > limit)
             throw SolverFailure(fmt::format("{} flips of {} edges and no end: the surface has "
@@ -291,7 +298,8 @@ void Flipping::refuse_sharp_corners() const {
     }
 }
 
-/// Splits all boundary edges that need it, together, so that their order does not matter.
+/// Splits all boundary edges that need it, together, so that their order does not matter: two of a
+/// triangle would both need it beside a sharp corner alone.
 bool Flipping::split_boundary() {
     const double goal = split_goal();
     std::vector<std::pair<Index, double>> places;

@@ -10,6 +10,7 @@
 #include "dec/forms/star.h"
 #include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/dual_parts.h"
+#include "dec/operators.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "tests/support/families.h"
@@ -77,6 +78,24 @@ TEST_P(AfterFlips, a_product_with_forms_of_the_triangles_before_flips_would_brea
     };
     EXPECT_LT(relative_difference(left, product(P)), rounding);
     EXPECT_GT(relative_difference(left, product(mesh.input())), 1e-3);
+}
+
+TEST_P(AfterFlips, forms_do_not_depend_on_numbers) {
+    const auto& [name, delaunay] = GetParam();
+    Mesh given = shaken(mesh_named(name), 0.25, 7);
+    given.points.col(0) *= 0.1; // which takes several flips of an edge
+    const auto norm_on = [how = delaunay](const Mesh& mesh) {
+        const auto N = mesh.points.cols();
+        const auto made = discretize(mesh, {.delaunay = how});
+        const auto form = de_rham(made, 1, [N](const Vector& x) {
+            return Vector::NullaryExpr(
+                N, [&](Index i) { return std::sin(3 * x.sum() + 2 * x[i] + double(i)); });
+        });
+        return norm(made, form);
+    };
+    const double expected = norm_on(given);
+    for (const std::uint64_t seed : {1, 2, 3})
+        EXPECT_NEAR(norm_on(shuffled(given, seed).mesh) / expected, 1, 1e-9);
 }
 
 TEST_P(AfterFlips, dual_forms_go_back_by_maps_that_commute_with_d) {

@@ -39,6 +39,7 @@ class Draw:
                    for axis, x in enumerate(point)] for point in mesh.points]
         self.about = f"{name}, jitter {jitter}, axis {flat} times {flatness}"
         self.rounding = 1e-9 / flatness
+        self.jitter = jitter
         return Mesh(points, mesh.cells)
 
     def question(self, mesh, motion):
@@ -55,7 +56,8 @@ class Draw:
             kinds += [self.flow, self.maxwell]
         ask = self.random.choice(kinds)
         common = self.common(ask)
-        self.flips = any("--delaunay" in word for word in common)
+        if "--no-merge" in common and self.jitter > 0: # duals of this size have its rounding
+            self.rounding = max(self.rounding, 1e-15 / self.jitter)
         asked = ask(mesh)
         return lambda g: Asked([*asked(g).words, *common], asked(g).powers)
 
@@ -225,8 +227,7 @@ class Draw:
     def flow(self, mesh):
         draw = self.random
         viscosity = draw.choice([0, 0, .1])
-        # velocities are carried from flip to flip, in the order of these
-        by_vorticity = mesh.n == 2 and (self.flips or draw.random() < .5)
+        by_vorticity = mesh.n == 2 and draw.random() < .5
         vorticity, velocity = self.template(), [self.template() for _ in range(mesh.N)]
         scheme = draw.choice([[], ["--scheme", "imex"]])
         times = self.times(1e-3, draw.randint(1, 3), 0)
