@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/printable.h"
+#include "examples/paper/process.h"
 
 #include <fmt/format.h>
 
@@ -104,6 +105,7 @@ void add_common_options(CLI::App& command, TellOptions& options) {
             "--max-memory",
             [](const std::string& text) {
                 set_memory_limit(static_cast<std::uint64_t>(*bytes_of(text)));
+                hold_memory_limit();
             },
             "refuse what takes more memory, like 500M or 2G\n(default: what the machine has)")
         ->check(check_bytes);

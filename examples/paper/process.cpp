@@ -5,15 +5,22 @@
 #include "base/unfinished.h"
 #include "examples/paper/console.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <fcntl.h>
 #include <iterator>
 #include <new>
 #include <pthread.h>
+#include <thread>
 #include <unistd.h>
 
 namespace polydec {
@@ -21,6 +28,7 @@ namespace polydec {
 namespace {
 
 constexpr const char* no_memory = "memory does not suffice for this mesh";
+char over_limit[160]; ///< what is told where the limit is passed
 
 const char* program = "";
 std::atomic<bool> is_working{false};
@@ -34,6 +42,7 @@ int fail(ExitCode code, const char* text) noexcept {
 }
 
 pthread_t main_thread;
+std::atomic<bool> is_over_limit{false};
 
 void watch(int signal) noexcept;
 
@@ -49,6 +58,8 @@ extern "C" void end_by(int signal) {
         return;
     }
     remove_unfinished();
+    if (is_over_limit)
+        ::_exit(fail(resource_failure, over_limit));
     ::raise(signal);
 }
 
@@ -138,7 +149,38 @@ int finish_output(int code) noexcept {
     return resource_failure;
 }
 
+/// Bytes that the program has in memory; 0 if the system does not tell. Allocates none.
+std::uint64_t resident() noexcept {
+    static const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+    char text[64] = "";
+    unsigned long long pages = 0;
+    if (::pread(file, text, sizeof text - 1, 0) <= 0 || std::sscanf(text, "%*u %llu", &pages) != 1)
+        return 0;
+    return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
 } // namespace
+
+void hold_memory_limit() {
+    const std::uint64_t most = memory_limit(), before = resident();
+    *fmt::format_to_n(
+         over_limit, sizeof over_limit - 1,
+         "more than the {:.3g} MB of memory that may be used are needed: take fewer or "
+         "simpler cells, or allow more (--max-memory)",
+         static_cast<double>(most) / 1e6)
+         .out = 0;
+    // signals are for the main thread
+    sigset_t all{}, held{};
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &held);
+    std::thread([=] {
+        while (resident() <= before + most)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        is_over_limit = true;
+        ::pthread_kill(main_thread, SIGXCPU);
+    }).detach();
+    pthread_sigmask(SIG_SETMASK, &held, nullptr);
+}
 
 int run_process(const char* name, int (*work)(int, char**), int argc, char** argv) noexcept {
     program = name;

@@ -19,4 +19,8 @@ enum ExitCode {
 /// Once memory is short, none is asked for.
 int run_process(const char* name, int (*work)(int, char**), int argc, char** argv) noexcept;
 
+/// From now on the program ends with resource_failure, as after an error, soon after it has taken
+/// memory_limit() bytes more than it has now: what no check_memory has foreseen.
+void hold_memory_limit();
+
 } // namespace polydec

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What would take more memory than allowed is refused before it is begun."""
+"""What takes more memory than allowed is refused, before it is begun or as soon as it is seen."""
 import os
+import shutil
 import subprocess
 import time
 
@@ -109,11 +110,11 @@ class Cost(TestCase):
         "view": ("-o", "a.html"), "draw": ("-o", "a.svg"),
         "spectrum": ("--side", "primal", "--degree", "0"),
         "poisson": ("--side", "primal", "--rhs", "1"),
-        "hodge": ("--side", "primal", "--degree", "1", "--form", "x;y;z"),
-        "heat": ("--side", "primal", "--initial", "x", "--until", "1"),
-        "wave": ("--side", "primal", "--degree", "0", "--initial", "x", "--until", "1"),
-        "maxwell": ("--initial", "y;x;0", "--until", "1"),
-        "flow": ("--vorticity", "x", "--until", "1"),
+        "hodge": ("--side", "primal", "--degree", "1", "--form", "x;y"),
+        "heat": ("--side", "primal", "--initial", "x", "--until", "1e-3"),
+        "wave": ("--side", "primal", "--degree", "0", "--initial", "x", "--until", "1e-3"),
+        "maxwell": ("--initial", "y;x", "--until", "1e-3"),
+        "flow": ("--vorticity", "x", "--until", "1e-3"),
         "distance": ("--from", "0")}
     WITHOUT_MESH = {"generate", "reproduce", "backends"}
 
@@ -123,7 +124,7 @@ class Cost(TestCase):
         self.assertEqual(names, set(self.ARGUMENTS) | self.WITHOUT_MESH)
         self.succeed("generate", "grid", "--nx", 200, "--ny", 200, "-o", "grid.nsc")
         for name, arguments in self.ARGUMENTS.items():
-            for most in (1, 20):
+            for most in (1, 20, 50):  # the last is passed by what is made of the mesh, if at all
                 with self.subTest(name, most=most):
                     with command.start(name, "grid.nsc", *arguments, "--max-memory", f"{most}M",
                                        cwd=self.folder, stdout=subprocess.DEVNULL,
@@ -131,11 +132,15 @@ class Cost(TestCase):
                         said = process.stderr.read()
                         _, status, used = os.wait4(process.pid, 0)
                         process.returncode = os.waitstatus_to_exitcode(status)
-                    self.assertEqual(process.returncode, 4, said)
-                    self.assertSays(said, "grid.nsc", f"{most} MB", "--max-memory")
+                    if most < 50 or process.returncode != 0:
+                        self.assertEqual(process.returncode, 4, said)
+                        self.assertSays(said, f"{most} MB", "--max-memory")
+                        self.assertEqual(os.listdir(self.folder), ["grid.nsc"])
                     if command.limited:  # 20 MB are those of the program and the text of the mesh
-                        self.assertLess(used.ru_maxrss * 1024, (20 + most) * 10**6)
-        self.assertEqual(os.listdir(self.folder), ["grid.nsc"])
+                        late = 50 if most == 50 else 0  # until it is seen on a busy machine
+                        self.assertLess(used.ru_maxrss * 1024, (20 + most + late) * 10**6)
+            for name in set(os.listdir(self.folder)) - {"grid.nsc"}:
+                (shutil.rmtree if name == "out" else os.remove)(os.path.join(self.folder, name))
 
 
 if __name__ == "__main__":
