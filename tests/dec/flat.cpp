@@ -5,6 +5,7 @@
 #include "dec/fields/de_rham.h"
 #include "dec/forms/star.h"
 #include "dec/metric/dual_parts.h"
+#include "dec/operators.h"
 #include "tests/dec/discretized.h"
 #include "tests/support/forms.h"
 #include "tests/support/matrices.h"
@@ -15,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace polydec::test::in_flat {
@@ -199,6 +201,19 @@ TEST(FlatsToDualForms, do_not_depend_on_the_volumes_of_merged_cells) {
         expect_same(flat(own, kind, sampled(mesh, kind, field)),
                     flat(mesh, kind, sampled(mesh, kind, field)));
     expect_same(dual_de_rham(own, 1, field), dual_de_rham(mesh, 1, field));
+}
+
+TEST(FlatsToDualForms, of_constants_have_their_norm_where_stars_are_matrices) {
+    for (const char* name : {"obtuse_planar", "wellcentred4", "obtuse_solid"}) {
+        const auto mesh = discretize(mesh_named(name), {.star = StarKind::galerkin});
+        const SmoothForm field = random_constant(mesh);
+        const double volume = mesh.volumes().primal(mesh.dimension()).sum();
+        for (const auto kind : dual_kinds) {
+            const Cochain form = flat(mesh, kind, sampled(mesh, kind, field));
+            const double expected = std::sqrt(volume) * field(Vector()).norm();
+            EXPECT_NEAR(norm(mesh, form) / expected, 1, rounding) << name << ' ' << int(kind);
+        }
+    }
 }
 
 TEST(FlatsRefuse, fields_of_the_wrong_shape_and_what_is_not_finite) {
