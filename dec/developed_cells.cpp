@@ -115,13 +115,13 @@ private:
 
 Points developed_corners(const Discretization& mesh) {
     const int n = mesh.dimension();
-    if (mesh.points().cols() != n || !mesh.passage().is_identity())
+    if (mesh.measured_points().cols() != n || !mesh.passage().is_identity())
         return Developing(mesh).corners();
     const auto& tops = mesh.pieces().simplices(n);
     Points corners(Eigen::Index{tops.rows()} * (n + 1), n);
     for (Index t = 0; t < tops.rows(); ++t)
         for (int i = 0; i <= n; ++i)
-            corners.row(Eigen::Index{t} * (n + 1) + i) = mesh.points().row(tops(t, i));
+            corners.row(Eigen::Index{t} * (n + 1) + i) = mesh.measured_points().row(tops(t, i));
     return corners;
 }
 

@@ -84,8 +84,8 @@ void examine_topology(const Discretization& mesh, Diagnosis& found) {
     found.components = components(K).count;
     found.boundary_components = boundary_components(K).count;
     found.orientable = K.orientable();
-    if (mesh.input_points().cols() > 0)
-        found.unjoined = unjoined_boundary(K, mesh.input_points());
+    if (mesh.measured_input_points().cols() > 0)
+        found.unjoined = unjoined_boundary(K, mesh.measured_input_points());
     found.vertices_per_cell = vertices_per_cell(mesh);
 }
 

@@ -264,6 +264,9 @@ Discretization::Discretization(Parts parts)
         check_as_many("tags of facets", Index(tags.size()), complex.size(complex.dimension() - 1));
     const auto made = std::make_shared<Parts>(std::move(parts));
     parts_ = made;
+    if (unit() != 1)
+        given_ = std::make_shared<Given>(
+            Given{unit() * measured_points(), unit() * measured_input_points()});
     stars_ = std::make_shared<Lazy<ChosenStars>>();
     if (made->degenerate.marks.empty())
         made->degenerate = facet_defects(pieces(), metric(), piece_volumes(), options()).degenerate;
@@ -290,7 +293,7 @@ Discretization Discretization::with_box(std::shared_ptr<const GluedBox> box) con
 
 PlacedSimplices Discretization::places() const& {
     return box() ? box()->places()
-                 : PlacedSimplices{input_points(), input().simplices(input().dimension())};
+                 : PlacedSimplices{measured_input_points(), input().simplices(input().dimension())};
 }
 
 int Discretization::ambient_dimension() const {
@@ -324,7 +327,7 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
     if (unit != 1)
         mesh = in_units(std::move(mesh), unit);
     const SimplicialComplex complex(mesh.simplices);
-    Points isolated = isolated_points(complex, mesh.points);
+    Points isolated = unit * isolated_points(complex, mesh.points);
     mesh.points = vertex_points(complex, mesh.points);
     Points plane = plane_points(mesh.points, complex.dimension());
     Given given{complex, std::move(mesh), std::move(isolated), {},

@@ -50,7 +50,7 @@ public:
         std::vector<Index> tags = {};
         Vector lengths = {};
         double unit = 1;
-        Points isolated = {};
+        Points isolated = {}; ///< in the units of the input
         FacetTags facet_tags = {};
         Centers centers = options.centers;
         std::vector<GroupName> groups = {};
@@ -134,20 +134,25 @@ public:
 
     /// Of the vertices of complex(), which are those of the input that cells use, and behind them
     /// those that splits have made; without columns if only lengths are known. A field at vertices
-    /// and a primal 0-form have the same rows. Those of the input are its first.
-    const Points& points() const& {
-        return passage().is_identity() ? input_points() : parts_->points;
+    /// and a primal 0-form have the same rows. Those of the input are its first. As they were
+    /// given, where measured_points() are in unit().
+    const Points& points() const& { return given_ ? given_->points : measured_points(); }
+    const Points& input_points() const& {
+        return given_ ? given_->input_points : measured_input_points();
     }
-    const Points& input_points() const& { return parts_->input_points; }
     Points points() && { return points(); }
     Points input_points() && { return input_points(); }
+    const Points& measured_points() const& {
+        return passage().is_identity() ? measured_input_points() : parts_->points;
+    }
+    const Points& measured_input_points() const& { return parts_->input_points; }
 
     /// The box that a glued mesh was made of; null for other meshes.
     const std::shared_ptr<const GluedBox>& box() const& { return parts_->box; }
     std::shared_ptr<const GluedBox> box() && { return box(); }
 
-    /// Where the n-simplices of the input lie: between input_points(), or, if the mesh is glued,
-    /// each where it lies in the box, so that simplices across a seam are straight. Without
+    /// Where the n-simplices of the input lie: between measured_input_points(), or, if the mesh is
+    /// glued, each where it lies in the box, so that simplices across a seam are straight. Without
     /// columns if only lengths are known.
     PlacedSimplices places() const&;
     PlacedSimplices places() const&& = delete;
@@ -155,7 +160,7 @@ public:
     /// Number N of coordinates of these points; 0 if only lengths are known.
     int ambient_dimension() const;
 
-    /// The points of the input that no cell uses, in order.
+    /// The points of the input that no cell uses, in order, as they were given.
     const Points& isolated() const& { return parts_->isolated; }
     Points isolated() && { return isolated(); }
 
@@ -168,9 +173,9 @@ public:
                                        : SimplexMetric(pieces(), passage().flips().lengths);
     }
     SimplexMetric input_metric() const& {
-        return parts_->plane.cols() > 0 ? SimplexMetric(parts_->plane)
-               : points().cols() > 0    ? SimplexMetric(input_points())
-                                        : SimplexMetric(input(), lengths());
+        return parts_->plane.cols() > 0       ? SimplexMetric(parts_->plane)
+               : measured_points().cols() > 0 ? SimplexMetric(measured_input_points())
+                                              : SimplexMetric(input(), lengths());
     }
     SimplexMetric metric() const&& = delete;
     SimplexMetric input_metric() const&& = delete;
@@ -210,14 +215,19 @@ public:
     const std::vector<GroupName>& groups() const& { return parts_->groups; }
     std::vector<GroupName> groups() && { return groups(); }
 
-    /// What the members above measure points, lengths, volumes and stars in, as a length of the
-    /// input: 1, or a power of 4 where the input is so large or small that products of its lengths
-    /// would be no numbers. Functions of a discretization, and solvers, take and give numbers in
-    /// the units of the input; in_input_units converts what the members give.
+    /// What the members above but points() measure lengths, volumes and stars in, as a length of
+    /// the input: 1, or a power of 4 where the input is so large or small that products of its
+    /// lengths would be no numbers. Functions of a discretization, and solvers, take and give
+    /// numbers in the units of the input; in_input_units converts what the members give.
     double unit() const { return parts_->unit; }
 
 private:
+    struct Given {
+        Points points, input_points; ///< in the units of the input
+    };
+
     std::shared_ptr<const Parts> parts_;
+    std::shared_ptr<const Given> given_; // null where unit() is 1
     std::shared_ptr<const Lazy<ChosenStars>> stars_;
     std::shared_ptr<const Lazy<std::vector<SparseMatrix>>> lift_;
 };

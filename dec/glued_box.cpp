@@ -90,7 +90,7 @@ Discretization measured(const PeriodicMesh& glued, const Discretization& mesh,
                            .degenerate = std::move(degenerate),
                            .tags = std::move(tags),
                            .unit = mesh.unit(),
-                           .isolated = isolated_points(box, by_number),
+                           .isolated = isolated_points(box, glued.box.points),
                            .groups = mesh.groups(),
                            .plane = std::move(plane)});
 }
@@ -156,7 +156,7 @@ GluedBox::GluedBox(Found found)
     : mesh_(std::move(found.mesh)),
       maps_(std::move(found.maps)),
       corners_(std::move(found.corners)),
-      vertices_(forth(0, mesh_.input_points())) {}
+      vertices_(forth(0, mesh_.measured_input_points())) {}
 
 const std::vector<Index>& GluedBox::onto(int k) const {
     check_number("the simplices of a box of degree", k, 0, mesh_.dimension());

@@ -21,7 +21,7 @@ public:
     const Discretization& mesh() const { return mesh_; }
 
     /// The n-simplices of the glued mesh, between the points of the box.
-    PlacedSimplices places() const { return {mesh_.input_points(), corners_}; }
+    PlacedSimplices places() const { return {mesh_.measured_input_points(), corners_}; }
 
     /// The first place of each vertex of the glued mesh: a row for each.
     const Points& vertices() const { return vertices_; }

@@ -30,7 +30,7 @@ DenseMatrix inverse(const DenseMatrix& tensor, int n, Index cell) {
 }
 
 void check_in_place(const Discretization& mesh) {
-    if (!mesh.passage().is_identity() || mesh.points().cols() != mesh.dimension())
+    if (!mesh.passage().is_identity() || mesh.measured_points().cols() != mesh.dimension())
         throw InvalidInput(fmt::format("conductivities that depend on the direction need a flat "
                                        "mesh of {0}-cells in {0} coordinates, without flips: give "
                                        "a number for each cell",

@@ -113,7 +113,7 @@ Fingerprint& Fingerprint::add(const Eigen::Ref<const DenseMatrix>& numbers) {
 
 Fingerprint& Fingerprint::add(const Discretization& mesh) {
     const int n = mesh.dimension();
-    add(DenseMatrix(mesh.points())).add(mesh.unit());
+    add(DenseMatrix(mesh.measured_points())).add(mesh.unit());
     for (int k = 0; k <= n; ++k) {
         add(mesh.volumes().primal(k)).add(mesh.volumes().dual(k));
         if (k == 0)

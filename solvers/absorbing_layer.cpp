@@ -27,10 +27,10 @@ struct Cells {
 
 Cells cells_of(const Discretization& mesh, const std::vector<Index>& kept, int k) {
     constexpr double rounding = 1e-9;
-    Cells result{cell_centers(mesh, k)(kept, Eigen::all), {}};
+    Cells result{cell_centers(mesh, k)(kept, Eigen::all) / mesh.unit(), {}};
     result.axes.reserve(kept.size());
     for (const Index cell : kept) {
-        const Points corners = mesh.points()(mesh.merging().vertices(k, cell), Eigen::all);
+        const Points corners = mesh.measured_points()(mesh.merging().vertices(k, cell), Eigen::all);
         const Eigen::RowVectorXd extent =
             corners.colwise().maxCoeff() - corners.colwise().minCoeff();
         Axes axes = 0;
@@ -122,13 +122,13 @@ LayerMemory memory(const SparseMatrix& d, const Cells& rows, const Cells& column
 }
 
 void check(const Discretization& mesh, const AbsorbingLayer& layer) {
-    if (mesh.points().cols() == 0 || !mesh.passage().is_identity())
+    if (mesh.measured_points().cols() == 0 || !mesh.passage().is_identity())
         throw InvalidInput("an absorbing layer needs the coordinates of the cells: expected a mesh "
                            "with points, without flips");
     if (!layer.sides.empty())
-        check_as_many("pairs of sides", std::ssize(layer.sides), mesh.points().cols());
+        check_as_many("pairs of sides", std::ssize(layer.sides), mesh.measured_points().cols());
     const Eigen::RowVectorXd extent =
-        mesh.points().colwise().maxCoeff() - mesh.points().colwise().minCoeff();
+        mesh.measured_points().colwise().maxCoeff() - mesh.measured_points().colwise().minCoeff();
     double smallest = std::numeric_limits<double>::infinity();
     for (int a = 0; a < extent.size(); ++a)
         if (layer.sides.empty() ? extent[a] > 0 : layer.sides[a][0] || layer.sides[a][1])
@@ -174,7 +174,7 @@ LayerParts layer_parts(const Discretization& mesh, const ConditionedComplex& spa
                        const SparseMatrix& d, int e_degree, int b_degree,
                        const AbsorbingLayer& layer, double time_step) {
     check(mesh, layer);
-    const Profile profile(mesh.points(), layer);
+    const Profile profile(mesh.measured_points(), layer);
     const Cells E = cells_of(mesh, space.relative.cells[e_degree], e_degree);
     const Cells B = cells_of(mesh, space.relative.cells[b_degree], b_degree);
     if (layer.kind != LayerKind::conducting) {

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "dec/advice.h"
 #include "dec/forms/star.h"
+#include "meshes/unit_of_length.h"
 #include "solvers/spectra/laplacian_pencil.h"
 #include "solvers/spectra/mass.h"
 #include "solvers/spectra/positive_mass.h"
@@ -160,6 +161,8 @@ Leapfrog::Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Si
                    const LeapfrogOptions& options, const Discretization* mesh)
     : unit_(mesh ? mesh->unit() : 1),
       time_step_(checked_step(space, side, degree, options.time_step, unit_)),
+      energy_power_((side == Side::primal ? 1 : -1) *
+                    (whole.dimension() - 2 * degrees(whole, side, degree).E)),
       d_(derivative(space, side, degree)),
       inverse_mass_(side == Side::primal
                         ? Operator::inverse_star(space.stars[degrees(whole, side, degree).E])
@@ -257,10 +260,22 @@ void Leapfrog::step(Vector& E, Vector& B) const {
     B = std::move(state.B);
 }
 
-double Leapfrog::energy(const Vector& E, const Vector& B) const {
+double Leapfrog::measured_energy(const Vector& E, const Vector& B) const {
     const Vector e = E_.restricted(E, "E"), b = B_.restricted(B, "B") / unit_;
     const Vector next = b - time_step_ * (d_ * e);
     return (e.dot(E_.mass * e) + b.dot(B_.mass * next)) / 2;
+}
+
+double Leapfrog::energy(const Vector& E, const Vector& B) const {
+    return in_input_units(Vector::Constant(1, measured_energy(E, B)), unit_, energy_power_,
+                          "the energy")[0];
+}
+
+std::optional<double> Leapfrog::relative_energy(const WaveState& state,
+                                                const WaveState& other) const {
+    const double now = measured_energy(state.E, state.B);
+    const double then = measured_energy(other.E, other.B);
+    return then > 0 ? std::optional(now / then) : std::nullopt;
 }
 
 } // namespace polydec

@@ -7,6 +7,7 @@
 #include "solvers/absorbing_layer.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace polydec {
@@ -72,9 +73,14 @@ public:
     void step(Vector& E, Vector& B) const;
 
     /// Half of <E, E> + <B, B'>, B' being the B after the next half of a step without sources and
-    /// losses: conserved to rounding by every such step. Positive for stable steps. In the unit of
-    /// the mesh, as its stars are. Throws likewise.
+    /// losses: conserved to rounding by every such step. Positive for stable steps. Units length^(n
+    /// - 2k) of primal k-forms E, length^(2k - n) of duals of k-cells. Throws likewise, and where
+    /// it is no number of double precision.
     double energy(const Vector& E, const Vector& B) const;
+
+    /// The energy of a state over that of another, whatever the size of the mesh; none where the
+    /// other has none.
+    std::optional<double> relative_energy(const WaveState& state, const WaveState& other) const;
 
     double time_step() const { return unit_ * time_step_; }
 
@@ -101,9 +107,12 @@ private:
     Leapfrog(const CellComplex& whole, const ConditionedComplex& space, Side side, int degree,
              const LeapfrogOptions& options, const Discretization* mesh);
 
+    double measured_energy(const Vector& E, const Vector& B) const;
+
     static Field field(const CellComplex& whole, const ConditionedComplex& space, Side side, int k);
 
     double unit_, time_step_; // in this unit, as all behind it but E and B of a step
+    int energy_power_;        // of length
     Operator d_, inverse_mass_;
     Field E_, B_;
     LayerKind layer_ = LayerKind::automatic;

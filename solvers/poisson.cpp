@@ -232,9 +232,8 @@ struct PoissonSolver::Problem {
                       [&](const Vector& weights) { return boundary_star(mesh, 0, weights); })
                 : dual(mesh.complex(), mesh.stars(), options, facet_duals(mesh));
         problem.unit = mesh.unit();
-        problem.sites =
-            mesh.unit() * (options.side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh));
-        problem.flux_sites = mesh.unit() * facet_sites(mesh);
+        problem.sites = options.side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
+        problem.flux_sites = facet_sites(mesh);
         constexpr const char* spoiled = "the solution may be far off there";
         problem.warnings =
             options.side == Side::primal

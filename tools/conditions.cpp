@@ -66,14 +66,14 @@ std::optional<BoundaryConditions> ConditionValues::without_robin(const Discretiz
     if (!essential_on_.empty())
         result = essential_on(mesh, essential_on_);
     else if (essential_where_) {
-        for (const double value : essential_where_->at(mesh.unit() * facet_sites(mesh)))
+        for (const double value : essential_where_->at(facet_sites(mesh)))
             result.facets.push_back(value != 0 ? BoundaryCondition::essential
                                                : BoundaryCondition::natural);
         require_essential(mesh.complex(), result, "--essential-where");
     } else if (!natural_ && !fixed_where_)
         return std::nullopt;
     if (fixed_where_) {
-        for (const double value : fixed_where_->at(mesh.unit() * cell_centers(mesh, 0)))
+        for (const double value : fixed_where_->at(cell_centers(mesh, 0)))
             result.fixed_vertices.push_back(value != 0);
         if (std::count(result.fixed_vertices.begin(), result.fixed_vertices.end(), true) == 0)
             throw InvalidInput(fmt::format("--fixed-where: it is 0 at all {} vertices: expected "

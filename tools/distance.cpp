@@ -37,7 +37,7 @@ std::vector<Index> sources(const Discretization& mesh, const DistanceArguments& 
     if (!arguments.from_on.empty())
         cells = vertices_on(mesh, arguments.from_on);
     if (where) {
-        const Vector values = where->at(mesh.unit() * cell_centers(mesh, 0));
+        const Vector values = where->at(cell_centers(mesh, 0));
         for (Index v = 0; v < values.size(); ++v)
             if (values[v] != 0)
                 cells.push_back(v);

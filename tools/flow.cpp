@@ -49,7 +49,7 @@ struct Given {
           open_on(arguments.open_on) {}
 
     FlowOptions options(const Discretization& mesh, FlowOptions options) const {
-        const Points facets = mesh.unit() * facet_sites(mesh);
+        const Points facets = facet_sites(mesh);
         options.facets.assign(static_cast<std::size_t>(facets.rows()), FlowBoundary::free_slip);
         const auto mark = [&](const ComponentValues& where, const std::vector<std::string>& groups,
                               FlowBoundary kind) {
@@ -70,13 +70,13 @@ struct Given {
             options.boundary_flux = flux_through_boundary(mesh, options.wall_velocity);
         }
         if (rotation.given())
-            options.rotation = rotation.at(mesh.unit() * cell_centers(mesh, 0));
+            options.rotation = rotation.at(cell_centers(mesh, 0));
         return options;
     }
 
     /// Fluxes that a flow begins with; to be projected.
     Vector start(const Discretization& mesh) const {
-        const Points sites = mesh.unit() * cell_centers(mesh, 0);
+        const Points sites = cell_centers(mesh, 0);
         if (vorticity.given())
             return flow_of_vorticity(mesh, vorticity.at(sites));
         if (velocity.given())
@@ -95,15 +95,6 @@ std::string boundary_in_words(const std::vector<FlowBoundary>& facets, const Cel
         return "no boundary";
     return fmt::format("boundary facets: {} with free slip, {} without slip, {} open", counts[0],
                        counts[1], counts[2]);
-}
-
-/// What is a number in the units of the file.
-std::optional<double> in_range(const std::function<double()>& number) {
-    try {
-        return number();
-    } catch (const InvalidInput&) {
-        return std::nullopt;
-    }
 }
 
 struct Flowed : Answer {

@@ -48,8 +48,7 @@ CellData cell_values(const Discretization& mesh, const SiteValues& values) {
         return values.at(Points(count_input_cells(mesh), 0));
     const int n = mesh.dimension();
     const bool has_points = mesh.ambient_dimension() > 0;
-    const Points sites = has_points ? Points(mesh.unit() * cell_centroids(mesh, n))
-                                    : Points(mesh.complex().size(n), 0);
+    const Points sites = has_points ? cell_centroids(mesh, n) : Points(mesh.complex().size(n), 0);
     return CellData::on_cells(values.at(sites, mesh.tags()));
 }
 
@@ -108,7 +107,7 @@ Cochain FormValues::on(const Discretization& mesh, Side side, int degree, double
     if (degree > 0)
         return {side, degree, integrals(mesh, side, degree, coefficients_, time)};
     const Points sites = side == Side::primal ? cell_centers(mesh, 0) : dual_sites(mesh);
-    return {side, degree, coefficients_.front().at(mesh.unit() * sites, time)};
+    return {side, degree, coefficients_.front().at(sites, time)};
 }
 
 Vector FormValues::on_boundary(const Discretization& mesh, Side side, int degree,
@@ -119,7 +118,7 @@ Vector FormValues::on_boundary(const Discretization& mesh, Side side, int degree
         throw InvalidInput(fmt::format("{} of a dual {}-form: expected a 0-form, or a primal one",
                                        option_, degree));
     check_count(mesh, degree);
-    return coefficients_.front().at(mesh.unit() * cell_centers(mesh, mesh.dimension() - 1), time);
+    return coefficients_.front().at(cell_centers(mesh, mesh.dimension() - 1), time);
 }
 
 Vector FormValues::through_boundary(const Discretization& mesh, Side side, int degree,
@@ -128,7 +127,7 @@ Vector FormValues::through_boundary(const Discretization& mesh, Side side, int d
         throw InvalidInput(fmt::format(
             "{} of a {}-form: expected a 0-form, whose outward derivative it is", option_, degree));
     check_count(mesh, degree);
-    const Points sites = mesh.unit() * facet_sites(mesh);
+    const Points sites = facet_sites(mesh);
     return outward_flow(mesh, side, coefficients_.front().at(sites, time));
 }
 

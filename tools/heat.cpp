@@ -146,7 +146,8 @@ std::function<Vector(double)> in_time(const std::optional<FormValues>& values,
 }
 
 /// What errors of steps are measured by: the largest coefficient of the start, of the source over
-/// the time, and of what is given on the boundary. 1 where these are 0.
+/// the time, and of what is given on the boundary: a slope there goes as deep as heat comes. 1
+/// where these are 0.
 double largest_of(const Heat& heat) {
     const auto& [side, degree, values] = heat.start;
     const double until = heat.arguments.time.until;
@@ -156,6 +157,11 @@ double largest_of(const Heat& heat) {
             largest = std::max(
                 largest, until * largest_coefficient(heat.mesh,
                                                      heat.source->on(heat.mesh, side, degree, t)));
+        if (heat.flux)
+            largest = std::max(
+                largest,
+                std::sqrt(until) *
+                    heat.flux->on_boundary(heat.mesh, Side::dual, 0, t).cwiseAbs().maxCoeff());
         if (!heat.boundary)
             continue;
         const Vector given = heat.boundary->on_boundary(heat.mesh, side, degree, t);

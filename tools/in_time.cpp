@@ -233,6 +233,14 @@ Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh
     return {first, frames + 1};
 }
 
+std::optional<double> in_range(const std::function<double()>& number) {
+    try {
+        return number();
+    } catch (const InvalidInput&) {
+        return std::nullopt;
+    }
+}
+
 std::optional<double> part_of(double now, double before) {
     return before > 0 ? std::optional(now / before) : std::nullopt;
 }

@@ -70,6 +70,9 @@ Ran run(March& march, const TimeArguments& arguments, const Discretization& mesh
 
 /// A number as a part of that at the beginning; none if there was nothing.
 std::optional<double> part_of(double now, double before);
+
+/// A number in the units of the file; none where double precision has no such number.
+std::optional<double> in_range(const std::function<double()>& number);
 std::string in_words(const std::optional<double>& part);
 
 /// Of the JSON object of an answer, and of its text.

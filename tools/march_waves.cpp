@@ -4,7 +4,6 @@
 #include "dec/conditioned_complex.h"
 #include "dec/forms/cochain.h"
 #include "io/diagnosis_json.h"
-#include "meshes/unit_of_length.h"
 #include "tools/picture.h"
 
 #include <fmt/format.h>
@@ -133,7 +132,7 @@ void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArgu
     text.facts = {problem.equation, answer.conditions, in_words(answer.stars)};
     March march{problem.what, in_page(std::move(text), log), answer.steps, {}, {}, {}, {}};
     march.state = at_rest(problem, mesh, answer.steps.length);
-    const double before = leapfrog.energy(march.state[of_E], march.state[of_B]);
+    const WaveState before{march.state[of_E], march.state[of_B]};
     march.step = [&](std::vector<Vector>& state) { step(leapfrog, problem, state); };
     march.shown = [&](const std::vector<Vector>& state) {
         return std::vector{
@@ -143,11 +142,9 @@ void march_waves(WaveProblem problem, const Discretization& mesh, const MeshArgu
     answer.ran = run(march, time, mesh);
     answer.min = march.state[of_E].minCoeff();
     answer.max = march.state[of_E].maxCoeff();
-    const double after = leapfrog.energy(march.state[of_E], march.state[of_B]);
-    const int power = (side == Side::primal ? 1 : -1) *
-                      (mesh.dimension() - 2 * cell_degree(mesh.complex(), side, degree));
-    answer.energy = in_input_units(after, mesh.unit(), power);
-    answer.relative_energy = part_of(after, before);
+    const WaveState after{march.state[of_E], march.state[of_B]};
+    answer.energy = in_range([&] { return leapfrog.energy(after.E, after.B); });
+    answer.relative_energy = leapfrog.relative_energy(after, before);
     tell(answer, log, arguments.tell);
 }
 

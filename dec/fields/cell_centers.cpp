@@ -116,7 +116,8 @@ private:
 Points mean_over_cells(const Discretization& mesh, int k, const Points& coordinates) {
     if (mesh.box())
         return k == 0 ? mesh.box()->vertices() : PlacesInBox(mesh, k).means(coordinates);
-    const Points places = Places(mesh.passage(), mesh.points()).at(k, coordinates, mesh.points());
+    const Points places =
+        Places(mesh.passage(), mesh.measured_points()).at(k, coordinates, mesh.measured_points());
     return mean_over_cells(mesh.merging(), places, mesh.piece_volumes(), k);
 }
 
@@ -159,7 +160,8 @@ Points cell_centers(const Discretization& discretization, int k) {
     cell_degree(discretization.complex(), Side::primal, k);
     if (!has_places(discretization))
         return Points(discretization.complex().size(k), 0);
-    return mean_over_cells(discretization, k,
+    return discretization.unit() *
+           mean_over_cells(discretization, k,
                            center_coordinates(discretization.pieces(), discretization.metric(),
                                               discretization.centers(), k));
 }
@@ -174,7 +176,8 @@ Points cell_centroids(const Merging& merging, const Points& points, const CellVo
 
 Points cell_centroids(const Discretization& discretization, int k) {
     require_points(discretization.ambient_dimension(), "a cell's centroid");
-    return mean_over_cells(discretization, k, middles(discretization.pieces(), k));
+    return discretization.unit() *
+           mean_over_cells(discretization, k, middles(discretization.pieces(), k));
 }
 
 Points site_coordinates(const Discretization& discretization) {
@@ -197,8 +200,8 @@ Points sites_of_pieces(const Discretization& discretization) {
     const int n = discretization.dimension();
     const Points coordinates = site_coordinates(discretization);
     if (!discretization.box())
-        return Places(discretization.passage(), discretization.points())
-            .at(n, coordinates, discretization.points());
+        return Places(discretization.passage(), discretization.measured_points())
+            .at(n, coordinates, discretization.measured_points());
     const auto [points, corners] = discretization.places();
     Points result = Points::Zero(coordinates.rows(), points.cols());
     for (Index t = 0; t < result.rows(); ++t)
@@ -211,7 +214,8 @@ Points dual_sites(const Discretization& discretization) {
     const int n = discretization.dimension();
     if (!has_places(discretization))
         return cell_centers(discretization, n);
-    return mean_over_cells(discretization, n, site_coordinates(discretization));
+    return discretization.unit() *
+           mean_over_cells(discretization, n, site_coordinates(discretization));
 }
 
 Points facet_sites(const Discretization& discretization) {

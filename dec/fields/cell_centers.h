@@ -18,11 +18,12 @@ Points cell_centers(const Merging& merging, const Points& points, const CellVolu
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
                       int k);
 
-/// The same on the cells of a bundle; centers where only lengths are known have as many rows
-/// without coordinates. After intrinsic flips they are places on the triangles of the input, where
-/// centers and centroids of the flipped ones are found on the surface; centers beyond its boundary
-/// go on as the corners of the last triangle lie. Cells of a glued mesh are where one of the
-/// n-cells around them lies in the box, vertices at their first place there.
+/// The same on the cells of a bundle, in the units of the input; centers where only lengths are
+/// known have as many rows without coordinates. After intrinsic flips they are places on the
+/// triangles of the input, where centers and centroids of the flipped ones are found on the
+/// surface; centers beyond its boundary go on as the corners of the last triangle lie. Cells of a
+/// glued mesh are where one of the n-cells around them lies in the box, vertices at their first
+/// place there.
 Points cell_centers(const Discretization& discretization, int k);
 Points cell_centroids(const Discretization& discretization, int k);
 
@@ -32,7 +33,7 @@ Points cell_centroids(const Discretization& discretization, int k);
 Points dual_sites(const Discretization& discretization);
 
 /// The barycentric coordinates of these sites, or of the centers, in each n-piece: n + 1 in a row;
-/// and where these places of the pieces are.
+/// and where these places of the pieces are, in unit().
 Points site_coordinates(const Discretization& discretization);
 Points sites_of_pieces(const Discretization& discretization);
 

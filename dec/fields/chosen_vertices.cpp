@@ -45,7 +45,7 @@ std::vector<Index> boundary_vertices(const Discretization& mesh) {
 std::vector<Index> vertices_where(const Discretization& mesh,
                                   const std::function<bool(const Vector& point)>& predicate) {
     require_points(mesh.ambient_dimension(), "a vertex chosen by its place");
-    const Points points = mesh.unit() * cell_centers(mesh, 0);
+    const Points points = cell_centers(mesh, 0);
     std::vector<bool> marks;
     for (Index v = 0; v < points.rows(); ++v)
         marks.push_back(predicate(points.row(v).transpose()));

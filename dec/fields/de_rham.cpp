@@ -246,9 +246,9 @@ Vector in_input_units_of(const Discretization& mesh, int j, const Vector& integr
 
 Cochain de_rham(const Discretization& mesh, int k, const SmoothForm& form, int quadrature_degree) {
     const Discretization& at = placed(mesh);
-    const Vector values = in_input_units_of(
-        mesh, k,
-        de_rham(at.input(), at.input_points(), k, in_unit_of(mesh, form), quadrature_degree));
+    const Vector values = in_input_units_of(mesh, k,
+                                            de_rham(at.input(), at.measured_input_points(), k,
+                                                    in_unit_of(mesh, form), quadrature_degree));
     return to_merged(mesh, {Side::primal, k, from_places(mesh, k, values)});
 }
 
@@ -282,7 +282,8 @@ Vector inverse_star_de_rham(const Discretization& mesh, int j, const SmoothForm&
                             int quadrature_degree) {
     const Discretization& at = placed(mesh);
     if (!mesh.box())
-        return inverse_star_de_rham(at.input(), at.input_points(), j, form, quadrature_degree);
+        return inverse_star_de_rham(at.input(), at.measured_input_points(), j, form,
+                                    quadrature_degree);
     require_form(form);
     const int k = mesh.dimension() - j;
     const auto [points, corners] = mesh.places();
@@ -330,10 +331,10 @@ Cochain dual_integrals(const Discretization& mesh, int j, const SmoothForm& form
         return values_at_sites(mesh, form); // integrals over duals are those of the volumes
     const Discretization& at = placed(mesh);
     const Integral integral(form, N, j, quadrature_degree);
-    const Places places(at.passage(), at.points());
+    const Places places(at.passage(), at.measured_points());
     const auto centers_of = [&](int i) {
         Points rows = places.at(i, center_coordinates(at.pieces(), at.metric(), at.centers(), i),
-                                at.points());
+                                at.measured_points());
         if (i == at.dimension())
             fill_flat_pieces(at, rows);
         return rows;
@@ -351,17 +352,17 @@ Vector boundary_integrals(const Discretization& mesh, int j, const SmoothForm& f
     const auto boundary = boundary_facets(mesh);
     const int k = n - 1 - j;
     if (j > 0 && !mesh.stars()[n - j].is_diagonal()) {
-        WhitneyMoments moments(at.pieces(), at.points(), j, form, quadrature_degree);
+        WhitneyMoments moments(at.pieces(), at.measured_points(), j, form, quadrature_degree);
         return mesh.lift()[k].transpose() *
                sums_from_places(mesh, k, moments.on_the_boundary(boundary));
     }
     const Integral integral(form, N, j, quadrature_degree);
-    const Places places(at.passage(), at.points());
+    const Places places(at.passage(), at.measured_points());
     const Centers of_facets =
         j == 0 && !mesh.stars()[n - 1].is_diagonal() ? Centers::centroids() : at.centers();
     const auto centers_of = [&](int i) {
         return places.at(i, center_coordinates(at.pieces(), at.metric(), of_facets, i),
-                         at.points());
+                         at.measured_points());
     };
     DualIntegrals duals(at.pieces(), N, k, integral, centers_of, n - 1);
     const Vector of_pieces = sums_from_places(mesh, k, duals.on_the_boundary(boundary));

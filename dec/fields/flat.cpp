@@ -31,8 +31,8 @@ bool is_primal(Flat kind) {
 void check_field(const Discretization& mesh, bool at_vertices, const DenseMatrix& field) {
     const auto N = mesh.ambient_dimension();
     require_points(N, "a flat");
-    const auto rows =
-        at_vertices ? mesh.points().rows() : Eigen::Index(mesh.complex().size(mesh.dimension()));
+    const auto rows = at_vertices ? mesh.measured_points().rows()
+                                  : Eigen::Index(mesh.complex().size(mesh.dimension()));
     const char* place = at_vertices ? "vertex" : "merged cell";
     if (field.rows() != rows || field.cols() != N)
         throw InvalidInput(fmt::format("a field of {} x {} numbers is given: expected are {} x {}, "
@@ -73,7 +73,8 @@ Points copied_to_pieces(const Discretization& mesh, const DenseMatrix& field) {
 /// The product of the mean of the vectors of both ends with each edge of the input.
 Vector along_edges(const Discretization& mesh, const DenseMatrix& field) {
     const Discretization& at = placed(mesh);
-    const DenseMatrix edges = from_places(mesh, 1, edge_vectors(at.input(), at.input_points()));
+    const DenseMatrix edges =
+        from_places(mesh, 1, edge_vectors(at.input(), at.measured_input_points()));
     const Points of_input = field.topRows(mesh.input().size(0)); // splits have made the others
     return edges.cwiseProduct(means(mesh.input(), of_input, 1)).rowwise().sum();
 }
@@ -95,7 +96,7 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
                                           mesh.dimension(), mesh.centers());
     const DenseMatrix sums = parts.transpose() * DenseMatrix(copied_to_pieces(mesh, field));
     const Discretization& at = placed(mesh);
-    const DenseMatrix edges = from_places(mesh, 1, edge_vectors(at.pieces(), at.points()));
+    const DenseMatrix edges = from_places(mesh, 1, edge_vectors(at.pieces(), at.measured_points()));
     Vector result = sums.cwiseProduct(edges).rowwise().sum();
 
     // edges inside of merged cells count for nothing, and their duals may well vanish
@@ -113,8 +114,8 @@ template <class VectorOf>
 Vector along_dual_edges(const Discretization& mesh, const Places& places, VectorOf vector) {
     const auto& K = mesh.pieces();
     const int n = mesh.dimension();
-    const Points centers = at_centers(mesh, places, mesh.points(), n);
-    const Points facet_centers = at_centers(mesh, places, mesh.points(), n - 1);
+    const Points centers = at_centers(mesh, places, mesh.measured_points(), n);
+    const Points facet_centers = at_centers(mesh, places, mesh.measured_points(), n - 1);
     const double sign = n % 2 == 0 ? 1 : -1;
     Vector result = Vector::Zero(K.size(n - 1));
     for (Index t = 0; t < K.size(n); ++t)
@@ -131,7 +132,7 @@ Vector along_dual_edges(const Discretization& mesh, Flat kind, const DenseMatrix
     const Discretization& at = placed(mesh);
     const Points field = is_at_vertices(kind) ? to_places(mesh, 0, given)
                                               : to_places(mesh, n, copied_to_pieces(mesh, given));
-    const Places places(at.passage(), at.points());
+    const Places places(at.passage(), at.measured_points());
     if (kind == Flat::ppd) {
         const Points cells = at_centers(at, places, field, n);
         const Points facets = at_centers(at, places, field, n - 1);
@@ -149,7 +150,7 @@ Cochain star_of_fluxes(const Discretization& mesh, bool at_vertices, const Dense
     const int n = mesh.dimension();
     const bool straight = at_vertices || mesh.passage().is_identity();
     const Pieces& K = at_vertices ? mesh.input() : mesh.pieces();
-    const Points& points = straight ? mesh.places().points : mesh.points();
+    const Points& points = straight ? mesh.places().points : mesh.measured_points();
     const Simplices& corners = straight ? mesh.places().corners : K.simplices(n);
     const Points of_facets = at_vertices ? means(K, field.topRows(K.size(0)), n - 1) : Points();
     const Points of_cells = at_vertices ? Points() : copied_to_pieces(mesh, field);

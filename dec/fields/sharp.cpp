@@ -80,7 +80,7 @@ constexpr double rank_tolerance = 1e-12;
 DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
     const int n = mesh.dimension();
     const bool straight = mesh.passage().is_identity();
-    const Points& points = straight ? mesh.places().points : mesh.points();
+    const Points& points = straight ? mesh.places().points : mesh.measured_points();
     const Simplices& tops = straight ? mesh.places().corners : mesh.pieces().simplices(n);
     const auto N = points.cols();
     DenseMatrix sum = DenseMatrix::Zero(N, N);
@@ -145,7 +145,7 @@ DenseMatrix sharp_pd(const Discretization& mesh, const Cochain& form) {
     const SparseMatrix weights = edge_weights(mesh);
     const Discretization& at = placed(mesh);
     const DenseMatrix edges = mesh.merging().diamond(1).cast<double>() *
-                              from_places(mesh, 1, edge_vectors(at.pieces(), at.points()));
+                              from_places(mesh, 1, edge_vectors(at.pieces(), at.measured_points()));
     const auto N = mesh.ambient_dimension();
     DenseMatrix result(weights.rows(), N);
     for (Index cell = 0; cell < weights.rows(); ++cell) {
@@ -197,7 +197,7 @@ DenseMatrix flux_sharp(const Discretization& mesh, const Cochain& form) {
             result.row(cell) += sign * form.values[f] * (facets.row(f) - centroids.row(cell));
         result.row(cell) /= mesh.volumes().primal(n)[cell];
     }
-    return in_input_units(DenseMatrix(result), mesh.unit(), 1 - n, "vectors");
+    return in_input_units(DenseMatrix(result), mesh.unit(), -n, "vectors");
 }
 
 } // namespace polydec

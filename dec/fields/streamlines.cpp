@@ -79,7 +79,7 @@ Tracer::Tracer(const Discretization& mesh, const DenseMatrix& vectors,
       spacing_(options.spacing),
       longest_(options.longest),
       shortest_(options.shortest) {
-    const Points& points = mesh.points();
+    const Points& points = mesh.measured_points();
     if (!mesh.passage().is_identity() || points.cols() == 0)
         throw InvalidInput(
             "edges were flipped, or only lengths are known: lines along a field need "
@@ -119,7 +119,7 @@ void Tracer::find_neighbors() {
 
 /// How barycentric coordinates change along each corner's vector.
 void Tracer::find_rates(const DenseMatrix& vectors) {
-    const Points& points = mesh_.points();
+    const Points& points = mesh_.measured_points();
     const auto& simplices = pieces_.simplices(n_);
     const auto& carriers = mesh_.merging().carriers(n_);
     DenseMatrix at_vertices = DenseMatrix::Zero(points.rows(), points.cols());
@@ -143,7 +143,7 @@ void Tracer::find_rates(const DenseMatrix& vectors) {
 
 /// Simplices whose centroids are near each other, numbered by place.
 void Tracer::find_bins() {
-    const Points& points = mesh_.points();
+    const Points& points = mesh_.measured_points();
     const auto& simplices = pieces_.simplices(n_);
     std::vector<std::vector<std::int64_t>> keys(static_cast<std::size_t>(pieces_.size(n_)));
     for (Index t = 0; t < pieces_.size(n_); ++t) {
@@ -169,10 +169,10 @@ void Tracer::find_bins() {
 }
 
 Vector Tracer::place(const Spot& spot) const {
-    Vector sum = Vector::Zero(mesh_.points().cols());
+    Vector sum = Vector::Zero(mesh_.measured_points().cols());
     for (int i = 0; i <= n_; ++i)
         sum += spot.barycentric[i] *
-               mesh_.points().row(pieces_.simplices(n_)(spot.simplex, i)).transpose();
+               mesh_.measured_points().row(pieces_.simplices(n_)(spot.simplex, i)).transpose();
     return sum;
 }
 
@@ -310,7 +310,7 @@ Mesh Tracer::lines() {
         if (length(line) > shortest_ * spacing_)
             add(line);
     }
-    Mesh result{Points(std::ssize(points_), mesh_.points().cols()),
+    Mesh result{Points(std::ssize(points_), mesh_.measured_points().cols()),
                 Simplices(std::ssize(ends_) / 2, 2),
                 {}};
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -323,13 +323,16 @@ Mesh Tracer::lines() {
 } // namespace
 
 Mesh streamlines(const Discretization& mesh, const DenseMatrix& vectors,
-                 const StreamlineOptions& options) {
+                 StreamlineOptions options) {
     if (mesh.box()) {
         const int n = mesh.dimension();
         check_as_many("vectors of cells", vectors.rows(), mesh.complex().size(n));
         return streamlines(placed(mesh), vectors(cells_of_places(mesh, n), Eigen::all), options);
     }
-    return Tracer(mesh, vectors, options).lines();
+    options.spacing /= mesh.unit();
+    Mesh lines = Tracer(mesh, vectors, options).lines();
+    lines.points *= mesh.unit();
+    return lines;
 }
 
 } // namespace polydec

@@ -54,7 +54,7 @@ SparseMatrix back(const Discretization& mesh, FormKind kind) {
 Vector means_over_input(const Discretization& mesh, const Vector& values) {
     const int n = mesh.dimension();
     const Pieces &K = mesh.input(), &pieces = mesh.pieces();
-    const Overlay common = overlay(mesh.passage(), mesh.points());
+    const Overlay common = overlay(mesh.passage(), mesh.measured_points());
     Vector sums = Vector::Zero(K.size(n)), areas = sums;
     for (Index p = 0; p < common.size(); ++p) {
         areas[common.input[p]] += common.areas[p];

@@ -79,7 +79,7 @@ void add_arrows(Page& page, const std::string& field, const Discretization& mesh
     if (form.degree != 1 || n < 2)
         return;
     try {
-        PageArrows arrows{field, mesh.unit() * cell_centroids(mesh, n), {}};
+        PageArrows arrows{field, cell_centroids(mesh, n), {}};
         if (form.side == Side::primal)
             arrows.vectors = sharp_pd(mesh, form);
         else

@@ -274,7 +274,7 @@ private:
                 lines.push_back(cell);
                 lines.push_back(static_cast<Index>(cells.rows()) + f.face);
             }
-        data_.add_floats("dual_points", centered(mesh.unit() * both));
+        data_.add_floats("dual_points", centered(both));
         data_.add("dual_lines", lines, 2);
     }
 

@@ -158,7 +158,7 @@ Points by_number(const Discretization& mesh, const Points& rows, const Points& o
 
 /// The points of the input, by its numbers and in its units.
 Points points_of_input(const Discretization& mesh) {
-    return mesh.unit() * by_number(mesh, mesh.input_points(), mesh.isolated());
+    return by_number(mesh, mesh.input_points(), mesh.isolated());
 }
 
 /// By these numbers.
@@ -232,7 +232,7 @@ PolygonMesh polygon_mesh(const Discretization& given) {
         result.points = points_of_input(mesh);
         return result;
     }
-    Overlay pieces = overlay(mesh.passage(), mesh.points());
+    Overlay pieces = overlay(mesh.passage(), mesh.measured_points());
     return {mesh.unit() * pieces.points, std::move(pieces.corners), std::move(pieces.offsets)};
 }
 

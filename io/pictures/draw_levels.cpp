@@ -24,8 +24,7 @@ LevelSets level_sets(const Discretization& given, const Cochain& form, const Vec
     const Discretization& mesh = placed(given);
     require_points(mesh.input(), mesh.input_points(), "level sets");
     check(given.complex(), form);
-    const Mesh cells{
-        mesh.unit() * mesh.input_points(), mesh.input().simplices(mesh.dimension()), {}};
+    const Mesh cells{mesh.input_points(), mesh.input().simplices(mesh.dimension()), {}};
     LevelSets sets = level_sets(cells, form_at_places(given, form).values, levels);
     if (given.box())
         for (Index& owner : sets.owners)

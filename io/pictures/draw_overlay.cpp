@@ -13,7 +13,7 @@ namespace polydec {
 
 VtuGrid draw_overlay(const Discretization& discretization) {
     check_drawable(2, static_cast<int>(discretization.points().cols()));
-    Overlay pieces = overlay(discretization.passage(), discretization.points());
+    Overlay pieces = overlay(discretization.passage(), discretization.measured_points());
     const auto& cells = discretization.merging().carriers(2);
     VtuGrid grid;
     grid.points = discretization.unit() * pieces.points;

@@ -124,8 +124,9 @@ void add_parts(py::class_<Discretization>& type) {
     type.def_property_readonly("points",
                                [](const py::object& self) {
                                    const auto& mesh = self.cast<Discretization&>();
-                                   const Points& points =
-                                       mesh.box() ? mesh.box()->vertices() : mesh.points();
+                                   if (mesh.box())
+                                       return array(cell_centers(mesh, 0));
+                                   const Points& points = mesh.points();
                                    return view(points.data(), {points.rows(), points.cols()}, self);
                                })
         .def_property_readonly("calculus",

@@ -54,15 +54,11 @@ class Complex(Cells):
 
     @property
     def points(self) -> Floats:
-        return self._placed(points_of(self._mesh))
+        return points_of(self._mesh)
 
     @property
     def vertices(self) -> Integers:
         return self._mesh.vertices
-
-    def _placed(self, places: Floats) -> Floats:
-        """Places in the units of the input."""
-        return places if self.unit == 1 else self.unit * places
 
     @property
     def box(self) -> Complex:
@@ -159,19 +155,19 @@ class Complex(Cells):
 
     def centers(self, k: int) -> Floats:
         """Circumcenters of the k-cells, a row each."""
-        return self._placed(self._mesh.centers(k))
+        return self._mesh.centers(k)
 
     def centroids(self, k: int) -> Floats:
         """Centroids of the k-cells, where vector fields made of forms belong, a row each."""
-        return self._placed(self._mesh.centroids(k))
+        return self._mesh.centroids(k)
 
     def dual_sites(self) -> Floats:
         """Where values of dual 0-forms are: centers of the n-cells, or centroids by the stars."""
-        return self._placed(self._mesh.dual_sites())
+        return self._mesh.dual_sites()
 
     def facet_sites(self) -> Floats:
         """Where values on the boundary and through it are: places on the (n-1)-cells."""
-        return self._placed(self._mesh.facet_sites())
+        return self._mesh.facet_sites()
 
     def cells(self, k: int) -> CellList:
         """The vertices of the k-cells: around them for k = 2, else ascending.

@@ -38,7 +38,7 @@ def at_cells(cells: Cells, rows: npt.NDArray[Any]) -> npt.NDArray[Any]:
 
 
 def points_of(mesh: _core.Discretization) -> Floats:
-    """Those of all vertices, in the unit of the mesh; nan where a place is not known."""
+    """Those of all vertices, nan where a place is not known."""
     if mesh.vertex_count == len(mesh.points):
         return mesh.points
     result = np.full((mesh.vertex_count, mesh.points.shape[1]), np.nan)

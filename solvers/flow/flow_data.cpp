@@ -39,7 +39,7 @@ Vector flux_through_boundary(const Discretization& mesh, const Points& velocity)
     const auto [points, corners] = mesh.places();
     require_points(points.cols(), "a velocity at the boundary");
     if (!mesh.passage().is_identity())
-        require_straight(K, mesh.points(), "a velocity at the boundary");
+        require_straight(K, mesh.measured_points(), "a velocity at the boundary");
     check_as_many("velocities at facets", velocity.rows(), mesh.complex().size(n - 1));
     check_as_many("components of velocities", velocity.cols(), points.cols());
     Vector flux = Vector::Zero(velocity.rows());

@@ -85,7 +85,8 @@ Vector along_walls(const Discretization& mesh, const FlowOptions& options) {
     Vector result = Vector::Zero(complex.size(n - 2));
     if (options.wall_velocity.size() == 0)
         return result;
-    const Points facets = cell_centers(mesh, n - 1), edges = cell_centers(mesh, n - 2);
+    const Points facets = cell_centers(mesh, n - 1) / mesh.unit();
+    const Points edges = cell_centers(mesh, n - 2) / mesh.unit();
     const SparseMatrix cells = derivative(complex, n - 1).transpose();
     const auto& cofaces = complex.coface_counts(n - 1);
     for (Index f = 0; f < complex.size(n - 1); ++f)

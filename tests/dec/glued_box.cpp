@@ -365,10 +365,9 @@ TEST(GluedBox, is_measured_in_the_unit_of_the_mesh) {
     tiny.quotient.lengths *= size;
     const auto mesh = circumcentric(tiny), usual = circumcentric(unit_diamond(3));
     ASSERT_NE(mesh.unit(), 1);
-    EXPECT_LE((mesh.unit() / size * cell_centroids(mesh, 2) - cell_centroids(usual, 2))
-                  .cwiseAbs()
-                  .maxCoeff(),
+    EXPECT_LE((cell_centroids(mesh, 2) / size - cell_centroids(usual, 2)).cwiseAbs().maxCoeff(),
               1e-12);
+    EXPECT_LE((cell_centers(mesh, 0) / size - cell_centers(usual, 0)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(GluedBox, keeps_the_groups_of_the_box) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dec/input_units.h"
 
+#include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/fields/flat.h"
 #include "dec/fields/interior_product.h"
 #include "dec/fields/lie_derivative.h"
 #include "dec/fields/sharp.h"
+#include "dec/fields/streamlines.h"
 #include "dec/fields/whitney_interpolation.h"
 #include "dec/operators.h"
 #include "tests/support/all_sizes.h"
@@ -59,6 +61,20 @@ TEST(InputUnits, are_those_of_integrals_and_of_places_where_forms_are_asked) {
                 return Vector(joined({all.values, on_boundary}) / std::pow(size, k));
             },
             all_degrees);
+}
+
+TEST(InputUnits, are_those_of_places) {
+    expect_the_same_of_all_sizes(
+        [](const Discretization& mesh, double size, Side, int k) {
+            const Mesh lines = streamlines(mesh, any_rows(mesh, mesh.dimension()),
+                                           {.spacing = size / 16, .shortest = 0});
+            return Vector(joined({in_one(mesh.points()), in_one(mesh.input_points()),
+                                  in_one(cell_centers(mesh, k)), in_one(cell_centroids(mesh, k)),
+                                  in_one(dual_sites(mesh)), in_one(facet_sites(mesh)),
+                                  in_one(lines.points)}) /
+                          size);
+        },
+        all_degrees);
 }
 
 TEST(InputUnits, are_those_of_flats) {

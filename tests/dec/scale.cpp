@@ -55,7 +55,7 @@ void expect_equal_at_all_sizes(const AnyMesh& mesh, const DiscretizeOptions& opt
         EXPECT_EQ(found.unit() != 1, std::abs(exponent) > 40);
         EXPECT_EQ(found.warnings().size(),
                   original.warnings().size() + (found.unit() != 1 ? 1 : 0));
-        EXPECT_EQ(found.points(), rest * original.points());
+        EXPECT_EQ(found.points(), size * original.points());
         expect_scaled(found.volumes(), original.volumes(), rest);
         expect_scaled(found.input_volumes(), original.input_volumes(), rest);
         EXPECT_EQ(found.degenerate().interior, original.degenerate().interior);

@@ -147,7 +147,10 @@ TEST(InputUnits, are_those_of_waves) {
             WaveState state{E.values, size * B.values};
             for (int step = 0; step < 3; ++step)
                 waves.step(state, {E.values / size, B.values});
-            return joined({state.E, state.B / size, Vector{{waves.time_step() / size}}});
+            const double energy = waves.energy(state.E, state.B);
+            return joined(
+                {state.E, state.B / size,
+                 Vector{{waves.time_step() / size, energy / std::pow(size, mesh.dimension())}}});
         },
         1);
 }

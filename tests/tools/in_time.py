@@ -183,12 +183,15 @@ class InTime(TestCase):
             moved = [" ".join(repr(float(x) * size) for x in line.split())
                      for line in lines[1:1 + points]]
             self.write("scaled.nsc", "\n".join(lines[:1] + moved + lines[1 + points:]) + "\n")
-            for side, degree in (("primal", 0), ("primal", 1), ("primal", 2), ("dual", 1)):
-                form = forms[degree].format(x=f"x/({size!r})", s=f"({size!r})")
+            slopes = ("--natural", "--flux", f"1e3*x/({size!r})/({size!r})")
+            for side, degree, start, more in (
+                    ("primal", 0, 1, ()), ("primal", 1, 1, ()), ("primal", 2, 1, ()),
+                    ("dual", 1, 1, ()), ("primal", 0, 0, slopes), ("dual", 0, 0, slopes)):
+                form = forms[degree].format(x=f"x/({size!r})", s=f"({size!r})") if start else "0"
                 answer = self.ask("heat", "scaled.nsc", "--side", side, "--degree", degree,
                                   "--initial", form, "--until", 0.1 * size ** 2,
-                                  "--tolerance-in-time", 1e-4)
-                counts.setdefault((side, degree), set()).add(
+                                  "--tolerance-in-time", 1e-4, *more)
+                counts.setdefault((side, degree, start), set()).add(
                     (answer["integrator_steps"], answer["integrator_rejected"]))
         for kind, numbers in counts.items():
             self.assertEqual(len(numbers), 1, (kind, numbers))
