@@ -9,9 +9,9 @@ namespace polydec {
 /// that lies there over its own, the part in each facet times the facet's weight; where the star of
 /// (k+1)-cells is a matrix, the inner products of the traces of Whitney forms. 0 off the boundary.
 /// size(k) x size(k); weights has one value for each (n-1)-cell, and only those of the boundary
-/// matter. Units length^(n-1-2k) times those of the weights. With the coefficients of Robin's
-/// condition it is what that adds to a Laplacian; with ones the inner product of traces.
-/// Throws InvalidInput for other degrees and numbers of weights.
+/// matter. Units length^(n-1-2k) times those of the weights, in unit() as stars() are. With the
+/// coefficients of Robin's condition it is what that adds to a Laplacian; with ones the inner
+/// product of traces. Throws InvalidInput for other degrees and numbers of weights.
 SparseMatrix boundary_star(const Discretization& mesh, int k, const Vector& weights);
 
 /// The same of any cells: for k = n-1, where the dual within the boundary is a point. Throws

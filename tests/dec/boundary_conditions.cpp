@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dec/forms/boundary_conditions.h"
 
+#include "dec/boundary_star.h"
 #include "dec/conditioned_complex.h"
 #include "dec/discretization.h"
 #include "dec/fields/cell_centers.h"
@@ -15,6 +16,8 @@
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace polydec::test::in_boundary_conditions {
 namespace {
@@ -198,6 +201,23 @@ TEST(FixedVertices, are_cells_on_which_primal_functions_alone_are_given) {
                                 refusal([&] { essential_cells(P, conditions, Side::dual, 0); }),
                                 refusal([&] { essential_cells(P, conditions); })})
         EXPECT_TRUE(says(refused, {"vertices", "primal 0-forms"}));
+}
+
+TEST(BoundaryStars, beside_matrices_integrate_products_of_linear_functions) {
+    for (const char* name : {"obtuse_planar", "obtuse_solid", "obtuse4"}) {
+        const auto mesh = discretize(mesh_named(name), {.star = StarKind::galerkin});
+        const int n = mesh.dimension();
+        const Vector u = mesh.points().col(0);
+        double expected = 0; // over a facet the area times ((sum u)^2 + sum u^2) / (n (n + 1))
+        for (Index f = 0; f < mesh.input().size(n - 1); ++f)
+            if (mesh.input().coface_counts(n - 1)[f] == 1) {
+                const Vector values = u(mesh.input().simplices(n - 1).row(f));
+                expected += mesh.input_volumes().primal(n - 1)[f] *
+                            (std::pow(values.sum(), 2) + values.squaredNorm()) / (n * (n + 1));
+            }
+        const Vector ones = Vector::Ones(mesh.complex().size(n - 1));
+        EXPECT_NEAR(u.dot(boundary_star(mesh, 0, ones) * u) / expected, 1, 1e-12) << name;
+    }
 }
 
 TEST(BranchingCells, have_no_dual_functions) {
