@@ -274,8 +274,9 @@ MUTANTS = {
 }
 
 
-# The test program of each folder.
-PROGRAMS = {folder: f"{folder}/test_{folder}" for folder in ("dec", "io", "meshes", "solvers")}
+# The test programs that each folder's flaws are asked of, one after the other.
+PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "meshes", "solvers")}
+PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
 SECONDS = 600
 
 
@@ -318,15 +319,16 @@ def compiled(build, work, name):
 
 def verdict(tests, work, name, shared):
     """Name of the first failing test; "" if all pass."""
-    program = PROGRAMS[MUTANTS[name][0].split("/")[0]]
-    run = subprocess.run([tests / program, "--gtest_brief=1", "--gtest_fail_fast"],
-                         env=dict(os.environ, LD_PRELOAD=str(shared), LD_LIBRARY_PATH=str(work),
-                                  POLYDEC_ENGINES="", RC_PARAMS="seed=1", OMP_NUM_THREADS="1"),
-                         capture_output=True, text=True, errors="replace", timeout=SECONDS)
-    if run.returncode == 0:
-        return ""
-    failed = [line.split("]")[1].strip() for line in run.stdout.splitlines() if "[  FAILED  ]" in line]
-    return failed[0] if failed else f"ended with {run.returncode}"
+    for program in PROGRAMS[MUTANTS[name][0].split("/")[0]]:
+        run = subprocess.run([tests / program, "--gtest_brief=1", "--gtest_fail_fast"],
+                             env=dict(os.environ, LD_PRELOAD=str(shared), LD_LIBRARY_PATH=str(work),
+                                      POLYDEC_ENGINES="", RC_PARAMS="seed=1", OMP_NUM_THREADS="1"),
+                             capture_output=True, text=True, errors="replace", timeout=SECONDS)
+        failed = [line.split("]")[1].strip() for line in run.stdout.splitlines()
+                  if "[  FAILED  ]" in line]
+        if run.returncode != 0:
+            return failed[0] if failed else f"ended with {run.returncode}"
+    return ""
 
 
 def ask(build, tests, work, name):

@@ -281,6 +281,18 @@ TEST(ChosenStars, hybrid_are_definite_on_shaken_meshes_where_circumcentric_ones_
     EXPECT_GT(indefinite, 900);
 }
 
+TEST(ChosenStars, hybrid_take_no_cell_by_the_sign_of_a_rounding) {
+    // beside a triangle with a negative dual one whose part of the dual between them is 0
+    const Points corners{{0.3, 0.7}, {1, 0.7}, {0.3, 1.8}, {3.7, 2.1}};
+    for (int i = 0; i < 40; ++i) {
+        const double angle = 0.1 + 0.37 * i;
+        const DenseMatrix turn{{std::cos(angle), std::sin(angle)},
+                               {-std::sin(angle), std::cos(angle)}};
+        const auto mesh = discretize(Mesh{corners * turn, Simplices{{0, 1, 2}, {1, 3, 2}}, {}});
+        EXPECT_EQ(choose_stars(mesh, StarKind::hybrid).galerkin, (std::vector{false, true})) << i;
+    }
+}
+
 TEST(ChosenStars, hybrid_mix_both_kinds_and_pass_the_patch_test) {
     int mixed = 0;
     for (unsigned seed = 0; seed < 1000; ++seed) {
