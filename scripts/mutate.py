@@ -129,8 +129,6 @@ MUTANTS = {
                                "Mesh about{{}, {}, {}, {},"),
     "flips_with_places": ("dec/discretization.cpp", "    if (options.delaunay != Delaunay::off)\n        about.",
                           "    if (false)\n        about."),
-    "glued_by_lengths_alone": ("tools/common.cpp", "return periodic(std::move(mesh), translations);",
-                               "return periodic(std::move(mesh), translations).quotient;"),
     "slits_untold": ("dec/discretization.cpp", "    if (given.has_points())\n        warn_of_unjoined(",
                      "    if (false)\n        warn_of_unjoined("),
     "facets_divided_alone": ("meshes/join_hanging.cpp", "n == 3 ? nodes.facets :", "n == 9 ? nodes.facets :"),
