@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "backends/builtin_engines.h"
-#include "backends/mesher/child_process.h"
-#include "backends/mesher/held_signals.h"
 #include "backends/mesher/mesher_input.h"
-#include "backends/mesher/temporary_folder.h"
 #include "backends/mesher/tetgen_files.h"
+#include "base/child_process.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "base/held_signals.h"
+#include "base/temporary_folder.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "backends/mesher.h"
-#include "backends/mesher/temporary_folder.h"
 #include "backends/registry.h"
 #include "base/errors.h"
+#include "base/temporary_folder.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher/temporary_folder.h"
 #include "backends/mesher/tetgen_files.h"
+#include "base/temporary_folder.h"
 #include "tests/fuzz/targets.h"
 
 #include <filesystem>

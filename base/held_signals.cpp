@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher/held_signals.h"
+#include "base/held_signals.h"
 
 #include "base/unfinished.h"
 

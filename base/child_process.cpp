@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher/child_process.h"
+#include "base/child_process.h"
 
-#include "backends/mesher/held_signals.h"
 #include "base/descriptor.h"
 #include "base/errors.h"
+#include "base/held_signals.h"
 #include "base/unfinished.h"
 
 #include <fmt/format.h>

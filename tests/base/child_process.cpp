@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher/child_process.h"
+#include "base/child_process.h"
 
-#include "backends/mesher/held_signals.h"
-#include "backends/mesher/temporary_folder.h"
 #include "base/errors.h"
+#include "base/held_signals.h"
+#include "base/temporary_folder.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 

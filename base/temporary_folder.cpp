@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 #include "base/errors.h"
 #include "base/regular_file.h"
