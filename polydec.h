@@ -5,7 +5,6 @@
 
 #include "backends/engine_module.h"
 #include "backends/linear/adapt.h"
-#include "backends/mesher.h"
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "base/memory.h"

@@ -3,6 +3,7 @@
 
 #include "backends/builtin_engines.h"
 #include "backends/engine_folder.h"
+#include "base/child_process.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -19,15 +20,12 @@ namespace {
 template <typename Factory>
 struct Entry {
     EngineInfo info = {};
-    Factory factory = {};                   // empty: known, but not in this program
-    std::function<bool()> has_program = {}; // for an engine that runs one
-    std::string component = {};             // that it is from, where it is not in this program
+    Factory factory = {};       // empty: known, but not in this program
+    std::string component = {}; // that it is from, where it is not in this program
 
     /// What there is to tell of it now.
     EngineInfo told() const {
         EngineInfo result = info;
-        if (has_program)
-            result.available = has_program();
         if (!component.empty())
             result.how_to_get += "; link polydec::" + component;
         return result;
@@ -39,7 +37,6 @@ struct Registry {
     std::map<std::string, Entry<LinearSolverFactory>> linear;
     std::map<std::string, Entry<EigenSolverFactory>> eigen;
     std::map<std::string, Entry<IntegratorFactory>> integrator;
-    std::map<std::string, Entry<Mesher>> mesher;
 };
 
 template <typename Factory>
@@ -106,14 +103,6 @@ void add_builtin(Registry& registry) {
          "Prince's 5(4)",
          ""},
         IntegratorFactory(builtin::make_runge_kutta));
-    add(registry.mesher,
-        {"tetgen", EngineKind::mesher, false,
-         "TetGen: Delaunay tetrahedra in closed surfaces, with bounds of quality and volume; run "
-         "as "
-         "a program",
-         "apt-get install tetgen"},
-        Mesher(builtin::run_tetgen));
-    registry.mesher.at("tetgen").has_program = builtin::has_tetgen;
 }
 
 // Made at the first call, so nothing hangs on the order in which programs start.
@@ -209,6 +198,15 @@ void enroll(std::map<std::string, Entry<Factory>>& known, EngineInfo info, Engin
     add(known, std::move(info), std::move(factory));
 }
 
+/// A program of its own, which is found and not made.
+EngineInfo tetgen() {
+    return {
+        "tetgen", EngineKind::mesher, find_program("tetgen").has_value(),
+        "TetGen: Delaunay tetrahedra in closed surfaces, with bounds of quality and volume; run "
+        "as a program",
+        "apt-get install tetgen"};
+}
+
 void check(const LinearSolverOptions& options) {
     if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance))
         throw InvalidInput(
@@ -244,12 +242,6 @@ std::unique_ptr<Integrator> make_integrator(const std::string& name,
     return integrator;
 }
 
-Mesher find_mesher(const std::string& name) {
-    if (auto mesher = found_now(registry().mesher, name))
-        return mesher;
-    refuse(registry().mesher, name, "mesher");
-}
-
 void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory) {
     enroll(registry().linear, info, EngineKind::linear, std::move(factory));
 }
@@ -275,10 +267,6 @@ void register_integrator(const std::string& name, IntegratorFactory factory) {
                         std::move(factory));
 }
 
-void register_mesher(const EngineInfo& info, Mesher mesher) {
-    enroll(registry().mesher, info, EngineKind::mesher, std::move(mesher));
-}
-
 std::vector<EngineInfo> engines() {
     std::vector<EngineInfo> result;
     for (const auto kind :
@@ -289,8 +277,9 @@ std::vector<EngineInfo> engines() {
 }
 
 std::vector<EngineInfo> engines(EngineKind kind) {
-    if (kind != EngineKind::mesher)
-        load_all_modules();
+    if (kind == EngineKind::mesher)
+        return {tetgen()};
+    load_all_modules();
     std::vector<EngineInfo> result;
     const auto list = [&](const auto& known) {
         for (const auto& [name, entry] : known)
@@ -302,10 +291,8 @@ std::vector<EngineInfo> engines(EngineKind kind) {
             list(registry().linear);
         else if (kind == EngineKind::eigen)
             list(registry().eigen);
-        else if (kind == EngineKind::integrator)
-            list(registry().integrator);
         else
-            list(registry().mesher);
+            list(registry().integrator);
     }
     for (auto& engine : result)
         add_reason(engine);

@@ -4,7 +4,6 @@
 #include "backends/eigen_solver.h"
 #include "backends/integrator.h"
 #include "backends/linear_solver.h"
-#include "backends/mesher.h"
 
 #include <functional>
 #include <memory>
@@ -44,11 +43,6 @@ std::unique_ptr<EigenSolver> make_eigen_solver(const std::string& name);
 std::unique_ptr<Integrator> make_integrator(const std::string& name,
                                             const IntegratorOptions& options = {});
 
-/// The mesher of that name: tetgen, or what was registered. One whose program is not there is
-/// found, and throws BackendUnavailable when it is called. Throws InvalidInput, listing the known
-/// names.
-Mesher find_mesher(const std::string& name);
-
 /// Makes an engine known under a name; `available` is set by the registry.
 /// Throws InvalidInput if the name is empty or taken, or the factory is empty.
 void register_linear_solver(const EngineInfo& info, LinearSolverFactory factory);
@@ -58,15 +52,13 @@ void register_eigen_solver(const std::string& name, EigenSolverFactory factory);
 void register_integrator(const EngineInfo& info, IntegratorFactory factory);
 void register_integrator(const std::string& name, IntegratorFactory factory);
 
-/// The same for a mesher.
-void register_mesher(const EngineInfo& info, Mesher mesher);
-
 /// Every engine that is known, the missing ones too; linear first, then eigensolvers, integrators
-/// and meshers, each kind ordered by name; of a module that cannot be loaded, how_to_get says why.
-/// Loads every module there is. An engine that runs a program is available if that is on PATH now.
+/// and the mesher, TetGen, which tetrahedralize runs; each kind ordered by name; of a module that
+/// cannot be loaded, how_to_get says why. Loads every module there is. TetGen is available if the
+/// program is on PATH now.
 std::vector<EngineInfo> engines();
 
-/// The same for one kind only; modules, which bring no meshers, are loaded for the other kinds.
+/// The same for one kind only; modules, which bring no mesher, are loaded for the other kinds.
 std::vector<EngineInfo> engines(EngineKind kind);
 
 /// Whether make_linear_solver(name) would find an engine.

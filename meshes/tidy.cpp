@@ -98,7 +98,7 @@ void leave_out(Sieve& sieve, const std::vector<Index>& cells, std::string_view f
 }
 
 /// The cells' vertices in ascending order.
-Simplices sorted_rows(const Simplices& cells) {
+Simplices ascending_rows(const Simplices& cells) {
     Simplices result = cells;
     for (Index cell = 0; cell < result.rows(); ++cell) {
         Index* const begin = result.data() + cell * result.cols();
@@ -108,7 +108,7 @@ Simplices sorted_rows(const Simplices& cells) {
 }
 
 std::vector<Index> with_repeated_corner(const Simplices& cells) {
-    const Simplices sorted = sorted_rows(cells);
+    const Simplices sorted = ascending_rows(cells);
     std::vector<Index> result;
     for (Index cell = 0; cell < sorted.rows(); ++cell) {
         const Index* const begin = sorted.data() + cell * sorted.cols();
@@ -122,7 +122,7 @@ std::vector<Index> with_repeated_corner(const Simplices& cells) {
 /// All but the first of the cells on the same vertices. They are compared by blocks of their least
 /// vertices.
 std::vector<Index> duplicates(const Simplices& cells, Index vertices) {
-    const Simplices sorted = sorted_rows(cells);
+    const Simplices sorted = ascending_rows(cells);
     const auto compare = [&sorted](Index a, Index b) {
         const Index* const row_a = sorted.data() + a * sorted.cols();
         const Index* const row_b = sorted.data() + b * sorted.cols();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "backends/registry.h"
 #include "meshes/tetrahedralize.h"
 #include "tools/common.h"
 #include "tools/generate.h"
@@ -37,7 +36,7 @@ void fill(const FillArguments& arguments) {
         progress("read");
         surface = read_joined(arguments.surface, arguments.joining);
         progress(arguments.mesher);
-        mesh = tetrahedralize(surface, arguments.options, holes, arguments.mesher);
+        mesh = tetrahedralize(surface, arguments.options, holes);
     }
     Log log;
     for (const Mesh* told : {&surface, &mesh})
@@ -46,15 +45,9 @@ void fill(const FillArguments& arguments) {
     write_generated(arguments.out, mesh, log, arguments.tell);
 }
 
-/// One of the meshers that are known, also where its program is missing: then that is told.
+/// The one mesher there is, also where its program is missing: then the library says so.
 std::string check_mesher(const std::string& name) {
-    std::string known;
-    for (const auto& engine : engines(EngineKind::mesher)) {
-        if (engine.name == name)
-            return {};
-        known += (known.empty() ? "" : " or ") + engine.name;
-    }
-    return fmt::format("expected {}, not '{}'", known, name);
+    return name == "tetgen" ? "" : fmt::format("expected tetgen, not '{}'", name);
 }
 
 void fill_if_asked(const CLI::App& command, const FillArguments& arguments) {

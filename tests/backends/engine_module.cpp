@@ -93,13 +93,6 @@ TEST(engine_module, why_a_module_cannot_be_loaded_is_told_when_its_engine_is_ask
     EXPECT_THROW(make_linear_solver("unbroken.solver"), InvalidInput);
 }
 
-TEST(engine_module, meshers_are_found_without_loading_a_module) {
-    const BrokenModule module("untried");
-    EXPECT_FALSE(engines(EngineKind::mesher).empty());
-    EXPECT_THROW(find_mesher("untried"), InvalidInput); // and not BackendUnavailable
-    EXPECT_THROW(make_linear_solver("untried"), BackendUnavailable);
-}
-
 // The system's loader would end the program.
 TEST(engine_module, no_module_is_loaded_where_address_space_is_short) {
     const auto load_in_little_space = [] {

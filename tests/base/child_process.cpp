@@ -21,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
+using polydec::TemporaryFolder; // not the one of tests
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
 volatile std::sig_atomic_t delivered = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher/tetgen_files.h"
 #include "base/temporary_folder.h"
+#include "meshes/tetgen/tetgen_files.h"
 #include "tests/fuzz/targets.h"
 
 #include <filesystem>
@@ -29,20 +29,20 @@ void mesher_files(std::string_view bytes) {
     constexpr Index most = 9;
     const auto path = file_with(bytes);
     accepts<SolverFailure>(
-        [&] { require(builtin::read_tetgen_points(path).allFinite(), "coordinates are finite"); });
+        [&] { require(read_tetgen_points(path).allFinite(), "coordinates are finite"); });
     accepts<SolverFailure>([&] {
-        const auto cells = builtin::read_tetgen_cells(path, most);
+        const auto cells = read_tetgen_cells(path, most);
         require(cells.size() == 0 || (cells.minCoeff() >= 0 && cells.maxCoeff() < most),
                 "vertex numbers are in range");
     });
     accepts<SolverFailure>([&] {
-        const auto [faces, facets] = builtin::read_tetgen_faces(path, most, most);
+        const auto [faces, facets] = read_tetgen_faces(path, most, most);
         require(faces.size() == 0 || (faces.minCoeff() >= 0 && faces.maxCoeff() < most),
                 "vertex numbers are in range");
         for (const Index facet : facets)
             require(facet >= 0 && facet < most, "facets are in range");
     });
-    for (const auto& [a, b] : builtin::crossing_facets(std::string(bytes), most))
+    for (const auto& [a, b] : crossing_facets(std::string(bytes), most))
         require(0 <= a && a < b && b < most, "facets are in range");
 }
 

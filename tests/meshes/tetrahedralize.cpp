@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "meshes/tetrahedralize.h"
 
-#include "backends/registry.h"
 #include "base/decompositions.h"
-#include "base/errors.h"
 #include "meshes/generate.h"
 #include "tests/meshes/propositions.h"
-#include "tests/support/says.h"
+#include "tests/meshes/tetgen_support.h"
 
 #include <gtest/gtest.h>
 
@@ -22,29 +20,11 @@ struct Case {
     double stretch; ///< makes it bad by itself, but not sharp
 };
 
-Mesh cube() {
-    Mesh mesh;
-    mesh.points.resize(8, 3);
-    for (Index i = 0; i < 8; ++i)
-        mesh.points.row(i) << (i & 1), ((i >> 1) & 1), ((i >> 2) & 1);
-    mesh.simplices.resize(12, 3);
-    mesh.simplices << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4,
-        6, 0, 6, 2, 1, 3, 7, 1, 7, 5;
-    return mesh;
-}
-
 const Case cases[] = {
-    {"cube", cube, 1, 7.0},
+    {"cube", [] { return cube(); }, 1, 7.0},
     {"icosphere", [] { return icosphere(5); }, 1, 1.0},
     {"torus", [] { return torus(24, 12); }, 0, 1.0},
 };
-
-bool is_available() {
-    const auto known = engines();
-    return std::any_of(known.begin(), known.end(), [](const EngineInfo& engine) {
-        return engine.name == "tetgen" && engine.available;
-    });
-}
 
 /// Largest circumradius over shortest edge.
 double worst_quality(const Mesh& mesh) {
@@ -98,21 +78,11 @@ std::vector<std::vector<Index>> triangles(const Mesh& surface) {
     return result;
 }
 
-class Tetrahedralize : public testing::TestWithParam<Case> {
+class Tetrahedralize : public TetgenTest, public testing::WithParamInterface<Case> {
 protected:
-    /// Where the program is not there, each proposition becomes: the error says what to get.
     template <typename F>
     void with_tetgen(F proposition) {
-        if (is_available()) {
-            proposition(GetParam().surface());
-            return;
-        }
-        try {
-            proposition(GetParam().surface());
-            FAIL();
-        } catch (const BackendUnavailable& error) {
-            EXPECT_NE(std::string(error.what()).find("apt-get install tetgen"), std::string::npos);
-        }
+        TetgenTest::with_tetgen([&] { proposition(GetParam().surface()); });
     }
 };
 
@@ -193,24 +163,18 @@ TEST_P(Tetrahedralize, quality_that_is_missed_is_told_with_the_worst) {
 
 TEST_P(Tetrahedralize, a_surface_that_crosses_another_is_named_by_triangles) {
     with_tetgen([](const Mesh& surface) {
-        Mesh two = surface;
-        const auto count = surface.points.rows(), cells = surface.simplices.rows();
-        two.points.conservativeResize(2 * count, 3);
-        two.points.bottomRows(count) =
-            surface.points.rowwise() + Eigen::RowVector3d(0.31, 0.23, 0.17);
-        two.simplices.conservativeResize(2 * cells, 3);
-        two.simplices.bottomRows(cells) =
-            (surface.simplices.array() + static_cast<Index>(count)).matrix();
-        const auto message = refusal([&] { tetrahedralize(two); });
-        EXPECT_TRUE(says(message, {"facets", "overlap"}));
+        Mesh moved = surface;
+        moved.points.rowwise() += Eigen::RowVector3d(0.31, 0.23, 0.17);
+        EXPECT_TRUE(says(refusal_of(both(surface, moved)), {"facets", "overlap"}));
     });
 }
 
 TEST_P(Tetrahedralize, vertices_of_no_triangle_are_left_out_with_a_warning) {
     with_tetgen([](const Mesh& surface) {
-        Mesh more = surface;
-        more.points.conservativeResize(surface.points.rows() + 2, 3);
-        more.points.bottomRows(2).setConstant(0.123);
+        Mesh single;
+        single.points = Points::Constant(1, 3, 0.123);
+        single.simplices.resize(0, 3);
+        const auto more = both(single, both(surface, single));
         const auto mesh = tetrahedralize(more), plain = tetrahedralize(surface);
         EXPECT_EQ(mesh.points, plain.points);
         EXPECT_TRUE(each_says(mesh.warnings, {{"2 vertices", "no triangle"}}));

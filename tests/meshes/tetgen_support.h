@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "backends/mesher.h"
 #include "backends/registry.h"
 #include "base/errors.h"
 #include "base/temporary_folder.h"
+#include "meshes/tetrahedralize.h"
 #include "tests/support/refusal.h"
 #include "tests/support/says.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 
-namespace polydec {
+namespace polydec::test {
 
 /// What is said where the program is not there.
-inline const test::Words missing{"tetgen", "PATH", "apt-get install tetgen"};
+inline const Words missing{"tetgen", "PATH", "apt-get install tetgen"};
 
 /// A variable of the environment, for a while.
 class Variable {
@@ -40,15 +39,12 @@ private:
 };
 
 inline bool is_available() {
-    for (const auto& engine : engines())
-        if (engine.kind == EngineKind::mesher && engine.name == "tetgen")
-            return engine.available;
-    return false;
+    return engines(EngineKind::mesher).at(0).available;
 }
 
 /// Every test gets a folder for temporary files of its own, and must leave it empty. Where the
 /// program is not there, each proposition about meshes becomes: this is told.
-class MesherTest : public testing::Test {
+class TetgenTest : public testing::Test {
 protected:
     void TearDown() override { EXPECT_TRUE(std::filesystem::is_empty(folder_.path())); }
 
@@ -57,7 +53,7 @@ protected:
         if (is_available())
             proposition();
         else
-            EXPECT_TRUE(test::says(test::message_of<BackendUnavailable>(proposition), missing));
+            EXPECT_TRUE(says(message_of<BackendUnavailable>(proposition), missing));
     }
 
 private:
@@ -65,29 +61,33 @@ private:
     Variable temporary_{"TMPDIR", folder_.path().string()};
 };
 
-/// The unit cube as six squares; corner i has the bits of i as coordinates.
-inline MesherInput cube(double scale = 1.0, double shift = 0.0) {
-    MesherInput input;
-    input.points.resize(8, 3);
+/// A cube of two triangles a side, x = 0 in the fifth pair; corner i has the bits of i as
+/// coordinates.
+inline Mesh cube(double scale = 1.0, double shift = 0.0) {
+    Mesh mesh;
+    mesh.points.resize(8, 3);
     for (Index i = 0; i < 8; ++i)
         for (int j = 0; j < 3; ++j)
-            input.points(i, j) = scale * ((i >> j) & 1) + shift;
-    input.corners = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
-    input.offsets = {0, 4, 8, 12, 16, 20, 24};
-    return input;
+            mesh.points(i, j) = scale * ((i >> j) & 1) + shift;
+    mesh.simplices.resize(12, 3);
+    mesh.simplices << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4,
+        6, 0, 6, 2, 1, 3, 7, 1, 7, 5;
+    return mesh;
 }
 
-inline Points cloud(Index count) {
-    constexpr double primes[] = {2.0, 3.0, 7.0};
-    Points points(count, 3);
-    for (Index i = 0; i < count; ++i)
-        for (int j = 0; j < 3; ++j)
-            points(i, j) = std::fmod((i + 1) * std::sqrt(primes[j]), 1.0);
-    return points;
+/// Both surfaces, the points and triangles of b behind those of a.
+inline Mesh both(const Mesh& a, const Mesh& b) {
+    Mesh mesh;
+    mesh.points.resize(a.points.rows() + b.points.rows(), 3);
+    mesh.points << a.points, b.points;
+    mesh.simplices.resize(a.simplices.rows() + b.simplices.rows(), 3);
+    mesh.simplices << a.simplices, b.simplices.array() + static_cast<Index>(a.points.rows());
+    return mesh;
 }
 
-inline std::string refusal_of(const MesherInput& input, const MesherOptions& options = {}) {
-    return test::refusal([&] { tetrahedralize(input, options); });
+inline std::string refusal_of(const Mesh& surface, const MesherOptions& options = {},
+                              const Points& holes = Points(0, 3)) {
+    return refusal([&] { tetrahedralize(surface, options, holes); });
 }
 
-} // namespace polydec
+} // namespace polydec::test

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher/tetgen_files.h"
+#include "meshes/tetgen/tetgen_files.h"
 
-#include "backends/mesher/mesher_input.h"
 #include "base/errors.h"
 #include "base/regular_file.h"
 
@@ -17,33 +16,14 @@
 #include <string_view>
 #include <utility>
 
-namespace polydec::builtin {
+namespace polydec {
 
 namespace {
 
-void append_place(fmt::memory_buffer& text, Index number, const Points& points, Index row,
-                  int exponent) {
-    fmt::format_to(std::back_inserter(text), "{} {} {} {}\n", number,
-                   std::ldexp(points(row, 0), -exponent), std::ldexp(points(row, 1), -exponent),
-                   std::ldexp(points(row, 2), -exponent));
-}
-
-void append_facets(fmt::memory_buffer& text, const MesherInput& input,
-                   const std::vector<Index>& used) {
-    const auto new_number = [&](Index point) {
-        return std::lower_bound(used.begin(), used.end(), point) - used.begin();
-    };
-    // one number for facets in one plane: TetGen drops the edges between those that have the same
-    const auto patches = plane_patches(input);
-    fmt::format_to(std::back_inserter(text), "{} 1\n", facet_count(input));
-    for (std::size_t f = 0; f + 1 < input.offsets.size(); ++f) {
-        fmt::format_to(std::back_inserter(text), "{}", input.offsets[f + 1] - input.offsets[f]);
-        for (Index i = input.offsets[f]; i < input.offsets[f + 1]; ++i) {
-            fmt::format_to(std::back_inserter(text), " {}",
-                           new_number(input.corners[static_cast<std::size_t>(i)]));
-        }
-        fmt::format_to(std::back_inserter(text), " {}\n", patches[f] + 1);
-    }
+void append_places(fmt::memory_buffer& text, const Points& places) {
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
+        fmt::format_to(std::back_inserter(text), "{} {} {} {}\n", i, places(i, 0), places(i, 1),
+                       places(i, 2));
 }
 
 /// The numbers of a file, one after the other.
@@ -128,17 +108,19 @@ std::string Numbers::read_regular_file(const std::filesystem::path& path) const 
 
 } // namespace
 
-std::string tetgen_input(const MesherInput& input, const std::vector<Index>& used, int exponent) {
+std::string smesh_text(const TetgenInput& input) {
     fmt::memory_buffer text;
-    fmt::format_to(std::back_inserter(text), "{} 3 0 0\n", used.size());
-    for (std::size_t i = 0; i < used.size(); ++i)
-        append_place(text, static_cast<Index>(i), input.points, used[i], exponent);
-    if (facet_count(input) > 0) {
-        append_facets(text, input, used);
-        fmt::format_to(std::back_inserter(text), "{}\n", input.holes.rows());
-        for (Index i = 0; i < input.holes.rows(); ++i)
-            append_place(text, i, input.holes, i, exponent);
-    }
+    const auto end = std::back_inserter(text);
+    fmt::format_to(end, "{} 3 0 0\n", input.points.rows());
+    append_places(text, input.points);
+    // one number for triangles in one plane: TetGen drops the edges between those that have the
+    // same
+    fmt::format_to(end, "{} 1\n", input.triangles.rows());
+    for (Eigen::Index f = 0; f < input.triangles.rows(); ++f)
+        fmt::format_to(end, "3 {} {} {} {}\n", input.triangles(f, 0), input.triangles(f, 1),
+                       input.triangles(f, 2), input.patches[static_cast<std::size_t>(f)] + 1);
+    fmt::format_to(end, "{}\n", input.holes.rows());
+    append_places(text, input.holes);
     return fmt::to_string(text);
 }
 
@@ -221,4 +203,4 @@ std::vector<std::pair<Index, Index>> crossing_facets(const std::string& output, 
     return pairs;
 }
 
-} // namespace polydec::builtin
+} // namespace polydec

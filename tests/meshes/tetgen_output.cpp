@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher.h"
-#include "backends/mesher/tetrahedron_sign.h"
-#include "backends/registry.h"
-#include "base/errors.h"
-#include "tests/backends/mesher_support.h"
-#include "tests/support/says.h"
+#include "meshes/tetgen/tetgen_output.h"
 
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
+#include "meshes/tetgen/tetrahedron_sign.h"
+#include "tests/meshes/tetgen_support.h"
 
 #include <algorithm>
 #include <array>
@@ -16,38 +11,26 @@
 #include <utility>
 #include <vector>
 
-namespace polydec::test::in_mesher_output {
+namespace polydec::test::in_tetgen_output {
 namespace {
 
-using Spoil = std::function<void(MesherOutput&)>;
+using Spoil = std::function<void(TetgenOutput&)>;
 
-MesherOutput prepared;
-
-/// What tetrahedralize says of an output, as an engine might make it.
-std::string verdict_on(const MesherInput& input, const MesherOutput& output) {
-    static const bool is_registered = [] {
-        register_mesher({.name = "prepared"},
-                        [](const MesherInput&, const MesherOptions&) { return prepared; });
-        return true;
-    }();
-    EXPECT_TRUE(is_registered);
-    prepared = output;
-    try {
-        tetrahedralize(input, {}, "prepared");
-    } catch (const SolverFailure& error) {
-        const std::string text = error.what();
-        const std::string begin = "what prepared made is not the mesh that was asked for: ";
-        return text.substr(0, begin.size()) == begin
-                   ? text.substr(begin.size(), text.find('\n') - begin.size())
-                   : text;
-    } catch (const InvalidInput& error) {
-        return error.what();
-    }
-    return "fine";
+/// What is said of an output, with the points as they are in input units.
+std::string verdict_on(const Mesh& surface, TetgenOutput output,
+                       const Points& holes = Points(0, 3)) {
+    const auto input = tetgen_input(surface, holes);
+    output.points *= std::ldexp(1.0, -input.exponent);
+    const auto text = message_of<SolverFailure>([&] { check_tetgen_output(input, output); });
+    const std::string begin = "what tetgen made is not the mesh that was asked for: ";
+    return text.substr(0, begin.size()) == begin
+               ? text.substr(begin.size(), text.find('\n') - begin.size())
+               : text;
 }
 
-/// The faces of a cell with their facets: those whose corners have one coordinate in common.
-void add_faces(MesherOutput& mesh, const std::array<Index, 4>& cell, Index first, Index facets) {
+/// The faces of a cell with their facets, the first triangles of the sides of a cube: those whose
+/// corners have one coordinate in common.
+void add_faces(TetgenOutput& mesh, const std::array<Index, 4>& cell, Index first, Index facets) {
     for (std::size_t left_out = 0; left_out < 4; ++left_out) {
         std::vector<Index> face;
         for (std::size_t i = 0; i < 4; ++i)
@@ -60,14 +43,14 @@ void add_faces(MesherOutput& mesh, const std::array<Index, 4>& cell, Index first
             const Index row = static_cast<Index>(mesh.faces.rows());
             mesh.faces.conservativeResize(row + 1, 3);
             mesh.faces.row(row) << first + face[0], first + face[1], first + face[2];
-            const Index order[] = {4, 2, 0}; // of the facets of a cube across x, y, z
-            mesh.facets.push_back(facets + order[axis] + side(face[0]));
+            const Index order[] = {8, 4, 0}; // of the sides of a cube across x, y, z
+            mesh.facets.push_back(facets + order[axis] + 2 * side(face[0]));
         }
     }
 }
 
 /// A cube as six tetrahedra around its diagonal, with corners and facets that begin there.
-void add_cube(MesherOutput& mesh, Index first, Index facets) {
+void add_cube(TetgenOutput& mesh, Index first, Index facets) {
     std::array<int, 3> axes{0, 1, 2};
     for (bool even = true;; even = !even) {
         const Index a = 1 << axes[0], b = a | 1 << axes[1];
@@ -85,8 +68,8 @@ void add_cube(MesherOutput& mesh, Index first, Index facets) {
     }
 }
 
-MesherOutput filled_cube() {
-    MesherOutput mesh{cube().points, Simplices(0, 4)};
+TetgenOutput filled_cube() {
+    TetgenOutput mesh{cube().points, Simplices(0, 4), Simplices(0, 3)};
     add_cube(mesh, 0, 0);
     return mesh;
 }
@@ -97,20 +80,20 @@ std::string verdict_on_cube(const Spoil& spoil) {
     return verdict_on(cube(), mesh);
 }
 
-void remove_last_cell(MesherOutput& mesh) {
+void remove_last_cell(TetgenOutput& mesh) {
     mesh.tetrahedra.conservativeResize(mesh.tetrahedra.rows() - 1, 4);
 }
 
-TEST(MesherOutput, a_filled_surface_is_fine_at_every_scale) {
-    EXPECT_EQ(verdict_on(cube(), filled_cube()), "fine");
+TEST(TetgenOutput, a_filled_surface_is_fine_at_every_scale) {
+    EXPECT_EQ(verdict_on(cube(), filled_cube()), "accepted");
     for (const double scale : {1e-100, 3.0, 1e100}) {
         auto mesh = filled_cube();
         mesh.points *= scale;
-        EXPECT_EQ(verdict_on(cube(scale), mesh), "fine");
+        EXPECT_EQ(verdict_on(cube(scale), mesh), "accepted");
     }
 }
 
-TEST(MesherOutput, every_tetrahedron_has_a_positive_volume) {
+TEST(TetgenOutput, every_tetrahedron_has_a_positive_volume) {
     EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) {
                          std::swap(mesh.tetrahedra(2, 0), mesh.tetrahedra(2, 1));
                      }),
@@ -119,7 +102,7 @@ TEST(MesherOutput, every_tetrahedron_has_a_positive_volume) {
                      {"tetrahedron 3 (0 1 2 3)", "flat"}));
 }
 
-TEST(MesherOutput, the_sign_of_a_volume_is_exact) {
+TEST(TetgenOutput, the_sign_of_a_volume_is_exact) {
     const Eigen::Vector3d a(0.1, 0.2, 0.3), b(0.7, 0.1, 0.4), c(0.2, 0.9, 0.8);
     const Eigen::Vector3d within = 0.5 * (b + c); // but for rounding
     for (const double step : {-1.0, 1.0}) {
@@ -133,24 +116,24 @@ TEST(MesherOutput, the_sign_of_a_volume_is_exact) {
     EXPECT_EQ(tetrahedron_sign({0, 0, 0}, x, y, {3, 5, 0}), 0);
 }
 
-TEST(MesherOutput, numbers_exist) {
+TEST(TetgenOutput, numbers_exist) {
     const Words message{"no tetrahedra", "points", "facets"};
     for (const Spoil& spoil : {Spoil([](auto& mesh) { mesh.tetrahedra(0, 0) = 8; }),
                                Spoil([](auto& mesh) { mesh.tetrahedra(0, 0) = -1; }),
                                Spoil([](auto& mesh) { mesh.tetrahedra.resize(0, 4); }),
                                Spoil([](auto& mesh) { mesh.faces(0, 0) = 8; }),
-                               Spoil([](auto& mesh) { mesh.facets[0] = 6; }),
+                               Spoil([](auto& mesh) { mesh.facets[0] = 12; }),
                                Spoil([](auto& mesh) { mesh.facets.pop_back(); }),
                                Spoil([](auto& mesh) { mesh.points(7, 2) = std::nan(""); })})
         EXPECT_TRUE(says(verdict_on_cube(spoil), message));
 }
 
-TEST(MesherOutput, points_stay_where_they_are) {
+TEST(TetgenOutput, points_stay_where_they_are) {
     EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) { mesh.points(7, 2) += 1e-15; }),
-                     {"prepared", "left out", "point 7", "(1, 1, 1)"}));
+                     {"tetgen", "left out", "point 7", "(1, 1, 1)"}));
 }
 
-TEST(MesherOutput, nothing_is_covered_twice) {
+TEST(TetgenOutput, nothing_is_covered_twice) {
     EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) {
                          mesh.tetrahedra.conservativeResize(7, 4);
                          mesh.tetrahedra.row(6) = mesh.tetrahedra.row(0);
@@ -158,8 +141,8 @@ TEST(MesherOutput, nothing_is_covered_twice) {
                      {"tetrahedron 0 (0 1 3 7)", "tetrahedron"}));
 }
 
-TEST(MesherOutput, all_is_filled_up_to_the_facets) {
-    EXPECT_TRUE(says(verdict_on_cube(remove_last_cell), {"facet 1 (4 5 7 6)", "empty"}));
+TEST(TetgenOutput, all_is_filled_up_to_the_facets) {
+    EXPECT_TRUE(says(verdict_on_cube(remove_last_cell), {"facet 2 (4 5 7)", "empty"}));
     EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) {
                          mesh.points.conservativeResize(9, 3);
                          mesh.points.row(8) << 0.5, 0.5, 2.0;
@@ -169,9 +152,9 @@ TEST(MesherOutput, all_is_filled_up_to_the_facets) {
                      {"faces", "boundary", "no facet"}));
 }
 
-TEST(MesherOutput, facets_are_unions_of_faces) {
+TEST(TetgenOutput, facets_are_unions_of_faces) {
     EXPECT_TRUE(
-        says(verdict_on_cube([](auto& mesh) { mesh.facets[0] = mesh.facets[0] == 0 ? 1 : 0; }),
+        says(verdict_on_cube([](auto& mesh) { mesh.facets[0] = mesh.facets[0] == 0 ? 2 : 0; }),
              {"point", "facet", "plane"}));
     EXPECT_TRUE(says(verdict_on_cube([](auto& mesh) {
                          mesh.faces.conservativeResize(11, 3);
@@ -180,42 +163,23 @@ TEST(MesherOutput, facets_are_unions_of_faces) {
                      {"facets", "close", "point"}));
 }
 
-TEST(MesherOutput, holes_and_only_holes_are_empty) {
-    auto input = cube();
-    input.holes = Points::Constant(1, 3, 0.5);
-    EXPECT_TRUE(says(verdict_on(input, filled_cube()), {"inside", "facet"}));
-    input.holes = Points(0, 3);
-    EXPECT_EQ(verdict_on(input, filled_cube()), "fine");
+TEST(TetgenOutput, holes_and_only_holes_are_empty) {
+    const Points hole = Points::Constant(1, 3, 0.5);
+    EXPECT_TRUE(says(verdict_on(cube(), filled_cube(), hole), {"inside", "facet"}));
+    EXPECT_EQ(verdict_on(cube(), filled_cube()), "accepted");
 }
 
-TEST(MesherOutput, parts_beside_each_other_are_all_filled) {
-    auto input = cube();
-    input.points.conservativeResize(16, 3);
-    input.points.bottomRows(8) = input.points.topRows(8).array() + 3.0;
-    const auto corners = input.corners;
-    for (const Index corner : corners)
-        input.corners.push_back(corner + 8);
-    for (const Index offset : {28, 32, 36, 40, 44, 48})
-        input.offsets.push_back(offset);
-
-    MesherOutput mesh{input.points, Simplices(0, 4)};
+TEST(TetgenOutput, parts_beside_each_other_are_all_filled) {
+    const auto input = both(cube(), cube(1.0, 3.0));
+    TetgenOutput mesh{input.points, Simplices(0, 4), Simplices(0, 3)};
     add_cube(mesh, 0, 0);
     const auto half = mesh;
-    add_cube(mesh, 8, 6);
-    EXPECT_EQ(verdict_on(input, mesh), "fine");
-    EXPECT_TRUE(says(verdict_on(input, half), {"facet 6 (8 10 11 9)", "covered", "0"}));
+    add_cube(mesh, 8, 12);
+    EXPECT_EQ(verdict_on(input, mesh), "accepted");
+    EXPECT_TRUE(says(verdict_on(input, half), {"facet 12 (8 10 11)", "covered", "0"}));
     mesh.tetrahedra = half.tetrahedra;
     EXPECT_TRUE(says(verdict_on(input, mesh), {"inside", "facet"}));
 }
 
-TEST(MesherOutput, the_hull_of_points_is_convex) {
-    MesherInput points;
-    points.points = cube().points;
-    MesherOutput mesh{points.points, filled_cube().tetrahedra};
-    EXPECT_EQ(verdict_on(points, mesh), "fine");
-    remove_last_cell(mesh);
-    EXPECT_TRUE(says(verdict_on(points, mesh), {"boundary", "convex", "point"}));
-}
-
 } // namespace
-} // namespace polydec::test::in_mesher_output
+} // namespace polydec::test::in_tetgen_output

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "backends/builtin_engines.h"
-#include "backends/mesher/mesher_input.h"
-#include "backends/mesher/tetgen_files.h"
+#include "meshes/tetgen/run_tetgen.h"
+
 #include "base/child_process.h"
-#include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/held_signals.h"
 #include "base/temporary_folder.h"
+#include "meshes/tetgen/tetgen_files.h"
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,25 +18,20 @@
 #include <string_view>
 #include <tuple>
 
-namespace polydec::builtin {
+namespace polydec {
 
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* surface_file = "mesh.smesh";
+
 /// One mesh that is being made.
-struct Run {
-    const MesherInput& input;
+struct TetgenRun {
+    const TetgenInput& input;
     const MesherOptions& options;
     fs::path program, folder;
-    std::vector<Index> used; ///< which points of the input TetGen is told, in order
-    int exponent;            ///< it gets coordinates near 1: 1e100 and 1e-100 it cannot handle
 };
-
-int exponent_of(const Points& points) {
-    const double largest = points.cwiseAbs().maxCoeff();
-    return largest > 0.0 ? std::ilogb(largest) : 0;
-}
 
 fs::path require_program() {
     const auto program = find_program("tetgen");
@@ -48,38 +43,34 @@ fs::path require_program() {
     return *program;
 }
 
-std::string input_name(const Run& run) {
-    return facet_count(run.input) > 0 ? "mesh.smesh" : "mesh.node";
-}
-
-void write_input(const Run& run) {
-    const auto path = run.folder / input_name(run);
+void write_input(const TetgenRun& run) {
+    const auto path = run.folder / surface_file;
     std::ofstream file(path, std::ios::binary);
-    file << tetgen_input(run.input, run.used, run.exponent);
+    file << smesh_text(run.input);
     file.close();
     if (!file)
         throw IoError(fmt::format("cannot write {}: is the disk full?", path.string()),
                       {.path = path});
 }
 
-/// Counting from zero (z) and quietly (Q); of a point set without faces (F) and their numbers (B).
-std::string switches(const Run& run) {
+/// Counting from zero (z) and quietly (Q).
+std::string switches(const TetgenRun& run) {
     const auto& options = run.options;
-    std::string text = facet_count(run.input) > 0 ? "-zQp" : "-zQFB";
+    std::string text = "-zQp";
     if (options.boundary == BoundarySplitting::forbidden)
         text += "Y";
     if (options.quality > 0.0)
         text += fmt::format("q{:.6f}", options.quality);
     if (options.largest_volume > 0.0) {
-        const double volume = std::ldexp(options.largest_volume, -3 * run.exponent);
+        const double volume = std::ldexp(options.largest_volume, -3 * run.input.exponent);
         text += fmt::format("a{:e}", std::clamp(volume, 1e-200, 1e200));
     }
     return text;
 }
 
-ChildOutcome start(const Run& run, const std::string& how) {
+ChildOutcome start(const TetgenRun& run, const std::string& how) {
     const ChildLimits limits{.seconds = run.options.seconds, .bytes = run.options.bytes};
-    return run_child(run.program, {how, input_name(run)}, run.folder, limits);
+    return run_child(run.program, {how, surface_file}, run.folder, limits);
 }
 
 std::string in_gibibytes(std::size_t bytes) {
@@ -96,18 +87,17 @@ std::string last_words(std::string_view output) {
 }
 
 /// TetGen does not say by itself which facets cross, but it has a mode that looks for them.
-void refuse_crossing_facets(const Run& run) {
-    if (facet_count(run.input) == 0)
-        return;
-    const auto pairs = crossing_facets(start(run, "-zd").output, facet_count(run.input));
+void refuse_crossing_facets(const TetgenRun& run) {
+    const auto facets = static_cast<Index>(run.input.triangles.rows());
+    const auto pairs = crossing_facets(start(run, "-zd").output, facets);
     if (pairs.empty())
         return;
     constexpr std::size_t most = 5;
     std::string names;
     for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i) {
-        names +=
-            fmt::format("{}{} and {}", i == 0 ? "" : ", ", facet_name(run.input, pairs[i].first),
-                        facet_name(run.input, pairs[i].second));
+        names += fmt::format("{}{} and {}", i == 0 ? "" : ", ",
+                             facet_name(run.input.given, pairs[i].first),
+                             facet_name(run.input.given, pairs[i].second));
     }
     throw InvalidInput(
         fmt::format("mesher: {} {} of facets cross or overlap: {}{}\nThe facets must "
@@ -117,7 +107,7 @@ void refuse_crossing_facets(const Run& run) {
                     pairs.size() > most ? " .." : ""));
 }
 
-[[noreturn]] void fail(const Run& run, const ChildOutcome& outcome) {
+[[noreturn]] void fail(const TetgenRun& run, const ChildOutcome& outcome) {
     const auto& options = run.options;
     if (outcome.end == ChildEnd::interrupted)
         throw SolverFailure("tetgen was stopped, as this program was asked to end");
@@ -151,7 +141,7 @@ void refuse_crossing_facets(const Run& run) {
                     words.empty() ? "" : ", saying: " + words));
 }
 
-[[noreturn]] void fail_empty(const Run& run) {
+[[noreturn]] void fail_empty(const TetgenRun& run) {
     refuse_crossing_facets(run);
     throw SolverFailure(fmt::format("tetgen made no tetrahedra\nProbable cause: {}.",
                                     run.input.holes.rows() > 0
@@ -160,7 +150,7 @@ void refuse_crossing_facets(const Run& run) {
 }
 
 /// TetGen orients all tetrahedra alike, and the sum tells how, whatever rounding does to flat ones.
-void orient(const Points& points, Simplices& cells) {
+void orient_alike(const Points& points, Simplices& cells) {
     double volume = 0.0;
     for (Eigen::Index i = 0; i < cells.rows(); ++i) {
         Eigen::Matrix3d edges;
@@ -172,34 +162,13 @@ void orient(const Points& points, Simplices& cells) {
         cells.col(2).swap(cells.col(3));
 }
 
-MesherOutput collect(const Run& run) {
-    MesherOutput output;
-    output.points = read_tetgen_points(run.folder / "mesh.1.node");
-    output.tetrahedra = read_tetgen_cells(run.folder / "mesh.1.ele", output.points.rows());
-    if (output.tetrahedra.rows() == 0)
-        fail_empty(run);
-    orient(output.points, output.tetrahedra);
-    if (facet_count(run.input) > 0) {
-        std::tie(output.faces, output.facets) = read_tetgen_faces(
-            run.folder / "mesh.1.face", output.points.rows(), facet_count(run.input));
-    }
-    for (double& coordinate : output.points.reshaped())
-        coordinate = std::ldexp(coordinate, run.exponent);
-    return output;
-}
-
 } // namespace
 
-bool has_tetgen() {
-    return find_program("tetgen").has_value();
-}
-
-MesherOutput run_tetgen(const MesherInput& input, const MesherOptions& options) {
-    auto program = require_program();
+TetgenOutput run_tetgen(const TetgenInput& input, const MesherOptions& options) {
+    const auto program = require_program();
     const HeldSignals held; // outlives the folder: a signal is delivered when that is gone
     const TemporaryFolder folder;
-    const Run run{
-        input, options, program, folder.path(), used_points(input), exponent_of(input.points)};
+    const TetgenRun run{input, options, program, folder.path()};
     write_input(run);
 
     const auto outcome = start(run, switches(run));
@@ -208,7 +177,16 @@ MesherOutput run_tetgen(const MesherInput& input, const MesherOptions& options) 
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(run.folder / "mesh.1.ele", ignored)))
         fail_empty(run);
-    return collect(run);
+    TetgenOutput output;
+    output.points = read_tetgen_points(run.folder / "mesh.1.node");
+    output.tetrahedra = read_tetgen_cells(run.folder / "mesh.1.ele", output.points.rows());
+    if (output.tetrahedra.rows() == 0)
+        fail_empty(run);
+    orient_alike(output.points, output.tetrahedra);
+    std::tie(output.faces, output.facets) =
+        read_tetgen_faces(run.folder / "mesh.1.face", output.points.rows(),
+                          static_cast<Index>(input.triangles.rows()));
+    return output;
 }
 
-} // namespace polydec::builtin
+} // namespace polydec

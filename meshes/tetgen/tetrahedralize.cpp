@@ -3,34 +3,40 @@
 
 #include "base/decompositions.h"
 #include "base/errors.h"
+#include "meshes/tetgen/run_tetgen.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace polydec {
 
 namespace {
 
-MesherInput facets_of(const Mesh& surface) {
-    MesherInput input;
-    input.points = surface.points;
-    const auto& triangles = surface.simplices;
-    input.corners.assign(triangles.data(), triangles.data() + triangles.size());
-    for (Eigen::Index f = 0; f <= triangles.rows(); ++f)
-        input.offsets.push_back(static_cast<Index>(f * triangles.cols()));
-    return input;
-}
-
-Eigen::Index count_isolated(const MesherInput& input) {
-    std::vector<bool> used(static_cast<std::size_t>(input.points.rows()), false);
-    for (const Index corner : input.corners)
-        used[static_cast<std::size_t>(corner)] = true;
-    return std::count(used.begin(), used.end(), false);
+void check_mesher_options(const MesherOptions& options) {
+    const double least_quality = std::sqrt(6.0) / 4.0; // of a regular tetrahedron
+    const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+    if (options.quality != 0.0 &&
+        !(positive(options.quality) && options.quality >= least_quality)) {
+        throw InvalidInput(fmt::format("mesher: no tetrahedron has a circumradius of {} shortest "
+                                       "edges, 0.613 is the least: ask for a quality of 1.2 or "
+                                       "more, or 0 for none",
+                                       options.quality));
+    }
+    if (options.largest_volume != 0.0 && !positive(options.largest_volume)) {
+        throw InvalidInput(fmt::format("mesher: the largest volume {} is not positive; 0 means no "
+                                       "bound",
+                                       options.largest_volume));
+    }
+    if (!positive(options.seconds) || options.bytes == 0) {
+        throw InvalidInput(fmt::format("mesher: {} seconds and {} bytes leave no room to work",
+                                       options.seconds, options.bytes));
+    }
 }
 
 /// Circumradius over shortest edge.
-double quality(const Mesh& mesh, Eigen::Index cell) {
+double radius_to_edge(const Mesh& mesh, Eigen::Index cell) {
     const auto corner = [&](int i) { return mesh.points.row(mesh.simplices(cell, i % 4)); };
     Eigen::Matrix3d edges;
     double shortest = (corner(1) - corner(3)).norm();
@@ -49,7 +55,7 @@ void warn_of_quality(Mesh& mesh, double bound) {
     Eigen::Index missed = 0;
     double worst = 0.0;
     for (Eigen::Index cell = 0; cell < mesh.simplices.rows(); ++cell) {
-        const double here = quality(mesh, cell);
+        const double here = radius_to_edge(mesh, cell);
         missed += here <= bound * rounding ? 0 : 1;
         worst = std::max(worst, here);
     }
@@ -63,8 +69,7 @@ void warn_of_quality(Mesh& mesh, double bound) {
 
 } // namespace
 
-Mesh tetrahedralize(const Mesh& surface, const MesherOptions& options, const Points& holes,
-                    const std::string& engine) {
+Mesh tetrahedralize(const Mesh& surface, const MesherOptions& options, const Points& holes) {
     if (surface.dimension() != 2 || surface.ambient_dimension() != 3 ||
         surface.simplices.rows() == 0) {
         throw InvalidInput(fmt::format("tetrahedra are made within surfaces of triangles in three "
@@ -72,14 +77,16 @@ Mesh tetrahedralize(const Mesh& surface, const MesherOptions& options, const Poi
                                        surface.simplices.rows(), surface.dimension(),
                                        surface.ambient_dimension()));
     }
-    auto input = facets_of(surface);
-    input.holes = holes;
-    auto output = tetrahedralize(input, options, engine);
+    check_mesher_options(options);
+    const auto input = tetgen_input(surface, holes);
+    auto output = run_tetgen(input, options);
+    check_tetgen_output(input, output);
 
     Mesh mesh;
-    mesh.points = std::move(output.points);
+    mesh.points = output.points.unaryExpr([&](double x) { return std::ldexp(x, input.exponent); });
+    mesh.points.topRows(input.points.rows()) = surface.points(input.vertices, Eigen::all);
     mesh.simplices = std::move(output.tetrahedra);
-    if (const auto isolated = count_isolated(input); isolated > 0) {
+    if (const auto isolated = surface.points.rows() - input.points.rows(); isolated > 0) {
         mesh.warnings.push_back(fmt::format("left out {} {} of no triangle", isolated,
                                             isolated == 1 ? "vertex" : "vertices"));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/mesher/tetrahedron_sign.h"
+#include "meshes/tetgen/tetrahedron_sign.h"
 
 #include <Eigen/Geometry>
 
@@ -12,7 +12,6 @@ namespace polydec {
 
 namespace {
 
-using Place = Eigen::Vector3d;
 using Pair = std::array<double, 2>; // a number as a double and what that lacks
 
 Pair exact_sum(double a, double b) {
@@ -46,7 +45,7 @@ private:
     std::vector<double> parts_;
 };
 
-int exact_sign(const Place& a, const std::array<const Place*, 3>& corners) {
+int exact_sign(const Eigen::Vector3d& a, const std::array<const Eigen::Vector3d*, 3>& corners) {
     std::array<std::array<Pair, 3>, 3> edges;
     for (std::size_t i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -67,9 +66,10 @@ int exact_sign(const Place& a, const std::array<const Place*, 3>& corners) {
 
 } // namespace
 
-int tetrahedron_sign(const Place& a, const Place& b, const Place& c, const Place& d) {
+int tetrahedron_sign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                     const Eigen::Vector3d& d) {
     constexpr double rounding = 32.0 * std::numeric_limits<double>::epsilon();
-    const Place p = b - a, q = c - a, r = d - a;
+    const Eigen::Vector3d p = b - a, q = c - a, r = d - a;
     const double volume = p.cross(q).dot(r);
     if (std::abs(volume) > rounding * p.norm() * q.norm() * r.norm())
         return volume > 0.0 ? 1 : -1;
