@@ -12,7 +12,7 @@
 Matrices are ``scipy.sparse.csr_matrix``, forms are arrays or `Cochain` objects, and errors are
 those of this module, which are Python's own too. See `discretize` and `Complex` first.
 """
-import os
+import os as _os
 
 from . import _core, meshes
 from ._core import __version__
@@ -65,5 +65,5 @@ __all__ = [
 ]
 
 # a child that is forked has the parent's threads in its memory, but not running
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_core.use_one_thread)
+if hasattr(_os, "register_at_fork"):
+    _os.register_at_fork(after_in_child=_core.use_one_thread)

@@ -273,6 +273,10 @@ TEST(GluedBox, has_the_theorem_of_stokes) {
             const int n = mesh.dimension();
             const Vector df = de_rham(mesh, 1, derivative_of_waves(n), 15).values;
             EXPECT_LE(relative_difference(d(mesh, de_rham(mesh, 0, waves(1))).values, df), 1e-5);
+            if (n > 1) {
+                const Vector along = boundary_de_rham(mesh, 1, derivative_of_waves(n));
+                EXPECT_EQ(along.cwiseAbs().maxCoeff() == 0, closed) << "seams are no boundary";
+            }
             if (star != StarKind::circumcentric)
                 continue;
             const Vector inside =

@@ -116,6 +116,7 @@ class Cost(TestCase):
         "maxwell": ("--initial", "y;x", "--until", "1e-3"),
         "flow": ("--vorticity", "x", "--until", "1e-3"),
         "distance": ("--from", "0")}
+    WATCHED = {"spectrum", "operators", "draw", "distance", "merge"}
     WITHOUT_MESH = {"generate", "reproduce", "backends"}
 
     def test_every_command_that_takes_a_mesh_is_bounded(self):
@@ -124,7 +125,8 @@ class Cost(TestCase):
         self.assertEqual(names, set(self.ARGUMENTS) | self.WITHOUT_MESH)
         self.succeed("generate", "grid", "--nx", 200, "--ny", 200, "-o", "grid.nsc")
         for name, arguments in self.ARGUMENTS.items():
-            for most in (1, 20, 50):  # the last is passed by what is made of the mesh, if at all
+            # the last is passed by what is made of the mesh, if at all
+            for most in (1, 20, 50) if name in self.WATCHED else (1, 20):
                 with self.subTest(name, most=most):
                     with command.start(name, "grid.nsc", *arguments, "--max-memory", f"{most}M",
                                        cwd=self.folder, stdout=subprocess.DEVNULL,

@@ -58,6 +58,7 @@ class Draw:
         common = self.common(ask)
         if "--no-merge" in common and self.jitter > 0: # duals of this size have its rounding
             self.rounding = max(self.rounding, 1e-15 / self.jitter)
+        self.is_symmetric = self.jitter == 0 and any("--delaunay" in word for word in common)
         asked = ask(mesh)
         return lambda g: Asked([*asked(g).words, *common], asked(g).powers)
 
@@ -227,7 +228,8 @@ class Draw:
     def flow(self, mesh):
         draw = self.random
         viscosity = draw.choice([0, 0, .1])
-        by_vorticity = mesh.n == 2 and draw.random() < .5
+        # velocities are carried from flip to flip, in an order that symmetry leaves open
+        by_vorticity = mesh.n == 2 and (draw.random() < .5 or self.is_symmetric)
         vorticity, velocity = self.template(), [self.template() for _ in range(mesh.N)]
         scheme = draw.choice([[], ["--scheme", "imex"]])
         times = self.times(1e-3, draw.randint(1, 3), 0)
