@@ -11,7 +11,7 @@
 #include <numeric>
 #include <random>
 
-namespace polydec::test::in_order {
+namespace polydec::test::in_order_file {
 namespace {
 
 class Orders : public testing::TestWithParam<std::string> {
@@ -109,4 +109,4 @@ TEST_P(Orders, of_vertices_rename_the_simplices_and_change_nothing_else) {
 POLYDEC_OVER_MESHES(Orders);
 
 } // namespace
-} // namespace polydec::test::in_order
+} // namespace polydec::test::in_order_file
