@@ -205,8 +205,8 @@ class Cells:
 
         Arrays `a` and `b` need their degree and side; `Cochain` objects bring theirs.
         """
-        a_side, a_degree, a_values = as_form(a, k, side)
-        b_side, b_degree, b_values = as_form(b, k, side)
+        a_side, a_degree, a_values = as_form(self, a, k, side)
+        b_side, b_degree, b_values = as_form(self, b, k, side)
         if (a_side, a_degree) != (b_side, b_degree):
             raise InvalidInput(f"the inner product of a {a_side} {a_degree}-form and a {b_side} "
                                f"{b_degree}-form is asked for: expected forms of one kind")
@@ -214,7 +214,7 @@ class Cells:
 
     def norm(self, form: Form, k: int | None = None, side: str = "primal") -> float:
         """Square root of the inner product of a form with itself."""
-        return self._calculus.norm(*as_form(form, k, side))
+        return self._calculus.norm(*as_form(self, form, k, side))
 
     # ---- other stars, other cells
 
@@ -357,12 +357,16 @@ class _Operator(scipy.sparse.linalg.LinearOperator):  # type: ignore[misc]
         return np.array(columns).reshape(self.shape[::-1]).T
 
 
-def as_form(form: Form, degree: int | None, side: str = "primal") -> tuple[str, int, Floats]:
-    """Side, degree and values of a `Cochain`, or of an array with what is said of it."""
+def as_form(cells: Cells, form: Form, degree: int | None,
+            side: str = "primal") -> tuple[str, int, Floats]:
+    """Side, degree and values of a `Cochain`, or of an array with what is said of it, which may have
+    a number for each vertex that was given."""
     from ._cochain import Cochain
+    from ._vertices import form_at_cells
     if isinstance(form, Cochain):
         return form.side, form.degree, form.values
     if degree is None:
         raise InvalidInput("an array is given without its degree: expected a Cochain, or an array "
                            "and the degree of the form")
-    return side, degree, floats(form, f"values of the {side} {degree}-form")
+    values = floats(form, f"values of the {side} {degree}-form")
+    return side, degree, form_at_cells(cells, values, side, degree)

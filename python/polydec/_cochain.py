@@ -10,7 +10,7 @@ import numpy.typing as npt
 from ._arrays import Floats, floats
 from ._cells import Cells
 from ._errors import InvalidInput
-from ._vertices import at_cells
+from ._vertices import form_at_cells
 
 
 class Cochain:
@@ -44,8 +44,8 @@ class Cochain:
         self.degree = degree
         self.side = side
         self._complex = complex
-        if complex is not None and degree == (0 if side == "primal" else complex.dim):
-            self.values = at_cells(complex, self.values)
+        if complex is not None:
+            self.values = form_at_cells(complex, self.values, side, degree)
         if side not in ("primal", "dual"):
             raise InvalidInput(f'side is "{side}": expected "primal" or "dual"')
         if complex is not None and len(self.values) != complex.size(degree, side):

@@ -277,7 +277,7 @@ class Merging:
 
     def to_merged(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
         """The form on merged cells of a form on the input's simplices: sums, or means of duals."""
-        return self._form(_core.transfer(self._mesh, "to_merged", *as_form(form, degree, side)),
+        return self._form(_core.transfer(self._mesh, "to_merged", *as_form(self._complex, form, degree, side)),
                           self._complex)
 
     def to_input(self, form: Form, degree: int | None = None, side: str = "primal") -> Cochain:
@@ -285,12 +285,12 @@ class Merging:
 
         Before derivatives take `lifted`.
         """
-        return self._form(_core.transfer(self._mesh, "to_input", *as_form(form, degree, side)),
+        return self._form(_core.transfer(self._mesh, "to_input", *as_form(self._complex, form, degree, side)),
                           self._complex.input)
 
     def lifted(self, form: Form, degree: int | None = None) -> Cochain:
         """The primal form on the input's simplices that has the same d there as on the cells."""
-        return self._form(_core.transfer(self._mesh, "lifted", *as_form(form, degree)),
+        return self._form(_core.transfer(self._mesh, "lifted", *as_form(self._complex, form, degree)),
                           self._complex.input)
 
     def consistency(self, form: Form, degree: int | None = None,
@@ -300,7 +300,7 @@ class Merging:
         A dict of ``worst``, the largest deviation, and ``cell``, ``found``, ``expected`` and
         ``description`` of where it is.
         """
-        return _core.consistency(self._mesh, *as_form(form, degree, side))
+        return _core.consistency(self._mesh, *as_form(self._complex, form, degree, side))
 
     @staticmethod
     def _form(parts: tuple[str, int, Floats], cells: Cells) -> Cochain:

@@ -16,7 +16,7 @@ from ._complex import CellsLike, as_cells
 from ._conditions import conditions_or_none
 from ._errors import InvalidInput
 from ._sources import boundary_data
-from ._vertices import at_cells, at_vertices
+from ._vertices import form_at_cells, form_at_vertices
 
 _Data = tuple[Floats, Floats, Floats, Floats]
 _names = {"values", "codifferential", "flow", "derivative_flow"}
@@ -59,11 +59,9 @@ class HeatSolver:
 
     def step(self, u: Form, steps: int = 1) -> Floats:
         """The values so many steps later. Ctrl-C ends it between two steps."""
-        side, degree, values = as_form(u, self._kind[1], self._kind[0])
-        if degree != (0 if side == "primal" else self._complex.dim):
-            return self._solver.step(side, degree, values, steps)[2]
-        later = self._solver.step(side, degree, at_cells(self._complex, values), steps)[2]
-        return at_vertices(self._complex, later)
+        side, degree, values = as_form(self._complex, u, self._kind[1], self._kind[0])
+        later = self._solver.step(side, degree, values, steps)[2]
+        return form_at_vertices(self._complex, later, side, degree)
 
 
 def heat(complex: CellsLike, u: Form, time_step: float, steps: int = 1, *, degree: int = 0,
@@ -166,8 +164,9 @@ class Evolution:
                  relative_tolerance: float = 1e-5, absolute_tolerance: float = 1e-8,
                  first_step: float = 0.0, largest_step: float = 0.0, fixed_step: float = 0.0,
                  most_steps: int = 1_000_000, engine: str = "auto") -> None:
-        complex = as_cells(complex, in_units=True)
-        unknowns = [as_form(form, degree, side) for form in _several(start)]
+        self._complex = complex = as_cells(complex, in_units=True)
+        unknowns = [as_form(complex, form, degree, side) for form in _several(start)]
+        self._kinds = [(form[0], form[1]) for form in unknowns]
         coefficients = floats(np.full(len(unknowns), diffusion) if np.ndim(diffusion) == 0
                               else diffusion, "coefficients of diffusion")
         if len(coefficients) != len(unknowns):
@@ -178,7 +177,7 @@ class Evolution:
                   _at_boundary(each, complex, form[0], form[1]))
                  for form, nu, each in zip(unknowns, coefficients, _each(boundary, len(unknowns)))]
         self._run = _core.Evolution(
-            complex._calculus, given, _rates(reaction, len(unknowns)), _number(event), time,
+            complex._calculus, given, self._rates(reaction), self._number(event), time,
             integrator, (relative_tolerance, absolute_tolerance, first_step, largest_step, fixed_step,
              most_steps), engine)
 
@@ -188,7 +187,41 @@ class Evolution:
 
     @property
     def forms(self) -> tuple[Floats, ...]:
-        return tuple(self._run.forms())
+        return self._told(self._run.forms())
+
+    def _told(self, forms: Sequence[Floats]) -> tuple[Floats, ...]:
+        """Forms as they are given: those of vertices with all that were given."""
+        return tuple(form_at_vertices(self._complex, values, side, degree)
+                     for values, (side, degree) in zip(forms, self._kinds))
+
+    def _rates(self, reaction: Callable[..., Any] | None) -> Any:
+        """The reaction as C++ calls it: with a list of arrays, for a list of them."""
+        if reaction is None:
+            return None
+        called = reaction
+
+        def rate(given: Any, side: str, degree: int) -> Floats:
+            if given is None or (np.ndim(given) == 0 and given == 0):
+                return np.zeros(0)
+            if np.ndim(given) != 1: # which is said where rates are counted
+                return floats(np.asarray(given), "rates of the reaction")
+            return as_form(self._complex, given, degree, side)[2]
+
+        def rates(time: float, forms: list[Floats]) -> list[Floats]:
+            given = called(time, *self._told(forms))
+            several = (given,) if len(self._kinds) == 1 and not isinstance(given, tuple) else given
+            if len(several) != len(self._kinds):
+                raise InvalidInput(f"the reaction gives rates of {len(several)} unknowns: expected "
+                                   f"{len(self._kinds)}")
+            return [rate(each, *kind) for each, kind in zip(several, self._kinds)]
+
+        return rates
+
+    def _number(self, event: Callable[..., Any] | None) -> Any:
+        if event is None:
+            return None
+        called = event
+        return lambda time, forms: float(called(time, *self._told(forms)))
 
     @property
     def report(self) -> dict[str, Any]:
@@ -261,32 +294,6 @@ def _several(start: Forms) -> list[Form]:
     return [start] # type: ignore[list-item]
 
 
-def _rates(reaction: Callable[..., Any] | None, unknowns: int) -> Any:
-    """The reaction as C++ calls it: with a list of arrays, for a list of them."""
-    if reaction is None:
-        return None
-    called = reaction
-
-    def rate(given: Any) -> Floats:
-        if given is None or (np.ndim(given) == 0 and given == 0):
-            return np.zeros(0)
-        return floats(np.asarray(given), "rates of the reaction")
-
-    def rates(time: float, forms: list[Floats]) -> list[Floats]:
-        given = called(time, *forms)
-        return [rate(each) for each in ((given,) if unknowns == 1 and not isinstance(given, tuple)
-                                        else given)]
-
-    return rates
-
-
-def _number(event: Callable[..., Any] | None) -> Any:
-    if event is None:
-        return None
-    called = event
-    return lambda time, forms: float(called(time, *forms))
-
-
 def _each(boundary: Any, unknowns: int) -> Sequence[Any]:
     if unknowns == 1:
         return [boundary]
@@ -315,6 +322,7 @@ def _at_boundary(boundary: Any, cells: Cells, side: str,
             return boundary_data(**given)
         made = floats(np.full(size, given) if np.ndim(given) == 0 else given,
                       "values on the boundary")
+        made = form_at_cells(cells, made, side, degree)
         if len(made) != size:
             raise InvalidInput(f"{len(made)} values on the boundary are given: expected {size}")
         return boundary_data(values=made)

@@ -139,7 +139,7 @@ def wedge(complex: Complex, a: Form, b: Form, *, degrees: tuple[int, int] | None
     True
     """
     k, l = degrees if degrees is not None else (None, None)
-    left, right = as_form(a, k, side), as_form(b, l, side)
+    left, right = as_form(complex, a, k, side), as_form(complex, b, l, side)
     kind = weights if left[0] == "primal" else "dual"
     return _given_back(complex, _core.product(mesh_of(complex), kind, *left, *right), a, b)
 
@@ -155,8 +155,8 @@ def primal_dual_wedge(complex: Complex, a: Form, b: Form, *, degree: int | None 
     >>> np.isclose(polydec.primal_dual_wedge(square, a, a.star()).sum(), a.norm() ** 2)
     True
     """
-    left = as_form(a, degree, "primal")
-    right = as_form(b, None if degree is None else complex.dim - degree, "dual")
+    left = as_form(complex, a, degree, "primal")
+    right = as_form(complex, b, None if degree is None else complex.dim - degree, "dual")
     return _core.primal_dual_wedge(mesh_of(complex), *left, *right)
 
 
@@ -190,7 +190,7 @@ def sharp_pp(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.sharp_pp(square, square.d(0) @ square.points[:, 1]), [0, 1])
     True
     """
-    return at_vertices(complex, _core.sharp(mesh_of(complex), "pp", *as_form(form, 1)))
+    return at_vertices(complex, _core.sharp(mesh_of(complex), "pp", *as_form(complex, form, 1)))
 
 
 def sharp_pd(complex: Complex, form: Form) -> Floats:
@@ -204,7 +204,7 @@ def sharp_pd(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.sharp_pd(square, square.d(0) @ square.points[:, 1]), [0, 1])
     True
     """
-    return _core.sharp(mesh_of(complex), "pd", *as_form(form, 1))
+    return _core.sharp(mesh_of(complex), "pd", *as_form(complex, form, 1))
 
 
 def flux_sharp(complex: Complex, form: Form) -> Floats:
@@ -216,7 +216,7 @@ def flux_sharp(complex: Complex, form: Form) -> Floats:
     >>> np.allclose(polydec.flux_sharp(square, polydec.de_rham(square, 1, east)), [1, 0])
     True
     """
-    return _core.sharp(mesh_of(complex), "flux", *as_form(form, complex.dim - 1))
+    return _core.sharp(mesh_of(complex), "flux", *as_form(complex, form, complex.dim - 1))
 
 
 def gradient(complex: Complex, u: Form) -> Floats:
@@ -227,7 +227,7 @@ def gradient(complex: Complex, u: Form) -> Floats:
     >>> np.allclose(polydec.gradient(square, square.points @ [3, -1]), [3, -1])
     True
     """
-    return sharp_pd(complex, complex.d(0) @ as_form(u, 0)[2])
+    return sharp_pd(complex, complex.d(0) @ as_form(complex, u, 0)[2])
 
 
 def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = None) -> Floats:
@@ -242,7 +242,7 @@ def whitney_at_centroids(complex: Complex, form: Form, *, degree: int | None = N
     >>> np.allclose(polydec.whitney_at_centroids(square, dx), [1, 0])
     True
     """
-    return _core.sharp(mesh_of(complex), "whitney", *as_form(form, degree))
+    return _core.sharp(mesh_of(complex), "whitney", *as_form(complex, form, degree))
 
 
 def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayLike, *,
@@ -272,7 +272,7 @@ def whitney_form(complex: Complex, form: Form, top: int, barycentric: npt.ArrayL
     >>> polydec.whitney_form(square, dx, 0, np.ones(3) / 3).round(12) + 0.0
     array([1., 0.])
     """
-    return _core.whitney_form(mesh_of(complex), *as_form(form, degree), top,
+    return _core.whitney_form(mesh_of(complex), *as_form(complex, form, degree), top,
                               floats(barycentric, "barycentric coordinates"))
 
 
@@ -376,6 +376,6 @@ class LieDerivative:
         return self._applied("inflow", field, outside)
 
     def _applied(self, what: str, field: npt.ArrayLike, form: Form) -> Any:
-        given = as_form(form, self._k)
+        given = as_form(self._complex, form, self._k)
         return _given_back(self._complex,
                            self._lie.apply(what, _vectors(self._complex, field), *given), form)

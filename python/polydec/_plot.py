@@ -95,7 +95,7 @@ def plot(complex: CellsLike, values: Form | None = None, *, degree: int | None =
 def _colors(complex: Complex, values: Form, degree: int | None, side: str,
             seen: Integers) -> Floats:
     if isinstance(values, Cochain):
-        side, degree, array = as_form(values, None)
+        side, degree, array = as_form(complex, values, None)
     else:
         array = at_cells(complex, floats(values, "values"))
         if degree is None:

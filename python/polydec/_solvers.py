@@ -224,7 +224,7 @@ class HodgeSolver:
             of, k, values = parts
             return Cochain(values, k, of, self._complex if len(values) else None)
 
-        return HodgeParts(*map(made, self._solver.decompose(*as_form(form, degree, side))))
+        return HodgeParts(*map(made, self._solver.decompose(*as_form(self._complex, form, degree, side))))
 
     def harmonic_forms(self) -> Floats:
         """Columns of norm 1, closed and coclosed, orthogonal to each other: Betti number many."""
@@ -247,7 +247,7 @@ def hodge_decomposition(complex: CellsLike, form: Form, *, degree: int | None = 
     True
     """
     complex = as_cells(complex)
-    given_side, k, values = as_form(form, degree, side)
+    given_side, k, values = as_form(complex, form, degree, side)
     solver = HodgeSolver(complex, degree=k, side=given_side, engine=engine)
     return solver.decompose(Cochain(values, k, given_side, complex))
 

@@ -147,7 +147,7 @@ class HodgeLaplaceSolver:
         data = boundary_data(values=values, codifferential=codifferential, flow=flow,
                              derivative_flow=derivative_flow)
         form, beside, removed, report = self._solver.solve(
-            *as_form(f, degree, side), data, _or_none(harmonic, "coefficients of harmonic forms"))
+            *as_form(self._complex, f, degree, side), data, _or_none(harmonic, "coefficients of harmonic forms"))
         return FormSolution(_made(form, self._complex), _made(beside, self._complex),
                             _made(removed, self._complex), report)
 
@@ -161,7 +161,7 @@ class HodgeLaplaceSolver:
         side, degree = self._kind
         none = np.zeros(0)
         potential, removed, report = self._solver.solve_curl_curl(
-            *as_form(current, degree, side),
+            *as_form(self._complex, current, degree, side),
             (_or_none(values, "values on the boundary"), none, none, none))
         return CurlCurlSolution(_made(potential, self._complex), _made(removed, self._complex),
                                 report)
@@ -186,7 +186,7 @@ def hodge_laplace(complex: CellsLike, f: Form, *, degree: int | None = None, sid
     True
     """
     complex = as_cells(complex)
-    given_side, k, values = as_form(f, degree, side)
+    given_side, k, values = as_form(complex, f, degree, side)
     solver = HodgeLaplaceSolver(complex, degree=k, side=given_side, essential=essential,
                                 robin=robin, engine=engine)
     return solver.solve(values)
@@ -267,7 +267,7 @@ class StokesSolver:
         """
         n = self._complex.dim
         none = np.zeros(self._complex.size(n - 1))
-        _, degree, values = as_form(none if force is None else force, n - 1)
+        _, degree, values = as_form(self._complex, none if force is None else force, n - 1)
         known = (_or_none(through, "fluxes"), _or_none(along, "velocities along the boundary"),
                  _or_none(vorticity, "vorticities"), _or_none(pressure, "pressures"))
         flux, found, head, report = self._solver.solve(degree, values, known)

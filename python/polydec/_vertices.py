@@ -37,6 +37,20 @@ def at_cells(cells: Cells, rows: npt.NDArray[Any]) -> npt.NDArray[Any]:
     return chosen
 
 
+def _is_of_vertices(cells: Cells, side: str, degree: int) -> bool:
+    return degree == (0 if side == "primal" else cells.dim)
+
+
+def form_at_vertices(cells: Cells, values: Floats, side: str, degree: int) -> Floats:
+    """Values of a form; where its cells are vertices, or their duals, for all that were given."""
+    return at_vertices(cells, values) if _is_of_vertices(cells, side, degree) else values
+
+
+def form_at_cells(cells: Cells, values: Floats, side: str, degree: int) -> Floats:
+    """The other way round."""
+    return at_cells(cells, values) if _is_of_vertices(cells, side, degree) else values
+
+
 def points_of(mesh: _core.Discretization) -> Floats:
     """Those of all vertices, nan where a place is not known."""
     if mesh.vertex_count == len(mesh.points):

@@ -13,6 +13,7 @@ from ._arrays import Floats, floats
 from ._complex import CellsLike, as_cells
 from ._conditions import conditions_or_none
 from ._errors import InvalidInput
+from ._vertices import form_at_cells, form_at_vertices
 
 #: Rates that are added to those of a wave, at a time.
 Source = Callable[[float], Any]
@@ -108,12 +109,12 @@ class Leapfrog:
                  essential: Any = None, loss: npt.ArrayLike | None = None,
                  upper_loss: npt.ArrayLike | None = None,
                  layer: float | AbsorbingLayer | None = None) -> None:
-        complex = as_cells(complex, in_units=True)
+        self._complex = complex = as_cells(complex, in_units=True)
+        self._E, self._B = (side, k), (side, k + 1)
         given = layer if isinstance(layer, AbsorbingLayer) else AbsorbingLayer(layer or 0.0)
         self._waves = _core.Leapfrog(
             complex._calculus, side, k, conditions_or_none(complex, essential),
-            time_step, _losses(loss, complex.size(k, side)),
-            _losses(upper_loss, complex.size(k + 1, side)),
+            time_step, self._losses(loss, *self._E), self._losses(upper_loss, *self._B),
             (given.width, given.kind, [(bool(a), bool(b)) for a, b in given.sides],
              given.reflection, given.power))
         self._has_layer = given.width > 0
@@ -137,9 +138,11 @@ class Leapfrog:
             value. They are called for the middle of every step, and for its beginning.
         """
         E, B, *memory = self._waves.march(
-            (floats(state.E, "values of E"), floats(state.B, "values of B"), *state.memory), steps,
-            state.time, _called(source), _called(upper_source))
-        return WaveState(E, B, state.time + steps * self.time_step, (memory[0], memory[1]))
+            (*self._fields(state.E, state.B), *state.memory), steps, state.time,
+            self._called(source, *self._E), self._called(upper_source, *self._B))
+        return WaveState(form_at_vertices(self._complex, E, *self._E),
+                         form_at_vertices(self._complex, B, *self._B),
+                         state.time + steps * self.time_step, (memory[0], memory[1]))
 
     def step(self, E: npt.ArrayLike, B: npt.ArrayLike, steps: int = 1) -> tuple[Floats, Floats]:
         """E and B so many steps later, without sources and without a layer, whose memory `march`
@@ -152,20 +155,26 @@ class Leapfrog:
 
     def energy(self, E: npt.ArrayLike, B: npt.ArrayLike) -> float:
         """What every step conserves, without sources and losses."""
-        return self._waves.energy(floats(E, "values of E"), floats(B, "values of B"))
+        return self._waves.energy(*self._fields(E, B))
 
+    def _fields(self, E: npt.ArrayLike, B: npt.ArrayLike) -> tuple[Floats, Floats]:
+        return (form_at_cells(self._complex, floats(E, "values of E"), *self._E),
+                form_at_cells(self._complex, floats(B, "values of B"), *self._B))
 
-def _losses(loss: npt.ArrayLike | None, size: int) -> Floats:
-    if loss is None:
-        return np.zeros(0)
-    return floats(np.full(size, loss) if np.ndim(loss) == 0 else loss, "losses")
+    def _losses(self, loss: npt.ArrayLike | None, side: str, degree: int) -> Floats:
+        if loss is None:
+            return np.zeros(0)
+        if np.ndim(loss) == 0:
+            return np.full(self._complex.size(degree, side), loss, np.float64)
+        return form_at_cells(self._complex, floats(loss, "losses"), side, degree)
 
-
-def _called(source: Source | None) -> Callable[[float], Floats] | None:
-    if source is None:
-        return None
-    called = source
-    return lambda time: floats(called(time), "values of a source")
+    def _called(self, source: Source | None, side: str,
+                degree: int) -> Callable[[float], Floats] | None:
+        if source is None:
+            return None
+        called = source
+        return lambda time: form_at_cells(
+            self._complex, floats(called(time), "values of a source"), side, degree)
 
 
 def stable_step(complex: CellsLike, k: int, *, side: str = "primal",

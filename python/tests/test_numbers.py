@@ -31,6 +31,21 @@ def test_vertices_keep_the_numbers_of_the_arrays():
     assert same(polydec.poisson(c, 0.0, f, essential=False, fixed=[6, 20]).values,
                 polydec.poisson(plain, 0.0, f[used], essential=False, fixed=[4, 18]).values)
     assert same(polydec.heat(c, f, 0.1, 2), polydec.heat(plain, f[used], 0.1, 2))
+    assert same(polydec.wave(c, f, 0.2, loss=abs(f), source=lambda t: t * f)[0],
+                polydec.wave(plain, f[used], 0.2, loss=abs(f[used]),
+                             source=lambda t: t * f[used])[0])
+
+    def later(complex, u, side, degree, boundary):
+        run = polydec.Evolution(complex, u, side=side, degree=degree, diffusion=0.1,
+                                essential=True, reaction=lambda t, w: u - w, boundary=boundary)
+        run.march(0.1)
+        return run.forms[0]
+
+    assert same(later(c, f, "primal", 0, f), later(plain, f[used], "primal", 0, f[used]))
+    assert same(later(c, f, "dual", 2, None), later(plain, f[used], "dual", 2, None))
+    assert near(polydec.hodge_laplace(c, f, degree=0).form.values,
+                polydec.hodge_laplace(plain, f[used], degree=0).form.values)
+    assert near(polydec.gradient(c, f), polydec.gradient(plain, f[used]))
     assert np.array_equal(c.boundary_vertices(), used[plain.boundary_vertices()])
     assert np.array_equal(c.cells(2).corners, used[plain.cells(2).corners])
     assert np.array_equal(c.cochain(f, 0).values, f[used])
