@@ -15,8 +15,7 @@ struct StreamlineOptions {
 };
 
 /// Lines that run along a field of vectors, in any dimension: a mesh of segments, from tail to head
-/// as the vectors point, in the units of
-/// the input. vectors has a row for each merged n-cell, as
+/// as the vectors point, in the units of the input. vectors has a row for each merged n-cell, as
 /// sharp_pd and flux_sharp give them. Between the vertices, where the means by volume of the cells
 /// around are taken, the field is linear on each n-simplex; what of it sticks out of a bent surface
 /// is left out. Steps are of second order, a quarter of a simplex long at most. A line ends at the

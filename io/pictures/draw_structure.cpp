@@ -80,6 +80,7 @@ private:
     void add_words();
 
     const Discretization& mesh_;
+    const Points& points_; // of its vertices, in its unit
     const StructureOptions& options_;
     SolidView view_;
     bool is_plane_;
@@ -94,20 +95,18 @@ private:
 
 StructureDrawing::StructureDrawing(const Discretization& given, const StructureOptions& options)
     : mesh_(placed(given)),
+      points_(mesh_.measured_points()),
       options_(options),
       view_(options.view),
-      is_plane_(
-          mesh_.measured_points().cols() == 2 ||
-          (mesh_.measured_points().cols() == 3 &&
-           mesh_.measured_points().col(2).maxCoeff() == mesh_.measured_points().col(2).minCoeff())),
+      is_plane_(points_.cols() == 2 ||
+                (points_.cols() == 3 && points_.col(2).maxCoeff() == points_.col(2).minCoeff())),
       removed_(mesh_.dimension() == 2 ? static_cast<std::size_t>(mesh_.complex().size(2)) : 0) {
     const Discretization& mesh = mesh_;
-    if (mesh.dimension() != 2 || mesh.measured_points().cols() < 2 ||
-        mesh.measured_points().cols() > 3)
+    if (mesh.dimension() != 2 || points_.cols() < 2 || points_.cols() > 3)
         throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates: a drawing of the "
                                        "structure shows polygons in the plane or in space; a page "
                                        "shows solids",
-                                       mesh.dimension(), mesh.measured_points().cols()));
+                                       mesh.dimension(), points_.cols()));
     if (!mesh.passage().is_identity())
         throw InvalidInput("edges were flipped, and are no straight lines any more: draw the mesh "
                            "without flips, or as a page");
@@ -138,7 +137,7 @@ double StructureDrawing::middling_edge() const {
     std::vector<double> lengths;
     for (Index edge = 0; edge < mesh_.complex().size(1); ++edge) {
         const auto [a, b] = ends(edge);
-        lengths.push_back((at(mesh_.measured_points(), a) - at(mesh_.measured_points(), b)).norm());
+        lengths.push_back((at(points_, a) - at(points_, b)).norm());
     }
     const auto middle = lengths.begin() + std::ssize(lengths) / 2;
     std::nth_element(lengths.begin(), middle, lengths.end());
@@ -157,11 +156,11 @@ void StructureDrawing::find_extent() {
         }
     };
     for (Index v = 0; v < mesh_.complex().size(0); ++v)
-        add(at(mesh_.measured_points(), v), 0);
+        add(at(points_, v), 0);
     for (Index cell = 0; cell < mesh_.complex().size(2); ++cell) {
         const Point center = at(centers_, cell);
         if (options_.circumcircles)
-            add(center, (at(mesh_.measured_points(), corners_[cell].front()) - center).norm());
+            add(center, (at(points_, corners_[cell].front()) - center).norm());
         else if (options_.duals)
             add(center, 0);
     }
@@ -191,10 +190,9 @@ bool StructureDrawing::is_closed() const {
         for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell])
             ++sides[edge];
         const auto& ring = corners_[cell];
-        const Point first = at(mesh_.measured_points(), ring[0]);
+        const Point first = at(points_, ring[0]);
         for (std::size_t i = 2; i < ring.size(); ++i)
-            volume += first.dot(at(mesh_.measured_points(), ring[i - 1])
-                                    .cross(at(mesh_.measured_points(), ring[i])));
+            volume += first.dot(at(points_, ring[i - 1]).cross(at(points_, ring[i])));
     }
     return volume > 0 && std::all_of(sides.begin(), sides.end(), [](int n) { return n == 2; });
 }
@@ -211,7 +209,7 @@ std::vector<std::vector<Index>> StructureDrawing::layers() const {
     std::iota(all.begin(), all.end(), 0);
     if (is_plane_)
         return {all};
-    SolidFaces faces{.polygons = polygon_mesh(mesh_.merging(), mesh_.measured_points())};
+    SolidFaces faces{.polygons = polygon_mesh(mesh_.merging(), points_)};
     faces.closed = is_closed();
     std::vector<std::vector<Index>> result;
     for (const Index cell : painting_order(faces, view_))
@@ -223,7 +221,7 @@ std::vector<std::vector<Index>> StructureDrawing::layers() const {
 StructureDrawing::Point StructureDrawing::middle(Index cell) const {
     Point sum = Point::Zero();
     for (const Index v : corners_[cell])
-        sum += at(mesh_.measured_points(), v);
+        sum += at(points_, v);
     return sum / static_cast<double>(corners_[cell].size());
 }
 
@@ -231,17 +229,16 @@ SvgShape StructureDrawing::ground(Index cell) const {
     SvgPolygon polygon{{}, edge_style()};
     polygon.style.fill = cell_color;
     for (const Index v : corners_[cell])
-        polygon.points.push_back(seen(at(mesh_.measured_points(), v)));
+        polygon.points.push_back(seen(at(points_, v)));
     return polygon;
 }
 
 void StructureDrawing::add_removed(Index cell, Strokes& strokes) const {
     const auto& ends_of_pieces = mesh_.pieces().simplices(1);
     for (const Index edge : removed_[cell])
-        strokes.lines.emplace_back(
-            SvgPolyline{{seen(at(mesh_.measured_points(), ends_of_pieces(edge, 0))),
-                         seen(at(mesh_.measured_points(), ends_of_pieces(edge, 1)))},
-                        removed_style()});
+        strokes.lines.emplace_back(SvgPolyline{{seen(at(points_, ends_of_pieces(edge, 0))),
+                                                seen(at(points_, ends_of_pieces(edge, 1)))},
+                                               removed_style()});
 }
 
 /// The part of each dual edge that belongs to the cell.
@@ -258,7 +255,7 @@ void StructureDrawing::add_duals(Index cell, Strokes& strokes) const {
 void StructureDrawing::add_circle(Index cell, Strokes& strokes) const {
     const SvgStyle style = circle_style();
     const Point center = at(centers_, cell);
-    const Point out = at(mesh_.measured_points(), corners_[cell].front()) - center;
+    const Point out = at(points_, corners_[cell].front()) - center;
     strokes.marks.emplace_back(SvgDot{seen(center), 2.5, {.stroke = "none", .fill = style.stroke}});
     if (is_plane_) {
         strokes.marks.emplace_back(SvgCircle{seen(center), out.norm(), style});
@@ -267,7 +264,7 @@ void StructureDrawing::add_circle(Index cell, Strokes& strokes) const {
     // another direction of the plane, from the corner that is farthest from the first one's line
     Point other = Point::Zero();
     for (const Index v : corners_[cell]) {
-        const Point arm = at(mesh_.measured_points(), v) - center;
+        const Point arm = at(points_, v) - center;
         const Point across = arm - arm.dot(out) / out.squaredNorm() * out;
         other = across.norm() > other.norm() ? across : other;
     }
@@ -280,14 +277,12 @@ void StructureDrawing::add_circle(Index cell, Strokes& strokes) const {
 void StructureDrawing::add_orientations(Index cell, Strokes& strokes) const {
     for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell]) {
         const auto [a, b] = ends(edge);
-        const Point from = at(mesh_.measured_points(), a),
-                    along = at(mesh_.measured_points(), b) - from;
+        const Point from = at(points_, a), along = at(points_, b) - from;
         strokes.marks.emplace_back(
             SvgArrow{seen(from + 0.66 * along), seen(from + 0.78 * along), edge_style()});
     }
-    const Point center = middle(cell),
-                first = at(mesh_.measured_points(), corners_[cell][0]) - center;
-    const Point second = at(mesh_.measured_points(), corners_[cell][1]) - center;
+    const Point center = middle(cell), first = at(points_, corners_[cell][0]) - center;
+    const Point second = at(points_, corners_[cell][1]) - center;
     double room = std::numeric_limits<double>::infinity();
     for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell])
         room = std::min(room, (at(edge_centers_, edge) - center).norm());
@@ -319,11 +314,10 @@ void StructureDrawing::add_numbers(Index cell, Strokes& strokes) {
     };
     for (const auto& [edge, sign] : mesh_.complex().incidences(1)[cell]) {
         const auto [a, b] = ends(edge);
-        add_once(1, edge, 0.5 * (at(mesh_.measured_points(), a) + at(mesh_.measured_points(), b)),
-                 number_color);
+        add_once(1, edge, 0.5 * (at(points_, a) + at(points_, b)), number_color);
     }
     for (const Index v : corners_[cell])
-        add_once(0, v, at(mesh_.measured_points(), v), edge_color);
+        add_once(0, v, at(points_, v), edge_color);
     add_number(middle(cell), numbers_[2][cell], turn_color, strokes);
 }
 
