@@ -146,8 +146,8 @@ def wave(mesh, *words, degree, essential):
         steps = max(1, int(np.ceil(until / longest)))
         march = polydec.Leapfrog(mesh, degree, until / steps, essential=essential)
         E, B = march.step(start, until / steps / 2 * (mesh.d(degree) @ start), steps)
-        energy = march.energy(E, B) * mesh.unit**(mesh.dim - 2 * degree)    # as that of the file
-        return {"min": E.min(), "max": E.max(), "energy": energy}, max(np.abs(start).max(), energy)
+        energy = march.energy(E, B)
+        return {**extremes(E), "energy": energy}, max(np.abs(start).max(), energy)
 
     return Question([*words, "--initial", texts(mesh.points.shape[1])[degree], *in_time(until)],
                     ["min", "max", "energy"], python)
