@@ -82,7 +82,7 @@ void merging_row(benchmark::State& state, const LazyMesh& mesh) {
     measure_prepared(
         state, {mesh.amount().cells, bytes_in}, [&] { return complex; },
         [&](SimplicialComplex copy) {
-            return merge_cospherical(std::move(copy), input.points, volumes);
+            return merge_cospherical({copy, input.points, volumes});
         });
 }
 
@@ -96,7 +96,7 @@ void flips_row(benchmark::State& state, const LazyMesh& mesh) {
                               complex.size(0));
         const SimplexMetric metric(passage.pieces(), passage.flips().lengths);
         const auto volumes = circumcentric_volumes(passage.pieces(), metric);
-        return merge_cospherical(passage.pieces(), metric, volumes).merging.merged();
+        return merge_cospherical({passage.pieces(), metric, volumes}).merging.merged();
     });
 }
 

@@ -94,7 +94,8 @@ Remedy remedy(const Discretization& mesh) {
     if (is_well || !mesh.options().centers.are_circumcenters() ||
         (kind != StarKind::circumcentric && !is_hybrid))
         return Remedy::none;
-    const Remedy found = remedy(mesh.input(), mesh.input_volumes().primal(1), mesh.options());
+    const Remedy found =
+        remedy(mesh.input(), mesh.input_geometry().volumes().primal(1), mesh.options());
     return found == Remedy::stars && is_hybrid ? Remedy::none : found;
 }
 

@@ -30,11 +30,11 @@ SparseMatrix pieces_of(const Discretization& mesh, int k) {
 }
 
 Vector by_duals(const Discretization& mesh, int k, const Vector& of_pieces) {
-    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), k,
-                                          mesh.dimension() - 1, mesh.centers());
+    const SparseMatrix parts =
+        dual_parts(mesh.geometry(), mesh.geometry().centers(), k, mesh.dimension() - 1);
     const Vector duals = parts.transpose() * of_pieces;
     const Vector& volumes = mesh.volumes().primal(k);
-    return (pieces_of(mesh, k) * mesh.piece_volumes().primal(k).cwiseProduct(duals))
+    return (pieces_of(mesh, k) * mesh.geometry().volumes().primal(k).cwiseProduct(duals))
         .cwiseQuotient(volumes)
         .cwiseQuotient(volumes);
 }
@@ -43,7 +43,7 @@ SparseMatrix by_whitney_forms(const Discretization& mesh, int k, const Vector& o
     const Pieces& K = mesh.pieces();
     const int m = mesh.dimension() - 1;
     SimplexFaces faces(K, m, k);
-    SimplexLayout layout(K, mesh.metric());
+    SimplexLayout layout(K, mesh.geometry().metric());
     std::vector<Eigen::Triplet<double, Index>> entries;
     for (Index f = 0; f < K.size(m); ++f) {
         if (of_pieces[f] == 0)
@@ -57,7 +57,7 @@ SparseMatrix by_whitney_forms(const Discretization& mesh, int k, const Vector& o
     }
     SparseMatrix W(K.size(k), K.size(k));
     W.setFromTriplets(entries.begin(), entries.end());
-    const SparseMatrix& S = mesh.lift()[k];
+    const SparseMatrix& S = mesh.merged().lift()[k];
     return S.transpose() * W * S;
 }
 

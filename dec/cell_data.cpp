@@ -80,11 +80,11 @@ std::vector<Index> cells_of_input(const Discretization& mesh, std::string_view w
     for (Index cell = 0; cell < pieces.rows(); ++cell) {
         // without volume a piece of others has no share in anything
         for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
-            if (!mesh.is_flat(static_cast<Index>(piece.col())) &&
+            if (!mesh.geometry().is_flat(static_cast<Index>(piece.col())) &&
                 (result[cell] < 0 || numbers[piece.col()] < result[cell]))
                 result[cell] = numbers[piece.col()];
         for (IncidenceMatrix::InnerIterator piece(pieces, cell); piece; ++piece)
-            if (!mesh.is_flat(static_cast<Index>(piece.col())) &&
+            if (!mesh.geometry().is_flat(static_cast<Index>(piece.col())) &&
                 differ(result[cell], numbers[piece.col()]))
                 refuse_joined(mesh, what, result[cell], numbers[piece.col()]);
     }

@@ -5,8 +5,6 @@
 #include "complex/surfaces/glued_surface.h"
 #include "dec/galerkin_mass.h"
 #include "dec/merging/merged_volumes.h"
-#include "dec/metric/circumcentric_volumes.h"
-#include "dec/parts_of_products.h"
 
 #include <fmt/format.h>
 
@@ -17,21 +15,22 @@ namespace polydec {
 
 namespace {
 
-using Cells = std::vector<bool>;
+using Marks = std::vector<bool>;
 using Entry = SparseMatrix::InnerIterator;
 
 /// 1 on some n-cells, 0 on the others.
-Vector ones_on(const Cells& cells) {
-    Vector ones = Vector::Zero(static_cast<Index>(cells.size()));
-    for (std::size_t t = 0; t < cells.size(); ++t)
-        if (cells[t])
+Vector ones_on(const Marks& marks) {
+    Vector ones = Vector::Zero(static_cast<Index>(marks.size()));
+    for (std::size_t t = 0; t < marks.size(); ++t)
+        if (marks[t])
             ones[static_cast<Index>(t)] = 1;
     return ones;
 }
 
-CellVolumes barycentric_volumes(const Discretization& mesh) {
-    return merged_volumes(mesh.merging(),
-                          dual_volumes(mesh.pieces(), mesh.metric(), Centers::centroids()));
+CellVolumes barycentric_volumes(const MergedCells& cells) {
+    const Geometry& pieces = cells.geometry();
+    return merged_volumes(cells.merging(),
+                          dual_volumes(pieces.pieces(), pieces.metric(), Centers::centroids()));
 }
 
 /// The cells of a surface that get Galerkin's stars. With those beside an edge without positive
@@ -41,15 +40,15 @@ CellVolumes barycentric_volumes(const Discretization& mesh) {
 /// around them bad.
 class BadCells {
 public:
-    explicit BadCells(const Discretization& mesh)
-        : mesh_(mesh), bad_(static_cast<std::size_t>(mesh.complex().size(2)), false) {
+    explicit BadCells(const MergedCells& cells)
+        : cells_(cells), bad_(static_cast<std::size_t>(cells.complex().size(2)), false) {
         for (const int k : {0, 1}) {
-            parts_[k] = parts_of_products(mesh, k, mesh.centers());
+            parts_[k] = cells.parts(k, cells.geometry().centers());
             rounding_[k] =
-                mesh.volumes().rounding(k).vector().cwiseProduct(mesh.volumes().primal(k));
+                cells.volumes().rounding(k).vector().cwiseProduct(cells.volumes().primal(k));
         }
-        thirds_ = parts_of_products(mesh, 0, Centers::centroids());
-        const HodgeStar edges = star(mesh.volumes(), 1);
+        thirds_ = cells.parts(0, Centers::centroids());
+        const HodgeStar edges = star(cells.volumes(), 1);
         for (const auto& list : {edges.zeros(), edges.negatives()})
             for (const Index e : list)
                 add_cells_at(1, e);
@@ -58,7 +57,7 @@ public:
         while (add_cells_at_vertices());
     }
 
-    const Cells& cells() const { return bad_; }
+    const Marks& marks() const { return bad_; }
 
     /// |*E| of the good cells alone, over |E|.
     Vector edge_star() const {
@@ -67,7 +66,7 @@ public:
             for (Entry part(parts_[1], t); part; ++part)
                 if (!bad_[t])
                     sums[part.col()] += part.value();
-        const Vector& lengths = mesh_.volumes().primal(1);
+        const Vector& lengths = cells_.volumes().primal(1);
         return sums.cwiseQuotient(lengths).cwiseQuotient(lengths);
     }
 
@@ -121,55 +120,55 @@ private:
         return any;
     }
 
-    const Discretization& mesh_;
-    Cells bad_;
+    const MergedCells& cells_;
+    Marks bad_;
     std::vector<Index> latest_; // bad cells whose neighbors have not been looked at
     std::array<SparseMatrix, 2> parts_, cofaces_;
     SparseMatrix thirds_;
     std::array<Vector, 2> rounding_; // of |E||*E|
 };
 
-ChosenStars hybrid(const Discretization& mesh) {
-    if (mesh.dimension() != GluedSurface::dimension)
+ChosenStars hybrid(const MergedCells& cells) {
+    if (cells.dimension() != GluedSurface::dimension)
         throw InvalidInput(fmt::format("hybrid stars are asked for in dimension {}: there are some "
                                        "in dimension {} alone; take galerkin or automatic ones",
-                                       mesh.dimension(), GluedSurface::dimension));
-    const BadCells bad(mesh);
-    if (std::find(bad.cells().begin(), bad.cells().end(), true) == bad.cells().end())
-        return ChosenStars(mesh.volumes(), StarKind::circumcentric);
-    SparseMatrix good(mesh.complex().size(1), mesh.complex().size(1));
+                                       cells.dimension(), GluedSurface::dimension));
+    const BadCells bad(cells);
+    if (std::find(bad.marks().begin(), bad.marks().end(), true) == bad.marks().end())
+        return ChosenStars(cells.volumes(), StarKind::circumcentric);
+    SparseMatrix good(cells.complex().size(1), cells.complex().size(1));
     good.setIdentity();
     good = bad.edge_star().asDiagonal() * good;
-    const HodgeStars stars = mesh.volumes().with_dual(0, bad.vertex_duals());
-    return {stars.with(1, good + GalerkinMass(mesh)(1, ones_on(bad.cells()))), StarKind::hybrid,
-            bad.cells()};
+    const HodgeStars stars = cells.volumes().with_dual(0, bad.vertex_duals());
+    return {stars.with(1, good + GalerkinMass(cells)(1, ones_on(bad.marks()))), StarKind::hybrid,
+            bad.marks()};
 }
 
-ChosenStars galerkin(const Discretization& mesh, int lowest) {
-    const Cells all(static_cast<std::size_t>(mesh.complex().size(mesh.dimension())), true);
-    HodgeStars stars = lowest > 0 ? mesh.volumes().with_dual(0, barycentric_volumes(mesh).dual(0))
-                                  : mesh.volumes();
-    const GalerkinMass mass(mesh);
-    for (int k = lowest; k < mesh.dimension(); ++k)
+ChosenStars galerkin(const MergedCells& cells, int lowest) {
+    const Marks all(static_cast<std::size_t>(cells.complex().size(cells.dimension())), true);
+    HodgeStars stars = lowest > 0 ? cells.volumes().with_dual(0, barycentric_volumes(cells).dual(0))
+                                  : cells.volumes();
+    const GalerkinMass mass(cells);
+    for (int k = lowest; k < cells.dimension(); ++k)
         stars = stars.with(k, mass(k, ones_on(all)));
     return {stars, StarKind::galerkin, all};
 }
 
 } // namespace
 
-ChosenStars choose_stars(const Discretization& mesh, StarKind kind) {
+ChosenStars choose_stars(const MergedCells& cells, StarKind kind) {
     switch (kind) {
     case StarKind::circumcentric:
-        return ChosenStars(mesh.volumes(), kind);
+        return ChosenStars(cells.volumes(), kind);
     case StarKind::galerkin:
-        return galerkin(mesh, 0);
+        return galerkin(cells, 0);
     case StarKind::hybrid:
-        return hybrid(mesh);
+        return hybrid(cells);
     case StarKind::barycentric:
-        return ChosenStars(barycentric_volumes(mesh), kind);
+        return ChosenStars(barycentric_volumes(cells), kind);
     case StarKind::automatic:
-        kind = automatic_kind(mesh.dimension(), all_positive(mesh.volumes()));
-        return kind == StarKind::galerkin ? galerkin(mesh, 1) : choose_stars(mesh, kind);
+        kind = automatic_kind(cells.dimension(), all_positive(cells.volumes()));
+        return kind == StarKind::galerkin ? galerkin(cells, 1) : choose_stars(cells, kind);
     case StarKind::own:
         break;
     }

@@ -49,7 +49,7 @@ public:
         : mesh_(mesh),
           K_(mesh.pieces()),
           n_(mesh.dimension()),
-          metric_(mesh.metric()),
+          metric_(mesh.geometry().metric()),
           layout_(K_, metric_),
           cofaces_(K_, n_),
           placed_(static_cast<std::size_t>(K_.size(n_)), false),

@@ -95,14 +95,12 @@ void examine_metric(const Discretization& mesh, Diagnosis& found) {
     found.degenerate = mesh.degenerate();
     found.merged_pairs = merged_pairs(mesh.merging());
     if (mesh.options().centers.are_circumcenters())
-        found.looser =
-            looser_tolerance(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), mesh.options());
+        found.looser = looser_tolerance(mesh.geometry(), mesh.options());
     if (!mesh.passage().is_identity())
         found.flips = flip_numbers(mesh);
     else
-        found.pairs =
-            facet_kinds(mesh.input(), mesh.metric(), mesh.input_volumes(), mesh.options());
-    found.stars = {star_numbers(mesh.input_volumes(), mesh.unit()),
+        found.pairs = facet_kinds(mesh.input_geometry(), mesh.options());
+    found.stars = {star_numbers(mesh.input_geometry().volumes(), mesh.unit()),
                    star_numbers(mesh.stars(), mesh.unit())};
     found.operators = {operator_verdicts(mesh, Stage::input),
                        operator_verdicts(mesh, Stage::merged)};

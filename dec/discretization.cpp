@@ -8,11 +8,9 @@
 #include "dec/glued_box.h"
 #include "dec/merging/facet_defects.h"
 #include "dec/merging/flat_simplices.h"
-#include "dec/merging/lift.h"
 #include "dec/merging/merged_tags.h"
 #include "dec/merging/merged_volumes.h"
 #include "dec/mesh_warnings.h"
-#include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/plane.h"
 #include "meshes/periodic.h"
 #include "meshes/tidy.h"
@@ -62,20 +60,18 @@ IntrinsicDelaunay flipped(const SimplicialComplex& complex, Vector lengths,
                               {.boundary = boundary, .tolerance = options.tolerance});
 }
 
-void look_at_flat_cells(const CosphericalMerging& merged, const SimplexMetric& metric,
-                        const CellVolumes& volumes, const MergeOptions& options,
-                        std::vector<std::string>& warnings) {
-    const Pieces& pieces = merged.merging.pieces();
-    auto alone = flat_simplices(pieces, metric, volumes);
-    for (std::size_t t = 0; t < merged.flat.size(); ++t)
-        alone[t] = alone[t] && !merged.flat[t];
+/// `given` is what was merged.
+void look_at_flat_cells(const CosphericalMerging& merged, const Geometry& given,
+                        const MergeOptions& options, std::vector<std::string>& warnings) {
+    auto alone = flat_simplices(given);
+    for (std::size_t t = 0; t < alone.size(); ++t)
+        alone[t] = alone[t] && !merged.geometry.is_flat(static_cast<Index>(t));
     const auto flat = std::count(alone.begin(), alone.end(), true);
     if (flat == 0 || options.criterion != MergeCriterion::dual_length)
         return;
     const double wider = 10 * options.tolerance;
-    const auto at = facet_defects(pieces, metric, volumes, options).degenerate;
-    const auto nearly =
-        facet_defects(pieces, metric, volumes, {options.criterion, wider}).degenerate;
+    const auto at = facet_defects(given, options).degenerate;
+    const auto nearly = facet_defects(given, {options.criterion, wider}).degenerate;
     warn_of_jitter(flat, nearly.interior - at.interior, wider, warnings);
 }
 
@@ -89,20 +85,19 @@ void begin(const Progress& stage, std::string_view what) {
 /// A mesh read and numbered.
 struct Given {
     SimplicialComplex complex;
-    Mesh mesh;       // with the points of the complex
-    Points isolated; // points of no cell
-    Vector lengths;  // empty if there are points
+    Mesh mesh;                            // but for its points
+    std::shared_ptr<const Points> points; // of the complex
+    SimplexMetric metric;                 // by these, in an n-plane that has them all, or lengths
+    Points isolated;                      // points of no cell
     double unit;
     FlatCellsKept flat = {};
-    Points plane = {}; // see Discretization::Parts
 
-    bool has_points() const { return mesh.points.cols() > 0; }
-    const Points& metric_points() const { return plane.cols() > 0 ? plane : mesh.points; }
+    bool has_points() const { return metric.points() != nullptr; }
 };
 
 /// Throws for cells without volume that are no pieces of others.
 void refuse_flat_cells(const Given& given, const Merging& merging) {
-    const auto& [complex, mesh, isolated, lengths, unit, flat, plane] = given;
+    const auto& [complex, mesh, points, metric, isolated, unit, flat] = given;
     if (flat.rows.empty())
         return;
     const IncidenceMatrix& pieces = merging.diamond(complex.dimension());
@@ -121,48 +116,42 @@ void refuse_flat_cells(const Given& given, const Merging& merging) {
     if (alone.rows.empty())
         return;
     Mesh by_number = mesh;
-    by_number.points =
-        Points::Zero(complex.vertex_number(complex.size(0) - 1) + 1, mesh.points.cols());
+    by_number.points = Points::Zero(complex.vertex_number(complex.size(0) - 1) + 1, points->cols());
     for (Index v = 0; v < complex.size(0); ++v)
-        by_number.points.row(complex.vertex_number(v)) = mesh.points.row(v);
+        by_number.points.row(complex.vertex_number(v)) = points->row(v);
     refuse(by_number, alone);
 }
 
-/// What is measured: the simplices, or the triangles that flips make of them, and the volumes of
-/// both.
+/// What is measured: the simplices, and the triangles that flips make of them.
 struct Measured {
     Passage passage;
-    SimplexMetric metric; // of the pieces
-    CellVolumes input_volumes, piece_volumes;
+    Geometry input, pieces;
     Points points; // of the triangles
 };
 
 Measured measure(Given& given, const DiscretizeOptions& options) {
-    auto& [complex, mesh, isolated, lengths, unit, flat, plane] = given;
+    auto& [complex, mesh, places, metric, isolated, unit, flat] = given;
     if (options.delaunay == Delaunay::off) {
-        const SimplexMetric metric = given.has_points() ? SimplexMetric(given.metric_points())
-                                                        : SimplexMetric(complex, lengths);
-        const auto volumes = dual_volumes(complex, metric, options.centers,
-                                          given.flat.rows.empty() ? FlatSimplices::refused
-                                                                  : FlatSimplices::passed_over);
-        return {Passage(complex), metric, volumes, volumes, Points()};
+        const Geometry input(complex, metric, options.centers,
+                             flat.rows.empty() ? FlatSimplices::refused
+                                               : FlatSimplices::passed_over);
+        return {Passage(complex), input, input, Points()};
     }
-    const Vector sides = given.has_points() ? edge_lengths(complex, mesh.points) : lengths;
+    const Vector sides = given.has_points() ? edge_lengths(complex, *places) : *metric.lengths();
     Passage passage(complex, flipped(complex, sides, options),
-                    static_cast<Index>(mesh.points.rows() + isolated.rows()));
+                    static_cast<Index>(places->rows() + isolated.rows()));
     const auto& flips = passage.flips();
     warn_of_flips(flips.statistics, unit, mesh.warnings);
     const Vector longer = sides.array() + flips.statistics.added_length;
-    const auto of_input = dual_volumes(complex, {complex, longer}, options.centers);
-    const SimplexMetric metric(passage.pieces(), flips.lengths);
-    const auto of_pieces = dual_volumes(passage.pieces(), metric, options.centers);
-    Points points = passage.forth(0, mesh.points);
-    points.topRows(mesh.points.rows()) = mesh.points;
-    return {std::move(passage), metric, of_input, of_pieces, std::move(points)};
+    const Geometry input(complex, metric, circumcentric_volumes(complex, {complex, longer}));
+    const Geometry pieces(passage.pieces(), {passage.pieces(), flips.lengths});
+    Points points = passage.forth(0, *places);
+    points.topRows(places->rows()) = *places;
+    return {std::move(passage), input, pieces, std::move(points)};
 }
 
 Discretization measured(Given given, DiscretizeOptions options, const Progress& stage) {
-    auto& [complex, mesh, isolated, lengths, unit, flat, plane] = given;
+    auto& [complex, mesh, places, metric, isolated, unit, flat] = given;
     if (!options.centers.are_circumcenters()) {
         options.criterion = MergeCriterion::none;
         if (options.delaunay != Delaunay::off)
@@ -172,26 +161,26 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     warn_of_orientation(complex.turned(), complex.size(complex.dimension()), complex.orientable(),
                         mesh.warnings);
     warn_of_branching(branching_facets(complex), mesh.warnings);
-    warn_of_overlaps(complex, given.metric_points(), mesh.warnings);
-    if (given.has_points())
-        warn_of_unjoined(unjoined_boundary(complex, mesh.points), complex.dimension(),
-                         mesh.warnings);
+    if (given.has_points()) {
+        warn_of_overlaps(complex, *metric.points(), mesh.warnings);
+        warn_of_unjoined(unjoined_boundary(complex, *places), complex.dimension(), mesh.warnings);
+    }
     const auto tags = tags_of_cells(complex, mesh.tags);
     FacetTags facet_tags = tags_of_facets(complex, mesh.facet_tags, mesh.warnings);
     const auto stays = staying_facets(complex, tags, facet_tags.tags, options);
     begin(stage, "volumes");
-    auto [passage, metric, of_input, of_pieces, points] = measure(given, options);
+    auto [passage, input, pieces, points] = measure(given, options);
     begin(stage, "merge");
     const bool flips = !passage.is_identity();
-    auto merged = merge_cospherical(passage.pieces(), metric, of_pieces, options, stays);
+    auto merged = merge_cospherical(pieces, options, stays);
     refuse_flat_cells(given, merged.merging);
-    look_at_flat_cells(merged, metric, of_pieces, options, mesh.warnings);
-    const auto volumes = without_duals_beyond_the_boundary(
-        merged_volumes(merged.merging, merged.volumes), merged.merging, merged.degenerate);
-    warn_of_hybrid_stars(complex, of_input.primal(1), volumes, options, mesh.warnings);
-    if (!merged.flat.empty())
-        of_input = merged.volumes; // alone, flat simplices have no duals
-    const auto centers = merged.centers.are_circumcenters() ? options.centers : merged.centers;
+    look_at_flat_cells(merged, pieces, options, mesh.warnings);
+    const auto volumes =
+        without_duals_beyond_the_boundary(merged_volumes(merged.merging, merged.geometry.volumes()),
+                                          merged.merging, merged.degenerate);
+    warn_of_hybrid_stars(complex, input.volumes().primal(1), volumes, options, mesh.warnings);
+    if (!merged.geometry.flat().empty())
+        input = merged.geometry; // alone, flat simplices have no duals
     if (flips && !mesh.tags.empty())
         mesh.warnings.emplace_back("tags are left out: flips join triangles of different groups");
     std::vector<Index> cell_tags;
@@ -202,14 +191,20 @@ Discretization measured(Given given, DiscretizeOptions options, const Progress& 
     } else {
         facet_tags = {};
     }
-    Discretization::Parts parts({std::move(mesh.points), std::move(points), std::move(passage),
-                                 std::move(merged.merging), of_input, merged.volumes, volumes,
-                                 options, std::move(merged.degenerate), std::move(mesh.warnings),
-                                 std::move(cell_tags), std::move(lengths), unit,
-                                 std::move(isolated), std::move(facet_tags), centers,
-                                 std::move(mesh.groups), std::move(merged.flat), std::move(plane)});
-    parts.input_cells = std::move(mesh.input_cells);
-    const Discretization result(std::move(parts));
+    const Discretization result({.input = input,
+                                 .passage = std::move(passage),
+                                 .merged = {merged.merging, merged.geometry, volumes},
+                                 .input_points = places,
+                                 .points = std::move(points),
+                                 .options = options,
+                                 .degenerate = std::move(merged.degenerate),
+                                 .warnings = std::move(mesh.warnings),
+                                 .tags = std::move(cell_tags),
+                                 .unit = unit,
+                                 .isolated = std::move(isolated),
+                                 .facet_tags = std::move(facet_tags),
+                                 .groups = std::move(mesh.groups),
+                                 .input_cells = std::move(mesh.input_cells)});
     if (options.star != StarKind::circumcentric && options.star != StarKind::automatic) {
         begin(stage, "stars");
         result.chosen_stars(); // or why there are none
@@ -222,42 +217,33 @@ bool can_do_with_flat_cells(const Given& given, const DiscretizeOptions& options
     return options.delaunay != Delaunay::off ||
            (options.criterion == MergeCriterion::dual_length &&
             options.centers.are_circumcenters() &&
-            can_take_flat_simplices(given.complex.dimension(),
-                                    static_cast<Index>(given.metric_points().cols())));
+            can_take_flat_simplices(given.complex.dimension(), given.metric.ambient_dimension()));
 }
 
 } // namespace
 
 namespace {
 
-/// Points of the vertices and lengths of the edges.
-void check_metric(const Discretization::Parts& parts) {
-    const SimplicialComplex& input = parts.passage.input();
-    const auto N = parts.input_points.cols();
-    check_as_many("points of the input's vertices", parts.input_points.rows(), input.size(0));
-    if (N == 0 || parts.lengths.size() > 0)
-        check_as_many("lengths of the input's edges", parts.lengths.size(), input.size(1));
+void check_points(const Discretization::Parts& parts) {
+    const auto N = parts.input_points->cols();
+    check_as_many("points of the input's vertices", parts.input_points->rows(),
+                  parts.passage.input().size(0));
     if (!parts.passage.is_identity()) {
         check_as_many("points of the vertices of the pieces", parts.points.rows(),
                       parts.passage.pieces().size(0));
         check_as_many("coordinates of the vertices of the pieces", parts.points.cols(), N);
     }
-    if (parts.plane.cols() > 0)
-        check_as_many("points in a plane", parts.plane.rows(), input.size(0));
     if (parts.isolated.rows() > 0)
         check_as_many("coordinates of the points of no cell", parts.isolated.cols(), N);
 }
 
 } // namespace
 
-Discretization::Discretization(Parts parts)
-    : lift_(std::make_shared<Lazy<std::vector<SparseMatrix>>>()) {
-    check_fit(parts.passage.input(), parts.input_volumes);
-    check_fit(parts.passage.pieces(), parts.piece_volumes);
-    check_fit(parts.merging.pieces(), parts.piece_volumes);
-    check_fit(parts.merging.merged(), parts.volumes);
-    check_metric(parts);
-    const CellComplex& complex = parts.merging.merged();
+Discretization::Discretization(Parts parts) {
+    check_fit(parts.passage.input(), parts.input.volumes());
+    check_fit(parts.passage.pieces(), parts.merged.geometry().volumes());
+    check_points(parts);
+    const CellComplex& complex = parts.merged.complex();
     if (!parts.tags.empty())
         check_as_many("tags", Index(parts.tags.size()), complex.size(complex.dimension()));
     if (const auto& tags = parts.facet_tags.tags; !tags.empty())
@@ -269,14 +255,13 @@ Discretization::Discretization(Parts parts)
             Given{unit() * measured_points(), unit() * measured_input_points()});
     stars_ = std::make_shared<Lazy<ChosenStars>>();
     if (made->degenerate.marks.empty())
-        made->degenerate = facet_defects(pieces(), metric(), piece_volumes(), options()).degenerate;
+        made->degenerate = facet_defects(geometry(), options()).degenerate;
 }
 
 Discretization Discretization::with_volumes(const CellVolumes& volumes) const {
     Parts parts = *parts_;
-    parts.volumes = volumes;
+    parts.merged = merged().with_volumes(volumes);
     Discretization result(std::move(parts));
-    result.lift_ = lift_;
     result.stars_ =
         std::make_shared<Lazy<ChosenStars>>(ChosenStars(volumes, StarKind::circumcentric));
     return result;
@@ -286,7 +271,6 @@ Discretization Discretization::with_box(std::shared_ptr<const GluedBox> box) con
     Parts parts = *parts_;
     parts.box = std::move(box);
     Discretization result(std::move(parts));
-    result.lift_ = lift_;
     result.stars_ = stars_;
     return result;
 }
@@ -301,7 +285,7 @@ int Discretization::ambient_dimension() const {
 }
 
 const ChosenStars& Discretization::chosen_stars() const& {
-    return stars_->get([this] { return choose_stars(*this, options().star); });
+    return stars_->get([this] { return choose_stars(merged(), options().star); });
 }
 
 Discretization Discretization::with_stars(const ChosenStars& chosen) const {
@@ -313,9 +297,8 @@ Discretization Discretization::with_stars(const ChosenStars& chosen) const {
     return result;
 }
 
-const std::vector<SparseMatrix>& Discretization::lift() const& {
-    return lift_->get(
-        [this] { return commuting_lift(merging(), metric(), piece_volumes(), parts_->flat); });
+Discretization Discretization::with_stars(StarKind kind) const {
+    return with_stars(choose_stars(merged(), kind));
 }
 
 Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Progress& stage) {
@@ -328,10 +311,12 @@ Discretization discretize(Mesh mesh, const DiscretizeOptions& options, const Pro
         mesh = in_units(std::move(mesh), unit);
     const SimplicialComplex complex(mesh.simplices);
     Points isolated = unit * isolated_points(complex, mesh.points);
-    mesh.points = vertex_points(complex, mesh.points);
-    Points plane = plane_points(mesh.points, complex.dimension());
-    Given given{complex, std::move(mesh), std::move(isolated), {},
-                unit,    std::move(flat), std::move(plane)};
+    const auto points = std::make_shared<const Points>(vertex_points(complex, mesh.points));
+    mesh.points = {};
+    Points plane = plane_points(*points, complex.dimension());
+    const auto metric = plane.cols() > 0 ? SimplexMetric(std::move(plane)) : SimplexMetric(points);
+    Given given{complex, std::move(mesh), points, metric, std::move(isolated),
+                unit,    std::move(flat)};
     if (!can_do_with_flat_cells(given, options))
         refuse_flat_cells(given, unmerged(complex));
     if (options.delaunay != Delaunay::off)
@@ -350,14 +335,13 @@ Discretization of_lengths(const LengthMesh& mesh, Mesh about, const DiscretizeOp
     about.points.resize(mesh.vertices, 0);
     about.simplices = mesh.simplices;
     warn_of_isolated_vertices(about);
-    about.points.resize(complex.size(0), 0);
+    const auto points = std::make_shared<const Points>(complex.size(0), 0);
     const Points isolated(mesh.vertices - complex.size(0), 0);
     const double unit = unit_of_length(mesh);
     warn_of_unit(unit, about.warnings);
     // the complex numbers its edges in lexicographic order
-    Vector lengths = mesh.lengths(edges_in_order(mesh)) / unit;
-    return measured({complex, std::move(about), isolated, std::move(lengths), unit}, options,
-                    stage);
+    const SimplexMetric metric(complex, mesh.lengths(edges_in_order(mesh)) / unit);
+    return measured({complex, std::move(about), points, metric, isolated, unit}, options, stage);
 }
 
 } // namespace

@@ -3,8 +3,8 @@
 
 #include "dec/discretize_options.h"
 #include "dec/forms/star_kind.h"
+#include "dec/merging/merged_cells.h"
 #include "dec/merging/merged_tags.h"
-#include "dec/metric/simplex_metric.h"
 #include "dec/surfaces/passage.h"
 #include "meshes/length_mesh.h"
 #include "meshes/mesh.h"
@@ -37,31 +37,26 @@ class Discretization {
 public:
     /// What it holds.
     struct Parts {
-        Points input_points; ///< of the input's vertices; without columns if only lengths are known
-        Points points;       ///< of those of the pieces, if edges were flipped
-        Passage passage;     ///< from the simplices of the input to the pieces
-        Merging merging;     ///< of the pieces
-        CellVolumes input_volumes; ///< of the simplices by themselves, unless some are flat
-        CellVolumes piece_volumes; ///< of the pieces, with duals between their centers
-        CellVolumes volumes;       ///< of the merged cells
+        Geometry input;     ///< of the simplices given, by themselves unless some are flat
+        Passage passage;    ///< from these to the pieces
+        MergedCells merged; ///< of the pieces
+        /// Of the input's vertices; without columns if only lengths are known.
+        std::shared_ptr<const Points> input_points;
+        Points points = {}; ///< of the vertices of the pieces, if edges were flipped
         DiscretizeOptions options = {};
         DegenerateFacets degenerate = {}; ///< of the pieces; found anew without marks
         std::vector<std::string> warnings = {};
         std::vector<Index> tags = {};
-        Vector lengths = {};
         double unit = 1;
         Points isolated = {}; ///< in the units of the input
         FacetTags facet_tags = {};
-        Centers centers = options.centers;
         std::vector<GroupName> groups = {};
-        std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others, or empty
-        Points plane = {}; ///< the input's points in the n-plane that has them all (plane_points)
         std::shared_ptr<const GluedBox> box = {}; ///< of a glued mesh, which knows lengths
         InputCells input_cells = {};              ///< by rows of the input (see input_row)
     };
 
-    /// Throws InvalidInput unless volumes, tags and points are those of as many cells and vertices,
-    /// points with as many coordinates, and lengths, if points are not known, those of the edges.
+    /// Throws InvalidInput unless pieces, tags and points are those of as many cells and vertices,
+    /// and points have as many coordinates.
     explicit Discretization(Parts parts);
 
     // no moves, which would leave a handle on nothing
@@ -74,7 +69,7 @@ public:
     int dimension() const { return complex().dimension(); }
 
     /// Of the cells of complex().
-    const CellVolumes& volumes() const& { return parts_->volumes; }
+    const CellVolumes& volumes() const& { return merged().volumes(); }
     CellVolumes volumes() && { return volumes(); }
 
     /// The Hodge stars of the cells, as options().star says, unless others are chosen: made when
@@ -95,6 +90,9 @@ public:
         return with_stars(ChosenStars(stars));
     }
 
+    /// The same with stars of a kind. Throws like choose_stars.
+    Discretization with_stars(StarKind kind) const;
+
     /// The same with other volumes of the cells, and the stars that they make. Throws InvalidInput
     /// unless they fit.
     Discretization with_volumes(const CellVolumes& volumes) const;
@@ -103,34 +101,26 @@ public:
     Discretization with_box(std::shared_ptr<const GluedBox> box) const;
 
     /// What the cells are made of, and how.
-    const Merging& merging() const& { return parts_->merging; }
+    const MergedCells& merged() const& { return parts_->merged; }
+    const Merging& merging() const& { return merged().merging(); }
     const Pieces& pieces() const& { return merging().pieces(); }
-    const CellVolumes& piece_volumes() const& { return parts_->piece_volumes; }
+    MergedCells merged() && { return merged(); }
     Merging merging() && { return merging(); }
     Pieces pieces() && { return pieces(); }
-    CellVolumes piece_volumes() && { return piece_volumes(); }
 
-    /// The lift of forms on the cells to the pieces (see commuting_lift): made when it is first
-    /// asked for, once for all copies.
-    const std::vector<SparseMatrix>& lift() const&;
-    std::vector<SparseMatrix> lift() && { return lift(); }
+    /// The shape of the pieces, with duals between options().centers, but where cells have been
+    /// merged in R^n circumcenters in one place for all pieces of a cell. Points count as n
+    /// coordinates where they lie in an n-plane; after flips lengths are known.
+    const Geometry& geometry() const& { return merged().geometry(); }
+    Geometry geometry() && { return geometry(); }
 
-    /// Between which centers the duals of the pieces are: options().centers, but where cells have
-    /// been merged in R^n circumcenters in one place for all pieces of a cell.
-    const Centers& centers() const& { return parts_->centers; }
-    Centers centers() && { return centers(); }
-
-    /// Whether an n-piece is so flat that nothing can be told of a field from its corners, but part
-    /// of a cell with others, which tell (see flat_simplices).
-    bool is_flat(Index piece) const { return !parts_->flat.empty() && parts_->flat[piece]; }
-
-    /// The simplices that were given, and the way from them to the pieces.
+    /// The simplices that were given, the way from them to the pieces, and their shape.
     const Passage& passage() const& { return parts_->passage; }
     const SimplicialComplex& input() const& { return passage().input(); }
-    const CellVolumes& input_volumes() const& { return parts_->input_volumes; }
+    const Geometry& input_geometry() const& { return parts_->input; }
     Passage passage() && { return passage(); }
     SimplicialComplex input() && { return input(); }
-    CellVolumes input_volumes() && { return input_volumes(); }
+    Geometry input_geometry() && { return input_geometry(); }
 
     /// Of the vertices of complex(), which are those of the input that cells use, and behind them
     /// those that splits have made; without columns if only lengths are known. A field at vertices
@@ -145,7 +135,7 @@ public:
     const Points& measured_points() const& {
         return passage().is_identity() ? measured_input_points() : parts_->points;
     }
-    const Points& measured_input_points() const& { return parts_->input_points; }
+    const Points& measured_input_points() const& { return *parts_->input_points; }
 
     /// The box that a glued mesh was made of; null for other meshes.
     const std::shared_ptr<const GluedBox>& box() const& { return parts_->box; }
@@ -164,25 +154,11 @@ public:
     const Points& isolated() const& { return parts_->isolated; }
     Points isolated() && { return isolated(); }
 
-    /// The metric of the pieces: the points, which count as n coordinates where they lie in an
-    /// n-plane, or lengths if only these are known or edges were flipped; and that of the simplices
-    /// of the input. They refer to this, so there is none of a
-    /// temporary.
-    SimplexMetric metric() const& {
-        return passage().is_identity() ? input_metric()
-                                       : SimplexMetric(pieces(), passage().flips().lengths);
-    }
-    SimplexMetric input_metric() const& {
-        return parts_->plane.cols() > 0       ? SimplexMetric(parts_->plane)
-               : measured_points().cols() > 0 ? SimplexMetric(measured_input_points())
-                                              : SimplexMetric(input(), lengths());
-    }
-    SimplexMetric metric() const&& = delete;
-    SimplexMetric input_metric() const&& = delete;
-
     /// Of the input's edges if only these are known; or empty.
-    const Vector& lengths() const& { return parts_->lengths; }
-    Vector lengths() && { return lengths(); }
+    Vector lengths() const {
+        const Vector* known = input_geometry().metric().lengths();
+        return known == nullptr ? Vector() : *known;
+    }
 
     /// Of which cells of the input the simplices of input() are parts, by their input_row.
     const InputCells& input_cells() const& { return parts_->input_cells; }
@@ -229,7 +205,6 @@ private:
     std::shared_ptr<const Parts> parts_;
     std::shared_ptr<const Given> given_; // null where unit() is 1
     std::shared_ptr<const Lazy<ChosenStars>> stars_;
-    std::shared_ptr<const Lazy<std::vector<SparseMatrix>>> lift_;
 };
 
 /// The whole way from a mesh to its merged complex, volumes and stars. Untidy input is tidied with

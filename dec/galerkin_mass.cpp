@@ -2,8 +2,6 @@
 #include "dec/galerkin_mass.h"
 
 #include "base/memory.h"
-#include "dec/merging/lift.h"
-#include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/whitney.h"
 
 #include <fmt/format.h>
@@ -44,16 +42,8 @@ double count_pairs(const Merging& merging, int k) {
 
 } // namespace
 
-GalerkinMass::GalerkinMass(const Discretization& mesh) : mesh_(mesh) {
-    std::vector<bool> flat(mesh.pieces().size(mesh.dimension()));
-    for (std::size_t t = 0; t < flat.size(); ++t)
-        flat[t] = mesh.is_flat(static_cast<Index>(t));
-    if (std::find(flat.begin(), flat.end(), true) == flat.end())
-        return;
-    coned_ = cone_flat_cells(mesh.merging(), *mesh.metric().points(), flat);
-    const auto volumes = dual_volumes(pieces(), metric(), Centers::centroids());
-    lift_ = commuting_lift(merging(), metric(), volumes);
-}
+GalerkinMass::GalerkinMass(const MergedCells& cells)
+    : cells_(cells.geometry().flat().empty() ? cells : cone_flat_cells(cells)) {}
 
 SparseMatrix GalerkinMass::operator()(int k, const Vector& weights) const {
     Vector of_pieces(pieces().size(pieces().dimension()));
@@ -65,10 +55,10 @@ SparseMatrix GalerkinMass::operator()(int k, const Vector& weights) const {
 SparseMatrix GalerkinMass::lifted(int k, const SparseMatrix& of_pieces) const {
     // of the product on its way, the result, what is transposed and their sum
     constexpr double bytes_each = 5 * (sizeof(double) + sizeof(Index));
-    const double entries = count_pairs(merging(), k);
+    const double entries = count_pairs(cells_.merging(), k);
     check_memory(bytes_each * entries,
                  fmt::format("Galerkin's star of {}-forms with {:.3g} entries", k, entries));
-    const SparseMatrix& S = coned_ ? lift_[k] : mesh_.lift()[k];
+    const SparseMatrix& S = cells_.lift()[k];
     const SparseMatrix result = SparseMatrix(S.transpose()) * of_pieces * S;
     return 0.5 *
            (result + SparseMatrix(result.transpose())); // without rounding across the diagonal

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/discretization.h"
 #include "dec/merging/coned_cells.h"
-
-#include <optional>
+#include "dec/merging/merged_cells.h"
 
 namespace polydec {
 
@@ -13,7 +11,7 @@ namespace polydec {
 class GalerkinMass {
 public:
     /// Throws like cone_flat_cells.
-    explicit GalerkinMass(const Discretization& mesh);
+    explicit GalerkinMass(const MergedCells& cells);
 
     /// Those of k-forms, each n-cell's times its weight, at least 0: size(k) x size(k), units
     /// length^(n-2k).
@@ -22,18 +20,16 @@ public:
     /// What a symmetric matrix of the k-simplices of the pieces is for the forms on cells.
     SparseMatrix lifted(int k, const SparseMatrix& of_pieces) const;
 
-    const Pieces& pieces() const { return merging().pieces(); }
-    SimplexMetric metric() const { return coned_ ? SimplexMetric(coned_->points) : mesh_.metric(); }
+    const Pieces& pieces() const { return cells_.merging().pieces(); }
+    const SimplexMetric& metric() const { return cells_.geometry().metric(); }
 
     /// The n-cell that a piece belongs to.
-    Index cell(Index piece) const { return merging().carriers(pieces().dimension())[piece].cell; }
+    Index cell(Index piece) const {
+        return cells_.merging().carriers(pieces().dimension())[piece].cell;
+    }
 
 private:
-    const Merging& merging() const { return coned_ ? coned_->merging : mesh_.merging(); }
-
-    Discretization mesh_;
-    std::optional<ConedCells> coned_;
-    std::vector<SparseMatrix> lift_; // of coned cells
+    MergedCells cells_; // of pieces without flat ones
 };
 
 } // namespace polydec

@@ -70,29 +70,28 @@ Merging cut_cells(const SimplicialComplex& box, const Merging& glued, Onto onto)
 
 /// The box with these cells, measured between its points.
 Discretization measured(const PeriodicMesh& glued, const Discretization& mesh,
-                        const SimplicialComplex& box, Merging cells, DegenerateFacets degenerate) {
+                        const SimplicialComplex& box, const Merging& cells,
+                        DegenerateFacets degenerate) {
     const int n = box.dimension();
     const Points by_number = glued.box.points / mesh.unit();
-    Points points = vertex_points(box, by_number), plane = plane_points(points, n);
-    const SimplexMetric metric(plane.cols() > 0 ? plane : points);
-    const CellVolumes of_pieces = dual_volumes(box, metric, mesh.options().centers);
-    const CellVolumes volumes = merged_volumes(cells, of_pieces);
+    const auto points = std::make_shared<const Points>(vertex_points(box, by_number));
+    Points plane = plane_points(*points, n);
+    const Geometry pieces(
+        box, plane.cols() > 0 ? SimplexMetric(std::move(plane)) : SimplexMetric(points),
+        mesh.options().centers);
+    const MergedCells merged(cells, pieces, merged_volumes(cells, pieces.volumes()));
     std::vector<std::string> told; // of the glued mesh
     auto tags = merged_tags(cells, n, tags_of_cells(box, glued.box.tags), told);
-    return Discretization({.input_points = std::move(points),
-                           .points = {},
+    return Discretization({.input = pieces,
                            .passage = Passage(box),
-                           .merging = std::move(cells),
-                           .input_volumes = of_pieces,
-                           .piece_volumes = of_pieces,
-                           .volumes = volumes,
+                           .merged = merged,
+                           .input_points = points,
                            .options = mesh.options(),
                            .degenerate = std::move(degenerate),
                            .tags = std::move(tags),
                            .unit = mesh.unit(),
                            .isolated = isolated_points(box, glued.box.points),
-                           .groups = mesh.groups(),
-                           .plane = std::move(plane)});
+                           .groups = mesh.groups()});
 }
 
 } // namespace

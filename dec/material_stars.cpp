@@ -7,7 +7,6 @@
 #include "dec/galerkin_mass.h"
 #include "dec/metric/rounding.h"
 #include "dec/metric/simplex_geometry.h"
-#include "dec/parts_of_products.h"
 
 #include <fmt/format.h>
 
@@ -51,11 +50,11 @@ DenseMatrix flux_products(const Points& corners, const DenseMatrix& G, double vo
 SparseMatrix parts_of_star(const Discretization& mesh, int k) {
     const ChosenStars& chosen = mesh.chosen_stars();
     if (chosen.is_over_duals(k))
-        return parts_of_products(mesh, k, mesh.centers());
-    SparseMatrix thirds = parts_of_products(mesh, k, Centers::centroids());
+        return mesh.merged().parts(k, mesh.geometry().centers());
+    SparseMatrix thirds = mesh.merged().parts(k, Centers::centroids());
     if (chosen.kind != StarKind::hybrid)
         return thirds;
-    SparseMatrix parts = parts_of_products(mesh, k, mesh.centers());
+    SparseMatrix parts = mesh.merged().parts(k, mesh.geometry().centers());
     const auto of = [&](SparseMatrix& matrix, bool galerkin) {
         matrix.prune(
             [&](Eigen::Index t, Eigen::Index, double) { return chosen.galerkin[t] == galerkin; });
@@ -74,7 +73,7 @@ SparseMatrix pattern(SparseMatrix matrix) {
 
 SparseMatrix material_star(const Discretization& mesh, int k, const CellData& weights) {
     check_number("a star of degree", k, 0, mesh.dimension());
-    return GalerkinMass(mesh)(k, weights.on(mesh, "weight", Range::positive));
+    return GalerkinMass(mesh.merged())(k, weights.on(mesh, "weight", Range::positive));
 }
 
 SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMatrix>& tensors) {
@@ -88,7 +87,7 @@ SparseMatrix material_star(const Discretization& mesh, const std::vector<DenseMa
     const auto numbers = cells_of_input(mesh, "conductivities", [&](Index a, Index b) {
         return (tensors[a] - tensors[b]).norm() > 1e-12 * tensors[a].norm();
     });
-    const GalerkinMass mass(mesh);
+    const GalerkinMass mass(mesh.merged());
     const Pieces& K = mass.pieces();
     const Points& points = *mass.metric().points();
     std::vector<Eigen::Triplet<double, Index>> entries;

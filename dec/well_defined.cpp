@@ -44,14 +44,13 @@ struct View {
 View view(const Discretization& mesh, Stage stage) {
     const bool input = stage == Stage::input;
     if (!input || mesh.passage().is_identity())
-        return {mesh.merging(), input ? mesh.piece_volumes() : mesh.volumes(), mesh.degenerate(),
-                input};
-    const auto lengths = mesh.input_volumes().primal(1);
-    return {
-        unmerged(mesh.input()), mesh.input_volumes(),
-        facet_defects(mesh.input(), {mesh.input(), lengths}, mesh.input_volumes(), mesh.options())
-            .degenerate,
-        true};
+        return {mesh.merging(), input ? mesh.geometry().volumes() : mesh.volumes(),
+                mesh.degenerate(), input};
+    const Geometry& given = mesh.input_geometry();
+    const Geometry by_lengths(given.pieces(), {given.pieces(), given.volumes().primal(1)},
+                              given.volumes());
+    return {unmerged(given.pieces()), given.volumes(),
+            facet_defects(by_lengths, mesh.options()).degenerate, true};
 }
 
 /// The k-cells whose dual has no extent.

@@ -22,7 +22,8 @@ struct FirstPiece {
 
 class Numbering {
 public:
-    Numbering(const Ranks& ranks, const LocalComplex& local, const MergedCells& merged, int k)
+    Numbering(const Ranks& ranks, const LocalComplex& local, const DistributedMerging& merged,
+              int k)
         : ranks_(ranks), local_(local), merged_(merged), k_(k) {}
 
     DistributedCells::Degree run() {
@@ -59,7 +60,7 @@ private:
 
     const Ranks& ranks_;
     const LocalComplex& local_;
-    const MergedCells& merged_;
+    const DistributedMerging& merged_;
     int k_;
     DistributedCells::Degree cells_;
     std::vector<FirstPiece> others_; // first pieces of cells of others, ascending
@@ -149,7 +150,7 @@ std::vector<std::vector<Index>> numbers_of(const std::vector<DistributedCells::D
 }
 
 /// The first piece tells: all pieces of a cell have the same merged cofaces.
-void add_cofaces(const LocalComplex& local, const MergedCells& merged,
+void add_cofaces(const LocalComplex& local, const DistributedMerging& merged,
                  const DistributedCells::Degree& above, int k, DistributedCells::Degree& cells) {
     struct Coface {
         GlobalIndex row;
@@ -185,7 +186,7 @@ void add_cofaces(const LocalComplex& local, const MergedCells& merged,
 } // namespace
 
 DistributedCells distributed_cells(const Ranks& ranks, const LocalComplex& local,
-                                   const MergedCells& merged) {
+                                   const DistributedMerging& merged) {
     const int n = local.dimension();
     DistributedCells result;
     std::vector<std::vector<PieceSum>> sums;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "distributed/merged_cells.h"
+#include "distributed/merging.h"
 
 namespace polydec {
 
@@ -44,6 +44,6 @@ struct DistributedCells {
 
 /// Collective: numbers, volumes and incidences of the merged cells.
 DistributedCells distributed_cells(const Ranks& ranks, const LocalComplex& local,
-                                   const MergedCells& merged);
+                                   const DistributedMerging& merged);
 
 } // namespace polydec

@@ -36,8 +36,8 @@ GlobalIndex branching_facets(const Ranks& ranks, const LocalComplex& local) {
 }
 
 /// The own n-simplices among those marked that are cells by themselves.
-std::vector<Index> alone(const Ranks& ranks, const LocalComplex& local, const MergedCells& merged,
-                         const std::vector<bool>& marks) {
+std::vector<Index> alone(const Ranks& ranks, const LocalComplex& local,
+                         const DistributedMerging& merged, const std::vector<bool>& marks) {
     const int n = local.dimension();
     std::vector<Index> found;
     for (Index t = 0; t < std::ssize(marks); ++t) {
@@ -71,7 +71,7 @@ void look_at_flat_cells(const Ranks& ranks, const CellVolumes& volumes, Distribu
     const Vector shortest = shortest_edges(ranks, local, volumes);
     const auto flat = ranks.together("flat cells", [&] {
         const auto own = alone(ranks, local, mesh.merged,
-                               flat_simplices(local.complex, local.points, volumes, shortest));
+                               flat_simplices({local.complex, local.points, volumes}, shortest));
         refuse_flat_cells(local, own);
         return std::ssize(own);
     });

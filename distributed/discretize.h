@@ -14,7 +14,7 @@ namespace polydec {
 /// process would have.
 struct DistributedMesh {
     LocalComplex local; ///< with points in units
-    MergedCells merged;
+    DistributedMerging merged;
     DistributedCells cells;
     MergeOptions options;
     double unit = 1;                        ///< see unit_of_length

@@ -193,10 +193,10 @@ FacetDefects measure_facets(const Ranks& ranks, const LocalComplex& local,
     const int n = local.dimension();
     const Vector shortest = shortest_edges(ranks, local, volumes);
     FacetDefects defects = ranks.together("defects", [&] {
-        auto flat = options.criterion == MergeCriterion::angle
-                        ? std::vector<bool>()
-                        : flat_simplices(local.complex, local.points, volumes, shortest);
-        return facet_defects(local.complex, local.points, volumes, options, std::move(flat));
+        const Geometry geometry(local.complex, local.points, volumes);
+        auto flat = options.criterion == MergeCriterion::angle ? std::vector<bool>()
+                                                               : flat_simplices(geometry, shortest);
+        return facet_defects(geometry, options, std::move(flat));
     });
     struct Measure {
         double defect, scale;

@@ -203,8 +203,8 @@ SharedPoissonSolver::Problem SharedPoissonSolver::Problem::primal(const Ranks& r
     if (ranks.any((at.col(1).array() > 0).any()))
         shares = ranks.together("shares of facets", [&] {
             const SparseMatrix all =
-                dual_parts(mesh.local.complex, mesh.local.points, mesh.merged.of_pieces, 0, n - 1,
-                           mesh.merged.centers);
+                dual_parts({mesh.local.complex, mesh.local.points, mesh.merged.of_pieces},
+                           mesh.merged.centers, 0, n - 1);
             SparseMatrix own(std::ssize(vertices.first), mesh.local.complex.size(0));
             for (std::size_t i = 0; i < vertices.first.size(); ++i)
                 own.insert(static_cast<Index>(i), vertices.first[i]) = 1;

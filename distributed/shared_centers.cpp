@@ -135,8 +135,9 @@ MeanSpheres::Means fetch_means(const Ranks& ranks, const LocalComplex& local,
 
 Centers shared_centers(const Ranks& ranks, const LocalComplex& local, const CellVolumes& volumes,
                        const FacetClasses& classes, const std::vector<bool>& flat) {
-    MeanSpheres spheres = ranks.together(
-        "centers", [&] { return MeanSpheres(local.complex, local.points, volumes, flat); });
+    MeanSpheres spheres = ranks.together("centers", [&] {
+        return MeanSpheres({local.complex, local.points, volumes}, flat);
+    });
     const Members members = ranks.together(
         "centers", [&] { return members_of(ranks, local, volumes, classes, flat, spheres); });
     const Members arrived{ranks.deliver(std::move(members.numbers)),

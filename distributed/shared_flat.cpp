@@ -258,8 +258,8 @@ Parcels<SimplexClass> Deciding::classes(double tolerance) const {
         known = known < 0 ? t : known;
         classes.join(known, t);
     }
-    const auto volumes = dual_volumes(complex_, points_, {}, FlatSimplices::passed_over);
-    absorb_flat(complex_, points_, volumes, flat_, around_, tolerance, classes);
+    absorb_flat({complex_, points_, {}, FlatSimplices::passed_over}, flat_, around_, tolerance,
+                classes);
     const auto firsts = classes.firsts();
     for (std::size_t t = 0; t < rows_.size(); ++t)
         parcels[rows_[t].rank].push_back(

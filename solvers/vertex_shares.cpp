@@ -7,9 +7,9 @@ namespace polydec {
 
 SparseMatrix shares_of_vertices(const Discretization& mesh) {
     const int n = mesh.dimension();
-    const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 0, n - 1,
-                   mesh.stars()[1].is_diagonal() ? mesh.centers() : Centers::centroids());
+    const SparseMatrix parts = dual_parts(
+        mesh.geometry(),
+        mesh.stars()[1].is_diagonal() ? mesh.geometry().centers() : Centers::centroids(), 0, n - 1);
     const SparseMatrix pieces = mesh.merging().diamond(n - 1).cast<double>().cwiseAbs();
     return SparseMatrix(pieces * parts).transpose();
 }

@@ -45,7 +45,7 @@ struct Maps {
 
 Maps maps(const Discretization& mesh) {
     Maps result;
-    const auto& lift = mesh.lift();
+    const auto& lift = mesh.merged().lift();
     for (int k = 0; k <= mesh.dimension(); ++k) {
         const SparseMatrix pieces = mesh.merging().diamond(k).cast<double>();
         if (mesh.passage().is_identity()) {

@@ -80,7 +80,7 @@ private:
             if (sum.cell != cell)
                 continue;
             seen_[s] = true;
-            const double volume = mesh_.piece_volumes().primal(k_)[s];
+            const double volume = mesh_.geometry().volumes().primal(k_)[s];
             sum.volume += volume;
             const auto& positions = faces_.positions()[f];
             for (std::size_t i = 0; i < positions.size(); ++i)
@@ -118,7 +118,7 @@ Points mean_over_cells(const Discretization& mesh, int k, const Points& coordina
         return k == 0 ? mesh.box()->vertices() : PlacesInBox(mesh, k).means(coordinates);
     const Points places =
         Places(mesh.passage(), mesh.measured_points()).at(k, coordinates, mesh.measured_points());
-    return mean_over_cells(mesh.merging(), places, mesh.piece_volumes(), k);
+    return mean_over_cells(mesh.merging(), places, mesh.geometry().volumes(), k);
 }
 
 /// Not if only lengths are known.
@@ -162,8 +162,9 @@ Points cell_centers(const Discretization& discretization, int k) {
         return Points(discretization.complex().size(k), 0);
     return discretization.unit() *
            mean_over_cells(discretization, k,
-                           center_coordinates(discretization.pieces(), discretization.metric(),
-                                              discretization.centers(), k));
+                           center_coordinates(discretization.pieces(),
+                                              discretization.geometry().metric(),
+                                              discretization.geometry().centers(), k));
 }
 
 Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
@@ -182,8 +183,8 @@ Points cell_centroids(const Discretization& discretization, int k) {
 
 Points site_coordinates(const Discretization& discretization) {
     const int n = discretization.dimension();
-    Points result = center_coordinates(discretization.pieces(), discretization.metric(),
-                                       discretization.centers(), n);
+    Points result = center_coordinates(discretization.pieces(), discretization.geometry().metric(),
+                                       discretization.geometry().centers(), n);
     if (n == 0 || discretization.stars()[n - 1].is_diagonal())
         return result;
     const SparseMatrix M = discretization.stars()[n - 1].matrix();

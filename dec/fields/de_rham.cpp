@@ -333,8 +333,9 @@ Cochain dual_integrals(const Discretization& mesh, int j, const SmoothForm& form
     const Integral integral(form, N, j, quadrature_degree);
     const Places places(at.passage(), at.measured_points());
     const auto centers_of = [&](int i) {
-        Points rows = places.at(i, center_coordinates(at.pieces(), at.metric(), at.centers(), i),
-                                at.measured_points());
+        Points rows = places.at(
+            i, center_coordinates(at.pieces(), at.geometry().metric(), at.geometry().centers(), i),
+            at.measured_points());
         if (i == at.dimension())
             fill_flat_pieces(at, rows);
         return rows;
@@ -353,15 +354,16 @@ Vector boundary_integrals(const Discretization& mesh, int j, const SmoothForm& f
     const int k = n - 1 - j;
     if (j > 0 && !mesh.stars()[n - j].is_diagonal()) {
         WhitneyMoments moments(at.pieces(), at.measured_points(), j, form, quadrature_degree);
-        return mesh.lift()[k].transpose() *
+        return mesh.merged().lift()[k].transpose() *
                sums_from_places(mesh, k, moments.on_the_boundary(boundary));
     }
     const Integral integral(form, N, j, quadrature_degree);
     const Places places(at.passage(), at.measured_points());
-    const Centers of_facets =
-        j == 0 && !mesh.stars()[n - 1].is_diagonal() ? Centers::centroids() : at.centers();
+    const Centers of_facets = j == 0 && !mesh.stars()[n - 1].is_diagonal()
+                                  ? Centers::centroids()
+                                  : at.geometry().centers();
     const auto centers_of = [&](int i) {
-        return places.at(i, center_coordinates(at.pieces(), at.metric(), of_facets, i),
+        return places.at(i, center_coordinates(at.pieces(), at.geometry().metric(), of_facets, i),
                          at.measured_points());
     };
     DualIntegrals duals(at.pieces(), N, k, integral, centers_of, n - 1);

@@ -137,16 +137,16 @@ private:
 /// The product of the duals of two primal forms: the covector star^-1 (star a ^ star b) at the unit
 /// m-vector of s times the volume of the part of *s, which is the integral of star a ^ star b since
 /// s and *s are orthogonal.
-Vector product_of_stars(const Pieces& complex, const SimplexMetric& metric,
-                        const CellVolumes& volumes, const Cochain& a, const Cochain& b,
-                        const Centers& centers) {
+Vector product_of_stars(const Geometry& geometry, const Cochain& a, const Cochain& b) {
+    const Pieces& complex = geometry.pieces();
     const int n = complex.dimension(), m = a.degree + b.degree - n;
-    const Points parts = parts_of_duals(complex, metric, volumes, m, n, centers);
+    const Points parts = parts_of_duals(geometry, geometry.centers(), m, n);
     const Meet meet(n, a.degree, b.degree);
     const ExteriorProduct edges_of(n, m);
     Means first(complex, a), second(complex, b);
     SimplexFaces faces(complex, n, m);
-    SimplexLayout layout(complex, metric);
+    SimplexLayout layout(complex, geometry.metric());
+    const Vector& volumes = geometry.volumes().primal(m);
 
     Vector values = Vector::Zero(complex.size(m));
     for (Index t = 0; t < complex.size(n); ++t) {
@@ -160,7 +160,7 @@ Vector product_of_stars(const Pieces& complex, const SimplexMetric& metric,
             corners.erase(corners.begin());
             const DenseMatrix edges =
                 chart.corners(corners, Eigen::all) - origin.replicate(corners.size(), 1);
-            const double size = std::tgamma(m + 1.0) * volumes.primal(m)[s];
+            const double size = std::tgamma(m + 1.0) * volumes[s];
             values[s] += parts(t, static_cast<Eigen::Index>(i)) * orientation(complex, m, s) *
                          covector.dot(edges_of(edges)) / size;
         }
@@ -176,12 +176,12 @@ Cochain without_star(const CellComplex& complex, const CellVolumes& volumes, con
 
 } // namespace
 
-Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
-                   const Cochain& a, const Cochain& b, const Centers& centers) {
-    check_factors(complex, Side::dual, a, b);
-    return {Side::dual, a.degree + b.degree,
-            product_of_stars(complex, metric, volumes, without_star(complex, volumes, a),
-                             without_star(complex, volumes, b), centers)};
+Cochain dual_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b) {
+    check_factors(geometry.pieces(), Side::dual, a, b);
+    const auto primal = [&](const Cochain& form) {
+        return without_star(geometry.pieces(), geometry.volumes(), form);
+    };
+    return {Side::dual, a.degree + b.degree, product_of_stars(geometry, primal(a), primal(b))};
 }
 
 Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& b) {
@@ -191,8 +191,7 @@ Cochain dual_wedge(const Discretization& mesh, const Cochain& a, const Cochain& 
         return on_pieces(mesh, without_star(mesh.complex(), mesh.volumes(), form));
     };
     const int j = a.degree + b.degree;
-    const Vector values = product_of_stars(mesh.pieces(), mesh.metric(), mesh.piece_volumes(),
-                                           lifted(a), lifted(b), mesh.centers());
+    const Vector values = product_of_stars(mesh.geometry(), lifted(a), lifted(b));
     return on_cells(mesh, {Side::dual, j, values});
 }
 

@@ -20,8 +20,7 @@ namespace polydec {
 ///
 /// Throws like check; like HodgeStar::inverse, naming the cells, where star_(n-k) or star_(n-l) has
 /// a zero; and InvalidInput for primal forms and for k + l > n.
-Cochain dual_wedge(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
-                   const Cochain& a, const Cochain& b, const Centers& centers = {});
+Cochain dual_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b);
 
 /// The product on the duals of merged cells: star^-1 of both forms is lifted to the pieces, and the
 /// product there is averaged by volume over those of a cell. Anticommutative; exact for constant

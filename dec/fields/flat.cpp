@@ -54,7 +54,8 @@ Points means(const Pieces& complex, const Points& field, int k) {
 
 /// Vectors at vertices, continued linearly to the centers of the k-pieces.
 Points at_centers(const Discretization& mesh, const Places& places, const Points& field, int k) {
-    const Points coordinates = center_coordinates(mesh.pieces(), mesh.metric(), mesh.centers(), k);
+    const Points coordinates =
+        center_coordinates(mesh.pieces(), mesh.geometry().metric(), mesh.geometry().centers(), k);
     Points rows = places.at(k, coordinates, field);
     if (k == mesh.dimension())
         fill_flat_pieces(mesh, rows);
@@ -92,8 +93,8 @@ void check_dual_volumes(const Discretization& mesh) {
 /// The product with each edge of the vectors of the n-simplices around, by parts of the dual.
 Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     check_dual_volumes(mesh);
-    const SparseMatrix parts = dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1,
-                                          mesh.dimension(), mesh.centers());
+    const SparseMatrix parts =
+        dual_parts(mesh.geometry(), mesh.geometry().centers(), 1, mesh.dimension());
     const DenseMatrix sums = parts.transpose() * DenseMatrix(copied_to_pieces(mesh, field));
     const Discretization& at = placed(mesh);
     const DenseMatrix edges = from_places(mesh, 1, edge_vectors(at.pieces(), at.measured_points()));
@@ -104,7 +105,7 @@ Vector around_edges(const Discretization& mesh, const DenseMatrix& field) {
     const auto& carriers = mesh.merging().carriers(own);
     for (Index e = 0; e < result.size(); ++e)
         result[e] =
-            carriers[e].dimension == own ? result[e] / mesh.piece_volumes().dual(own)[e] : 0;
+            carriers[e].dimension == own ? result[e] / mesh.geometry().volumes().dual(own)[e] : 0;
     return result;
 }
 

@@ -7,30 +7,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace polydec {
 
-namespace {
-
-/// As many as there are pieces if none is flat.
-Index first_flat_piece(const Discretization& mesh) {
-    const Index size = mesh.pieces().size(mesh.dimension());
-    Index t = 0;
-    while (t < size && !mesh.is_flat(t))
-        ++t;
-    return t;
-}
-
-} // namespace
-
-bool has_flat_pieces(const Discretization& mesh) {
-    return first_flat_piece(mesh) < mesh.pieces().size(mesh.dimension());
-}
-
 void refuse_flat_pieces(const Discretization& mesh, std::string_view what) {
-    if (!has_flat_pieces(mesh))
+    const auto& flat = mesh.geometry().flat();
+    const auto first = std::find(flat.begin(), flat.end(), true);
+    if (first == flat.end())
         return;
     const int n = mesh.dimension();
-    const Index t = first_flat_piece(mesh);
+    const auto t = static_cast<Index>(first - flat.begin());
     const auto corners = mesh.pieces().vertex_numbers(n, t);
     throw InvalidInput(fmt::format("{} is not known in cells with flat pieces, such as the "
                                    "{}-simplex with vertices {}: leave them out of the mesh",
@@ -43,17 +30,17 @@ void fill_flat_pieces(const Discretization& mesh, Points& rows) {
     const IncidenceMatrix& cells = mesh.merging().diamond(n);
     check_as_many("rows of pieces", rows.rows(), cells.cols());
     for (Index t = 0; t < cells.cols(); ++t) {
-        if (!mesh.is_flat(t))
+        if (!mesh.geometry().is_flat(t))
             continue;
         Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows.cols());
         double volume = 0;
         const Index cell = mesh.merging().carriers(n)[t].cell;
         for (IncidenceMatrix::InnerIterator piece(cells, cell); piece; ++piece) {
             const auto other = static_cast<Index>(piece.col());
-            if (mesh.is_flat(other))
+            if (mesh.geometry().is_flat(other))
                 continue;
-            sum += mesh.piece_volumes().primal(n)[other] * rows.row(other);
-            volume += mesh.piece_volumes().primal(n)[other];
+            sum += mesh.geometry().volumes().primal(n)[other] * rows.row(other);
+            volume += mesh.geometry().volumes().primal(n)[other];
         }
         rows.row(t) = sum / volume;
     }

@@ -65,7 +65,7 @@ Points on_input(const Discretization& mesh, const Points& field) {
 SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int k, int j) {
     if (fine.rows() == 0 || fine.cols() == 0)
         return SparseMatrix(mesh.complex().size(j), mesh.complex().size(k));
-    const SparseMatrix& lift = mesh.lift()[k];
+    const SparseMatrix& lift = mesh.merged().lift()[k];
     if (mesh.passage().is_identity())
         return mesh.merging().diamond(j).cast<double>() * SparseMatrix(fine * lift);
     const SparseMatrix back = mesh.passage().matrix_back(k) * lift;

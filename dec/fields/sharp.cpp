@@ -31,7 +31,7 @@ void check_form(const Discretization& mesh, const Cochain& form, int degree) {
 }
 
 void check_dual_cells(const Discretization& mesh) {
-    auto zero = star(mesh.input_volumes(), 0).zeros();
+    auto zero = star(mesh.input_geometry().volumes(), 0).zeros();
     if (zero.empty())
         return;
     const auto count = zero.size();
@@ -63,7 +63,7 @@ DenseMatrix gradients_seen_from_vertices(const Discretization& mesh, const Vecto
 
 /// The mean of these in the other pieces of their cells, for flat pieces; empty without any.
 Points gradients_in_flat_pieces(const Discretization& mesh, const Vector& a) {
-    if (!has_flat_pieces(mesh))
+    if (mesh.geometry().flat().empty())
         return {};
     Points rows(mesh.pieces().size(mesh.dimension()), mesh.ambient_dimension());
     for (Index t = 0; t < rows.rows(); ++t)
@@ -92,7 +92,7 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
         for (int i = 1; i <= n; ++i)
             projection +=
                 (points.row(corners[i]) - points.row(corners[0])).transpose() * gradients.row(i);
-        sum += mesh.piece_volumes().primal(n)[t] * projection;
+        sum += mesh.geometry().volumes().primal(n)[t] * projection;
     }
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(sum);
     const Vector largest = solver.eigenvalues().tail(n);
@@ -103,12 +103,11 @@ DenseMatrix mean_tangents(const Discretization& mesh, Index cell) {
 /// For each merged n-cell the weights |*e part in it| / |e| of its merged edges.
 SparseMatrix edge_weights(const Discretization& mesh) {
     const int n = mesh.dimension();
-    const SparseMatrix parts =
-        dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), 1, n, mesh.centers());
+    const SparseMatrix parts = dual_parts(mesh.geometry(), mesh.geometry().centers(), 1, n);
     const SparseMatrix cells = mesh.merging().diamond(n).cast<double>().cwiseAbs();
     const SparseMatrix edges = mesh.merging().diamond(1).cast<double>().cwiseAbs();
     // a vector of its own: Eigen's product would copy the diagonal of an expression for every row
-    const Vector inverse_lengths = mesh.piece_volumes().primal(1).cwiseInverse();
+    const Vector inverse_lengths = mesh.geometry().volumes().primal(1).cwiseInverse();
     const SparseMatrix weighted = parts * inverse_lengths.asDiagonal();
     const SparseMatrix on_cells = cells * weighted;
     return on_cells * SparseMatrix(edges.transpose());
@@ -121,20 +120,19 @@ DenseMatrix sharp_pp(const Discretization& mesh, const Cochain& form) {
     check_dual_cells(mesh);
     const auto& K = mesh.input();
     const int n = mesh.dimension();
-    // of the simplices by themselves, unless some are flat
-    const bool own = !mesh.passage().is_identity() || !has_flat_pieces(mesh);
-    const Points parts = parts_of_duals(K, mesh.input_metric(), mesh.input_volumes(), 0, n,
-                                        own ? mesh.options().centers : mesh.centers());
+    const Geometry& input = mesh.input_geometry();
+    const Points parts = parts_of_duals(input, input.centers(), 0, n);
     const Vector a = lifted(mesh, form).values;
     const Points in_flat = gradients_in_flat_pieces(mesh, a);
     Points at_cells = Points::Zero(K.size(0), mesh.ambient_dimension());
     for (Index t = 0; t < K.size(n); ++t) {
         DenseMatrix seen = gradients_seen_from_vertices(mesh, a, t);
-        if (mesh.is_flat(t))
+        if (mesh.geometry().is_flat(t))
             seen = in_flat.row(t).replicate(n + 1, 1);
         for (int i = 0; i <= n; ++i) {
             const Index v = face_at(K, n, t, std::array{i});
-            at_cells.row(v) += parts(t, i) / mesh.input_volumes().dual(0)[v] * seen.row(i);
+            at_cells.row(v) +=
+                parts(t, i) / mesh.input_geometry().volumes().dual(0)[v] * seen.row(i);
         }
     }
     return in_input_units(mesh.passage().forth(0, at_cells), mesh.unit(), -1, "vectors");

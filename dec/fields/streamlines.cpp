@@ -124,7 +124,7 @@ void Tracer::find_rates(const DenseMatrix& vectors) {
     const auto& carriers = mesh_.merging().carriers(n_);
     DenseMatrix at_vertices = DenseMatrix::Zero(points.rows(), points.cols());
     Vector weights = Vector::Zero(points.rows());
-    const Vector& volumes = mesh_.piece_volumes().primal(n_);
+    const Vector& volumes = mesh_.geometry().volumes().primal(n_);
     for (Index t = 0; t < pieces_.size(n_); ++t)
         for (int i = 0; i <= n_; ++i) {
             at_vertices.row(simplices(t, i)) += volumes[t] * vectors.row(carriers[t].cell);

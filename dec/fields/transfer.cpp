@@ -26,12 +26,12 @@ SparseMatrix transposed(const SparseMatrix& A) {
 SparseMatrix merged_from(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
                ? primal_to_merged(mesh.merging(), kind.degree)
-               : dual_to_merged(mesh.merging(), mesh.piece_volumes(), kind.degree);
+               : dual_to_merged(mesh.merging(), mesh.geometry().volumes(), kind.degree);
 }
 
 SparseMatrix pieces_from(const Discretization& mesh, FormKind kind) {
     return kind.side == Side::primal
-               ? primal_to_input(mesh.merging(), mesh.piece_volumes(), kind.degree)
+               ? primal_to_input(mesh.merging(), mesh.geometry().volumes(), kind.degree)
                : dual_to_input(mesh.merging(), kind.degree);
 }
 
@@ -131,7 +131,7 @@ Cochain on_pieces(const Discretization& mesh, const Cochain& form) {
         throw InvalidInput(fmt::format("a dual {}-form cannot be lifted: take its star, which is "
                                        "primal",
                                        form.degree));
-    return {Side::primal, form.degree, mesh.lift()[form.degree] * form.values};
+    return {Side::primal, form.degree, mesh.merged().lift()[form.degree] * form.values};
 }
 
 Cochain on_cells(const Discretization& mesh, const Cochain& form) {

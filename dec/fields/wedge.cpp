@@ -99,14 +99,13 @@ Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b) {
     return product(complex, a, b, [share](Index, int) { return share; });
 }
 
-Cochain circumcentric_wedge(const Pieces& complex, const SimplexMetric& metric,
-                            const CellVolumes& volumes, const Cochain& a, const Cochain& b,
-                            const Centers& centers) {
-    check_factors(complex, Side::primal, a, b);
+Cochain circumcentric_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b) {
+    check_factors(geometry.pieces(), Side::primal, a, b);
     const int m = a.degree + b.degree;
-    const Points parts = parts_of_duals(complex, metric, volumes, 0, m, centers);
-    return product(complex, a, b,
-                   [&](Index s, int v) { return parts(s, v) / volumes.primal(m)[s]; });
+    const Points parts = parts_of_duals(geometry, geometry.centers(), 0, m);
+    const Vector& volumes = geometry.volumes().primal(m);
+    return product(geometry.pieces(), a, b,
+                   [&](Index s, int v) { return parts(s, v) / volumes[s]; });
 }
 
 Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
@@ -114,12 +113,10 @@ Cochain wedge(const Discretization& mesh, const Cochain& a, const Cochain& b,
     check_factors(mesh.complex(), Side::primal, a, b);
     if (weights != WedgeWeights::uniform)
         refuse_flat_pieces(mesh, "the product weighted by parts of duals");
-    const auto& K = mesh.pieces();
     const Cochain x = on_pieces(mesh, a), y = on_pieces(mesh, b);
     return on_cells(mesh, weights == WedgeWeights::uniform
-                              ? wedge(K, x, y)
-                              : circumcentric_wedge(K, mesh.metric(), mesh.piece_volumes(), x, y,
-                                                    mesh.centers()));
+                              ? wedge(mesh.pieces(), x, y)
+                              : circumcentric_wedge(mesh.geometry(), x, y));
 }
 
 Vector primal_dual_wedge(const CellComplex& complex, const Cochain& a, const Cochain& b) {

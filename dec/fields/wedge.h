@@ -27,9 +27,7 @@ Cochain wedge(const Pieces& complex, const Cochain& a, const Cochain& b);
 /// are alike. volumes are those of `complex`.
 /// Source: Hirani 2003, Def. 7.1.1.
 /// Throws like wedge.
-Cochain circumcentric_wedge(const Pieces& complex, const SimplexMetric& metric,
-                            const CellVolumes& volumes, const Cochain& a, const Cochain& b,
-                            const Centers& centers = {});
+Cochain circumcentric_wedge(const Geometry& geometry, const Cochain& a, const Cochain& b);
 
 /// The products on merged cells: both forms are lifted to the pieces, multiplied there, and added
 /// over them. The lift is a cochain map, so wedge has the laws it has on simplices, Leibniz' rule

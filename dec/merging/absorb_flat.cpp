@@ -32,19 +32,18 @@ std::vector<double> without_rounding(const std::vector<double>& values) {
 /// What classes of ordinary simplices may take.
 class Absorption {
 public:
-    Absorption(const Pieces& complex, const Points& points, const CellVolumes& volumes,
-               const std::vector<bool>& flat, const AroundFlat& around, double tolerance,
-               DisjointSets& classes)
-        : complex_(complex),
-          points_(points),
-          volumes_(volumes),
+    Absorption(const Geometry& geometry, const std::vector<bool>& flat, const AroundFlat& around,
+               double tolerance, DisjointSets& classes)
+        : complex_(geometry.pieces()),
+          points_(*geometry.metric().points()),
+          volumes_(geometry.volumes()),
           flat_(flat),
           around_(around),
           tolerance_(tolerance),
           classes_(classes),
           taken_(flat.size(), false),
-          spheres_(complex, points, volumes, flat) {
-        for (Index t = 0; t < complex.size(complex.dimension()); ++t)
+          spheres_(geometry, flat) {
+        for (Index t = 0; t < complex_.size(n()); ++t)
             if (flat[t])
                 simplices_.push_back(t);
     }
@@ -244,10 +243,9 @@ void Absorption::hand_over_to(Index root, const std::vector<Index>& simplices) {
 
 } // namespace
 
-void absorb_flat(const Pieces& complex, const Points& points, const CellVolumes& volumes,
-                 const std::vector<bool>& flat, const AroundFlat& around, double tolerance,
-                 DisjointSets& classes) {
-    Absorption(complex, points, volumes, flat, around, tolerance, classes).run();
+void absorb_flat(const Geometry& geometry, const std::vector<bool>& flat, const AroundFlat& around,
+                 double tolerance, DisjointSets& classes) {
+    Absorption(geometry, flat, around, tolerance, classes).run();
 }
 
 } // namespace polydec

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "complex/disjoint_sets.h"
-#include "complex/pieces.h"
-#include "dec/metric/cell_volumes.h"
+#include "dec/metric/geometry.h"
 
 #include <array>
 #include <vector>
@@ -30,8 +29,7 @@ struct AroundFlat {
 /// `flat` has a mark for each n-simplex. Flat simplices that hang together and the classes beside
 /// them decide alone of what becomes of them, so that this may be done for a part of a complex that
 /// has all of these.
-void absorb_flat(const Pieces& complex, const Points& points, const CellVolumes& volumes,
-                 const std::vector<bool>& flat, const AroundFlat& around, double tolerance,
-                 DisjointSets& classes);
+void absorb_flat(const Geometry& geometry, const std::vector<bool>& flat, const AroundFlat& around,
+                 double tolerance, DisjointSets& classes);
 
 } // namespace polydec

@@ -22,20 +22,21 @@ using Row = IncidenceMatrix::InnerIterator;
 /// The new pieces, and how they belong to the cells.
 class Cones {
 public:
-    Cones(const Merging& merging, const Points& points, const std::vector<bool>& flat)
-        : merging_(merging),
-          n_(merging.pieces().dimension()),
-          center_of_(merging.merged().size(n_), -1) {
-        find_centers(points, flat);
+    explicit Cones(const MergedCells& cells)
+        : cells_(cells),
+          merging_(cells.merging()),
+          n_(cells.dimension()),
+          center_of_(cells.complex().size(n_), -1) {
+        find_centers(*cells.geometry().metric().points(), cells.geometry().flat());
         pieces_ = std::make_unique<SimplicialComplex>(top_simplices());
         for (int k = 0; k <= n_; ++k)
             find_carriers(k);
         require_seen();
     }
 
-    ConedCells cells() && {
+    MergedCells cells() && {
         return {Merging(*pieces_, merging_.merged(), std::move(carriers_), std::move(diamonds_)),
-                std::move(points_)};
+                Geometry(*pieces_, std::move(points_), Centers::centroids()), cells_.volumes()};
     }
 
 private:
@@ -156,6 +157,7 @@ private:
         }
     }
 
+    const MergedCells& cells_;
     const Merging& merging_;
     int n_;
     std::vector<Index> center_of_, cell_of_center_; // -1: none
@@ -167,9 +169,8 @@ private:
 
 } // namespace
 
-ConedCells cone_flat_cells(const Merging& merging, const Points& points,
-                           const std::vector<bool>& flat) {
-    return Cones(merging, points, flat).cells();
+MergedCells cone_flat_cells(const MergedCells& cells) {
+    return Cones(cells).cells();
 }
 
 } // namespace polydec

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/merging.h"
+#include "dec/merging/merged_cells.h"
 
 namespace polydec {
-
-/// The same cells with other pieces, and the points of their vertices.
-struct ConedCells {
-    Merging merging;
-    Points points;
-};
 
 /// Replaces the pieces of cells that have flat ones, whose forms have no bound: by the cones from
 /// the mean of a cell's vertices, a new vertex behind the others, over the pieces of its facets.
@@ -17,7 +11,6 @@ struct ConedCells {
 /// leave a crack, whichever cell took these. Nothing depends on numbers, place or scale.
 /// Of solids, whose points have as many coordinates as cells have dimensions. Throws InvalidInput,
 /// naming the cell, where not all of a cell is seen from that mean.
-ConedCells cone_flat_cells(const Merging& merging, const Points& points,
-                           const std::vector<bool>& flat);
+MergedCells cone_flat_cells(const MergedCells& cells);
 
 } // namespace polydec

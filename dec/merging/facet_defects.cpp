@@ -17,10 +17,9 @@ namespace {
 
 /// Per facet, the sum over its cofaces of the angle under which they see it, from the apex: the
 /// cotangent is the signed distance of the circumcenters over the facet's circumradius.
-Vector apex_angles(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
-                   const Vector& radii) {
+Vector apex_angles(const Geometry& geometry, const Vector& radii) {
     Vector angles = Vector::Zero(radii.size());
-    for_each_height(complex, metric, volumes, [&](Index f, double height, double) {
+    for_each_height(geometry, [&](Index f, double height, double) {
         angles[f] += std::atan2(radii[f], height);
     });
     return angles;
@@ -44,17 +43,19 @@ bool is_degenerate(double dual, double terms, double l, double height, double to
            std::abs(dual) <= thin * height;
 }
 
-void for_each_height(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
+void for_each_height(const Geometry& geometry,
                      const std::function<void(Index, double, double)>& take) {
+    const Pieces& complex = geometry.pieces();
     const int n = complex.dimension();
-    SimplexLayout layout(complex, metric);
+    const Vector& facets = geometry.volumes().primal(n - 1);
+    SimplexLayout layout(complex, geometry.metric());
     Circumsphere sphere;
     for (Index t = 0; t < complex.size(n); ++t) {
         if (!sphere.look_at(layout.at(n, t)))
             continue;
         for (int i = 0; i <= n; ++i) {
             const Index f = complex.face(n, t, i);
-            const double height = sphere.height(i, volumes.primal(n - 1)[f]);
+            const double height = sphere.height(i, facets[f]);
             take(f, height, sphere.uncertainty().of(height));
         }
     }
@@ -74,24 +75,23 @@ Vector least_heights(const Pieces& complex, const CellVolumes& volumes,
     return heights;
 }
 
-FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
-                           const CellVolumes& volumes, const MergeOptions& options) {
+FacetDefects facet_defects(const Geometry& geometry, const MergeOptions& options) {
     const bool by_angles = options.criterion == MergeCriterion::angle;
-    return facet_defects(complex, metric, volumes, options,
-                         by_angles ? std::vector<bool>()
-                                   : flat_simplices(complex, metric, volumes));
+    return facet_defects(geometry, options,
+                         by_angles ? std::vector<bool>() : flat_simplices(geometry));
 }
 
-FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
-                           const CellVolumes& volumes, const MergeOptions& options,
+FacetDefects facet_defects(const Geometry& geometry, const MergeOptions& options,
                            std::vector<bool> flat) {
+    const Pieces& complex = geometry.pieces();
+    const CellVolumes& volumes = geometry.volumes();
     const int n = complex.dimension();
     const bool by_angles = options.criterion == MergeCriterion::angle;
     const Vector& dual = volumes.dual(n - 1);
     const Bounds& terms = volumes.terms(n - 1);
     FacetDefects result;
-    result.scale = circumradii(complex, metric, n - 1);
-    result.defect = by_angles ? apex_angles(complex, metric, volumes, result.scale) : dual;
+    result.scale = circumradii(complex, geometry.metric(), n - 1);
+    result.defect = by_angles ? apex_angles(geometry, result.scale) : dual;
     const auto& cofaces = complex.coface_counts(n - 1);
     auto& [interior, boundary, branching, marks] = result.degenerate;
     marks.resize(static_cast<std::size_t>(dual.size()));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "dec/merging/merge.h"
-#include "dec/metric/simplex_metric.h"
 
 #include <functional>
 
@@ -27,7 +26,7 @@ bool is_degenerate(double dual, double terms, double l, double height, double to
 /// Calls take(f, height, terms) for every facet f of every n-simplex that has a volume: how far the
 /// circumcenter of the simplex lies from that of the facet, positive towards the simplex, and to
 /// what the error of that is in proportion.
-void for_each_height(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
+void for_each_height(const Geometry& geometry,
                      const std::function<void(Index, double, double)>& take);
 
 /// Least height n |t| / |f| of the n-simplices over each facet that are not marked as flat; length.
@@ -37,12 +36,10 @@ Vector least_heights(const Pieces& complex, const CellVolumes& volumes,
 
 /// Measures every facet, whatever its number of cofaces: one with m cofaces is compared with m
 /// right angles. A facet without extent (a vertex, n = 1) is never degenerate.
-FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
-                           const CellVolumes& volumes, const MergeOptions& options);
+FacetDefects facet_defects(const Geometry& geometry, const MergeOptions& options);
 
 /// The same, where it is known which n-simplices are flat.
-FacetDefects facet_defects(const Pieces& complex, const SimplexMetric& metric,
-                           const CellVolumes& volumes, const MergeOptions& options,
+FacetDefects facet_defects(const Geometry& geometry, const MergeOptions& options,
                            std::vector<bool> flat);
 
 } // namespace polydec

@@ -2,7 +2,6 @@
 #include "dec/merging/facet_kinds.h"
 
 #include "dec/merging/facet_defects.h"
-#include "dec/metric/cell_volumes.h"
 #include "dec/metric/rounding.h"
 
 #include <algorithm>
@@ -12,10 +11,10 @@ namespace polydec {
 namespace {
 
 /// How many of the n-simplices at each facet have their circumcenter on their own side of it.
-std::vector<Index> centered_cofaces(const Pieces& complex, const SimplexMetric& metric,
-                                    const CellVolumes& volumes) {
+std::vector<Index> centered_cofaces(const Geometry& geometry) {
+    const Pieces& complex = geometry.pieces();
     std::vector<Index> counts(complex.size(complex.dimension() - 1), 0);
-    for_each_height(complex, metric, volumes, [&](Index f, double height, double terms) {
+    for_each_height(geometry, [&](Index f, double height, double terms) {
         if (height >= 0 || is_zero(height, terms))
             ++counts[f];
     });
@@ -24,14 +23,13 @@ std::vector<Index> centered_cofaces(const Pieces& complex, const SimplexMetric& 
 
 } // namespace
 
-FacetKinds facet_kinds(const Pieces& complex, const SimplexMetric& metric,
-                       const CellVolumes& volumes, const MergeOptions& options) {
-    check_fit(complex, volumes);
+FacetKinds facet_kinds(const Geometry& geometry, const MergeOptions& options) {
+    const Pieces& complex = geometry.pieces();
     const int n = complex.dimension();
-    const auto degenerate = facet_defects(complex, metric, volumes, options).degenerate;
-    const auto centered = centered_cofaces(complex, metric, volumes);
-    const Vector& dual = volumes.dual(n - 1);
-    const Bounds& terms = volumes.terms(n - 1);
+    const auto degenerate = facet_defects(geometry, options).degenerate;
+    const auto centered = centered_cofaces(geometry);
+    const Vector& dual = geometry.volumes().dual(n - 1);
+    const Bounds& terms = geometry.volumes().terms(n - 1);
     FacetKinds kinds;
     for (Index f = 0; f < complex.size(n - 1); ++f) {
         if (complex.coface_counts(n - 1)[f] != 2)
@@ -48,16 +46,14 @@ FacetKinds facet_kinds(const Pieces& complex, const SimplexMetric& metric,
     return kinds;
 }
 
-std::optional<LooserTolerance> looser_tolerance(const Pieces& complex, const SimplexMetric& metric,
-                                                const CellVolumes& volumes,
+std::optional<LooserTolerance> looser_tolerance(const Geometry& geometry,
                                                 const MergeOptions& options) {
     if (options.criterion != MergeCriterion::dual_length)
         return std::nullopt;
-    const auto& cofaces = complex.coface_counts(complex.dimension() - 1);
+    const auto& cofaces = geometry.pieces().coface_counts(geometry.pieces().dimension() - 1);
     const auto many = std::count(cofaces.begin(), cofaces.end(), 2) / 10;
     const auto degenerate = [&](double tolerance) {
-        return facet_defects(complex, metric, volumes, {options.criterion, tolerance})
-            .degenerate.interior;
+        return facet_defects(geometry, {options.criterion, tolerance}).degenerate.interior;
     };
     const Index now = degenerate(options.tolerance);
     std::optional<LooserTolerance> found;

@@ -3,7 +3,6 @@
 
 #include "complex/merging.h"
 #include "dec/merging/merge.h"
-#include "dec/metric/simplex_metric.h"
 
 #include <optional>
 
@@ -19,10 +18,9 @@ struct FacetKinds {
     Index cospherical = 0;   ///< in one place within the tolerance: concyclic triangles
 };
 
-/// Counts the pairs of each kind. volumes are those of `complex`; of the options the criterion and
-/// the tolerance matter (the relative dual length where nothing is to be merged).
-FacetKinds facet_kinds(const Pieces& complex, const SimplexMetric& metric,
-                       const CellVolumes& volumes, const MergeOptions& options = {});
+/// Counts the pairs of each kind. Of the options the criterion and the tolerance matter (the
+/// relative dual length where nothing is to be merged).
+FacetKinds facet_kinds(const Geometry& geometry, const MergeOptions& options = {});
 
 /// A tolerance by which many more pairs of cells would merge, as where coordinates are rounded to
 /// few digits.
@@ -33,8 +31,7 @@ struct LooserTolerance {
 
 /// Such a tolerance, if by one more than a tenth of the facets between two n-simplices were
 /// degenerate besides. None for other criteria than the relative dual length.
-std::optional<LooserTolerance> looser_tolerance(const Pieces& complex, const SimplexMetric& metric,
-                                                const CellVolumes& volumes,
+std::optional<LooserTolerance> looser_tolerance(const Geometry& geometry,
                                                 const MergeOptions& options);
 
 /// What a merging has joined.

@@ -21,22 +21,22 @@ Vector shortest_edges(const Pieces& complex, const CellVolumes& volumes) {
     return shortest;
 }
 
-std::vector<bool> flat_simplices(const Pieces& complex, const SimplexMetric& metric,
-                                 const CellVolumes& volumes) {
-    return can_take_flat_simplices(complex.dimension(), metric.ambient_dimension())
-               ? flat_simplices(complex, metric, volumes, shortest_edges(complex, volumes))
+std::vector<bool> flat_simplices(const Geometry& geometry) {
+    const Pieces& complex = geometry.pieces();
+    return can_take_flat_simplices(complex.dimension(), geometry.metric().ambient_dimension())
+               ? flat_simplices(geometry, shortest_edges(complex, geometry.volumes()))
                : std::vector<bool>();
 }
 
-std::vector<bool> flat_simplices(const Pieces& complex, const SimplexMetric& metric,
-                                 const CellVolumes& volumes, const Vector& shortest) {
+std::vector<bool> flat_simplices(const Geometry& geometry, const Vector& shortest) {
     constexpr double low = 1e-2; // of an edge
+    const Pieces& complex = geometry.pieces();
     const int n = complex.dimension();
-    if (!can_take_flat_simplices(n, metric.ambient_dimension()) || !complex.orientable())
+    if (!can_take_flat_simplices(n, geometry.metric().ambient_dimension()) || !complex.orientable())
         return {};
     const Simplices& simplices = complex.simplices(n);
     const FaceTable faces = complex.faces(n);
-    const Vector &tops = volumes.primal(n), &facets = volumes.primal(n - 1);
+    const Vector &tops = geometry.volumes().primal(n), &facets = geometry.volumes().primal(n - 1);
     std::vector<bool> flat;
     for (Index t = 0; t < tops.size(); ++t) {
         double edge = std::numeric_limits<double>::infinity(), facet = 0;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "complex/pieces.h"
-#include "dec/metric/cell_volumes.h"
-#include "dec/metric/simplex_metric.h"
+#include "dec/metric/geometry.h"
 
 #include <vector>
 
@@ -20,12 +18,10 @@ bool can_take_flat_simplices(int dimension, Index ambient_dimension);
 /// where none are, or where they would be of no use. Their circumcenters mean nothing. The edges
 /// looked at are those of the neighbors too: so thin layers, all of whose simplices are low, are
 /// not flat.
-std::vector<bool> flat_simplices(const Pieces& complex, const SimplexMetric& metric,
-                                 const CellVolumes& volumes);
+std::vector<bool> flat_simplices(const Geometry& geometry);
 
 /// The same, where the shortest edge at each vertex is known better than from these simplices.
-std::vector<bool> flat_simplices(const Pieces& complex, const SimplexMetric& metric,
-                                 const CellVolumes& volumes, const Vector& shortest);
+std::vector<bool> flat_simplices(const Geometry& geometry, const Vector& shortest);
 
 /// The shortest edge at each vertex; length.
 Vector shortest_edges(const Pieces& complex, const CellVolumes& volumes);

@@ -94,14 +94,12 @@ void check_work(int m, Index F, std::size_t pieces) {
 
 class Lift {
 public:
-    Lift(const Merging& merging, const SimplexMetric& metric, const CellVolumes& volumes,
-         const std::vector<bool>& flat)
+    Lift(const Merging& merging, const Geometry& geometry)
         : merging_(merging),
           K_(merging.pieces()),
           P_(merging.merged()),
-          metric_(metric),
-          volumes_(volumes),
-          flat_(flat),
+          geometry_(geometry),
+          volumes_(geometry.volumes()),
           inside_(K_.dimension() + 1) {
         const int n = K_.dimension();
         for (int k = 0; k <= n; ++k)
@@ -134,7 +132,7 @@ private:
     void equate_densities(int m, Index F, const std::vector<Index>& cells, DenseMatrix& D,
                           DenseMatrix& x) const;
     bool is_flat(int m, Index piece) const {
-        return m == K_.dimension() && !flat_.empty() && flat_[piece];
+        return m == K_.dimension() && geometry_.is_flat(piece);
     }
 
     bool is_inside(int m, Index F, int j, Index s) const {
@@ -145,9 +143,8 @@ private:
     const Merging& merging_;
     const Pieces& K_;
     const CellComplex& P_;
-    SimplexMetric metric_;
+    const Geometry& geometry_;
     const CellVolumes& volumes_;
-    const std::vector<bool>& flat_;
     std::vector<std::vector<Groups>> inside_; // inside_[m][j]
     std::vector<RowStore> rows_;              // of S_k
 };
@@ -243,14 +240,14 @@ DenseMatrix Lift::least_energy(int m, Index F, int j, DenseMatrix x,
             if (is_inside(m, F, j - 1, s))
                 D(i, position(free, s)) = sign;
 
-    if (j == K_.dimension() - 1 && !flat_.empty())
+    if (j == K_.dimension() - 1 && !geometry_.flat().empty())
         equate_densities(m, F, cells, D, x);
 
     // W_ii and the force W_ii x + W_ib x_b, gathered over the pieces of F
     DenseMatrix W = DenseMatrix::Zero(unknown.size(), unknown.size());
     DenseMatrix force = DenseMatrix::Zero(unknown.size(), cells.size());
     SimplexFaces faces_of_pieces(K_, m, j);
-    SimplexLayout layout(K_, metric_);
+    SimplexLayout layout(K_, geometry_.metric());
     for (const Index piece : inside_[m][m][F]) {
         if (is_flat(m, piece))
             continue;
@@ -294,7 +291,8 @@ void Lift::equate_densities(int m, Index F, const std::vector<Index>& cells, Den
         Points normals(m + 1, m);
         int largest = 0;
         for (int i = 0; i <= m; ++i) {
-            normals.row(i) = area_vector(product, *metric_.points(), K_, K_.face(m, piece, i));
+            normals.row(i) =
+                area_vector(product, *geometry_.metric().points(), K_, K_.face(m, piece, i));
             if (normals.row(i).norm() > normals.row(largest).norm())
                 largest = i;
         }
@@ -333,11 +331,9 @@ void Lift::equate_densities(int m, Index F, const std::vector<Index>& cells, Den
 
 } // namespace
 
-std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
-                                         const CellVolumes& volumes,
-                                         const std::vector<bool>& flat) {
-    check_fit(merging.pieces(), volumes);
-    const Lift lift(merging, metric, volumes, flat);
+std::vector<SparseMatrix> commuting_lift(const Merging& merging, const Geometry& geometry) {
+    check_fit(merging.pieces(), geometry.volumes());
+    const Lift lift(merging, geometry);
     std::vector<SparseMatrix> result;
     for (int k = 0; k <= merging.pieces().dimension(); ++k)
         result.push_back(lift.matrix(k));

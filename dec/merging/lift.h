@@ -2,8 +2,7 @@
 #pragma once
 
 #include "complex/merging.h"
-#include "dec/metric/cell_volumes.h"
-#include "dec/metric/simplex_metric.h"
+#include "dec/metric/geometry.h"
 
 namespace polydec {
 
@@ -14,17 +13,14 @@ namespace polydec {
 /// values inside a cell are not unique, those of least Whitney energy are taken; then the integrals
 /// of every constant form over a flat cell are returned exactly. Dimensionless.
 ///
-/// `flat` marks n-pieces without meaning of their own (see CosphericalMerging): they have no part
-/// in the energy, which grows with the inverse of their height. Instead, (n-1)-forms have one
+/// Flat n-pieces have no meaning of their own (see CosphericalMerging): they have no part in the
+/// energy, which grows with the inverse of their height. Instead, (n-1)-forms have one
 /// normal density on each of them, so that those on all its facets agree.
 ///
 /// S(s, E) is not 0 only for E in the closure of the carrier of s. Within a polygon of p corners
 /// that is of the order of p^2 entries.
-/// volumes are those of the input complex. Throws InvalidInput beyond 2^31 - 1 entries, and, naming
-/// the cell, where one with simplices inside has more than 2000 pieces; IoError beyond
-/// memory_limit().
-std::vector<SparseMatrix> commuting_lift(const Merging& merging, const SimplexMetric& metric,
-                                         const CellVolumes& volumes,
-                                         const std::vector<bool>& flat = {});
+/// The geometry is that of the pieces. Throws InvalidInput beyond 2^31 - 1 entries, and, naming the
+/// cell, where one with simplices inside has more than 2000 pieces; IoError beyond memory_limit().
+std::vector<SparseMatrix> commuting_lift(const Merging& merging, const Geometry& geometry);
 
 } // namespace polydec

@@ -8,19 +8,19 @@
 
 namespace polydec {
 
-MeanSpheres::MeanSpheres(const Pieces& complex, const Points& points, const CellVolumes& volumes,
-                         const std::vector<bool>& flat)
-    : complex_(complex),
-      points_(points),
-      volumes_(volumes),
+MeanSpheres::MeanSpheres(const Geometry& geometry, const std::vector<bool>& flat)
+    : geometry_(geometry),
+      complex_(geometry_.pieces()),
+      points_(*geometry_.metric().points()),
+      volumes_(geometry_.volumes()),
       flat_(flat),
-      normal_(complex.dimension(), complex.dimension() - 1) {
-    const int n = complex.dimension();
-    const Index size = complex.size(n);
+      normal_(complex_.dimension(), complex_.dimension() - 1) {
+    const int n = complex_.dimension();
+    const Index size = complex_.size(n);
     own_ = Points::Zero(size, n);
     moments_ = Points::Zero(size, n + 1);
     terms_ = Points::Zero(size, 4);
-    SimplexLayout layout(complex, points);
+    SimplexLayout layout(complex_, geometry_.metric());
     Circumsphere sphere;
     for (Index t = 0; t < size; ++t) {
         const auto corners = layout.at(n, t);
@@ -28,7 +28,7 @@ MeanSpheres::MeanSpheres(const Pieces& complex, const Points& points, const Cell
             continue; // has no part in any dual unless it shares its center
         for (int i = 0; i <= n; ++i) {
             own_.row(t) += sphere.barycentric(i) *
-                           (points.row(corners.vertices[i]) - points.row(corners.vertices[0]));
+                           (points_.row(corners.vertices[i]) - points_.row(corners.vertices[0]));
             moments_(t, i) = sphere.barycentric(i) * (n * sphere.volume());
         }
         const auto &uncertainty = sphere.uncertainty(), &rounding = sphere.rounding();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/metric/cell_volumes.h"
-#include "dec/metric/centers.h"
 #include "dec/metric/exterior_product.h"
+#include "dec/metric/geometry.h"
 
 #include <vector>
 
@@ -13,9 +12,8 @@ namespace polydec {
 /// by volume; flat simplices do not count. A class goes by its first member, its root.
 class MeanSpheres {
 public:
-    /// `flat` is empty or has a mark for each n-simplex. Keeps references, which must outlive it.
-    MeanSpheres(const Pieces& complex, const Points& points, const CellVolumes& volumes,
-                const std::vector<bool>& flat);
+    /// `flat` is empty or has a mark for each n-simplex. Keeps a reference to it.
+    MeanSpheres(const Geometry& geometry, const std::vector<bool>& flat);
 
     /// Takes the mean over other classes: roots[t] is that of n-simplex t.
     void gather(const std::vector<Index>& roots);
@@ -60,6 +58,7 @@ private:
     Vector normal(Index t, int i) const; // of the facet that lacks corner i
     Eigen::RowVectorXd away(Index root, Index v) const;
 
+    Geometry geometry_;
     const Pieces& complex_;
     const Points& points_;
     const CellVolumes& volumes_;

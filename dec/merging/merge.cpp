@@ -10,8 +10,6 @@
 #include "dec/merging/flat_simplices.h"
 #include "dec/merging/mean_spheres.h"
 #include "dec/merging/straightness.h"
-#include "dec/metric/cell_volumes.h"
-#include "dec/metric/circumcentric_volumes.h"
 #include "dec/metric/rounding.h"
 
 #include <fmt/format.h>
@@ -37,15 +35,13 @@ struct TopCells {
 /// that then lie inside a class and are degenerate enough themselves.
 class FacetChoice {
 public:
-    FacetChoice(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
-                const FacetDefects& defects, double tolerance)
-        : complex_(complex),
-          metric_(metric),
-          volumes_(volumes),
+    FacetChoice(const Geometry& geometry, const FacetDefects& defects, double tolerance)
+        : geometry_(geometry),
           defects_(defects),
           tolerance_(tolerance),
-          is_in_space_(metric.ambient_dimension() == complex.dimension()),
+          is_in_space_(geometry.metric().ambient_dimension() == geometry.pieces().dimension()),
           limit_(spread_limit * tolerance) {
+        const Pieces& complex = geometry.pieces();
         const int n = complex.dimension();
         const auto& counts = complex.coface_counts(n - 1);
         const FaceTable faces = complex.faces(n);
@@ -65,11 +61,13 @@ public:
         for (std::size_t f = 0; f < sides_.size(); ++f)
             if (const auto& [a, b] = sides_[f]; b >= 0 && defects_.degenerate[f] && !kept[f])
                 links.push_back({a, b, defects_.defect[f], defects_.scale[f]});
-        auto classes = join_links(complex_.size(complex_.dimension()), links, tolerance_);
+        const Pieces& complex = geometry_.pieces();
+        auto classes = join_links(complex.size(complex.dimension()), links, tolerance_);
         if (!defects_.flat.empty())
-            absorb_flat(complex_, *metric_.points(), volumes_, defects_.flat,
-                        {free_sides(kept), defects_.scale, shortest_edges(complex_, volumes_)},
-                        tolerance_, classes);
+            absorb_flat(
+                geometry_, defects_.flat,
+                {free_sides(kept), defects_.scale, shortest_edges(complex, geometry_.volumes())},
+                tolerance_, classes);
         return read_off(classes, kept);
     }
 
@@ -77,7 +75,7 @@ public:
     Centers centers(const TopCells& cells) const {
         if (!is_in_space_ || cells.exact)
             return {};
-        MeanSpheres spheres(complex_, *metric_.points(), volumes_, defects_.flat);
+        MeanSpheres spheres(geometry_, defects_.flat);
         spheres.gather(cells.roots);
         return spheres.shared_centers();
     }
@@ -86,9 +84,7 @@ private:
     Sides free_sides(const std::vector<bool>& kept) const;
     TopCells read_off(DisjointSets& classes, const std::vector<bool>& kept) const;
 
-    const Pieces& complex_;
-    SimplexMetric metric_;
-    const CellVolumes& volumes_;
+    const Geometry& geometry_;
     const FacetDefects& defects_;
     double tolerance_;
     bool is_in_space_; // the simplices are of its dimension
@@ -152,54 +148,46 @@ std::vector<bool> flat_in_cells(const Pieces& complex, const std::vector<bool>& 
 
 } // namespace
 
-CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric,
-                                     const CellVolumes& volumes, const MergeOptions& options,
+CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options,
                                      const std::vector<bool>& stays) {
     if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
         throw InvalidInput(fmt::format("the merge tolerance is {}: expected a number >= 0, such as "
                                        "1e-4",
                                        options.tolerance));
-    check_fit(complex, volumes);
+    const Pieces& complex = geometry.pieces();
     const int n = complex.dimension();
     if (!stays.empty())
         check_as_many("marks of facets", static_cast<Index>(stays.size()), complex.size(n - 1));
-    const auto defects = facet_defects(complex, metric, volumes, options);
+    const auto defects = facet_defects(geometry, options);
     if (options.criterion == MergeCriterion::none ||
         (defects.degenerate.interior == 0 && defects.flat.empty()))
-        return {unmerged(std::move(complex)), defects.degenerate, 0, {}, volumes};
+        return {unmerged(complex), defects.degenerate, 0, geometry};
 
     Kept kept;
     for (int k = 0; k < n; ++k)
         kept.emplace_back(complex.size(k), false);
     if (!stays.empty())
         kept[n - 1] = stays;
-    const FacetChoice choice(complex, metric, volumes, defects, options.tolerance);
+    const FacetChoice choice(geometry, defects, options.tolerance);
 
     // every round keeps at least one more simplex, so this ends
     for (int rounds = 0;; ++rounds) {
         const auto cells = choice.cells(kept[n - 1]);
         const auto& removed = cells.removed;
         if (std::find(removed.begin(), removed.end(), true) == removed.end())
-            return {unmerged(std::move(complex)), defects.degenerate, rounds, {}, volumes};
+            return {unmerged(complex), defects.degenerate, rounds, geometry};
         const Centers centers = choice.centers(cells);
-        const CellVolumes of_pieces =
-            centers.are_circumcenters() ? volumes : dual_volumes(complex, metric, centers);
-        StraightnessTest test(complex, metric, of_pieces, spread_limit * options.tolerance,
-                              options.tolerance);
+        const Geometry shared =
+            centers.are_circumcenters() ? geometry : geometry.with_centers(centers);
+        StraightnessTest test(shared, spread_limit * options.tolerance, options.tolerance);
         const auto straight = [&](int k, Index s, Index f, Index g) {
             return !kept[k - 1][s] && test(k, s, f, g);
         };
         const auto blocks = join_blocks(complex, removed, straight);
         const auto inadmissible = inadmissible_blocks(complex, blocks);
-        if (inadmissible.empty()) {
-            auto absorbed = flat_in_cells(complex, removed, defects.flat);
-            return {Merging(std::move(complex), blocks),
-                    defects.degenerate,
-                    rounds,
-                    centers,
-                    of_pieces,
-                    std::move(absorbed)};
-        }
+        if (inadmissible.empty())
+            return {Merging(complex, blocks), defects.degenerate, rounds,
+                    shared.with_flat(flat_in_cells(complex, removed, defects.flat))};
         keep_worst(inadmissible, defects, n, kept);
     }
 }

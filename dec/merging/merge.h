@@ -2,9 +2,7 @@
 #pragma once
 
 #include "complex/merging.h"
-#include "dec/metric/cell_volumes.h"
-#include "dec/metric/centers.h"
-#include "dec/metric/simplex_metric.h"
+#include "dec/metric/geometry.h"
 
 namespace polydec {
 
@@ -36,10 +34,9 @@ struct DegenerateFacets {
 struct CosphericalMerging {
     Merging merging;
     DegenerateFacets degenerate;
-    int rounds = 0; ///< how often a class of facets that made no proper cell was split up again
-    Centers centers = {};        ///< circumcenters, those of a cell's pieces in one place
-    CellVolumes volumes = {};    ///< of the pieces, with duals between these
-    std::vector<bool> flat = {}; ///< marks the flat pieces of cells that have others; may be empty
+    int rounds = 0;    ///< how often a class of facets that made no proper cell was split up again
+    Geometry geometry; ///< of the pieces: duals between circumcenters, those of a cell's pieces in
+                       ///< one place; marks the flat pieces of cells that have others
 };
 
 /// Merges n-simplices across facets whose dual is degenerate, then downwards their faces wherever
@@ -55,11 +52,9 @@ struct CosphericalMerging {
 /// cells. In R^n all that lies between two pieces of a cell goes, and their duals have one center.
 ///
 /// `stays` may mark facets that are to stay whatever their duals, one entry for each.
-/// volumes are those of `complex`. Time O(incidences + f log f), f the number of degenerate facets.
-/// Throws InvalidInput for a tolerance that is negative or not finite, and for another number of
-/// marks.
-CosphericalMerging merge_cospherical(Pieces complex, const SimplexMetric& metric,
-                                     const CellVolumes& volumes, const MergeOptions& options = {},
+/// Time O(incidences + f log f), f the number of degenerate facets. Throws InvalidInput for a
+/// tolerance that is negative or not finite, and for another number of marks.
+CosphericalMerging merge_cospherical(const Geometry& geometry, const MergeOptions& options = {},
                                      const std::vector<bool>& stays = {});
 
 /// Volumes of merged cells, with duals of 0 (see HodgeStar::zeros) where a center lies beyond the

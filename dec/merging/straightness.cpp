@@ -12,19 +12,18 @@
 
 namespace polydec {
 
-StraightnessTest::StraightnessTest(const Pieces& complex, const SimplexMetric& metric,
-                                   const CellVolumes& volumes, double tolerance, double angle)
-    : complex_(complex),
-      metric_(metric),
-      volumes_(volumes),
+StraightnessTest::StraightnessTest(const Geometry& geometry, double tolerance, double angle)
+    : geometry_(geometry),
+      complex_(geometry_.pieces()),
+      volumes_(geometry_.volumes()),
       tolerance_(tolerance),
       angle_(angle),
-      layout_(complex, metric) {
-    is_flat_ = metric.ambient_dimension() == complex.dimension();
-    if (complex.dimension() > 2)
-        must_be_coplanar_ = boundary_cells(complex);
+      layout_(complex_, geometry_.metric()) {
+    is_flat_ = geometry_.metric().ambient_dimension() == complex_.dimension();
+    if (complex_.dimension() > 2)
+        must_be_coplanar_ = boundary_cells(complex_);
     if (!must_be_coplanar_.empty() && !is_flat_)
-        angles_ = angle_sums(complex, metric);
+        angles_ = angle_sums(complex_, geometry_.metric());
 }
 
 StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
@@ -38,7 +37,7 @@ StraightnessTest::Wing StraightnessTest::look(int k, Index s, Index f) {
 
 StraightnessTest::Altitude StraightnessTest::altitude(int k, Index s, Index f, int apex) const {
     const auto& base = complex_.simplices(k - 1).row(s);
-    const Points& points = *metric_.points(); // what is flat in R^N has points
+    const Points& points = *geometry_.metric().points(); // what is flat in R^N has points
     DenseMatrix edges(points.cols(), k - 1);
     for (int i = 1; i < k; ++i)
         edges.col(i - 1) = (points.row(base[i]) - points.row(base[0])).transpose();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/metric/cell_volumes.h"
 #include "dec/metric/circumsphere.h"
+#include "dec/metric/geometry.h"
 
 namespace polydec {
 
@@ -13,9 +13,7 @@ namespace polydec {
 /// of the n-simplices around s add up to pi, for k = n-1, and for smaller k nothing is asked.
 class StraightnessTest {
 public:
-    /// Keeps references, those of the metric too: they must outlive the test.
-    StraightnessTest(const Pieces& complex, const SimplexMetric& metric, const CellVolumes& volumes,
-                     double tolerance, double angle);
+    StraightnessTest(const Geometry& geometry, double tolerance, double angle);
 
     bool operator()(int k, Index s, Index f, Index g);
 
@@ -36,8 +34,8 @@ private:
     };
     Altitude altitude(int k, Index s, Index f, int apex) const;
 
+    Geometry geometry_;
     const Pieces& complex_;
-    SimplexMetric metric_;
     const CellVolumes& volumes_;
     double tolerance_, angle_;
     SimplexLayout layout_;

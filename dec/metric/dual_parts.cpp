@@ -39,25 +39,24 @@ std::vector<Descent> descents(int k, int m) {
 
 } // namespace
 
-Points parts_of_duals(const Pieces& complex, const SimplexMetric& metric,
-                      const CellVolumes& volumes, int k, int m, const Centers& centers) {
+Points parts_of_duals(const Geometry& geometry, const Centers& centers, int k, int m) {
+    const Pieces& complex = geometry.pieces();
     check_number("parts of duals in simplices of degree", m, 0, complex.dimension());
     check_number("parts of the duals of simplices of degree", k, 0, m);
-    check_fit(complex, volumes);
     centers.check_fit(complex);
-    SimplexLayout layout(complex, metric);
+    SimplexLayout layout(complex, geometry.metric());
     Circumsphere sphere;
     Points parts = Points::Ones(complex.size(k), 1);
     for (int j = k + 1; j <= m; ++j) {
         const auto steps = descents(k, j);
+        const Vector& facets = geometry.volumes().primal(j - 1);
         std::vector<double> heights(static_cast<std::size_t>(j) + 1);
         Points next = Points::Zero(complex.size(j), steps.back().face + 1);
         for (Index t = 0; t < complex.size(j); ++t) {
             if (!centers.know(j))
                 sphere.look_at(layout, j, t);
             for (int i = 0; i <= j; ++i)
-                heights[i] =
-                    centers.height(j, t, i, sphere, volumes.primal(j - 1)[complex.face(j, t, i)]);
+                heights[i] = centers.height(j, t, i, sphere, facets[complex.face(j, t, i)]);
             for (const auto& [face, omitted, below] : steps)
                 next(t, face) +=
                     heights[omitted] * parts(complex.face(j, t, omitted), below) / (j - k);
@@ -67,9 +66,9 @@ Points parts_of_duals(const Pieces& complex, const SimplexMetric& metric,
     return parts;
 }
 
-SparseMatrix dual_parts(const Pieces& complex, const SimplexMetric& metric,
-                        const CellVolumes& volumes, int k, int m, const Centers& centers) {
-    const Points parts = parts_of_duals(complex, metric, volumes, k, m, centers);
+SparseMatrix dual_parts(const Geometry& geometry, const Centers& centers, int k, int m) {
+    const Pieces& complex = geometry.pieces();
+    const Points parts = parts_of_duals(geometry, centers, k, m);
     SimplexFaces faces(complex, m, k);
     std::vector<Eigen::Triplet<double, Index>> entries;
     entries.reserve(static_cast<std::size_t>(parts.size()));

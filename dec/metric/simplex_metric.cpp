@@ -35,7 +35,9 @@ std::array<double, 3> sorted_lengths(const Pieces& complex, const Vector& length
 
 } // namespace
 
-SimplexMetric::SimplexMetric(const Pieces& complex, const Vector& lengths) : lengths_(&lengths) {
+SimplexMetric::SimplexMetric(const Pieces& complex, Vector of_edges)
+    : lengths_(std::make_shared<const Vector>(std::move(of_edges))) {
+    const Vector& lengths = *lengths_;
     if (lengths.size() != complex.size(1))
         throw InvalidInput(fmt::format("{} lengths are given: expected one for each of the {} "
                                        "edges of the complex",

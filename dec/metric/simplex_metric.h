@@ -3,36 +3,37 @@
 
 #include "dec/metric/simplex_geometry.h"
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace polydec {
 
 /// The metric of a simplicial complex: points of its vertices, or lengths of its edges alone, which
 /// need not come from any points. All simplices are flat. Whatever is measured simplex by simplex
-/// (volumes, duals, stars, merging, lift) can be had from either. A small value that keeps
-/// references: points and lengths must outlive it.
+/// (volumes, duals, stars, merging, lift) can be had from either. A handle: copies share what it
+/// holds.
 class SimplexMetric {
 public:
     /// Simplices between points, a row per vertex of the complex; implicit, so that points can be
-    /// given wherever a metric is asked for, but not temporaries.
-    SimplexMetric(const Points& points) : points_(&points) {}
-    SimplexMetric(Points&&) = delete;
+    /// given wherever a metric is asked for.
+    SimplexMetric(Points points) : points_(std::make_shared<const Points>(std::move(points))) {}
+    SimplexMetric(std::shared_ptr<const Points> points) : points_(std::move(points)) {}
 
     /// Simplices of which only the lengths of the edges are known: size(1) numbers. Whether each
     /// simplex exists is checked by circumcentric_volumes.
     /// Throws InvalidInput for another number of lengths and, naming the edge, for one that is not
     /// a finite number above 0, or of a size whose square is none (below 1e-100, above 1e100).
-    SimplexMetric(const Pieces& complex, const Vector& lengths);
-    SimplexMetric(const Pieces&, Vector&&) = delete;
+    SimplexMetric(const Pieces& complex, Vector lengths);
 
-    /// Null where only lengths are known.
-    const Points* points() const { return points_; }
+    /// Null where only lengths are known. Valid as long as a copy of this is.
+    const Points* points() const { return points_.get(); }
 
-    /// Null where points are known.
-    const Vector* lengths() const { return lengths_; }
+    /// Null where points are known. Valid likewise.
+    const Vector* lengths() const { return lengths_.get(); }
 
     /// Number N of coordinates of the points; 0 where only lengths are known.
     Index ambient_dimension() const {
@@ -40,8 +41,8 @@ public:
     }
 
 private:
-    const Points* points_ = nullptr;
-    const Vector* lengths_ = nullptr;
+    std::shared_ptr<const Points> points_;
+    std::shared_ptr<const Vector> lengths_;
 };
 
 /// Where the corners of one simplex are: rows of a table of coordinates.

@@ -44,8 +44,7 @@ Mesh mesh_of(const Pair& pair) {
 constexpr Index common_edge = 0; // the edges of {0, 1}, {0, 2} .. are sorted
 
 std::string kind(const Discretization& mesh) {
-    const auto kinds =
-        facet_kinds(mesh.input(), mesh.points(), mesh.input_volumes(), mesh.options());
+    const auto kinds = facet_kinds(mesh.input_geometry(), mesh.options());
     if (kinds.cospherical > 0)
         return "concyclic";
     if (kinds.non_delaunay > 0)
@@ -73,7 +72,7 @@ void draw(SvgDrawing& drawing, const Pair& pair, const Discretization& mesh) {
     drawing.shapes.push_back(SvgPolyline{{at(0), at(1)}, edge});
 
     // from the lower triangle's center to the upper one's: up is the right way
-    const double dual = mesh.input_volumes().dual(1)[common_edge];
+    const double dual = mesh.input_geometry().volumes().dual(1)[common_edge];
     const char* color = merged ? black : dual < 0 ? negative_color : positive_color;
     drawing.shapes.push_back(SvgArrow{lower, upper, {.stroke = color, .width = 3}});
     for (const auto& center : {lower, upper})
@@ -97,12 +96,12 @@ Report fig2(const Request&) {
         draw(drawing, pair, mesh);
         // a center on the edge counts as crossing
         const bool crosses = pair.upper * pair.lower >= 0;
-        const double dual = mesh.input_volumes().dual(1)[common_edge];
+        const double dual = mesh.input_geometry().volumes().dual(1)[common_edge];
         const bool zero = std::abs(dual) < 1e-12;
-        table.rows.push_back({pair.label, crosses ? "crosses the edge" : "on one side", kind(mesh),
-                              zero ? 0 : dual,
-                              zero ? 0 : star(mesh.input_volumes(), 1).diagonal()[common_edge],
-                              mesh.complex().size(2) == 1 ? "yes" : "no"});
+        table.rows.push_back(
+            {pair.label, crosses ? "crosses the edge" : "on one side", kind(mesh), zero ? 0 : dual,
+             zero ? 0 : star(mesh.input_geometry().volumes(), 1).diagonal()[common_edge],
+             mesh.complex().size(2) == 1 ? "yes" : "no"});
     }
     return {
         .name = "fig2",

@@ -27,8 +27,10 @@ void draw_edges(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint&
 
 /// Between circumcenters; at the boundary from a circumcenter to the middle of the edge.
 void draw_duals(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint& shift) {
-    const Points centers = cell_centers(mesh.merging(), mesh.points(), mesh.piece_volumes(), 2);
-    const Points middles = cell_centers(mesh.merging(), mesh.points(), mesh.piece_volumes(), 1);
+    const Points centers =
+        cell_centers(mesh.merging(), mesh.points(), mesh.geometry().volumes(), 2);
+    const Points middles =
+        cell_centers(mesh.merging(), mesh.points(), mesh.geometry().volumes(), 1);
     const auto& P = mesh.complex();
     const IncidenceMatrix faces = P.boundary(2); // row e: the faces at edge e
     for (Index e = 0; e < P.size(1); ++e) {
@@ -47,8 +49,7 @@ void draw_duals(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint&
 }
 
 std::vector<Entry> row_of(const std::string& name, const Discretization& mesh) {
-    const auto kinds =
-        facet_kinds(mesh.input(), mesh.points(), mesh.input_volumes(), mesh.options());
+    const auto kinds = facet_kinds(mesh.input_geometry(), mesh.options());
     std::vector<Entry> row{name};
     for (int k = 0; k <= 2; ++k)
         row.emplace_back(long{mesh.input().size(k)});

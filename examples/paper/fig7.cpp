@@ -103,7 +103,8 @@ private:
     }
 
     Points centers(int k) const {
-        return cell_centers(original_.merging(), original_.points(), original_.piece_volumes(), k);
+        return cell_centers(original_.merging(), original_.points(), original_.geometry().volumes(),
+                            k);
     }
 
     double error(PoissonSolver& solver, const Points& sites, const Points& boundary) const {

@@ -105,8 +105,7 @@ Counts count(const Source& source) {
         throw InvalidInput(
             fmt::format("cells of dimension {}; the table is about surfaces", mesh.dimension()));
     const auto ours = discretized(std::move(mesh));
-    const auto papers =
-        merge_cospherical(ours.input(), ours.points(), ours.input_volumes(), papers_test);
+    const auto papers = merge_cospherical(ours.input_geometry(), papers_test);
     return {ours.input().size(2), {merged_pairs(papers.merging), merged_pairs(ours.merging())}};
 }
 

@@ -32,7 +32,7 @@ void all_zeros() {
                                      {"FCC ", polydec::fcc(4)},
                                      {"4D  ", polydec::kuhn(4, 3)}}) {
         const auto result = polydec::discretize(mesh);
-        print_zeros(name, result.input(), result.input_volumes());
+        print_zeros(name, result.input(), result.input_geometry().volumes());
         print_zeros("      ->", result.complex(), result.volumes());
     }
 }
@@ -45,8 +45,8 @@ void shared_square() {
         const polydec::Points places = cubes.points()({ends[0], ends[1]}, Eigen::all);
         if (carrier.dimension == 2 && (places.col(0).array() == 1).all())
             std::cout << "the diagonal " << ends << " has a dual of area "
-                      << std::abs(cubes.input_volumes().dual(1)[e]) << "; it lies in square "
-                      << carrier.cell << ", whose dual has the length "
+                      << std::abs(cubes.input_geometry().volumes().dual(1)[e])
+                      << "; it lies in square " << carrier.cell << ", whose dual has the length "
                       << cubes.volumes().dual(2)[carrier.cell] << '\n';
     }
 }

@@ -25,7 +25,7 @@ void kinds_of_pairs() {
     for (const double noise : {0.0, 0.01}) {
         const auto mesh = polydec::discretize(polydec::perturbed(polydec::hexagons(16), noise, 3),
                                               {.star = polydec::StarKind::circumcentric});
-        const auto kinds = polydec::facet_kinds(mesh.input(), mesh.points(), mesh.input_volumes());
+        const auto kinds = polydec::facet_kinds(mesh.input_geometry());
         std::cout << kinds.well_centered << " well-centered, " << kinds.delaunay << " Delaunay, "
                   << kinds.non_delaunay << " non-Delaunay, " << kinds.cospherical << " concyclic\n";
     }

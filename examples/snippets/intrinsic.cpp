@@ -59,7 +59,8 @@ void pieces() {
     const auto mesh = polydec::discretize(pebble(8), {.delaunay = polydec::Delaunay::flips});
     const polydec::Overlay pieces = polydec::overlay(mesh.passage(), mesh.points());
     std::cout << mesh.input().size(2) << " triangles in " << pieces.size() << " pieces of area "
-              << pieces.areas.sum() << " = " << mesh.input_volumes().primal(2).sum() << '\n';
+              << pieces.areas.sum() << " = " << mesh.input_geometry().volumes().primal(2).sum()
+              << '\n';
     polydec::write_vtu("pieces.vtu", polydec::draw_overlay(mesh));
 }
 

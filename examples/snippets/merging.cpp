@@ -37,9 +37,9 @@ void laws_of_the_maps() {
     const auto& P = mesh.complex();
     const auto dia = [&](int k) { return polydec::primal_to_merged(mesh.merging(), k); };
     const auto R = [&](int k) {
-        return polydec::primal_to_input(mesh.merging(), mesh.piece_volumes(), k);
+        return polydec::primal_to_input(mesh.merging(), mesh.geometry().volumes(), k);
     };
-    const auto& S = mesh.lift();
+    const auto& S = mesh.merged().lift();
 
     const polydec::SparseMatrix dK = polydec::derivative(K, 1), dP = polydec::derivative(P, 1);
     std::cout << "dia d - d dia:     " << norm(dia(2) * dK - dP * dia(1)) << '\n'

@@ -71,7 +71,7 @@ void kinds_of_stars() {
     auto input = polydec::grid(8, 8);
     input.points.col(0) += 0.6 * input.points.col(1); // which makes triangles obtuse
     const auto mesh = polydec::discretize(input);
-    const auto chosen = polydec::choose_stars(mesh, polydec::StarKind::automatic);
+    const auto chosen = mesh.with_stars(polydec::StarKind::automatic).chosen_stars();
     const polydec::HodgeStar star = polydec::star(chosen.stars, 1);
     const polydec::Vector x = polydec::Vector::Random(star.size());
     std::cout << polydec::star(mesh, 1).negatives().size() << " negative duals; "

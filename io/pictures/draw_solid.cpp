@@ -240,8 +240,9 @@ public:
                 values.size(), n_cells));
         numbers_ = cells_of_places(given, 3);
         centroids_ =
-            cell_centroids(mesh.merging(), mesh.measured_points(), mesh.piece_volumes(), 3);
-        centers_ = cell_centers(mesh.merging(), mesh.measured_points(), mesh.piece_volumes(), 3);
+            cell_centroids(mesh.merging(), mesh.measured_points(), mesh.geometry().volumes(), 3);
+        centers_ =
+            cell_centers(mesh.merging(), mesh.measured_points(), mesh.geometry().volumes(), 3);
         for (Index cell = 0; cell < mesh.complex().size(3); ++cell)
             if (keep(centroids_.row(cell).transpose()))
                 cells_.push_back(cell);

@@ -4,7 +4,6 @@
 #include "base/checks.h"
 #include "complex/corners.h"
 #include "dec/advice.h"
-#include "dec/choose_stars.h"
 #include "dec/diagnosis.h"
 #include "dec/facet_groups.h"
 #include "dec/fields/cell_centers.h"
@@ -133,11 +132,12 @@ void add_parts(py::class_<Discretization>& type) {
                                [](const Discretization& mesh) { return Calculus(mesh); })
         .def_property_readonly("input_calculus",
                                [](const Discretization& mesh) {
-                                   return Calculus(mesh.input(), mesh.input_volumes(), mesh.unit());
+                                   return Calculus(mesh.input(), mesh.input_geometry().volumes(),
+                                                   mesh.unit());
                                })
         .def_property_readonly("pieces_calculus",
                                [](const Discretization& mesh) {
-                                   return Calculus(mesh.pieces(), mesh.piece_volumes(),
+                                   return Calculus(mesh.pieces(), mesh.geometry().volumes(),
                                                    mesh.unit());
                                })
         .def_property_readonly("warnings",
@@ -191,8 +191,8 @@ void add_merging(py::class_<Discretization>& type) {
              })
         .def("lift", [](const Discretization& mesh, int k) {
             check_number("the lift of degree", k, 0, mesh.dimension());
-            const auto& lifts =
-                unlocked([&]() -> const std::vector<SparseMatrix>& { return mesh.lift(); });
+            const auto& lifts = unlocked(
+                [&]() -> const std::vector<SparseMatrix>& { return mesh.merged().lift(); });
             return csr(SparseMatrix(lifts[static_cast<std::size_t>(k)]));
         });
 }
@@ -213,9 +213,7 @@ void add_places(py::class_<Discretization>& type) {
 void add_stars(py::class_<Discretization>& type) {
     type.def("with_star",
              [](const Discretization& mesh, const std::string& kind) {
-                 return unlocked([&, kind = star_kind(kind)] {
-                     return mesh.with_stars(choose_stars(mesh, kind));
-                 });
+                 return unlocked([&, kind = star_kind(kind)] { return mesh.with_stars(kind); });
              })
         .def("with_star_matrix",
              [](const Discretization& mesh, int k, const MatrixParts& star) {

@@ -127,7 +127,7 @@ void add_transport(py::module_& module) {
     py::class_<Solver>(module, "ParallelTransport")
         .def(py::init([](const Discretization& mesh, double time_scale, const std::string& engine) {
             return guarded<ParallelTransport>(GluedSurface(mesh.pieces()),
-                                              mesh.piece_volumes().primal(1),
+                                              mesh.geometry().volumes().primal(1),
                                               TransportOptions{time_scale, engine});
         }))
         .def("reference",

@@ -227,8 +227,9 @@ void Advection::Parts::collect_facets(const Discretization& mesh, const Points& 
     arms = normals = Points::Zero(count, n);
     areas = cones = Vector::Zero(count);
     const auto& merging = mesh.merging();
-    const Vector& sizes = mesh.piece_volumes().primal(n);
-    const Vector &small = mesh.piece_volumes().primal(n - 1), &whole = mesh.volumes().primal(n - 1);
+    const Vector& sizes = mesh.geometry().volumes().primal(n);
+    const Vector &small = mesh.geometry().volumes().primal(n - 1),
+                 &whole = mesh.volumes().primal(n - 1);
     for (Index cell = 0; cell < cells(); ++cell) {
         Eigen::RowVectorXd centroid = Eigen::RowVectorXd::Zero(n);
         for (IncidenceMatrix::InnerIterator piece(merging.diamond(n), cell); piece; ++piece) {
@@ -250,15 +251,16 @@ void Advection::Parts::collect_facets(const Discretization& mesh, const Points& 
 void Advection::Parts::collect_vorticity(const Discretization& mesh, const Points& corners) {
     const auto& K = mesh.pieces();
     const auto& merging = mesh.merging();
-    const Vector& sizes = mesh.piece_volumes().primal(n);
-    const Vector &small = mesh.piece_volumes().primal(n - 1), &whole = mesh.volumes().primal(n - 1);
+    const Vector& sizes = mesh.geometry().volumes().primal(n);
+    const Vector &small = mesh.geometry().volumes().primal(n - 1),
+                 &whole = mesh.volumes().primal(n - 1);
     const Whitney whitney(n);
     std::vector<Eigen::Triplet<double, Index>> entries;
     const auto width = static_cast<Index>(pairs.size());
     for (Index cell = 0; cell < cells(); ++cell)
         for (IncidenceMatrix::InnerIterator piece(merging.diamond(n), cell); piece; ++piece) {
             const auto t = static_cast<Index>(piece.col());
-            if (mesh.is_flat(t))
+            if (mesh.geometry().is_flat(t))
                 continue;
             const DenseMatrix places = corners_of(corners, t);
             const DenseMatrix gradients = gradients_of(places);
@@ -287,7 +289,7 @@ void Advection::Parts::collect_vorticity(const Discretization& mesh, const Point
     }
     SparseMatrix on_pieces(areas.size() * width, K.size(n - 2));
     on_pieces.setFromTriplets(entries.begin(), entries.end());
-    vorticity = on_pieces * mesh.lift()[n - 2];
+    vorticity = on_pieces * mesh.merged().lift()[n - 2];
 }
 
 Advection::Advection(const Discretization& mesh) {

@@ -54,7 +54,7 @@ Vector flux_through_boundary(const Discretization& mesh, const Points& velocity)
             const int outward = K.sign(n, t, i);
             const Index facet = mesh.merging().carriers(n - 1)[side].cell;
             const int piece = mesh.merging().diamond(n - 1).coeff(facet, side);
-            flux[facet] -= outward * piece * n * mesh.piece_volumes().primal(n)[t] *
+            flux[facet] -= outward * piece * n * mesh.geometry().volumes().primal(n)[t] *
                            gradients.row(i).dot(velocity.row(facet));
         }
     constexpr double rounding = 1e-13;

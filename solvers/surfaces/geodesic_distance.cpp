@@ -168,8 +168,8 @@ GeodesicDistance::GeodesicDistance(const Triangles& surface, const Vector& lengt
 
 GeodesicDistance::GeodesicDistance(const Discretization& discretization,
                                    const GeodesicOptions& options)
-    : GeodesicDistance(Triangles(discretization.pieces()), discretization.piece_volumes().primal(1),
-                       options) {
+    : GeodesicDistance(Triangles(discretization.pieces()),
+                       discretization.geometry().volumes().primal(1), options) {
     const auto by_duals =
         discretization.with_stars(ChosenStars(discretization.volumes(), StarKind::circumcentric));
     warnings_ = warning_of_negative_duals(by_duals, 1, "distances may be far off");

@@ -100,7 +100,8 @@ TEST_P(BoundaryData, with_it_linear_dual_functions_have_their_gradient_on_flat_m
     const int n = mesh().n();
     const Vector slope = random_vector(n, 1);
     const auto centers = [&](int k) {
-        return cell_centers(bundle.merging(), bundle.points(), bundle.input_volumes(), k);
+        return cell_centers(bundle.merging(), bundle.points(), bundle.input_geometry().volumes(),
+                            k);
     };
     const Vector inside = dual_derivative(bundle.complex(), 0) * Vector(centers(n) * slope);
     const Vector at_boundary =
@@ -212,7 +213,7 @@ TEST(BoundaryStars, beside_matrices_integrate_products_of_linear_functions) {
         for (Index f = 0; f < mesh.input().size(n - 1); ++f)
             if (mesh.input().coface_counts(n - 1)[f] == 1) {
                 const Vector values = u(mesh.input().simplices(n - 1).row(f));
-                expected += mesh.input_volumes().primal(n - 1)[f] *
+                expected += mesh.input_geometry().volumes().primal(n - 1)[f] *
                             (std::pow(values.sum(), 2) + values.squaredNorm()) / (n * (n + 1));
             }
         const Vector ones = Vector::Ones(mesh.complex().size(n - 1));

@@ -68,7 +68,7 @@ TEST_P(CentersOf, mass_divide_simplices_into_equal_parts) {
     const auto volumes = dual_volumes(K, mesh().points, centers);
     const int n = K.dimension();
     for (int k = 0; k <= n; ++k) {
-        const SparseMatrix parts = dual_parts(K, mesh().points, volumes, k, n, centers);
+        const SparseMatrix parts = dual_parts({K, mesh().points, volumes}, centers, k, n);
         const Vector filled = parts * volumes.primal(k);
         EXPECT_LT(relative_difference(filled, binomial(n, k) * volumes.primal(n)), 1e-12);
         const Vector sums = parts.transpose() * Vector::Ones(K.size(n));

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "dec/choose_stars.h"
 
 #include "base/decompositions.h"
 #include "dec/fields/cell_centers.h"
@@ -67,7 +66,7 @@ TEST_P(StarsOf, galerkin_are_exact_for_constant_forms) {
         for (const StarKind kind : consistent) {
             if (!exists(mesh, kind))
                 continue;
-            const auto chosen = choose_stars(mesh, kind);
+            const auto chosen = mesh.with_stars(kind).chosen_stars();
             for (int k = 0; k <= n; ++k) {
                 if (chosen.kind == StarKind::circumcentric && k > 0)
                     continue; // exact as a sum over all cells around, not at the boundary
@@ -92,7 +91,7 @@ TEST(ChosenStars, between_centroids_are_wrong_for_constant_one_forms) {
         integrate(mesh.input(), mesh.points(), 1, constant_form(Eigen::Vector2d(1, 0)));
     const auto defect = [&](StarKind kind) {
         return std::abs(
-            a.dot(choose_stars(mesh, kind).stars[1] * a) / mesh.volumes().primal(2).sum() - 1);
+            a.dot(mesh.with_stars(kind).stars()[1] * a) / mesh.volumes().primal(2).sum() - 1);
     };
     EXPECT_LE(defect(StarKind::galerkin), rounding);
     EXPECT_GT(defect(StarKind::barycentric), 1e-3);
@@ -104,7 +103,7 @@ TEST_P(StarsOf, all_kinds_but_circumcentric_ones_are_positive_definite) {
              {StarKind::galerkin, StarKind::hybrid, StarKind::barycentric, StarKind::automatic}) {
             if (!exists(mesh, kind) || !small(mesh))
                 continue;
-            const auto stars = choose_stars(mesh, kind).stars;
+            const auto stars = mesh.with_stars(kind).stars();
             for (int k = 0; k <= mesh.dimension(); ++k) {
                 const DenseMatrix M = dense(stars[k]);
                 EXPECT_LE((M - M.transpose()).cwiseAbs().maxCoeff(),
@@ -122,11 +121,11 @@ TEST_P(StarsOf, surfaces_have_one_laplacian_of_functions) {
         const SparseMatrix d = derivative(mesh, 0), d_transposed = d.transpose();
         const SparseMatrix expected = d_transposed * mesh.stars()[1].matrix() * d;
         for (const StarKind kind : consistent) {
-            const SparseMatrix A = d_transposed * choose_stars(mesh, kind).stars[1].matrix() * d;
+            const SparseMatrix A = d_transposed * mesh.with_stars(kind).stars()[1].matrix() * d;
             EXPECT_LE(relative_difference(A, expected), rounding) << name(kind);
         }
         const SparseMatrix other =
-            d_transposed * choose_stars(mesh, StarKind::barycentric).stars[1].matrix() * d;
+            d_transposed * mesh.with_stars(StarKind::barycentric).stars()[1].matrix() * d;
         if (GetParam() == "obtuse_planar") {
             EXPECT_GT(relative_difference(other, expected), 1e-2);
         }
@@ -176,10 +175,10 @@ TEST_P(StarsOf, planar_pass_the_patch_test_of_fluxes) {
         if (!lies_unfolded(mesh))
             continue;
         for (const StarKind kind : consistent) {
-            const auto chosen = mesh.with_stars(choose_stars(mesh, kind));
+            const auto chosen = mesh.with_stars(kind);
             EXPECT_LE(flux_defect(chosen, chosen.stars(), dual_sites(chosen)), 1e-9) << name(kind);
         }
-        const auto barycentric = choose_stars(mesh, StarKind::barycentric);
+        const auto barycentric = mesh.with_stars(StarKind::barycentric).chosen_stars();
         if (mesh.complex().size(2) > 2) {
             EXPECT_GT(flux_defect(mesh, barycentric.stars, cell_centroids(mesh, 2)), 1e-4);
         }
@@ -190,7 +189,7 @@ TEST_P(StarsOf, codifferentials_are_adjoint_and_laplacians_are_those_of_the_mass
     for (const auto& mesh : both()) {
         if (!small(mesh))
             continue;
-        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         for (int k = 0; k <= mesh.dimension(); ++k) {
             const Vector a = random_vector(mesh.complex().size(k), 3);
             const Operator A = symmetric_laplacian(mesh.complex(), stars, k);
@@ -218,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(Family, StarsOf, testing::ValuesIn(names_of_meshes()), 
 TEST(ChosenStars, are_an_option_of_discretize) {
     const Mesh input = shaken(grid(6, 6), 0.42, 3);
     const auto mesh = discretize(input, {.star = StarKind::automatic});
-    const auto expected = choose_stars(discretize(input), StarKind::automatic);
+    const auto expected = discretize(input).with_stars(StarKind::automatic).chosen_stars();
     EXPECT_EQ(mesh.chosen_stars().kind, StarKind::hybrid);
     EXPECT_EQ(mesh.chosen_stars().galerkin, expected.galerkin);
     for (int k = 0; k <= 2; ++k)
@@ -226,14 +225,15 @@ TEST(ChosenStars, are_an_option_of_discretize) {
     EXPECT_EQ(discretize(input).chosen_stars().kind, StarKind::hybrid) << "by default";
     EXPECT_EQ(circumcentric(input).chosen_stars().kind, StarKind::circumcentric);
     EXPECT_EQ(mesh.with_stars(mesh.volumes()).chosen_stars().kind, StarKind::own);
-    EXPECT_TRUE(says(refusal([&] { choose_stars(mesh, StarKind::own); }), {"hand over", "own"}));
+    EXPECT_TRUE(says(refusal([&] { mesh.with_stars(StarKind::own).chosen_stars(); }),
+                     {"hand over", "own"}));
 }
 
 /// Smallest and largest eigenvalue of star_1: an independent reference in numpy.
 TEST(ChosenStars, of_a_mesh_with_a_negative_dual_have_known_eigenvalues) {
     const auto mesh = discretize(mesh_named("star_negative"), {.criterion = MergeCriterion::none});
     const auto ends = [&](StarKind kind) {
-        const DenseMatrix M = dense(choose_stars(mesh, kind).stars[1]);
+        const DenseMatrix M = dense(mesh.with_stars(kind).stars()[1]);
         const Vector all = eigenvalues(M, DenseMatrix::Identity(M.rows(), M.cols()));
         return Eigen::Vector2d(all[0], all[all.size() - 1]);
     };
@@ -242,7 +242,7 @@ TEST(ChosenStars, of_a_mesh_with_a_negative_dual_have_known_eigenvalues) {
     EXPECT_LE((ends(StarKind::galerkin) - Eigen::Vector2d(0.0779644155, 2.6172780486)).norm(),
               1e-9);
     EXPECT_LE((ends(StarKind::hybrid) - ends(StarKind::galerkin)).norm(), 1e-12);
-    EXPECT_EQ(choose_stars(mesh, StarKind::hybrid).galerkin_share(), 1);
+    EXPECT_EQ(mesh.with_stars(StarKind::hybrid).chosen_stars().galerkin_share(), 1);
 }
 
 /// The first eigenvalues with all masses Galerkin's, of the simplices: the same reference.
@@ -260,7 +260,7 @@ TEST(ChosenStars, by_galerkin_have_known_spectra) {
           Known{"kuhn3", 1, {11.4687669178, 11.4989561344, 11.4989561344, 20.7306862326}},
           Known{"kuhn3", 3, {30.3132883229, 48.2709931715, 48.2709931715, 57.3481861183}}}) {
         const auto mesh = discretize(mesh_named(title), {.criterion = MergeCriterion::none});
-        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         const Vector found = dense_eigenvalues(mesh.complex(), stars, k);
         for (std::size_t i = 0; i < values.size(); ++i)
             EXPECT_NEAR(found[static_cast<Index>(i)], values[i], 1e-8) << title << ", k = " << k;
@@ -271,7 +271,7 @@ TEST(ChosenStars, hybrid_are_definite_on_shaken_meshes_where_circumcentric_ones_
     int indefinite = 0;
     for (unsigned seed = 0; seed < 1000; ++seed) {
         const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, seed));
-        const auto chosen = choose_stars(mesh, StarKind::automatic);
+        const auto chosen = mesh.with_stars(StarKind::automatic).chosen_stars();
         EXPECT_EQ(chosen.kind == StarKind::hybrid,
                   !mesh.stars()[1].negatives().empty() || !mesh.stars()[0].negatives().empty());
         EXPECT_EQ(dense(chosen.stars[1]).llt().info(), Eigen::Success) << seed;
@@ -289,7 +289,9 @@ TEST(ChosenStars, hybrid_take_no_cell_by_the_sign_of_a_rounding) {
         const DenseMatrix turn{{std::cos(angle), std::sin(angle)},
                                {-std::sin(angle), std::cos(angle)}};
         const auto mesh = discretize(Mesh{corners * turn, Simplices{{0, 1, 2}, {1, 3, 2}}, {}});
-        EXPECT_EQ(choose_stars(mesh, StarKind::hybrid).galerkin, (std::vector{false, true})) << i;
+        EXPECT_EQ(mesh.with_stars(StarKind::hybrid).chosen_stars().galerkin,
+                  (std::vector{false, true}))
+            << i;
     }
 }
 
@@ -297,7 +299,7 @@ TEST(ChosenStars, hybrid_mix_both_kinds_and_pass_the_patch_test) {
     int mixed = 0;
     for (unsigned seed = 0; seed < 1000; ++seed) {
         const auto mesh = discretize(shaken(grid(6, 6), 0.2, seed), {.tolerance = tolerance});
-        const auto chosen = mesh.with_stars(choose_stars(mesh, StarKind::hybrid));
+        const auto chosen = mesh.with_stars(StarKind::hybrid);
         const double share = chosen.chosen_stars().galerkin_share();
         if (!lies_unfolded(mesh) || share == 0 || share == 1)
             continue;
@@ -316,7 +318,7 @@ TEST(ChosenStars, by_galerkin_have_a_positive_spectrum_on_a_sliver) {
     mesh.simplices.resize(3, 3);
     mesh.simplices << 0, 1, 3, 0, 1, 2, 0, 2, 4;
     const auto three = discretize(mesh, {.criterion = MergeCriterion::none});
-    const auto stars = choose_stars(three, StarKind::galerkin).stars;
+    const auto stars = three.with_stars(StarKind::galerkin).stars();
     const Vector found = dense_eigenvalues(three.complex(), stars, 2);
     EXPECT_NEAR(found[0], 57.599677, 1e-6);
     EXPECT_NEAR(found[1], 96, 1e-5);
@@ -326,7 +328,7 @@ TEST(ChosenStars, by_galerkin_have_a_positive_spectrum_on_a_sliver) {
 TEST(ChosenStars, by_galerkin_are_there_for_tets_as_flat_as_they_come) {
     for (const int size : {8, 10}) {
         const auto mesh = discretize(shaken(kuhn(3, size), 0.3, 3));
-        const auto chosen = choose_stars(mesh, StarKind::galerkin);
+        const auto chosen = mesh.with_stars(StarKind::galerkin).chosen_stars();
         for (int k = 0; k <= 3; ++k) {
             const SparseMatrix M = chosen.stars[k].matrix();
             EXPECT_EQ(SparseMatrix(M - SparseMatrix(M.transpose())).norm(), 0) << k;
@@ -335,15 +337,16 @@ TEST(ChosenStars, by_galerkin_are_there_for_tets_as_flat_as_they_come) {
 }
 
 TEST(ChosenStars, automatic_ones_are_circumcentric_where_these_are_positive) {
-    EXPECT_EQ(choose_stars(discretize(grid(4, 4)), StarKind::automatic).galerkin_share(), 0);
-    EXPECT_EQ(choose_stars(discretize(kuhn(3, 2)), StarKind::automatic).kind,
+    EXPECT_EQ(
+        discretize(grid(4, 4)).with_stars(StarKind::automatic).chosen_stars().galerkin_share(), 0);
+    EXPECT_EQ(discretize(kuhn(3, 2)).with_stars(StarKind::automatic).chosen_stars().kind,
               StarKind::circumcentric);
     const auto tets = discretize(shaken(kuhn(3, 3), 0.2, 1));
-    const auto chosen = choose_stars(tets, StarKind::automatic);
+    const auto chosen = tets.with_stars(StarKind::automatic).chosen_stars();
     EXPECT_EQ(chosen.kind, StarKind::galerkin);
     EXPECT_TRUE(chosen.stars[0].is_diagonal());
     EXPECT_FALSE(chosen.stars[1].is_diagonal());
-    EXPECT_NE(refusal([&] { choose_stars(tets, StarKind::hybrid); }), "accepted");
+    EXPECT_NE(refusal([&] { tets.with_stars(StarKind::hybrid).chosen_stars(); }), "accepted");
 }
 
 } // namespace

@@ -141,7 +141,7 @@ TEST_P(Cochains, parts_of_duals_sum_to_the_duals_and_weighted_to_the_simplices) 
     for (int m = 0; m <= n; ++m) {
         double binomial = 1; // m over k
         for (int k = 0; k <= m; ++k) {
-            const SparseMatrix parts = dual_parts(K, mesh().points, mesh().input_volumes, k, m);
+            const SparseMatrix parts = dual_parts(mesh().geometry(), {}, k, m);
             const Vector rows = parts * mesh().input_volumes.primal(k);
             const double scale = parts.cwiseAbs().sum();
             EXPECT_LE((rows - binomial * mesh().input_volumes.primal(m)).cwiseAbs().maxCoeff(),

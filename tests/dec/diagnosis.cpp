@@ -25,7 +25,7 @@ namespace polydec::test::in_diagnosis {
 namespace {
 FacetKinds kinds(const Mesh& mesh) {
     const auto bundle = circumcentric(mesh);
-    return facet_kinds(bundle.input(), bundle.points(), bundle.input_volumes(), bundle.options());
+    return facet_kinds(bundle.input_geometry(), bundle.options());
 }
 
 std::vector<Index> counts(const FacetKinds& kinds) {
@@ -56,8 +56,7 @@ class KindsOf : public OverMeshes {};
 
 TEST_P(KindsOf, all_pairs_are_one_of_four) {
     const auto& m = mesh();
-    const auto all =
-        counts(facet_kinds(m.K(), m.points, m.input_volumes, {.tolerance = tolerance}));
+    const auto all = counts(facet_kinds(m.geometry(), {.tolerance = tolerance}));
     const auto& cofaces = m.K().coface_counts(m.n() - 1);
     EXPECT_EQ(std::accumulate(all.begin(), all.end(), Index{0}),
               std::count(cofaces.begin(), cofaces.end(), 2));
@@ -65,7 +64,7 @@ TEST_P(KindsOf, all_pairs_are_one_of_four) {
 
 TEST_P(KindsOf, cospherical_pairs_are_those_that_merge_unless_a_guard_forbids) {
     const auto& m = mesh();
-    const auto before = facet_kinds(m.K(), m.points, m.input_volumes, {.tolerance = tolerance});
+    const auto before = facet_kinds(m.geometry(), {.tolerance = tolerance});
     const auto merged = merged_pairs(m.merging());
     EXPECT_LE(merged.facets, before.cospherical);
     EXPECT_LE(merged.simplices, 2 * merged.facets);
@@ -177,7 +176,7 @@ TEST(Verdicts, tell_their_reason) {
 
 TEST(SpectrumVerdicts, name_what_spoils_a_spectrum) {
     const auto mesh = circumcentric(grid(4, 4));
-    const auto before = spectrum_verdicts(mesh.input_volumes());
+    const auto before = spectrum_verdicts(mesh.input_geometry().volumes());
     ASSERT_EQ(before.size(), 3U);
     EXPECT_TRUE(before[0].exists);
     EXPECT_FALSE(before[1].exists);

@@ -30,7 +30,7 @@ TEST_P(Discretizations, are_what_their_steps_make) {
             equal(integers(whole.merging().diamond(k)), integers(mesh().merging().diamond(k))));
         EXPECT_EQ(whole.volumes().primal(k), mesh().volumes.primal(k));
         EXPECT_EQ(whole.volumes().dual(k), mesh().volumes.dual(k));
-        EXPECT_EQ(whole.input_volumes().dual(k), mesh().input_volumes.dual(k));
+        EXPECT_EQ(whole.input_geometry().volumes().dual(k), mesh().input_volumes.dual(k));
     }
 }
 
@@ -108,14 +108,11 @@ TEST(Discretize, refuses_what_has_no_place) {
 }
 
 Discretization::Parts parts_of(const Discretization& mesh) {
-    return {.input_points = mesh.input_points(),
-            .points = mesh.points(),
+    return {.input = mesh.input_geometry(),
             .passage = mesh.passage(),
-            .merging = mesh.merging(),
-            .input_volumes = mesh.input_volumes(),
-            .piece_volumes = mesh.piece_volumes(),
-            .volumes = mesh.volumes(),
-            .lengths = mesh.lengths(),
+            .merged = mesh.merged(),
+            .input_points = std::make_shared<const Points>(mesh.input_points()),
+            .points = mesh.points(),
             .isolated = mesh.isolated()};
 }
 
@@ -138,17 +135,21 @@ TEST(DiscretizationOfParts, refuses_points_and_lengths_of_another_mesh) {
     const auto isolated = discretize(with_isolated_vertices());
     for (const auto& mesh : {square, flipped, lengths, isolated})
         EXPECT_EQ(refusal_after(mesh, [](Parts&) {}), "accepted");
+    const auto of_input = [](Index rows) {
+        return [rows](Parts& p) {
+            p.input_points = std::make_shared<const Points>(Points::Zero(rows, p.points.cols()));
+        };
+    };
+    EXPECT_TRUE(says(refusal_after(square, of_input(8)), {"8 points", "input's vertices", "9"}));
+    EXPECT_TRUE(says(refusal_after(lengths, of_input(0)), {"0 points", "input's vertices", "9"}));
+    const Geometry& input = square.input_geometry();
+    EXPECT_TRUE(says(refusal([&] { Geometry(input.pieces(), Points(8, 2), input.volumes()); }),
+                     {"8 points", "vertices", "9"}));
+    EXPECT_TRUE(says(refusal([&] { SimplexMetric(input.pieces(), Vector::Ones(3)); }),
+                     {"3 lengths", "16 edges"}));
     EXPECT_TRUE(
-        says(refusal_after(square, [](Parts& p) { p.input_points.conservativeResize(8, 2); }),
-             {"8 points", "input's vertices", "9"}));
-    EXPECT_TRUE(says(refusal_after(square, [](Parts& p) { p.lengths = Vector::Ones(3); }),
-                     {"3 lengths", "input's edges", "16"}));
-    EXPECT_TRUE(says(refusal_after(lengths, [](Parts& p) { p.input_points = Points(); }),
-                     {"0 points", "input's vertices", "9"}));
-    EXPECT_TRUE(says(refusal_after(lengths, [](Parts& p) { p.lengths.resize(0); }),
-                     {"0 lengths", "input's edges", "16"}));
-    EXPECT_TRUE(says(refusal_after(flipped, [](Parts& p) { p.points = p.input_points.topRows(2); }),
-                     {"2 points", "pieces", std::to_string(flipped.pieces().size(0))}));
+        says(refusal_after(flipped, [](Parts& p) { p.points = p.input_points->topRows(2); }),
+             {"2 points", "pieces", std::to_string(flipped.pieces().size(0))}));
     EXPECT_TRUE(says(
         refusal_after(flipped, [](Parts& p) { p.points.conservativeResize(Eigen::NoChange, 3); }),
         {"3 coordinates", "pieces", "2"}));
@@ -158,8 +159,8 @@ TEST(DiscretizationOfParts, refuses_points_and_lengths_of_another_mesh) {
     EXPECT_TRUE(says(refusal_after(square,
                                    [&](Parts& p) {
                                        p.passage = other.passage();
-                                       p.input_volumes = other.input_volumes();
-                                       p.input_points = other.input_points();
+                                       p.input_points =
+                                           std::make_shared<const Points>(other.input_points());
                                    }),
                      {"9 volumes", "0-cells", "12"}));
 }

@@ -44,9 +44,7 @@ Vector mean_over_pieces(const Merged& mesh, int j, const Vector& values) {
 
 std::vector<DualProduct> products(const Merged& mesh, const Discretization& whole) {
     return {{"simplices", mesh.K(), mesh.input_volumes,
-             [&](const Cochain& a, const Cochain& b) {
-                 return dual_wedge(mesh.K(), mesh.points, mesh.input_volumes, a, b);
-             },
+             [&](const Cochain& a, const Cochain& b) { return dual_wedge(mesh.geometry(), a, b); },
              [](int, const Vector& values) { return values; }},
             {"merged", mesh.P(), mesh.volumes,
              [&](const Cochain& a, const Cochain& b) { return dual_wedge(whole, a, b); },
@@ -188,7 +186,7 @@ TEST(DualWedgesBroken, obey_the_rule_of_leibniz_for_constants_alone) {
     const auto f = random_form(mesh.K(), Side::dual, 0, 1);
     const auto g = random_form(mesh.K(), Side::dual, 0, 2);
     const auto product = [&](const Cochain& a, const Cochain& b) {
-        return dual_wedge(mesh.K(), mesh.points, mesh.input_volumes, a, b);
+        return dual_wedge(mesh.geometry(), a, b);
     };
     const auto left = d(mesh.K(), product(f, g));
     const auto right = product(d(mesh.K(), f), g) + product(f, d(mesh.K(), g));
@@ -210,7 +208,7 @@ TEST(DualWedgeErrors, name_the_forms_and_the_zeros_of_the_star) {
     const auto& mesh = merged("grid4");
     const auto& K = mesh.K();
     const auto multiply = [&](const Cochain& a, const Cochain& b) {
-        return refusal([&] { dual_wedge(K, mesh.points, mesh.input_volumes, a, b); });
+        return refusal([&] { dual_wedge(mesh.geometry(), a, b); });
     };
     const auto one = random_form(K, Side::dual, 1, 1), two = random_form(K, Side::dual, 2, 1);
     EXPECT_TRUE(says(multiply(one, two), {"1-form", "2-form", "degree 3", "dimension 2"}));

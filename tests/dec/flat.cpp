@@ -32,9 +32,10 @@ bool is_at_cells(Flat kind) {
 
 /// A field sampled where the flat wants it: at the points or at the circumcenters of merged cells.
 DenseMatrix sampled(const Discretization& mesh, Flat kind, const SmoothForm& field) {
-    const Points places = is_at_cells(kind) ? cell_centers(mesh.merging(), mesh.points(),
-                                                           mesh.input_volumes(), mesh.dimension())
-                                            : mesh.points();
+    const Points places = is_at_cells(kind)
+                              ? cell_centers(mesh.merging(), mesh.points(),
+                                             mesh.input_geometry().volumes(), mesh.dimension())
+                              : mesh.points();
     DenseMatrix result(places.rows(), places.cols());
     for (Index i = 0; i < places.rows(); ++i)
         result.row(i) = field(places.row(i));
@@ -55,13 +56,13 @@ class Flats : public OverMeshes {};
 
 /// By how much rounding grows where the parts of an edge's dual nearly cancel.
 double amplification(const Discretization& mesh) {
-    const SparseMatrix parts =
-        dual_parts(mesh.input(), mesh.points(), mesh.input_volumes(), 1, mesh.dimension());
+    const SparseMatrix parts = dual_parts(mesh.input_geometry(), {}, 1, mesh.dimension());
     const Vector sizes = parts.cwiseAbs().transpose() * Vector::Ones(parts.rows());
     double result = 1;
     for (Index e = 0; e < sizes.size(); ++e)
         if (mesh.merging().carriers(1)[e].dimension == 1)
-            result = std::max(result, sizes[e] / std::abs(mesh.input_volumes().dual(1)[e]));
+            result =
+                std::max(result, sizes[e] / std::abs(mesh.input_geometry().volumes().dual(1)[e]));
     return result;
 }
 
@@ -156,7 +157,8 @@ TEST(FlatsOnBoxes, of_a_field_that_jumps_between_boxes_are_its_circulations_on_d
     for (const auto& name : equal_boxes) {
         const auto& mesh = discretized(name);
         const auto n = mesh.dimension();
-        const Points centers = cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), n);
+        const Points centers =
+            cell_centers(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(), n);
         const DenseMatrix field =
             random_vector(static_cast<Index>(centers.size()), 2).reshaped(centers.rows(), n);
         const auto of_box = [&](const Vector& x) {

@@ -154,7 +154,8 @@ TEST(GluedBox, has_straight_simplices_across_the_seams) {
             for (int i = 0; i <= n; ++i)
                 for (int j = i + 1; j <= n; ++j)
                     EXPECT_NEAR((points.row(corners(t, i)) - points.row(corners(t, j))).norm(),
-                                mesh.input_volumes().primal(1)[face_at(K, n, t, std::array{i, j})],
+                                mesh.input_geometry().volumes().primal(
+                                    1)[face_at(K, n, t, std::array{i, j})],
                                 1e-12);
     }
 }

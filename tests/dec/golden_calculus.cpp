@@ -53,7 +53,7 @@ TEST_P(GoldenCalculus, integrals_of_the_test_forms) {
 }
 
 TEST_P(GoldenCalculus, lifts_of_the_test_forms) {
-    const auto S = commuting_lift(mesh().merging(), mesh().points, mesh().input_volumes);
+    const auto S = commuting_lift(mesh().merging(), mesh().geometry());
     const Vector a = on_merged_cells(mesh(), 1, alpha);
     expect_lift("lift1_alpha", S[1] * a);
     expect_lift("lift2_eta", S[2] * on_merged_cells(mesh(), 2, eta));

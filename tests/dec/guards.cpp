@@ -36,7 +36,7 @@ protected:
     std::pair<SimplicialComplex, Blocks> unguarded() const {
         SimplicialComplex K(GetParam().mesh.simplices);
         const auto volumes = circumcentric_volumes(K, GetParam().mesh.points);
-        const auto defects = facet_defects(K, GetParam().mesh.points, volumes,
+        const auto defects = facet_defects({K, GetParam().mesh.points, volumes},
                                            {MergeCriterion::angle, GetParam().tolerance});
         std::vector<bool> removed = defects.degenerate.marks;
         for (std::size_t f = 0; f < removed.size(); ++f)

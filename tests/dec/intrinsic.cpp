@@ -92,7 +92,7 @@ TEST_P(Flipped, keep_topology_area_and_points) {
     const auto mesh = flipped(this->mesh(), Delaunay::flips);
     EXPECT_EQ(betti_numbers(mesh.complex()), betti_numbers(mesh.input()));
     EXPECT_EQ(mesh.complex().size(0), mesh.input().size(0));
-    const double area = mesh.input_volumes().primal(2).sum();
+    const double area = mesh.input_geometry().volumes().primal(2).sum();
     EXPECT_NEAR(mesh.volumes().primal(2).sum(), area, rounding * area);
     EXPECT_NEAR(mesh.volumes().dual(0).sum(), area, 1e-9 * area);
 }
@@ -120,7 +120,7 @@ TEST_P(Flipped, have_positive_stars_everywhere_after_splits) {
 TEST_P(Flipped, carry_forms_there_and_back_by_maps_that_commute_with_d) {
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto mesh = flipped(this->mesh(), delaunay);
-        const auto& lift = mesh.lift();
+        const auto& lift = mesh.merged().lift();
         for (int k = 0; k < 2; ++k) {
             const SparseMatrix d = mesh.input().coboundary(k).cast<double>();
             const SparseMatrix d_P = mesh.complex().coboundary(k).cast<double>();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "dec/choose_stars.h"
 #include "dec/merging/facet_kinds.h"
 #include "dec/metric/plane.h"
 #include "meshes/generate.h"
@@ -92,7 +91,7 @@ TEST(Kinds, of_pairs_do_not_depend_on_numbers_where_a_center_is_on_the_facet) {
     mesh.points.col(2) *= 0.01;
     const auto kinds_of = [](const Mesh& numbered) {
         const auto cells = discretize(numbered);
-        const auto kinds = facet_kinds(cells.input(), cells.metric(), cells.input_volumes());
+        const auto kinds = facet_kinds(cells.input_geometry());
         return std::vector{kinds.well_centered, kinds.delaunay, kinds.non_delaunay,
                            kinds.cospherical};
     };
@@ -110,7 +109,7 @@ TEST(HybridStars, do_not_depend_on_the_side_to_which_a_right_angle_is_rounded) {
             mesh.points.row(v) << 0.9, 0.85;
     const auto stars_of = [](const Mesh& turned) {
         const auto cells = discretize(turned, {.criterion = MergeCriterion::none});
-        return choose_stars(cells, StarKind::hybrid);
+        return cells.with_stars(StarKind::hybrid).chosen_stars();
     };
     const auto expected = stars_of(mesh);
     EXPECT_GT(expected.galerkin_share(), 0);

@@ -85,8 +85,7 @@ TEST(Layers, have_duals_on_their_boundary) {
 
 TEST(LayersBroken, by_size_of_the_facet_alone_would_be_one) {
     const auto mesh = discretize(layers(2, 10, 1e-6), {.criterion = MergeCriterion::none});
-    const auto defects =
-        facet_defects(mesh.input(), mesh.metric(), mesh.input_volumes(), mesh.options());
+    const auto defects = facet_defects(mesh.input_geometry(), mesh.options());
     Index within = 0, degenerate = 0;
     for (Index e = 0; e < mesh.input().size(1); ++e)
         if (mesh.input().coface_counts(1)[e] == 2) {

@@ -73,18 +73,18 @@ LengthMesh two_triangles() {
 }
 
 TEST(LengthMesh, may_list_its_edges_in_any_order_and_direction) {
-    const auto expected = discretize(two_triangles()).input_volumes();
+    const auto expected = discretize(two_triangles()).input_geometry().volumes();
     auto mesh = two_triangles();
     mesh.edges = mesh.edges.colwise().reverse().eval();
     mesh.lengths = mesh.lengths.reverse().eval();
     mesh.edges.col(0).swap(mesh.edges.col(1));
-    const auto found = discretize(mesh).input_volumes();
+    const auto found = discretize(mesh).input_geometry().volumes();
     for (int k = 0; k <= 2; ++k) {
         EXPECT_EQ(found.primal(k), expected.primal(k));
         EXPECT_EQ(found.dual(k), expected.dual(k));
     }
     mesh.lengths.reverseInPlace();
-    EXPECT_NE(discretize(mesh).input_volumes().primal(1), expected.primal(1));
+    EXPECT_NE(discretize(mesh).input_geometry().volumes().primal(1), expected.primal(1));
 }
 
 TEST(LengthMesh, has_every_edge_exactly_once) {
@@ -142,12 +142,16 @@ TEST(LengthMesh, says_what_needs_points) {
     EXPECT_TRUE(says(refusal([&] { sharp_pp(mesh, edges); }), needs("sharp")));
     EXPECT_TRUE(says(refusal([&] { sharp_pd(mesh, edges); }), needs("sharp")));
     EXPECT_TRUE(says(refusal([&] { flux_sharp(mesh, edges); }), needs("sharp")));
-    EXPECT_TRUE(
-        says(refusal([&] { cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), 2); }),
-             needs("cell's center")));
-    EXPECT_TRUE(says(
-        refusal([&] { cell_centroids(mesh.merging(), mesh.points(), mesh.input_volumes(), 2); }),
-        needs("cell's centroid")));
+    EXPECT_TRUE(says(refusal([&] {
+                         cell_centers(mesh.merging(), mesh.points(),
+                                      mesh.input_geometry().volumes(), 2);
+                     }),
+                     needs("cell's center")));
+    EXPECT_TRUE(says(refusal([&] {
+                         cell_centroids(mesh.merging(), mesh.points(),
+                                        mesh.input_geometry().volumes(), 2);
+                     }),
+                     needs("cell's centroid")));
     EXPECT_TRUE(says(refusal([&] { circumcenters(mesh.points(), K.simplices(2)); }),
                      needs("circumcenter")));
     EXPECT_TRUE(says(

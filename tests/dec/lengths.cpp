@@ -84,10 +84,10 @@ Points in_more_dimensions(const Points& points) {
 
 TEST_P(Lengths, give_the_merging_that_points_of_a_complex_that_may_be_curved_give) {
     const auto volumes = circumcentric_volumes(K(), metric());
-    const auto ours = merge_cospherical(K(), metric(), volumes, {.tolerance = tolerance});
+    const auto ours = merge_cospherical({K(), metric(), volumes}, {.tolerance = tolerance});
     const Points lifted = in_more_dimensions(mesh().points);
     const auto theirs =
-        merge_cospherical(K(), lifted, mesh().input_volumes, {.tolerance = tolerance});
+        merge_cospherical({K(), lifted, mesh().input_volumes}, {.tolerance = tolerance});
     for (int k = 0; k <= mesh().n(); ++k) {
         EXPECT_TRUE(equal(integers(ours.merging.diamond(k)), integers(theirs.merging.diamond(k))))
             << k;
@@ -100,15 +100,15 @@ TEST(Lengths, know_the_planes_of_the_boundary_of_flat_boxes_by_angles) {
     // halves of octahedra meet at the edges of the box, where their triangles' centers coincide
     const auto& box = merged("fcc1");
     const Vector lengths = edge_lengths(box.K(), box.points);
-    const auto result = merge_cospherical(box.K(), SimplexMetric(box.K(), lengths),
-                                          box.input_volumes, {.tolerance = tolerance});
+    const auto result = merge_cospherical(
+        {box.K(), SimplexMetric(box.K(), lengths), box.input_volumes}, {.tolerance = tolerance});
     EXPECT_EQ(result.merging.merged().size(2), box.P().size(2));
     EXPECT_EQ(result.merging.merged().size(3), box.P().size(3));
 }
 
 TEST_P(Lengths, give_the_kinds_of_pairs_that_points_give) {
-    const auto ours = facet_kinds(K(), metric(), circumcentric_volumes(K(), metric()));
-    const auto theirs = facet_kinds(K(), mesh().points, mesh().input_volumes);
+    const auto ours = facet_kinds({K(), metric(), circumcentric_volumes(K(), metric())});
+    const auto theirs = facet_kinds(mesh().geometry());
     EXPECT_EQ(ours.well_centered, theirs.well_centered);
     EXPECT_EQ(ours.delaunay, theirs.delaunay);
     EXPECT_EQ(ours.non_delaunay, theirs.non_delaunay);
@@ -116,8 +116,9 @@ TEST_P(Lengths, give_the_kinds_of_pairs_that_points_give) {
 }
 
 TEST_P(Lengths, give_the_lift_that_points_give) {
-    const auto ours = commuting_lift(mesh().merging(), metric(), mesh().input_volumes);
-    const auto theirs = commuting_lift(mesh().merging(), mesh().points, mesh().input_volumes);
+    const auto ours = commuting_lift(mesh().merging(),
+                                     {mesh().merging().pieces(), metric(), mesh().input_volumes});
+    const auto theirs = commuting_lift(mesh().merging(), mesh().geometry());
     for (int k = 0; k <= mesh().n(); ++k)
         EXPECT_LE(relative_difference(ours[k], theirs[k]), 1e-12) << k;
 }
@@ -132,24 +133,24 @@ TEST_P(Lengths, give_the_parts_of_duals_and_the_products_that_points_give) {
     const int n = mesh().n();
     const auto& volumes = mesh().input_volumes;
     for (int k = 0; k <= n; ++k)
-        EXPECT_LE(relative_difference(dual_parts(K(), metric(), volumes, k, n),
-                                      dual_parts(K(), mesh().points, volumes, k, n)),
+        EXPECT_LE(relative_difference(dual_parts({K(), metric(), volumes}, {}, k, n),
+                                      dual_parts({K(), mesh().points, volumes}, {}, k, n)),
                   2e-14 * n * shape * shape)
             << k;
     for (const int k : {0, n - 1}) {
         const Cochain a{Side::primal, k, random_vector(K().size(k), 1)};
         const Cochain b{Side::primal, n - k, random_vector(K().size(n - k), 2)};
         EXPECT_LE(
-            relative_difference(circumcentric_wedge(K(), metric(), volumes, a, b).values,
-                                circumcentric_wedge(K(), mesh().points, volumes, a, b).values),
+            relative_difference(circumcentric_wedge({K(), metric(), volumes}, a, b).values,
+                                circumcentric_wedge({K(), mesh().points, volumes}, a, b).values),
             1e-13 * shape * shape);
     }
     if (!star(volumes, 1).zeros().empty() || !star(volumes, n - 1).zeros().empty())
         return; // no inverse star to make the dual product of
     const Cochain a{Side::dual, 1, random_vector(K().size(n - 1), 3)};
     const Cochain b{Side::dual, n - 1, random_vector(K().size(1), 4)};
-    EXPECT_LE(relative_difference(dual_wedge(K(), metric(), volumes, a, b).values,
-                                  dual_wedge(K(), mesh().points, volumes, a, b).values),
+    EXPECT_LE(relative_difference(dual_wedge({K(), metric(), volumes}, a, b).values,
+                                  dual_wedge({K(), mesh().points, volumes}, a, b).values),
               1e-13 * shape * shape * condition(volumes.dual(1)) * condition(volumes.dual(n - 1)));
 }
 
@@ -252,7 +253,7 @@ TEST(FlatTori, known_by_lengths_alone_merge_to_cubes_with_the_spectrum_of_the_gr
         const auto torus = flat_torus(n, N, h);
         const SimplexMetric metric(torus.K, torus.lengths);
         const auto input = circumcentric_volumes(torus.K, metric);
-        const auto result = merge_cospherical(torus.K, metric, input);
+        const auto result = merge_cospherical({torus.K, metric, input});
         const auto& P = result.merging.merged();
         const auto volumes = merged_volumes(result.merging, input);
         for (int k = 0; k <= n; ++k) {
@@ -274,7 +275,7 @@ TEST(FlatToriBroken, with_one_edge_too_long_keep_simplices_and_lose_the_spectrum
     torus.lengths[0] *= 1.01;
     const SimplexMetric metric(torus.K, torus.lengths);
     const auto input = circumcentric_volumes(torus.K, metric);
-    const auto result = merge_cospherical(torus.K, metric, input);
+    const auto result = merge_cospherical({torus.K, metric, input});
     const auto& P = result.merging.merged();
     EXPECT_EQ(P.size(2), 27); // the two squares beside the edge stay split
     const auto volumes = merged_volumes(result.merging, input);

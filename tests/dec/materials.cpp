@@ -87,7 +87,7 @@ TEST(MarksOfFacets, are_as_many_as_facets) {
     const SimplicialComplex K(mesh.simplices);
     const auto volumes = circumcentric_volumes(K, mesh.points);
     EXPECT_TRUE(says(refusal([&] {
-                         merge_cospherical(K, mesh.points, volumes, {}, {true, false});
+                         merge_cospherical({K, mesh.points, volumes}, {}, {true, false});
                      }),
                      {"2 marks", "facets", "16"}));
 }

@@ -23,8 +23,7 @@ class Merges : public OverMeshes {};
 
 TEST_P(Merges, leave_no_degenerate_facet_between_two_cells_unless_it_is_glued_to_itself) {
     const int n = mesh().n();
-    const auto defects = facet_defects(mesh().K(), mesh().points, mesh().input_volumes,
-                                       {MergeCriterion::dual_length, tolerance});
+    const auto defects = facet_defects(mesh().geometry(), {MergeCriterion::dual_length, tolerance});
     for (Index f = 0; f < mesh().K().size(n - 1); ++f) {
         const auto& carrier = mesh().merging().carriers(n - 1)[f];
         if (defects.degenerate[f] && mesh().K().coface_counts(n - 1)[f] == 2) {
@@ -35,8 +34,7 @@ TEST_P(Merges, leave_no_degenerate_facet_between_two_cells_unless_it_is_glued_to
 
 TEST_P(Merges, remove_degenerate_facets_alone) {
     const int n = mesh().n();
-    const auto defects = facet_defects(mesh().K(), mesh().points, mesh().input_volumes,
-                                       {MergeCriterion::dual_length, tolerance});
+    const auto defects = facet_defects(mesh().geometry(), {MergeCriterion::dual_length, tolerance});
     for (Index f = 0; f < mesh().K().size(n - 1); ++f)
         if (mesh().merging().carriers(n - 1)[f].dimension == n) {
             EXPECT_EQ(mesh().K().coface_counts(n - 1)[f], 2);
@@ -60,8 +58,7 @@ TEST_P(Merges, never_remove_what_lies_on_the_boundary_or_branches_but_to_unite_i
 
 TEST_P(Merges, count_degenerate_facets_by_their_cofaces) {
     const int n = mesh().n();
-    const auto defects = facet_defects(mesh().K(), mesh().points, mesh().input_volumes,
-                                       {MergeCriterion::dual_length, tolerance});
+    const auto defects = facet_defects(mesh().geometry(), {MergeCriterion::dual_length, tolerance});
     DegenerateFacets expected;
     for (Index f = 0; f < mesh().K().size(n - 1); ++f)
         if (defects.degenerate[f]) {

@@ -37,8 +37,8 @@ TEST_P(Overlays, cut_both_triangulations_into_the_same_pieces) {
     for (const auto delaunay : {Delaunay::flips, Delaunay::flips_and_splits}) {
         const auto mesh = this->mesh(delaunay);
         const Overlay pieces = overlay(mesh.passage(), mesh.points());
-        const Vector& input = mesh.input_volumes().primal(2);
-        const Vector& flipped = mesh.piece_volumes().primal(2);
+        const Vector& input = mesh.input_geometry().volumes().primal(2);
+        const Vector& flipped = mesh.geometry().volumes().primal(2);
         EXPECT_LT(relative_difference(sums(pieces.input, pieces.areas, input.size()), input), 1e-9);
         EXPECT_LT(relative_difference(sums(pieces.triangle, pieces.areas, flipped.size()), flipped),
                   1e-9);
@@ -63,8 +63,8 @@ TEST_P(Overlays, bring_functions_of_cells_back_as_means) {
     const Vector means = to_input(mesh, {Side::dual, 0, u}).values;
     EXPECT_LE(means.cwiseAbs().maxCoeff(), u.cwiseAbs().maxCoeff() + 1e-12);
     if (mesh.input().orientable()) {
-        EXPECT_NEAR(means.dot(mesh.input_volumes().primal(2)), u.dot(mesh.volumes().primal(2)),
-                    1e-9 * mesh.volumes().primal(2).sum());
+        EXPECT_NEAR(means.dot(mesh.input_geometry().volumes().primal(2)),
+                    u.dot(mesh.volumes().primal(2)), 1e-9 * mesh.volumes().primal(2).sum());
     }
 }
 

@@ -121,11 +121,11 @@ TEST_P(AfterFlips, the_parts_of_the_duals_fill_every_triangle) {
     const auto mesh = this->mesh();
     for (int k = 0; k <= 2; ++k)
         for (int m = k; m <= 2; ++m) {
-            const SparseMatrix parts =
-                dual_parts(mesh.pieces(), mesh.metric(), mesh.piece_volumes(), k, m);
-            const Vector filled = parts * mesh.piece_volumes().primal(k);
+            const SparseMatrix parts = dual_parts(mesh.geometry(), {}, k, m);
+            const Vector filled = parts * mesh.geometry().volumes().primal(k);
             const double times = k == 0 || k == m ? 1 : m; // C(m, k) for m up to 2
-            EXPECT_LT(relative_difference(filled, times * mesh.piece_volumes().primal(m)), 1e-9);
+            EXPECT_LT(relative_difference(filled, times * mesh.geometry().volumes().primal(m)),
+                      1e-9);
         }
 }
 
@@ -148,7 +148,8 @@ TEST_P(AfterFlips, operators_are_carried_to_the_input_and_back) {
         EXPECT_EQ(on_simplices.cols(), mesh.input().size(k));
         const Vector a = random_vector(mesh.input().size(k), 8);
         const Vector there = d * to_merged(mesh, {Side::primal, k, a}).values;
-        const Vector pieces = primal_to_input(mesh.merging(), mesh.piece_volumes(), k + 1) * there;
+        const Vector pieces =
+            primal_to_input(mesh.merging(), mesh.geometry().volumes(), k + 1) * there;
         EXPECT_LT(relative_difference(on_simplices * a, mesh.passage().back(k + 1, pieces)),
                   rounding);
     }
@@ -189,7 +190,7 @@ TEST_P(AfterFlips, flats_of_gradients_are_differentials_and_sharps_bring_them_ba
     const Cochain du = d(mesh.complex(), Cochain{Side::primal, 0, u});
     for (const Flat kind : {Flat::ppp, Flat::pdp})
         EXPECT_LT(relative_difference(flat(mesh, kind, field).values, du.values), rounding);
-    if (N > 2 || !star(mesh.input_volumes(), 0).zeros().empty())
+    if (N > 2 || !star(mesh.input_geometry().volumes(), 0).zeros().empty())
         return;
     const DenseMatrix again = sharp_pp(mesh, du);
     for (Index v = 0; v < mesh.points().rows(); ++v)
@@ -218,7 +219,7 @@ TEST(OnAFlippedSquare, products_of_constant_dual_forms_are_exact) {
     };
     const Vector product = dual_wedge(mesh, constant(2, 1), constant(-1, 3)).values;
     EXPECT_LT(relative_difference(product, 7 * mesh.volumes().dual(0)), 1e-10);
-    EXPECT_GT(relative_difference(product, 7 * mesh.input_volumes().dual(0)), 1e-2);
+    EXPECT_GT(relative_difference(product, 7 * mesh.input_geometry().volumes().dual(0)), 1e-2);
 }
 
 TEST(WithoutFlips, the_passage_takes_cochains_of_the_simplices_alone) {

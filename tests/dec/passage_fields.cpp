@@ -259,7 +259,8 @@ TEST(OnAFoldedSheetBroken, combinations_of_the_corners_lie_beside_the_surface) {
             off_the_fold(cell_centroids(sheet, k), combinations(K, k, middles, bent.points())),
             0.01);
         EXPECT_TRUE(says(refusal([&] {
-                             cell_centroids(bent.merging(), bent.points(), bent.piece_volumes(), k);
+                             cell_centroids(bent.merging(), bent.points(),
+                                            bent.geometry().volumes(), k);
                          }),
                          {"glued", "lengths"}));
     }

@@ -24,7 +24,7 @@ const std::vector<SparseMatrix>& lift_of(const std::string& name) {
     auto& entry = made[name];
     if (entry.empty()) {
         const auto& mesh = merged(name);
-        entry = commuting_lift(mesh.merging(), mesh.points, mesh.input_volumes);
+        entry = commuting_lift(mesh.merging(), mesh.geometry());
     }
     return entry;
 }

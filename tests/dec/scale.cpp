@@ -57,7 +57,7 @@ void expect_equal_at_all_sizes(const AnyMesh& mesh, const DiscretizeOptions& opt
                   original.warnings().size() + (found.unit() != 1 ? 1 : 0));
         EXPECT_EQ(found.points(), size * original.points());
         expect_scaled(found.volumes(), original.volumes(), rest);
-        expect_scaled(found.input_volumes(), original.input_volumes(), rest);
+        expect_scaled(found.input_geometry().volumes(), original.input_geometry().volumes(), rest);
         EXPECT_EQ(found.degenerate().interior, original.degenerate().interior);
     }
 }

@@ -56,7 +56,8 @@ double difference(const DenseMatrix& a, const DenseMatrix& b) {
 DenseMatrix mean_over_cells(const Discretization& mesh, const DenseMatrix& rows) {
     const int n = mesh.dimension();
     const SparseMatrix pieces = mesh.merging().diamond(n).cast<double>().cwiseAbs();
-    const DenseMatrix sums = pieces * (mesh.input_volumes().primal(n).asDiagonal() * rows);
+    const DenseMatrix sums =
+        pieces * (mesh.input_geometry().volumes().primal(n).asDiagonal() * rows);
     return mesh.volumes().primal(n).cwiseInverse().asDiagonal() * sums;
 }
 
@@ -156,7 +157,7 @@ double integral_defect(const Discretization& mesh, const DenseMatrix& X) {
     const int n = mesh.dimension();
     const DenseMatrix gradients =
         whitney_at_centroids(mesh.input(), mesh.points(), on_simplices(mesh));
-    const Vector& volumes = mesh.input_volumes().primal(n);
+    const Vector& volumes = mesh.input_geometry().volumes().primal(n);
     Vector defect = -(gradients.transpose() * volumes);
     for (Index v = 0; v < mesh.input().size(0); ++v)
         defect += mesh.volumes().dual(0)[v] * X.row(v).transpose();
@@ -199,9 +200,10 @@ TEST_P(Sharps, belong_to_centroids_where_linear_functions_have_their_means) {
     if (!flat_mesh())
         return;
     for_merged_and_not(GetParam(), [](const Discretization& mesh) {
-        EXPECT_LE(moment_defect(mesh, cell_centroids(mesh.merging(), mesh.points(),
-                                                     mesh.input_volumes(), mesh.dimension())),
-                  rounding);
+        EXPECT_LE(
+            moment_defect(mesh, cell_centroids(mesh.merging(), mesh.points(),
+                                               mesh.input_geometry().volumes(), mesh.dimension())),
+            rounding);
     });
 }
 
@@ -244,9 +246,10 @@ TEST(SharpsBroken, without_weights_are_not_the_means_of_the_gradients) {
 TEST(SharpsBroken, circumcenters_are_no_centroids) {
     for (const auto& name : {"hex4", "well_centered3", "obtuse_solid"}) {
         const auto& mesh = discretized(name);
-        EXPECT_GT(moment_defect(mesh, cell_centers(mesh.merging(), mesh.points(),
-                                                   mesh.input_volumes(), mesh.dimension())),
-                  1e-3)
+        EXPECT_GT(
+            moment_defect(mesh, cell_centers(mesh.merging(), mesh.points(),
+                                             mesh.input_geometry().volumes(), mesh.dimension())),
+            1e-3)
             << name;
     }
 }
@@ -285,8 +288,10 @@ TEST(SharpsBroken, of_fluxes_about_circumcenters_of_facets_are_wrong_in_space) {
     const auto& mesh = discretized("split_cubes", MergeCriterion::none);
     const Vector X = random_vector(3, 6);
     const Cochain flux = de_rham(mesh, 2, flux_form(constant_form(X)), 1);
-    const Points facets = cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), 2);
-    const Points cells = cell_centers(mesh.merging(), mesh.points(), mesh.input_volumes(), 3);
+    const Points facets =
+        cell_centers(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(), 2);
+    const Points cells =
+        cell_centers(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(), 3);
     DenseMatrix result = DenseMatrix::Zero(cells.rows(), 3);
     for (Index P = 0; P < result.rows(); ++P)
         for (IncidenceMatrix::InnerIterator e(mesh.complex().coboundary(2), P); e; ++e)
@@ -317,12 +322,13 @@ Discretization tetrahedron(double x) {
 
 /// Determinant of the sum of w e e^T over the edges of the only tetrahedron.
 double determinant(const Discretization& mesh) {
-    const SparseMatrix parts = dual_parts(mesh.input(), mesh.points(), mesh.input_volumes(), 1, 3);
+    const SparseMatrix parts = dual_parts(mesh.input_geometry(), {}, 1, 3);
     DenseMatrix M = DenseMatrix::Zero(3, 3);
     for (SparseMatrix::InnerIterator e(parts, 0); e; ++e) {
         const auto ends = mesh.input().simplices(1).row(e.col());
         const Vector edge = mesh.points().row(ends[1]) - mesh.points().row(ends[0]);
-        M += e.value() / mesh.input_volumes().primal(1)[e.col()] * edge * edge.transpose();
+        M += e.value() / mesh.input_geometry().volumes().primal(1)[e.col()] * edge *
+             edge.transpose();
     }
     return M.determinant();
 }

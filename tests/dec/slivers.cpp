@@ -3,7 +3,6 @@
 
 #include "base/random.h"
 #include "complex/relative.h"
-#include "dec/choose_stars.h"
 #include "dec/fields/sharp.h"
 #include "dec/fields/transfer.h"
 #include "dec/fields/whitney_interpolation.h"
@@ -49,7 +48,7 @@ Sizes cubes(Index m) {
 Index count_flat(const Discretization& mesh) {
     Index count = 0;
     for (Index t = 0; t < mesh.pieces().size(mesh.dimension()); ++t)
-        count += mesh.is_flat(t);
+        count += mesh.geometry().is_flat(t);
     return count;
 }
 
@@ -125,7 +124,7 @@ TEST(Slivers, upon_each_other_become_pieces_of_prisms) {
         const auto mesh = discretize(perturbed(hexagonal_prisms(), jitter, 1));
         EXPECT_EQ(sizes(mesh.complex()), (Sizes{18, 30, 15, 2})) << jitter;
         EXPECT_EQ(count_flat(mesh), 3);
-        EXPECT_LE(off_constants(mesh, mesh.lift()), 20 * jitter + 1e-12) << jitter;
+        EXPECT_LE(off_constants(mesh, mesh.merged().lift()), 20 * jitter + 1e-12) << jitter;
         const Vector sums = mesh.volumes().primal(2).cwiseProduct(mesh.volumes().dual(2));
         EXPECT_NEAR(sums.sum() / (3 * mesh.volumes().primal(3).sum()), 1, 5 * jitter + 1e-13);
     }
@@ -147,17 +146,17 @@ TEST(Slivers, leave_no_dual_at_all_to_what_is_removed) {
         const auto mesh = discretize(delaunay_grid(3, jitter));
         for (Index f = 0; f < mesh.pieces().size(2); ++f)
             if (mesh.merging().carriers(2)[f].dimension == 3) {
-                EXPECT_EQ(mesh.piece_volumes().dual(2)[f], 0);
+                EXPECT_EQ(mesh.geometry().volumes().dual(2)[f], 0);
             }
     }
 }
 
 TEST(SliversBroken, by_their_own_circumcenters_would_stay) {
     const auto mesh = discretize(delaunay_grid(3, 1e-5));
-    const auto own = circumcentric_volumes(mesh.input(), mesh.metric());
+    const auto own = circumcentric_volumes(mesh.input(), mesh.geometry().metric());
     Index far = 0;
     for (Index t = 0; t < mesh.pieces().size(3); ++t)
-        for (int i = 0; i <= 3 && mesh.is_flat(t); ++i)
+        for (int i = 0; i <= 3 && mesh.geometry().is_flat(t); ++i)
             far += std::abs(own.dual(2)[mesh.pieces().face(3, t, i)]) > 1e-2;
     EXPECT_GT(far, 10);
 }
@@ -193,7 +192,7 @@ TEST(Slivers, leave_the_lift_a_cochain_map_exact_for_constants) {
              {delaunay_grid(3, jitter), perturbed(five_to_a_cube(3), jitter, 1)}) {
             const auto mesh = discretize(given);
             ASSERT_EQ(sizes(mesh.complex()), cubes(3));
-            const auto& S = mesh.lift();
+            const auto& S = mesh.merged().lift();
             for (int k = 0; k < 3; ++k) {
                 const SparseMatrix d = mesh.pieces().coboundary(k).cast<double>() * S[k];
                 const SparseMatrix d_P = S[k + 1] * mesh.complex().coboundary(k).cast<double>();
@@ -208,7 +207,7 @@ TEST(Slivers, leave_the_lift_a_cochain_map_exact_for_constants) {
 TEST(SliversBroken, taken_for_ordinary_pieces_would_spoil_the_lift) {
     for (const double jitter : {0.0, 1e-15, 1e-14}) {
         const auto mesh = discretize(perturbed(five_to_a_cube(3), jitter, 1));
-        const auto lift = commuting_lift(mesh.merging(), mesh.metric(), mesh.piece_volumes());
+        const auto lift = commuting_lift(mesh.merging(), mesh.geometry().with_flat({}));
         EXPECT_GT(off_constants(mesh, lift), 0.1) << jitter;
     }
 }
@@ -225,7 +224,7 @@ TEST(Slivers, leave_fields_and_stars_exact_for_constants) {
                 const Eigen::RowVector3d exact = Eigen::RowVector3d::Unit(axis);
                 EXPECT_LE((field.rowwise() - exact).cwiseAbs().maxCoeff(), tolerance) << jitter;
             }
-            const auto galerkin = choose_stars(mesh, StarKind::galerkin);
+            const auto galerkin = mesh.with_stars(StarKind::galerkin).chosen_stars();
             EXPECT_NEAR(form.values.dot(galerkin.stars[1] * form.values), 27, 27 * tolerance);
             const SparseMatrix twice =
                 material_star(mesh, 1, Vector::Constant(mesh.input().size(3), 2));
@@ -241,7 +240,7 @@ TEST(Slivers, leave_no_crack_between_the_forms_of_galerkin) {
         input.points.rightCols(input.points.cols() - 3).setZero();
         const auto mesh = discretize(input);
         const SparseMatrix d = derivative(mesh.complex(), 0);
-        const auto star = choose_stars(mesh, StarKind::galerkin).stars[1];
+        const auto star = mesh.with_stars(StarKind::galerkin).stars()[1];
         const auto inside = relative_to_boundary(mesh.complex());
         for (int axis = 0; axis < 3; ++axis) {
             const Vector dx = d * mesh.points().col(axis);
@@ -270,7 +269,7 @@ TEST(FlatSimplices, are_none_in_thin_layers) {
         mesh.points.col(2) *= thickness;
         const auto thin = discretize(mesh);
         EXPECT_EQ(sizes(thin.complex()), cubes(3)) << thickness;
-        EXPECT_TRUE(flat_simplices(thin.pieces(), thin.metric(), thin.piece_volumes()).empty());
+        EXPECT_TRUE(flat_simplices(thin.geometry()).empty());
     }
 }
 

@@ -40,7 +40,8 @@ SparseMatrix identity(Index size) {
 constexpr double rounding = 1e-12;
 
 TEST_P(Transfers, there_and_back_is_the_identity_on_merged_cells) {
-    const auto& [merging, volumes] = std::tie(bundle().merging(), bundle().input_volumes());
+    const auto& [merging, volumes] =
+        std::tie(bundle().merging(), bundle().input_geometry().volumes());
     for (int k = 0; k <= n(); ++k) {
         const SparseMatrix I = identity(bundle().complex().size(k));
         EXPECT_LE(
@@ -69,7 +70,8 @@ TEST_P(Transfers, sums_commute_with_d_and_copies_with_the_dual_d) {
 }
 
 TEST_P(Transfers, shares_and_copies_are_transposed) {
-    const auto& [merging, volumes] = std::tie(bundle().merging(), bundle().input_volumes());
+    const auto& [merging, volumes] =
+        std::tie(bundle().merging(), bundle().input_geometry().volumes());
     for (int k = 0; k <= n(); ++k) {
         EXPECT_EQ(
             relative_difference(SparseMatrix(primal_to_input(merging, volumes, k).transpose()),
@@ -84,9 +86,11 @@ TEST_P(Transfers, shares_and_copies_are_transposed) {
 TEST_P(Transfers, the_star_of_merged_cells_is_that_of_the_simplices_between_the_maps) {
     // star_k^P = R_k^T star_k R_k: what the volumes of merged cells are made for
     for (int k = 0; k <= n(); ++k) {
-        const SparseMatrix R = primal_to_input(bundle().merging(), bundle().input_volumes(), k);
-        const SparseMatrix between = SparseMatrix(R.transpose()) *
-                                     star(bundle().input_volumes(), k).diagonal().asDiagonal() * R;
+        const SparseMatrix R =
+            primal_to_input(bundle().merging(), bundle().input_geometry().volumes(), k);
+        const SparseMatrix between =
+            SparseMatrix(R.transpose()) *
+            star(bundle().input_geometry().volumes(), k).diagonal().asDiagonal() * R;
         EXPECT_LE(
             relative_difference(Vector(between.diagonal()), star(bundle().volumes(), k).diagonal()),
             1e-11)
@@ -145,9 +149,10 @@ POLYDEC_OVER_MESHES(Transfers);
 TEST(TransfersBroken, shares_are_no_cochain_map) {
     const auto bundle = discretize(grid(3, 3));
     const SparseMatrix up = derivative(bundle.input(), 0) *
-                            primal_to_input(bundle.merging(), bundle.input_volumes(), 0);
-    const SparseMatrix down = primal_to_input(bundle.merging(), bundle.input_volumes(), 1) *
-                              derivative(bundle.complex(), 0);
+                            primal_to_input(bundle.merging(), bundle.input_geometry().volumes(), 0);
+    const SparseMatrix down =
+        primal_to_input(bundle.merging(), bundle.input_geometry().volumes(), 1) *
+        derivative(bundle.complex(), 0);
     EXPECT_GE(largest(up - down), 1);
 }
 
@@ -161,8 +166,8 @@ TEST(TransfersBroken, the_transposed_sum_is_no_right_inverse_for_cells_of_severa
 
 TEST(TransfersBroken, adding_the_entries_of_star_2_is_not_the_star_of_merged_cells) {
     const auto bundle = discretize(grid(3, 3));
-    const Vector sums =
-        primal_to_merged(bundle.merging(), 2) * star(bundle.input_volumes(), 2).diagonal();
+    const Vector sums = primal_to_merged(bundle.merging(), 2) *
+                        star(bundle.input_geometry().volumes(), 2).diagonal();
     EXPECT_GT(relative_difference(sums, star(bundle.volumes(), 2).diagonal()), 1);
 }
 

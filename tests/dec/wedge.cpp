@@ -45,7 +45,7 @@ std::vector<NamedProduct> products(const std::string& name, WedgeWeights weights
                  [&](const Cochain& a, const Cochain& b) { return wedge(whole, a, b); }}};
     return {{"simplices, circumcentric", mesh.K(),
              [&](const Cochain& a, const Cochain& b) {
-                 return circumcentric_wedge(mesh.K(), mesh.points, mesh.input_volumes, a, b);
+                 return circumcentric_wedge(mesh.geometry(), a, b);
              }},
             {"merged, circumcentric", whole.complex(), [&](const Cochain& a, const Cochain& b) {
                  return wedge(whole, a, b, WedgeWeights::circumcentric);
@@ -214,9 +214,10 @@ TEST(WedgesOfRegularSimplices, are_the_same_for_both_weights) {
         for_degrees(n, [&](int k, int l) {
             const auto a = random_form(K, Side::primal, k, 1);
             const auto b = random_form(K, Side::primal, l, 2);
-            EXPECT_LE(relative_difference(circumcentric_wedge(K, mesh.points, volumes, a, b).values,
-                                          wedge(K, a, b).values),
-                      rounding);
+            EXPECT_LE(
+                relative_difference(circumcentric_wedge({K, mesh.points, volumes}, a, b).values,
+                                    wedge(K, a, b).values),
+                rounding);
         });
     }
 }
@@ -225,14 +226,13 @@ TEST(WedgesOfDiscretizations, are_those_with_the_lift_of_their_merging) {
     const auto mesh = discretize(hexagons(3));
     const auto& P = mesh.complex();
     const auto a = random_form(P, Side::primal, 1, 1), b = random_form(P, Side::primal, 1, 2);
-    const auto lift = commuting_lift(mesh.merging(), mesh.points(), mesh.input_volumes());
+    const auto lift = commuting_lift(mesh.merging(), mesh.input_geometry());
     const Cochain fine_a{Side::primal, 1, lift[1] * a.values};
     const Cochain fine_b{Side::primal, 1, lift[1] * b.values};
     const SparseMatrix dia = mesh.merging().diamond(2).cast<double>();
     const auto& K = mesh.input();
     const Vector uniform = dia * wedge(K, fine_a, fine_b).values;
-    const Vector other =
-        dia * circumcentric_wedge(K, mesh.points(), mesh.input_volumes(), fine_a, fine_b).values;
+    const Vector other = dia * circumcentric_wedge(mesh.input_geometry(), fine_a, fine_b).values;
     EXPECT_EQ(wedge(mesh, a, b).values, uniform);
     EXPECT_EQ(wedge(mesh, a, b, WedgeWeights::circumcentric).values, other);
     EXPECT_GT(relative_difference(other, uniform), 1e-2);
@@ -308,7 +308,7 @@ TEST(WedgesBroken, zeros_instead_of_the_lift_give_a_third_of_dx_dy_on_the_square
         return {Side::primal, 1, on_merged_cells(mesh, 1, values)};
     };
     const auto dx = form(Eigen::Vector2d(1, 0)), dy = form(Eigen::Vector2d(0, 1));
-    const auto lift = commuting_lift(mesh.merging(), mesh.points, mesh.input_volumes);
+    const auto lift = commuting_lift(mesh.merging(), mesh.geometry());
     const auto product = [&](const std::vector<SparseMatrix>& lifts) {
         return wedge(mesh.K(), {Side::primal, 1, lifts[1] * dx.values},
                      {Side::primal, 1, lifts[1] * dy.values})

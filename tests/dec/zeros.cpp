@@ -44,7 +44,8 @@ TEST(Zeros, are_the_facets_within_boxes_wherever_these_lie_and_however_thin_they
         for (const Mesh& placed : {mesh, turned(mesh, 0), turned(mesh, 10)}) {
             const auto bundle = discretize(placed);
             const int n = bundle.dimension();
-            EXPECT_EQ(star(bundle.input_volumes(), n - 1).zeros(), removed_facets(bundle));
+            EXPECT_EQ(star(bundle.input_geometry().volumes(), n - 1).zeros(),
+                      removed_facets(bundle));
             for (int k = 0; k <= n; ++k) {
                 EXPECT_TRUE(star(bundle.volumes(), k).zeros().empty()) << k;
                 EXPECT_TRUE(star(bundle.volumes(), k).negatives().empty()) << k;
@@ -55,7 +56,7 @@ TEST(Zeros, are_the_facets_within_boxes_wherever_these_lie_and_however_thin_they
 TEST(Zeros, are_the_same_from_lengths_alone) {
     for (const Mesh& mesh : {grid(8, 8), kuhn(3, 4), uv_sphere(16, 12), layers(2, 6, 1e-3)}) {
         const auto bundle = discretize(length_mesh(mesh));
-        EXPECT_EQ(star(bundle.input_volumes(), mesh.simplices.cols() - 2).zeros(),
+        EXPECT_EQ(star(bundle.input_geometry().volumes(), mesh.simplices.cols() - 2).zeros(),
                   removed_facets(discretize(mesh)));
     }
 }

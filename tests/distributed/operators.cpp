@@ -68,7 +68,7 @@ TEST(DistributedOperators, are_those_of_one_process_in_every_degree_on_both_side
         const auto volumes = circumcentric_volumes(local.complex, local.points);
         const auto cells =
             distributed_cells(ranks, local, merge_cospherical(ranks, local, volumes, options));
-        const CellVolumes stars = merged_volumes(whole.merging(), whole.result.volumes);
+        const CellVolumes stars = merged_volumes(whole.merging(), whole.result.geometry.volumes());
         const int n = whole.n();
         for (int k = 0; k <= n; ++k) {
             const auto in = [&, of = name](const char* what) {

@@ -89,7 +89,7 @@ double by_ranks(const Ranks& ranks, const Merged& whole, const std::vector<int>&
     for (IncidenceMatrix::InnerIterator piece(whole.merging().diamond(n), cell); piece; ++piece) {
         const auto t = static_cast<Index>(piece.col());
         const int owner = owners[static_cast<std::size_t>(whole.K().vertex_numbers(n, t)[0])];
-        sums[static_cast<std::size_t>(owner)] += whole.result.volumes.primal(n)[t];
+        sums[static_cast<std::size_t>(owner)] += whole.result.geometry.volumes().primal(n)[t];
     }
     double sum = 0;
     for (const double of_rank : sums)
@@ -107,7 +107,8 @@ TEST(BrokenTwin, volumes_added_in_the_order_of_ranks_are_seen) {
         const auto owners =
             ranks.of_all(vertex_owners(ranks, slice_of(ranks, mesh), Ownership::random));
         const double sum = by_ranks(ranks, whole, owners, 0);
-        const double expected = merged_volumes(whole.merging(), whole.result.volumes).primal(2)[0];
+        const double expected =
+            merged_volumes(whole.merging(), whole.result.geometry.volumes()).primal(2)[0];
         EXPECT_NEAR(sum, expected, 1e-14 * sum);
         is_seen = is_seen || sum != expected;
     }

@@ -77,8 +77,8 @@ void require_laws(const Discretization& mesh) {
     require_diagnosis(mesh);
     if (!mesh.passage().is_identity())
         return;
-    require_volumes(mesh.input(), mesh.input_volumes());
-    require_duals_that_fill(mesh.input_volumes());
+    require_volumes(mesh.input(), mesh.input_geometry().volumes());
+    require_duals_that_fill(mesh.input_geometry().volumes());
 }
 
 void require_poisson(const Discretization& mesh) {

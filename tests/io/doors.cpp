@@ -81,7 +81,8 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
     };
     const auto N = static_cast<Index>(mesh.points().cols());
     return {
-        {"circumradii", 0, n, [=, &s, &mesh](int k) { circumradii(s.K(), mesh.metric(), k); }},
+        {"circumradii", 0, n,
+         [=, &s, &mesh](int k) { circumradii(s.K(), mesh.geometry().metric(), k); }},
         {"cell_centers", 0, n,
          [=, &s, &mesh](int k) { cell_centers(mesh.merging(), mesh.points(), s.W(), k); }},
         {"cell_centroids", 0, n,

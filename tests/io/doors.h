@@ -25,9 +25,9 @@ struct Sample {
     const SimplicialComplex& K() const { return mesh.input(); }
     const CellComplex& P() const { return mesh.complex(); }
     const CellVolumes& V() const { return mesh.volumes(); }
-    const CellVolumes& W() const { return mesh.input_volumes(); }
+    const CellVolumes& W() const { return mesh.input_geometry().volumes(); }
     const Pieces& pieces() const { return mesh.pieces(); }
-    const CellVolumes& piece_volumes() const { return mesh.piece_volumes(); }
+    const Geometry& geometry() const { return mesh.geometry(); }
     bool has_points() const { return mesh.points().cols() > 0; }
 };
 

@@ -35,13 +35,12 @@ Questions of_products(const Sample& s, int k, int l) {
                                   b = in.form_on(s.pieces(), Side::primal, l);
                        return fit(wedge(s.pieces(), a, b), s.pieces(), Side::primal, k + l);
                    }});
-    all.push_back(
-        {"circumcentric_wedge", [&s, k, l](Inputs& in) {
-             const auto a = in.form_on(s.pieces(), Side::primal, k),
-                        b = in.form_on(s.pieces(), Side::primal, l);
-             return fit(circumcentric_wedge(s.pieces(), s.mesh.metric(), s.piece_volumes(), a, b),
-                        s.pieces(), Side::primal, k + l);
-         }});
+    all.push_back({"circumcentric_wedge", [&s, k, l](Inputs& in) {
+                       const auto a = in.form_on(s.pieces(), Side::primal, k),
+                                  b = in.form_on(s.pieces(), Side::primal, l);
+                       return fit(circumcentric_wedge(s.geometry(), a, b), s.pieces(), Side::primal,
+                                  k + l);
+                   }});
     all.push_back({"dual_wedge", [&s, k, l](Inputs& in) {
                        const auto a = in.form(s, Side::dual, k), b = in.form(s, Side::dual, l);
                        return fit(dual_wedge(s.mesh, a, b), s.P(), Side::dual, k + l);
@@ -135,17 +134,18 @@ Questions of_fields(const Sample& s, int k) {
         {"cell_centroids",
          [&s, N, k](Inputs& in) {
              return fit(cell_centroids(s.mesh.merging(), in.points(s.pieces().size(0), N),
-                                       s.piece_volumes(), in.degree(k)),
+                                       s.geometry().volumes(), in.degree(k)),
                         s.size(k), N);
          }},
         {"circumradii",
          [&s, k](Inputs& in) {
-             return fit(circumradii(s.pieces(), s.mesh.metric(), in.degree(k)), s.pieces().size(k));
+             return fit(circumradii(s.pieces(), s.mesh.geometry().metric(), in.degree(k)),
+                        s.pieces().size(k));
          }},
         {"center_coordinates",
          [&s, k](Inputs& in) {
-             return fit(center_coordinates(s.pieces(), s.mesh.metric(), s.mesh.options().centers,
-                                           in.degree(k)),
+             return fit(center_coordinates(s.pieces(), s.mesh.geometry().metric(),
+                                           s.mesh.options().centers, in.degree(k)),
                         s.pieces().size(k), k + 1);
          }},
         {"combinations",
@@ -157,9 +157,10 @@ Questions of_fields(const Sample& s, int k) {
          }},
         {"dual volumes",
          [&s, k](Inputs&) {
-             return fit(circumcentric_volumes(s.pieces(), s.mesh.metric()).dual(k),
+             return fit(circumcentric_volumes(s.pieces(), s.mesh.geometry().metric()).dual(k),
                         s.pieces().size(k)) +
-                    fit(dual_volumes(s.pieces(), s.mesh.metric(), Centers::centroids()).dual(k),
+                    fit(dual_volumes(s.pieces(), s.mesh.geometry().metric(), Centers::centroids())
+                            .dual(k),
                         s.pieces().size(k));
          }},
         {"edge_lengths",
@@ -179,7 +180,7 @@ Questions of_diagnoses(const Sample& s) {
     return {
         {"facet_kinds",
          [&s](Inputs&) {
-             const auto kinds = facet_kinds(s.pieces(), s.mesh.metric(), s.piece_volumes());
+             const auto kinds = facet_kinds(s.geometry());
              return fit(kinds.well_centered + kinds.delaunay + kinds.non_delaunay +
                             kinds.cospherical <=
                         s.pieces().size(s.n() - 1));
@@ -188,8 +189,7 @@ Questions of_diagnoses(const Sample& s) {
         {"merge_cospherical",
          [&s, n](Inputs& in) {
              const auto stays = in.list(s.pieces().size(n - 1), true);
-             const auto merged =
-                 merge_cospherical(s.pieces(), s.mesh.metric(), s.piece_volumes(), {}, stays);
+             const auto merged = merge_cospherical(s.geometry(), {}, stays);
              return fit(merged.merging.merged().size(n) == s.pieces().size(n));
          }},
         {"operator_verdicts",

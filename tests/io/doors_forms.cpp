@@ -114,7 +114,8 @@ Questions of_complexes(const Sample& s, int k) {
          }},
         {"merged_volumes",
          [&s, k](Inputs&) {
-             return fit(merged_volumes(s.mesh.merging(), s.piece_volumes()).primal(k), s.size(k));
+             return fit(merged_volumes(s.mesh.merging(), s.geometry().volumes()).primal(k),
+                        s.size(k));
          }},
         {"corners", [&s](Inputs&) { return fit(corners(s.mesh.merging(), 0).size() >= 3); }},
     };
@@ -323,12 +324,12 @@ Questions of_transfers(const Sample& s, int k) {
          }},
         {"primal_to_input",
          [&s, k](Inputs& in) {
-             return fit(primal_to_input(s.mesh.merging(), s.piece_volumes(), in.degree(k)),
+             return fit(primal_to_input(s.mesh.merging(), s.geometry().volumes(), in.degree(k)),
                         s.pieces().size(k), s.size(k));
          }},
         {"dual_to_merged",
          [&s, k, n](Inputs& in) {
-             return fit(dual_to_merged(s.mesh.merging(), s.piece_volumes(), in.degree(n - k)),
+             return fit(dual_to_merged(s.mesh.merging(), s.geometry().volumes(), in.degree(n - k)),
                         s.size(k), s.pieces().size(k));
          }},
         {"dual_to_input",
@@ -338,9 +339,7 @@ Questions of_transfers(const Sample& s, int k) {
          }},
         {"lift",
          [&s, k](Inputs&) {
-             return fit(s.mesh.lift()[k], s.pieces().size(k), s.size(k)) +
-                    fit(commuting_lift(s.mesh.merging(), s.mesh.metric(), s.piece_volumes())[k],
-                        s.pieces().size(k), s.size(k));
+             return fit(s.mesh.merged().lift()[k], s.pieces().size(k), s.size(k));
          }},
         {"passage there",
          [&s, k](Inputs& in) {

@@ -65,7 +65,7 @@ Questions of_makers(const Sample& s, int k) {
              coordinates[k] = Points::Constant(given.rows(), given.cols(), 1.0 / (k + 1));
              const Centers centers(coordinates);
              centers.check_fit(s.pieces());
-             return fit(dual_volumes(s.pieces(), s.mesh.metric(), centers).dual(k),
+             return fit(dual_volumes(s.pieces(), s.mesh.geometry().metric(), centers).dual(k),
                         s.pieces().size(k));
          }},
         {"CellComplex",
@@ -104,16 +104,12 @@ Questions of_makers(const Sample& s, int k) {
          [&s, k](Inputs& in) {
              const auto& mesh = s.mesh;
              const Points given = in.points(mesh.input_points().rows(), mesh.input_points().cols());
-             const auto lengths = in.vector(mesh.lengths().size());
-             Discretization::Parts parts{.input_points = given,
-                                         .points = mesh.points(),
+             Discretization::Parts parts{.input = mesh.input_geometry(),
                                          .passage = mesh.passage(),
-                                         .merging = mesh.merging(),
-                                         .input_volumes = mesh.input_volumes(),
-                                         .piece_volumes = mesh.piece_volumes(),
-                                         .volumes = mesh.volumes(),
+                                         .merged = mesh.merged(),
+                                         .input_points = std::make_shared<const Points>(given),
+                                         .points = mesh.points(),
                                          .tags = in.list<Index>(s.size(s.n()), 1),
-                                         .lengths = lengths,
                                          .isolated = mesh.isolated(),
                                          .facet_tags = {in.list<Index>(s.size(s.n() - 1), 1)}};
              return fit(Discretization(parts).complex().size(k) == s.size(k));
@@ -132,7 +128,7 @@ Questions of_makers(const Sample& s, int k) {
          }},
         {"choose_stars",
          [&s, k](Inputs&) {
-             const auto chosen = choose_stars(s.mesh, static_cast<StarKind>(k));
+             const auto chosen = s.mesh.with_stars(static_cast<StarKind>(k)).chosen_stars();
              return fit(chosen.galerkin_share() <= 1 &&
                         std::ssize(chosen.galerkin) == s.size(s.n()) &&
                         fit(chosen.stars[k].matrix(), s.size(k), s.size(k)).empty());

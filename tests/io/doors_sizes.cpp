@@ -148,9 +148,8 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
                 {"star", [&] { star(s.P(), other.V(), w); }},
                 {"inner_product", [&] { inner_product(s.P(), other.V(), w, w); }},
                 {"dual_to_merged", [&] { dual_to_merged(s.mesh.merging(), other.W(), k); }},
-                {"lift", [&] { commuting_lift(s.mesh.merging(), s.mesh.metric(), other.W()); }},
-                {"merge", [&] { merge_cospherical(s.K(), s.mesh.metric(), other.W()); }},
-                {"facet_kinds", [&] { facet_kinds(s.K(), s.mesh.metric(), other.W()); }},
+                {"geometry", [&] { Geometry(s.K(), s.mesh.geometry().metric(), other.W()); }},
+                {"cells", [&] { MergedCells(s.mesh.merging(), s.mesh.geometry(), other.V()); }},
                 {"heat", [&] { HeatSolver(s.P(), other.V(), Side::primal, k, {.time_step = 1}); }},
                 {"hodge", [&] { harmonic_forms(s.P(), other.V(), Side::primal, k); }},
                 {"spectrum", [&] { spectrum(s.P(), other.V(), {.degree = k, .count = 1}); }},
@@ -216,15 +215,6 @@ TEST(doors, several_problems_are_solved_as_one_by_one) {
 }
 
 // what refers to a temporary cannot be had; what is copied out of one can
-template <class Bundle>
-concept GivesMetric = requires(Bundle&& bundle) {
-    std::forward<Bundle>(bundle).metric();
-};
-static_assert(GivesMetric<Discretization&> && GivesMetric<const Discretization&>);
-static_assert(!GivesMetric<Discretization> && !GivesMetric<const Discretization>);
-static_assert(std::is_constructible_v<SimplexMetric, Points&>);
-static_assert(!std::is_constructible_v<SimplexMetric, Points>);
-static_assert(!std::is_constructible_v<SimplexMetric, const SimplicialComplex&, Vector>);
 template <class Owner>
 concept KeepsNoReference = requires(Owner&& owner) {
     requires !std::is_reference_v<decltype(std::forward<Owner>(owner).complex())>;

@@ -77,7 +77,7 @@ TEST(HostileMeshes, are_filled_by_their_duals) {
     };
     EXPECT_TRUE(holds_on_hostile_discretizations(
         "sum |s||*s| = C(n,k)|K|", [&](const Discretization& mesh) {
-            fills(mesh.input_volumes(), 1e-11);
+            fills(mesh.input_geometry().volumes(), 1e-11);
             // the duals of removed facets, as long as the tolerance allows, are left out
             fills(mesh.volumes(), 10 * mesh.options().tolerance);
         }));

@@ -171,8 +171,8 @@ TEST(PaperBroken, adding_the_entries_of_star_2_does_not_converge) {
     const auto error = [](int cells) {
         auto mesh = discretize(grid(cells, cells));
         // dia star_2 dia^T: with it the right-hand side is four times too small
-        const Vector sums =
-            primal_to_merged(mesh.merging(), 2) * star(mesh.input_volumes(), 2).diagonal();
+        const Vector sums = primal_to_merged(mesh.merging(), 2) *
+                            star(mesh.input_geometry().volumes(), 2).diagonal();
         PoissonSolver solver(mesh, {.side = Side::dual});
         const Vector exact = values(franke, solver.sites());
         const Vector f = values(franke_laplacian, solver.sites());

@@ -5,7 +5,6 @@
 // circumcentric stars refuse on most of them.
 #include "base/errors.h"
 #include "complex/homology.h"
-#include "dec/choose_stars.h"
 #include "dec/well_defined.h"
 #include "io/meshes/read_mesh.h"
 #include "solvers/heat.h"
@@ -86,7 +85,7 @@ TEST(AnyMesh, has_the_spectra_that_verdicts_promise) {
             const auto plain = discretize(mesh_of(sample));
             for (const StarKind kind :
                  {StarKind::circumcentric, StarKind::galerkin, StarKind::automatic}) {
-                const auto mesh = plain.with_stars(choose_stars(plain, kind));
+                const auto mesh = plain.with_stars(kind);
                 for (const Side side : {Side::primal, Side::dual})
                     for (const auto& verdict : spectrum_verdicts(mesh, side)) {
                         const int k = verdict.cell_degree;

@@ -50,7 +50,7 @@ struct Counts {
 };
 
 bool circumcenters_fail(const Discretization& mesh) {
-    const auto volumes = circumcentric_volumes(mesh.input(), mesh.input_metric());
+    const auto volumes = circumcentric_volumes(mesh.input(), mesh.input_geometry().metric());
     for (int k = 0; k < mesh.dimension(); ++k)
         if (!star(volumes, k).negatives().empty())
             return true;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Delta u = 1 with u = 0 on the boundary, on tetrahedra with negative duals: u is nowhere negative.
-#include "dec/choose_stars.h"
 #include "solvers/hodge.h"
 #include "solvers/poisson.h"
 #include "tests/real/samples.h"
@@ -19,7 +18,7 @@ class RealTets : public testing::TestWithParam<std::string> {
 protected:
     static Discretization mesh(StarKind kind) {
         const auto mesh = discretize(mesh_of(GetParam()));
-        return mesh.with_stars(choose_stars(mesh, kind).stars);
+        return mesh.with_stars(mesh.with_stars(kind).stars());
     }
 
     /// The least value over the largest.

@@ -89,13 +89,13 @@ Vector Sizes::d(int k, const Vector& values) const {
 Vector Sizes::wedge(int k, const Vector& a, int l, const Vector& b, WedgeWeights weights) const {
     const int m = k + l;
     const auto& K = mesh_.pieces();
-    const Vector x = in_size(mesh_.lift()[k]) * a.cwiseAbs(),
-                 y = in_size(mesh_.lift()[l]) * b.cwiseAbs();
+    const Vector x = in_size(mesh_.merged().lift()[k]) * a.cwiseAbs(),
+                 y = in_size(mesh_.merged().lift()[l]) * b.cwiseAbs();
     const bool uniform = weights == WedgeWeights::uniform;
-    const Points parts =
-        uniform ? Points() : parts_of_duals(K, mesh_.metric(), mesh_.piece_volumes(), 0, m);
+    const Points parts = uniform ? Points() : parts_of_duals(mesh_.geometry(), {}, 0, m);
     const auto share = [&](Index s, int v) {
-        return uniform ? 1.0 / (m + 1) : std::abs(parts(s, v)) / mesh_.piece_volumes().primal(m)[s];
+        return uniform ? 1.0 / (m + 1)
+                       : std::abs(parts(s, v)) / mesh_.geometry().volumes().primal(m)[s];
     };
     Vector sums = Vector::Zero(K.size(m));
     for (const auto& first : subsets(m + 1, k + 1))
@@ -108,7 +108,7 @@ Vector Sizes::wedge(int k, const Vector& a, int l, const Vector& b, WedgeWeights
 }
 
 Vector Sizes::to_simplices(int k, const Vector& values) const {
-    const Vector pieces = in_size(mesh_.lift()[k]) * values.cwiseAbs();
+    const Vector pieces = in_size(mesh_.merged().lift()[k]) * values.cwiseAbs();
     return mesh_.passage().is_identity() ? pieces
                                          : in_size(mesh_.passage().matrix_back(k)) * pieces;
 }

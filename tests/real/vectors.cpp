@@ -68,7 +68,7 @@ protected:
         const SparseMatrix pieces = mesh().merging().diamond(2).cast<double>();
         const Vector inverse = mesh().volumes().primal(2).cwiseInverse();
         return inverse.asDiagonal() * SparseMatrix(pieces.cwiseAbs()) *
-               mesh().piece_volumes().primal(2).asDiagonal();
+               mesh().geometry().volumes().primal(2).asDiagonal();
     }
 
     /// How far each cell is from being flat and cospherical, relative: by how much the normals of
@@ -134,8 +134,9 @@ TEST_P(RealVectors, at_vertices_are_means_of_the_gradients_by_the_parts_of_the_d
     if (flipped() || !star(mesh().volumes(), 0).zeros().empty())
         return;
     const auto slopes = gradients(K(), mesh().points(), u());
-    const auto& V = mesh().input_volumes();
-    const SparseMatrix parts = dual_parts(K(), mesh().input_metric(), V, 0, 2).transpose();
+    const auto& V = mesh().input_geometry().volumes();
+    const SparseMatrix parts =
+        dual_parts({K(), mesh().input_geometry().metric(), V}, {}, 0, 2).transpose();
     const Vector inverse = V.dual(0).cwiseInverse();
     const SparseMatrix weights = inverse.asDiagonal() * parts;
     const DenseMatrix found = sharp_pp(mesh(), du());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Forms that change in time with what is known of them on the boundary.
-#include "dec/choose_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
@@ -25,7 +24,7 @@ constexpr StarKind kinds[] = {StarKind::circumcentric, StarKind::galerkin};
 
 Discretization with(const Mesh& input, StarKind kind) {
     const auto mesh = circumcentric(input);
-    return kind == StarKind::circumcentric ? mesh : mesh.with_stars(choose_stars(mesh, kind));
+    return kind == StarKind::circumcentric ? mesh : mesh.with_stars(kind);
 }
 
 /// All that can be given of a form, at random.

@@ -195,7 +195,7 @@ POLYDEC_OVER_MESHES(DarcyByStars);
 
 TEST(DarcyByOtherStars, linear_pressures_do_not_come_out) {
     const auto mesh = circumcentric(shaken(grid(6, 6), 0.3, 3));
-    const auto hybrid = choose_stars(mesh, StarKind::hybrid);
+    const auto hybrid = mesh.with_stars(StarKind::hybrid).chosen_stars();
     ASSERT_GT(hybrid.galerkin_share(), 0);
     ASSERT_LT(hybrid.galerkin_share(), 1);
     const Discretization by_hybrid = mesh.with_stars(hybrid.stars);
@@ -206,7 +206,7 @@ TEST(DarcyByOtherStars, linear_pressures_do_not_come_out) {
 
     const auto tets = circumcentric(shaken(kuhn(3, 3), 0.15, 3));
     const auto by = [&](StarKind kind) {
-        const auto chosen = choose_stars(tets, kind).stars;
+        const auto chosen = tets.with_stars(kind).stars();
         return patch_defects(tets.with_stars(chosen));
     };
     EXPECT_LE(by(StarKind::galerkin).flux, 1e-11);
@@ -223,7 +223,7 @@ double wave(const Vector& p) {
 /// Errors of a manufactured pressure in L2, and of its flux in the norm of the star.
 Defects errors(const Mesh& input, StarKind kind) {
     const auto bare = circumcentric(input);
-    const auto mesh = bare.with_stars(choose_stars(bare, kind).stars);
+    const auto mesh = bare.with_stars(bare.with_stars(kind).stars());
     const int n = mesh.dimension();
     const DarcySolver solver(mesh);
     const auto at = [](const Points& places) {
@@ -273,7 +273,7 @@ TEST(MaterialStars, of_1_are_those_of_galerkin) {
     for (const char* title : {"obtuse_planar", "hex4", "kuhn3", "split_cubes", "segments4"}) {
         const auto mesh = circumcentric(mesh_named(title));
         const int n = mesh.dimension();
-        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         const Vector ones = Vector::Ones(mesh.complex().size(n));
         for (int k = 0; k < n; ++k)
             EXPECT_LE(relative_difference(material_star(mesh, k, CellData::on_cells(ones)),
@@ -296,7 +296,7 @@ TEST(MaterialStars, carry_linear_pressures_through_anisotropic_media) {
         const DenseMatrix K = tensor(n);
         const std::vector<DenseMatrix> tensors(mesh.input().size(n), K);
         const auto stars =
-            choose_stars(mesh, StarKind::galerkin).stars.with(n - 1, material_star(mesh, tensors));
+            mesh.with_stars(StarKind::galerkin).stars().with(n - 1, material_star(mesh, tensors));
         const auto medium = mesh.with_stars(stars);
         const Vector slope = Vector::LinSpaced(n, 1, 2);
         const auto right = patch_defects(medium, slope, -K * slope, dual_sites(medium));
@@ -355,11 +355,11 @@ TEST(MaterialStars, refuse_what_is_no_conductivity) {
 
 TEST(DarcyByStarsErrors, name_what_does_not_fit) {
     const auto branching = circumcentric(mesh_named("branching"));
-    const auto stars = choose_stars(branching, StarKind::galerkin).stars;
+    const auto stars = branching.with_stars(StarKind::galerkin).stars();
     EXPECT_TRUE(says(refusal([&] { DarcySolver(branching.with_stars(stars)); }),
                      {"cells", "facet", "flux"}));
     const auto mesh = circumcentric(grid(2, 2));
-    const auto by_galerkin = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
+    const auto by_galerkin = mesh.with_stars(mesh.with_stars(StarKind::galerkin).stars());
     EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.conductivity = Vector::Ones(8)}); }),
                      {"material_star"}));
     EXPECT_TRUE(says(refusal([&] { DarcySolver(by_galerkin, {.linear_solver = "eigen.cg"}); }),

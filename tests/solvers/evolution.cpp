@@ -3,7 +3,6 @@
 
 #include "backends/registry.h"
 #include "base/errors.h"
-#include "dec/choose_stars.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
 #include "dec/metric/subsets.h"
@@ -185,7 +184,7 @@ TEST(evolution, heat_without_source_is_that_of_the_heat_solver_for_all_stars) {
     for (const Mesh& input : meshes) {
         const auto plain = circumcentric(input);
         for (const StarKind kind : {StarKind::circumcentric, StarKind::galerkin}) {
-            const auto mesh = plain.with_stars(choose_stars(plain, kind));
+            const auto mesh = plain.with_stars(kind);
             for (int degree = 0; degree <= mesh.dimension(); ++degree) {
                 Cochain form{Side::primal, degree,
                              Vector::LinSpaced(mesh.complex().size(degree), -1, 1)};

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "dec/choose_stars.h"
 #include "dec/conditioned_complex.h"
 #include "dec/fields/flat.h"
 #include "dec/operators.h"
@@ -94,8 +93,7 @@ protected:
         for (const StarKind kind :
              {StarKind::circumcentric, StarKind::galerkin, StarKind::hybrid, StarKind::automatic})
             if (kind != StarKind::hybrid || mesh.dimension() == 2)
-                result.push_back({places.with_stars(choose_stars(places, kind)),
-                                  mesh.with_stars(choose_stars(mesh, kind))});
+                result.push_back({places.with_stars(kind), mesh.with_stars(kind)});
         return result;
     }
 

@@ -2,7 +2,6 @@
 #include "solvers/hodge_laplace.h"
 
 #include "complex/relative.h"
-#include "dec/choose_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/material_stars.h"
 #include "dec/operators.h"
@@ -59,9 +58,7 @@ void PrintTo(const Family& family, std::ostream* out) {
 double order(const Family& family, Side side, int degree, Where where) {
     const auto e = [&](int cells) {
         const auto mesh = circumcentric(family.make(cells));
-        return error(family.stars == StarKind::circumcentric
-                         ? mesh
-                         : mesh.with_stars(choose_stars(mesh, family.stars)),
+        return error(family.stars == StarKind::circumcentric ? mesh : mesh.with_stars(family.stars),
                      side, degree, where);
     };
     return std::log(e(family.coarse) / e(family.fine)) /
@@ -151,7 +148,7 @@ TEST(HarmonicPart, is_removed_from_the_source_and_given_to_the_solution) {
     int seen = 0;
     for (const Mesh& input : with_harmonic_forms()) {
         auto mesh = circumcentric(input);
-        mesh = mesh.with_stars(choose_stars(mesh, StarKind::automatic));
+        mesh = mesh.with_stars(StarKind::automatic);
         const int n = mesh.dimension();
         for (const Side side : sides)
             for (int k = 0; k <= n; ++k)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "dec/choose_stars.h"
 #include "dec/conditioned_complex.h"
 #include "dec/fields/cell_centers.h"
 #include "meshes/generate.h"
@@ -47,7 +46,7 @@ BoundaryConditions varied_robin(const Discretization& mesh, double coefficient) 
 
 Discretization with(const Mesh& input, StarKind kind) {
     const auto mesh = circumcentric(input);
-    return kind == StarKind::circumcentric ? mesh : mesh.with_stars(choose_stars(mesh, kind));
+    return kind == StarKind::circumcentric ? mesh : mesh.with_stars(kind);
 }
 
 double wave(const Vector& p) {

@@ -2,7 +2,6 @@
 //
 // Certified spectra whose inner products are matrices.
 #include "complex/homology.h"
-#include "dec/choose_stars.h"
 #include "dec/conditioned_complex.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
@@ -60,7 +59,7 @@ TEST_P(SpectraOfStars, hold_the_eigenvalues_within_their_radii) {
     for (const StarKind kind : kinds) {
         if (kind == StarKind::hybrid && mesh.dimension() != 2)
             continue;
-        const auto stars = choose_stars(mesh, kind).stars;
+        const auto stars = mesh.with_stars(kind).stars();
         for (int k = 0; k <= mesh.dimension(); ++k) {
             const auto exact = dense_eigenvalues<long double>(mesh.complex(), stars, k);
             const Index count = std::min<Index>(mesh.complex().size(k), betti[k] + 6);
@@ -97,8 +96,8 @@ INSTANTIATE_TEST_SUITE_P(Family, SpectraOfStars, testing::ValuesIn(names_of_mesh
 TEST(SpectraByStars, of_other_stars_lie_outside_of_the_radii) {
     const auto mesh = circumcentric(mesh_named("torus8x6"), {.criterion = MergeCriterion::none});
     const auto exact = dense_eigenvalues<long double>(
-        mesh.complex(), choose_stars(mesh, StarKind::galerkin).stars, 1);
-    const auto other = spectrum(mesh.complex(), choose_stars(mesh, StarKind::barycentric).stars,
+        mesh.complex(), mesh.with_stars(StarKind::galerkin).stars(), 1);
+    const auto other = spectrum(mesh.complex(), mesh.with_stars(StarKind::barycentric).stars(),
                                 {.degree = 1, .count = 6});
     EXPECT_LE(number_enclosed(other, exact), 2); // harmonic ones are 0 with all stars
 }
@@ -107,7 +106,7 @@ TEST(SpectraByStars, of_other_stars_lie_outside_of_the_radii) {
 TEST(SpectraByStars, count_by_the_inertia_of_a_larger_matrix) {
     for (const char* title : {"ring6", "solid_torus3", "kuhn3", "star_negative"}) {
         const auto mesh = circumcentric(mesh_named(title), {.criterion = MergeCriterion::none});
-        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         for (int k = 1; k < mesh.dimension(); ++k) {
             const Vector values =
                 dense_eigenvalues<long double>(mesh.complex(), stars, k).cast<double>();
@@ -141,7 +140,7 @@ TEST(SpectraByStars, of_a_cavity_converge) {
     const Vector exact = (Vector(6) << 2, 2, 2, 3, 3, 5).finished();
     const auto errors = [&](Index cells) {
         const auto mesh = circumcentric(shaken(kuhn(3, cells), 0.15, 3));
-        const auto chosen = choose_stars(mesh, StarKind::automatic);
+        const auto chosen = mesh.with_stars(StarKind::automatic).chosen_stars();
         EXPECT_EQ(chosen.kind, StarKind::galerkin);
         BoundaryConditions walls;
         walls.everywhere = BoundaryCondition::essential;
@@ -159,7 +158,7 @@ TEST(SpectraByStars, of_a_cavity_converge) {
 
 TEST(SpectraByStars, refuse_masses_that_are_not_positive_definite) {
     const auto mesh = circumcentric(mesh_named("ring6"));
-    SparseMatrix M = choose_stars(mesh, StarKind::galerkin).stars[1].matrix();
+    SparseMatrix M = mesh.with_stars(StarKind::galerkin).stars()[1].matrix();
     M.coeffRef(0, 0) *= 0.1;
     const auto stars = mesh.stars().with(1, M);
     for (const int k : {0, 1, 2})

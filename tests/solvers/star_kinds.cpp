@@ -2,7 +2,6 @@
 //
 // What solvers make of stars that are no diagonal.
 #include "base/decompositions.h"
-#include "dec/choose_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/laplacian.h"
@@ -62,7 +61,7 @@ void expect_eigenforms_to_shrink(const CellComplex& complex, const HodgeStars& s
 TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
     const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
     ASSERT_TRUE(says(refusal([&] { HeatSolver(mesh, Side::primal, 1, quick); }), {"not positive"}));
-    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    const auto stars = mesh.with_stars(StarKind::automatic).stars();
     ASSERT_FALSE(stars[1].is_diagonal());
     for (const int k : {0, 1})
         expect_eigenforms_to_shrink(mesh.complex(), stars, k);
@@ -70,7 +69,7 @@ TEST(HeatByStars, shrinks_eigenforms_on_obtuse_surfaces) {
 
 TEST(HeatByStars, shrinks_eigenforms_on_obtuse_tets) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
-    const auto chosen = choose_stars(mesh, StarKind::automatic);
+    const auto chosen = mesh.with_stars(StarKind::automatic).chosen_stars();
     ASSERT_EQ(chosen.kind, StarKind::galerkin);
     for (const int k : {0, 1})
         expect_eigenforms_to_shrink(mesh.complex(), chosen.stars, k);
@@ -78,7 +77,7 @@ TEST(HeatByStars, shrinks_eigenforms_on_obtuse_tets) {
 
 TEST(HeatByStars, keeps_conditions_on_the_boundary) {
     const auto mesh = circumcentric(shaken(grid(5, 5), 0.42, 3));
-    const auto stars = choose_stars(mesh, StarKind::automatic).stars;
+    const auto stars = mesh.with_stars(StarKind::automatic).stars();
     BoundaryConditions fixed;
     fixed.everywhere = BoundaryCondition::essential;
     const auto space = conditioned_complex(mesh.complex(), stars, Side::primal, 1, fixed);
@@ -120,7 +119,7 @@ TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
     for (const Mesh& input :
          {shaken(grid(5, 5), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3), mesh_named("torus8x6")}) {
         const auto mesh = circumcentric(input);
-        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         for (int k = 0; k <= mesh.dimension(); ++k)
             expect_eigenforms_to_shrink(mesh.complex(), stars, k);
     }
@@ -129,7 +128,7 @@ TEST(HeatByStars, shrinks_eigenforms_of_every_degree_by_galerkin) {
 /// After a time far beyond all others of the mesh nothing but harmonic forms is left.
 TEST(HeatByStars, leaves_harmonic_forms_after_the_longest_time) {
     const auto mesh = circumcentric(shaken(mesh_named("torus8x6"), 0.2, 3));
-    const auto stars = choose_stars(mesh, StarKind::hybrid).stars;
+    const auto stars = mesh.with_stars(StarKind::hybrid).stars();
     ASSERT_TRUE(stars[0].is_diagonal() && !stars[1].is_diagonal());
     const Cochain form{Side::primal, 1, random_vector(mesh.complex().size(1), 2)};
     const Vector harmonic = hodge_decomposition(mesh.complex(), stars, form).harmonic.values;
@@ -145,7 +144,7 @@ TEST(OperatorsByStars, have_a_matrix_and_a_diagonal_where_no_matrix_is_inverted)
     for (const Mesh& input : {shaken(grid(4, 4), 0.42, 3), shaken(kuhn(3, 2), 0.3, 3)}) {
         const auto mesh = circumcentric(input);
         const auto& complex = mesh.complex();
-        const auto stars = choose_stars(mesh, StarKind::galerkin).stars;
+        const auto stars = mesh.with_stars(StarKind::galerkin).stars();
         const int n = mesh.dimension();
         for (int k = 0; k <= n; ++k) {
             const Vector x = random_vector(complex.size(k), 1);
@@ -212,7 +211,7 @@ TEST(PoissonByStars, has_linear_solutions_on_obtuse_tets) {
     const auto mesh =
         circumcentric(shaken(kuhn(3, 3), 0.08, 3), {.criterion = MergeCriterion::none});
     const auto by = [&](StarKind kind) {
-        return error_of_linear_solution(mesh.with_stars(choose_stars(mesh, kind).stars));
+        return error_of_linear_solution(mesh.with_stars(mesh.with_stars(kind).stars()));
     };
     EXPECT_LE(by(StarKind::galerkin), 1e-11);
     EXPECT_LE(by(StarKind::automatic), 1e-11);
@@ -243,7 +242,7 @@ TEST(PoissonByStars, makes_the_star_of_conductivities) {
 
 TEST(PoissonByStars, refuses_what_a_matrix_does_not_tell) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.25, 3));
-    const auto stars = mesh.with_stars(choose_stars(mesh, StarKind::galerkin).stars);
+    const auto stars = mesh.with_stars(mesh.with_stars(StarKind::galerkin).stars());
     const Vector ones = Vector::Ones(mesh.complex().size(3));
     EXPECT_TRUE(
         says(refusal([&] { PoissonSolver(stars, {.conductivity = CellData::on_cells(ones)}); }),

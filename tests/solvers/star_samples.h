@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dec/choose_stars.h"
 #include "tests/support/circumcentric.h"
 #include "tests/support/families.h"
 
@@ -25,7 +24,7 @@ inline std::vector<StarSample> with_star_kinds(const Mesh& input) {
         for (const StarKind kind : {StarKind::galerkin, StarKind::hybrid, StarKind::automatic}) {
             if ((kind == StarKind::hybrid) != (mesh.dimension() == 2) && kind != StarKind::galerkin)
                 continue; // automatic ones of surfaces are hybrid
-            auto chosen = choose_stars(mesh, kind);
+            auto chosen = mesh.with_stars(kind).chosen_stars();
             result.push_back({std::string(title) + ", " + name(kind), mesh.with_stars(chosen.stars),
                               std::move(chosen)});
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/flow/stokes.h"
 
-#include "dec/choose_stars.h"
 #include "dec/fields/cell_centers.h"
 #include "dec/fields/de_rham.h"
 #include "dec/operators.h"
@@ -62,7 +61,7 @@ Errors errors(const Mesh& input, StarKind kind, const Openings& open, double tur
     constexpr double nu = 0.7;
     auto mesh = circumcentric(input);
     if (kind != StarKind::circumcentric)
-        mesh = mesh.with_stars(choose_stars(mesh, kind));
+        mesh = mesh.with_stars(kind);
     const int n = mesh.dimension();
     const StokesSolver solver(mesh, {.viscosity = nu, .facets = open.of(facet_sites(mesh))});
     const auto exact = de_rham(mesh, n - 1, flux_form(velocity));

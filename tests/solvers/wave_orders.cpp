@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "base/errors.h"
-#include "dec/choose_stars.h"
 #include "dec/fields/de_rham.h"
 #include "dec/forms/derivative.h"
 #include "meshes/generate.h"
@@ -105,7 +104,7 @@ Discretization with_usable_stars(const Mesh& input, const Manufactured& exact, S
     try {
         stable_step(mesh, {exact.condition}, side, exact.degree);
     } catch (const InvalidInput&) {
-        mesh = mesh.with_stars(choose_stars(mesh, StarKind::automatic));
+        mesh = mesh.with_stars(StarKind::automatic);
     }
     return mesh;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "complex/relative.h"
-#include "dec/choose_stars.h"
 #include "dec/discretization.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/star.h"
@@ -289,7 +288,7 @@ TEST(Heat, does_not_grow_where_duals_of_facets_are_negative) {
                          }),
                          {"norm larger", "negative duals", "StarKind::automatic"}))
             << engine;
-        const auto positive = mesh.with_stars(choose_stars(mesh, StarKind::automatic));
+        const auto positive = mesh.with_stars(StarKind::automatic);
         const HeatSolver other(positive, Side::dual, 0, {.time_step = 0.01});
         EXPECT_LT(norm(positive, other.step(u)), norm(positive, u));
     }

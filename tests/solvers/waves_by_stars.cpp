@@ -90,7 +90,7 @@ POLYDEC_OVER_MESHES(WavesByStars);
 TEST(WavesByOtherStars, keep_another_energy) {
     const auto mesh = circumcentric(shaken(kuhn(3, 2), 0.3, 3));
     EXPECT_NE(refusal([&] { Leapfrog(mesh, 1, 1e-3); }), "accepted");
-    const auto by = [&](StarKind kind) { return mesh.with_stars(choose_stars(mesh, kind).stars); };
+    const auto by = [&](StarKind kind) { return mesh.with_stars(mesh.with_stars(kind).stars()); };
     const auto galerkin = by(StarKind::galerkin), other = by(StarKind::barycentric);
     const double dt = 0.5 * std::min(stable_step(galerkin, 1), stable_step(other, 1));
     const Leapfrog waves(galerkin, 1, dt), twin(other, 1, dt);
@@ -108,7 +108,7 @@ TEST(WavesByOtherStars, keep_another_energy) {
 TEST(WavesByOtherStars, of_a_cavity_have_its_frequency) {
     const auto mesh = circumcentric(shaken(kuhn(3, 4), 0.1, 3));
     const auto relative = relative_to_boundary(mesh.complex());
-    const auto stars = relative_stars(relative, choose_stars(mesh, StarKind::galerkin).stars);
+    const auto stars = relative_stars(relative, mesh.with_stars(StarKind::galerkin).stars());
     const double dt = 0.5 * stable_step(relative.complex, stars, 1);
     const Leapfrog waves(relative.complex, stars, 1, dt);
     // sin(pi x) sin(pi y) dz

@@ -14,7 +14,7 @@ Merged make_merged(const Mesh& mesh, const MergeOptions& options) {
     const SimplicialComplex complex(mesh.simplices);
     const Points points = vertex_points(complex, mesh.points);
     const auto volumes = dual_volumes(complex, points, {}, FlatSimplices::passed_over);
-    auto result = merge_cospherical(complex, points, volumes, options);
+    auto result = merge_cospherical({complex, points, volumes}, options);
     auto merged = merged_volumes(result.merging, volumes);
     return {points, complex, volumes, std::move(result), std::move(merged)};
 }

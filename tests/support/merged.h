@@ -20,6 +20,7 @@ struct Merged {
     CellVolumes volumes;
 
     const Merging& merging() const { return result.merging; }
+    Geometry geometry() const { return {complex, points, input_volumes}; } ///< of K
     const SimplicialComplex& K() const { return complex; }
     const CellComplex& P() const { return result.merging.merged(); }
     int n() const { return K().dimension(); }

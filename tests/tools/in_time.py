@@ -290,7 +290,7 @@ class InTime(TestCase):
         return [self.read(file) for file in files]
 
     def test_killed_runs_go_on_to_the_same_bits(self):
-        sphere = self.make("icosphere", "--frequency", 40)
+        sphere = self.make("icosphere", "--frequency", 20)
         for name, more in (("heat", ("--side", "dual", "--until", 0.1, "--frames", 40)),
                            ("wave", ("--until", 1, "--frames", 40))):
             line = (name, sphere, "--initial", "exp(-9*(x-1)^2)", *more)

@@ -12,32 +12,35 @@ from polyhedra import Broken, array_of, find_python, require
 
 MESHIO = """
 import json, sys, meshio
-mesh = meshio.read(sys.argv[1])
-cells = {name: sum((block.tolist() for block in blocks), [])
-         for name, blocks in mesh.cell_data.items()}
-json.dump({"Points": {"Points": mesh.points.tolist()}, "CellData": cells,
-           "PointData": {name: values.tolist() for name, values in mesh.point_data.items()},
-           "FieldData": {name: values.tolist() for name, values in mesh.field_data.items()}},
-          sys.stdout)
+def content(path):
+    mesh = meshio.read(path)
+    cells = {name: sum((block.tolist() for block in blocks), [])
+             for name, blocks in mesh.cell_data.items()}
+    return {"Points": {"Points": mesh.points.tolist()}, "CellData": cells,
+            "PointData": {name: values.tolist() for name, values in mesh.point_data.items()},
+            "FieldData": {name: values.tolist() for name, values in mesh.field_data.items()}}
+json.dump([content(path) for path in sys.argv[1:]], sys.stdout)
 """
 VTK = """
 import json, sys, vtk
 from vtk.util.numpy_support import vtk_to_numpy
-reader = vtk.vtkXMLUnstructuredGridReader()
-reader.SetFileName(sys.argv[1])
-reader.Update()
-grid = reader.GetOutput()
 def arrays(data):
     return {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)).tolist()
             for i in range(data.GetNumberOfArrays())}
-sizes = vtk.vtkCellSizeFilter()
-sizes.SetInputData(grid)
-sizes.Update()
-sizes = arrays(sizes.GetOutput().GetCellData())
-json.dump({"Points": {"Points": vtk_to_numpy(grid.GetPoints().GetData()).tolist()},
-           "CellData": arrays(grid.GetCellData()), "PointData": arrays(grid.GetPointData()),
-           "FieldData": arrays(grid.GetFieldData()),
-           "sizes": [sizes[name] for name in ("Length", "Area", "Volume")]}, sys.stdout)
+def content(path):
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    grid = reader.GetOutput()
+    sizes = vtk.vtkCellSizeFilter()
+    sizes.SetInputData(grid)
+    sizes.Update()
+    sizes = arrays(sizes.GetOutput().GetCellData())
+    return {"Points": {"Points": vtk_to_numpy(grid.GetPoints().GetData()).tolist()},
+            "CellData": arrays(grid.GetCellData()), "PointData": arrays(grid.GetPointData()),
+            "FieldData": arrays(grid.GetFieldData()),
+            "sizes": [sizes[name] for name in ("Length", "Area", "Volume")]}
+json.dump([content(path) for path in sys.argv[1:]], sys.stdout)
 """
 OTHERS = {"meshio": MESHIO, "vtk": VTK}
 
@@ -62,8 +65,8 @@ def read_alone(path):
 READERS = {name: interpreter for name in OTHERS if (interpreter := find_python(name))}
 
 
-def read_with(name, path):
-    done = command.run_program([READERS[name], "-c", OTHERS[name], path])
+def read_with(name, paths):
+    done = command.run_program([READERS[name], "-c", OTHERS[name], *paths])
     require(done.code == 0, done.err)
     return json.loads(done.out)
 
@@ -79,22 +82,23 @@ def rounded(values):
 class Numbers(TestCase):
     sizes = None  # of the cells of the last file, as VTK measures them
 
-    def numbers(self, name):
-        """What all readers find, who must agree. meshio puts values of polyhedra in the wrong
-        place."""
-        own = read_alone(self.path(name))
-        has_faces = 'Name="faces"' in self.read(name)
-        for reader in READERS.keys() - ({"meshio"} if has_faces and own["CellData"] else set()):
-            other = read_with(reader, self.path(name))
-            self.sizes = other.pop("sizes", self.sizes)
-            self.assertEqual(other, own, reader)
+    def numbers(self, *names):
+        """What all readers find in each file, who must agree. meshio puts values of polyhedra in
+        the wrong place."""
+        paths = [self.path(name) for name in names]
+        own = [read_alone(path) for path in paths]
+        has_faces = any('Name="faces"' in self.read(name) for name in names)
+        for reader in READERS.keys() - ({"meshio"} if has_faces and own[0]["CellData"] else set()):
+            for found, expected in zip(read_with(reader, paths), own):
+                self.sizes = found.pop("sizes", self.sizes)
+                self.assertEqual(found, expected, reader)
         return own
 
     def in_both(self, *arguments):
         """Float64 and, beside it, Float32: which is the first one rounded, but for the whole."""
         self.succeed(*arguments, "-o", "a.vtu")
         self.succeed(*arguments, "-o", "b.vtu", "--float32")
-        found, floats = self.numbers("a.vtu"), self.numbers("b.vtu")
+        found, floats = self.numbers("a.vtu", "b.vtu")
         for part in ("Points", "PointData", "CellData"):
             self.assertEqual(floats[part], {name: rounded(values)
                                             for name, values in found[part].items()})
@@ -168,7 +172,7 @@ class Twins(TestCase):
         self.write("b.vtu", text[:place] + ("B" if text[place] == "A" else "A") + text[place + 1:])
         self.assertNotEqual(read_alone(self.path("b.vtu")), before)
         for reader in READERS:
-            self.assertNotEqual(read_with(reader, self.path("b.vtu"))["PointData"],
+            self.assertNotEqual(read_with(reader, [self.path("b.vtu")])[0]["PointData"],
                                 before["PointData"], reader)
 
     def test_another_number_of_tuples(self):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "distributed/merged_cells.h"
+#include "distributed/merging.h"
 
 #include "base/errors.h"
 #include "dec/merging/facet_links.h"
@@ -60,7 +60,7 @@ public:
             kept_.emplace_back(static_cast<std::size_t>(local.degree(k).size()), 0);
     }
 
-    MergedCells run();
+    DistributedMerging run();
 
 private:
     Blocks join(const FacetClasses& classes, const CellVolumes& of_pieces) const;
@@ -69,7 +69,7 @@ private:
     std::vector<Flaw> local_flaws(const Blocks& blocks, const Carriers& carriers) const;
     std::vector<CellName> bad_cells(const std::vector<Flaw>& flaws) const;
     void keep_worst(const std::vector<CellName>& bad, const Carriers& carriers);
-    MergedCells unmerged(MergedCells result) const;
+    DistributedMerging unmerged(DistributedMerging result) const;
 
     const Ranks& ranks_;
     const LocalComplex& local_;
@@ -85,7 +85,7 @@ private:
 /// a larger block; that spreads to nothing that is complete, and the owner's word replaces it.
 Blocks Rounds::join(const FacetClasses& classes, const CellVolumes& of_pieces) const {
     const std::vector<bool> removed(classes.removed.begin(), classes.removed.end());
-    StraightnessTest test(local_.complex, local_.points, of_pieces,
+    StraightnessTest test({local_.complex, local_.points, of_pieces},
                           spread_limit * options_.tolerance, options_.tolerance);
     return join_blocks(local_.complex, removed, [&](int k, Index s, Index f, Index g) {
         return local_.degree(k - 1).complete[s] && kept_[k - 1][s] == 0 && test(k, s, f, g);
@@ -206,7 +206,7 @@ void Rounds::keep_worst(const std::vector<CellName>& bad, const Carriers& carrie
 }
 
 /// Every simplex its own cell.
-MergedCells Rounds::unmerged(MergedCells result) const {
+DistributedMerging Rounds::unmerged(DistributedMerging result) const {
     for (int k = 0; k <= n_; ++k) {
         const auto& degree = local_.degree(k);
         auto& own = result.carriers.emplace_back();
@@ -217,16 +217,16 @@ MergedCells Rounds::unmerged(MergedCells result) const {
     return result;
 }
 
-MergedCells Rounds::run() {
+DistributedMerging Rounds::run() {
     const auto& degenerate = defects_.degenerate;
-    MergedCells result{{},
-                       volumes_,
-                       {},
-                       0,
-                       true,
-                       ranks_.sum(degenerate.interior),
-                       ranks_.sum(degenerate.boundary),
-                       ranks_.sum(degenerate.branching)};
+    DistributedMerging result{{},
+                              volumes_,
+                              {},
+                              0,
+                              true,
+                              ranks_.sum(degenerate.interior),
+                              ranks_.sum(degenerate.boundary),
+                              ranks_.sum(degenerate.branching)};
     const bool any_flat = ranks_.any(!defects_.flat.empty());
     if (options_.criterion == MergeCriterion::none ||
         (result.degenerate_interior == 0 && !any_flat))
@@ -261,8 +261,8 @@ MergedCells Rounds::run() {
 
 } // namespace
 
-MergedCells merge_cospherical(const Ranks& ranks, const LocalComplex& local,
-                              const CellVolumes& volumes, const MergeOptions& options) {
+DistributedMerging merge_cospherical(const Ranks& ranks, const LocalComplex& local,
+                                     const CellVolumes& volumes, const MergeOptions& options) {
     ranks.together("merge", [&] {
         if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
             throw InvalidInput(

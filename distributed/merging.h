@@ -18,7 +18,7 @@ struct Carrier {
 
 /// What cells a rank's simplices are merged into. The same carriers, signs and rounds, bit by bit,
 /// as merge_cospherical gives for the whole in one process.
-struct MergedCells {
+struct DistributedMerging {
     std::vector<std::vector<Carrier>> carriers; ///< of every local simplex of degree k: carriers[k]
     CellVolumes
         of_pieces;        ///< right where simplices are complete, with duals between shared centers
@@ -37,7 +37,7 @@ struct MergedCells {
 
 /// Collective: merges as merge_cospherical does. volumes are those of the local simplices. Throws
 /// InvalidInput for a tolerance that is negative or not finite.
-MergedCells merge_cospherical(const Ranks& ranks, const LocalComplex& local,
-                              const CellVolumes& volumes, const MergeOptions& options = {});
+DistributedMerging merge_cospherical(const Ranks& ranks, const LocalComplex& local,
+                                     const CellVolumes& volumes, const MergeOptions& options = {});
 
 } // namespace polydec

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "distributed/merged_cells.h"
+#include "distributed/merging.h"
 
 #include "base/errors.h"
 #include "dec/discretization.h"
@@ -23,13 +23,14 @@ namespace polydec::test::in_merged_cells {
 
 namespace {
 
-MergedCells merged_on(const Ranks& ranks, const LocalComplex& local, const MergeOptions& options) {
+DistributedMerging merged_on(const Ranks& ranks, const LocalComplex& local,
+                             const MergeOptions& options) {
     const auto volumes = dual_volumes(local.complex, local.points, {}, FlatSimplices::passed_over);
     return merge_cospherical(ranks, local, volumes, options);
 }
 
 /// What differs from the carriers, signs and volumes of pieces of one process.
-std::string difference(const LocalComplex& local, const MergedCells& cells,
+std::string difference(const LocalComplex& local, const DistributedMerging& cells,
                        const CosphericalMerging& whole) {
     if (cells.rounds != whole.rounds)
         return fmt::format("{} rounds for {}", cells.rounds, whole.rounds);
@@ -53,9 +54,10 @@ std::string difference(const LocalComplex& local, const MergedCells& cells,
                                    k, number, carrier.dimension, carrier.first, carrier.sign,
                                    expected.dimension, first, sign);
             if (local.degree(k).complete[s] &&
-                cells.of_pieces.dual(k)[s] != whole.volumes.dual(k)[number])
+                cells.of_pieces.dual(k)[s] != whole.geometry.volumes().dual(k)[number])
                 return fmt::format("dual of {}-simplex {}: {} for {}", k, number,
-                                   cells.of_pieces.dual(k)[s], whole.volumes.dual(k)[number]);
+                                   cells.of_pieces.dual(k)[s],
+                                   whole.geometry.volumes().dual(k)[number]);
         }
     return "";
 }
@@ -63,7 +65,7 @@ std::string difference(const LocalComplex& local, const MergedCells& cells,
 /// What differs from numbers, volumes and incidences of the merged complex of one process.
 std::string difference(const DistributedCells& cells, const Merged& whole) {
     const CellVolumes volumes =
-        merged_volumes(whole.merging(), whole.result.volumes); // between shared centers
+        merged_volumes(whole.merging(), whole.result.geometry.volumes()); // between shared centers
     for (int k = 0; k <= whole.n(); ++k) {
         const auto& degree = cells.degree(k);
         if (degree.count != whole.P().size(k))
@@ -95,19 +97,20 @@ void expect_same(const Ranks& ranks, const std::string& name, const Mesh& mesh,
                  const MergeOptions& options, Ownership by) {
     const Merged whole = make_merged(mesh, options);
     const LocalComplex local = distributed(ranks, mesh, by);
-    const MergedCells cells = merged_on(ranks, local, options);
+    const DistributedMerging cells = merged_on(ranks, local, options);
     EXPECT_EQ(difference(local, cells, whole.result), "") << name << " by " << static_cast<int>(by);
     EXPECT_EQ(difference(distributed_cells(ranks, local, cells), whole), "") << name;
 }
 
-TEST(MergedCells, are_those_of_one_process) {
+TEST(DistributedMerging, are_those_of_one_process) {
     const auto ranks = Ranks::all();
     for (const auto& [name, mesh] : swept(ranks))
         for (const Ownership by : some_ownerships(ranks, name))
             expect_same(ranks, name, mesh, {MergeCriterion::dual_length, tolerance}, by);
 }
 
-TEST(MergedCells, are_those_of_one_process_where_defects_are_gathered_and_cells_split_up_again) {
+TEST(DistributedMerging,
+     are_those_of_one_process_where_defects_are_gathered_and_cells_split_up_again) {
     const auto ranks = Ranks::all();
     const std::vector<NamedMesh> hard = {{"uv_sphere", uv_sphere(64, 12)},
                                          {"thin_torus", torus(40, 6)},
@@ -136,7 +139,7 @@ std::vector<NamedMesh> with_flat_cells() {
     return list;
 }
 
-TEST(MergedCells, are_those_of_one_process_where_flat_cells_go_to_their_neighbors) {
+TEST(DistributedMerging, are_those_of_one_process_where_flat_cells_go_to_their_neighbors) {
     const auto ranks = Ranks::all();
     for (const auto& [name, mesh] : with_flat_cells())
         for (const Ownership by :
@@ -144,7 +147,7 @@ TEST(MergedCells, are_those_of_one_process_where_flat_cells_go_to_their_neighbor
             expect_same(ranks, name, mesh, {}, by);
 }
 
-TEST(MergedCells, of_cells_without_volume_are_those_of_one_process) {
+TEST(DistributedMerging, of_cells_without_volume_are_those_of_one_process) {
     const auto ranks = Ranks::all();
     const Mesh given = five_to_a_cube(3);
     const Discretization whole = circumcentric(given);
@@ -158,7 +161,7 @@ TEST(MergedCells, of_cells_without_volume_are_those_of_one_process) {
     }
 }
 
-TEST(MergedCells, without_volume_are_refused_where_they_lie_on_no_sphere) {
+TEST(DistributedMerging, without_volume_are_refused_where_they_lie_on_no_sphere) {
     const auto ranks = Ranks::all();
     // four points of a plane on no circle, between two pairs of tetrahedra
     const Mesh mesh =
@@ -168,7 +171,7 @@ TEST(MergedCells, without_volume_are_refused_where_they_lie_on_no_sphere) {
                      {"vertices 0 1 2 3", "volume", "sphere"}));
 }
 
-TEST(MergedCells, warn_of_flat_cells_near_the_tolerance_like_one_process) {
+TEST(DistributedMerging, warn_of_flat_cells_near_the_tolerance_like_one_process) {
     const auto ranks = Ranks::all();
     const Mesh mesh = delaunay_grid(4, 3e-4);
     const auto told = discretized(ranks, mesh, Ownership::morton).warnings;
@@ -220,7 +223,7 @@ Mesh with_holes(Mesh mesh, unsigned seed) {
     return mesh;
 }
 
-TEST(MergedCells, of_small_random_meshes_are_those_of_one_process) {
+TEST(DistributedMerging, of_small_random_meshes_are_those_of_one_process) {
     const auto ranks = Ranks::all();
     for (unsigned seed = 1; seed <= number_of_seeds(); ++seed) {
         const int n = 1 + static_cast<int>(seed % 4);
@@ -232,7 +235,7 @@ TEST(MergedCells, of_small_random_meshes_are_those_of_one_process) {
     }
 }
 
-TEST(MergedCells, are_those_of_one_process_where_one_rank_has_everything) {
+TEST(DistributedMerging, are_those_of_one_process_where_one_rank_has_everything) {
     const auto ranks = Ranks::all();
     const MergeOptions options{MergeCriterion::dual_length, tolerance};
     for (const char* name : {"kuhn3", "uv8", "grid4"}) {
@@ -242,7 +245,7 @@ TEST(MergedCells, are_those_of_one_process_where_one_rank_has_everything) {
                                     ranks.size() - 1);
         const LocalComplex local = local_complex(ranks, slice, last);
         EXPECT_EQ(local.complex.size(0) > 0, ranks.rank() == ranks.size() - 1);
-        const MergedCells cells = merged_on(ranks, local, options);
+        const DistributedMerging cells = merged_on(ranks, local, options);
         const Merged whole = make_merged(mesh, options);
         EXPECT_EQ(difference(local, cells, whole.result), "") << name;
         EXPECT_EQ(difference(distributed_cells(ranks, local, cells), whole), "") << name;
@@ -255,8 +258,8 @@ TEST(BrokenTwin, a_sign_or_a_first_piece_that_is_another_is_seen) {
     const Mesh mesh = kuhn(3, 2);
     const Merged whole = make_merged(mesh, options);
     const LocalComplex local = distributed(ranks, mesh, Ownership::morton);
-    const MergedCells cells = merged_on(ranks, local, options);
-    MergedCells turned = cells, renamed = cells, unsigned_labels = cells;
+    const DistributedMerging cells = merged_on(ranks, local, options);
+    DistributedMerging turned = cells, renamed = cells, unsigned_labels = cells;
     bool has_minus = false;
     for (auto& carriers : unsigned_labels.carriers)
         for (auto& carrier : carriers) {

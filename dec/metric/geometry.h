@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dec/metric/circumcentric_volumes.h"
+
+#include <memory>
+#include <vector>
+
+namespace polydec {
+
+/// Simplices and their shape: the metric, the centers between which their duals are spanned, and
+/// the volumes of both. Merging, the lift, products and stars are made of it. A handle: copies cost
+/// nothing.
+class Geometry {
+public:
+    /// Measures the simplices. Throws like dual_volumes.
+    Geometry(const Pieces& pieces, const SimplexMetric& metric, const Centers& centers = {},
+             FlatSimplices flat = FlatSimplices::refused)
+        : Geometry(pieces, metric, dual_volumes(pieces, metric, centers, flat), centers) {}
+
+    /// Of volumes that are known. `flat` marks n-simplices that are so flat that nothing can be
+    /// told of a field from their corners (see flat_simplices), though they are part of a cell with
+    /// others; empty if there are none. Throws InvalidInput, naming what is not, unless volumes,
+    /// centers and marks are those of as many simplices.
+    Geometry(const Pieces& pieces, const SimplexMetric& metric, const CellVolumes& volumes,
+             const Centers& centers = {}, std::vector<bool> flat = {});
+
+    const Pieces& pieces() const { return pieces_; }
+    const SimplexMetric& metric() const { return metric_; }
+    const CellVolumes& volumes() const { return volumes_; }
+    const Centers& centers() const { return centers_; }
+
+    /// The marks of all n-simplices, or none; and that of one.
+    const std::vector<bool>& flat() const { return *flat_; }
+    bool is_flat(Index t) const { return !flat_->empty() && (*flat_)[t]; }
+
+    /// The same simplices with duals between other centers. Throws like dual_volumes.
+    Geometry with_centers(const Centers& centers) const {
+        return {pieces_, metric_, dual_volumes(pieces_, metric_, centers), centers, *flat_};
+    }
+
+    /// The same with other marks.
+    Geometry with_flat(std::vector<bool> flat) const {
+        return {pieces_, metric_, volumes_, centers_, std::move(flat)};
+    }
+
+private:
+    Pieces pieces_;
+    SimplexMetric metric_;
+    CellVolumes volumes_;
+    Centers centers_;
+    std::shared_ptr<const std::vector<bool>> flat_;
+};
+
+} // namespace polydec
