@@ -17,8 +17,7 @@ int main() {
     });
 
     // the northern hemisphere as a chain of merged cells
-    const auto centers =
-        polydec::cell_centers(sphere.merging(), sphere.points(), sphere.geometry().volumes(), 2);
+    const auto centers = polydec::cell_centers(sphere, 2);
     polydec::Chain north{polydec::Side::primal, 2, (centers.col(2).array() > 0).cast<double>()};
 
     const double inside = polydec::pairing(polydec::d(P, w), north);

@@ -148,14 +148,6 @@ Points middles(const Pieces& complex, int k) {
 
 } // namespace
 
-Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
-                    int k) {
-    require_straight(merging.pieces(), points, "a cell's center");
-    const auto& K = merging.pieces();
-    const Points centers = combinations(K, k, center_coordinates(K, points, {}, k), points);
-    return mean_over_cells(merging, centers, volumes, k);
-}
-
 Points cell_centers(const Discretization& discretization, int k) {
     cell_degree(discretization.complex(), Side::primal, k);
     if (!has_places(discretization))
@@ -165,14 +157,6 @@ Points cell_centers(const Discretization& discretization, int k) {
                            center_coordinates(discretization.pieces(),
                                               discretization.geometry().metric(),
                                               discretization.geometry().centers(), k));
-}
-
-Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
-                      int k) {
-    require_straight(merging.pieces(), points, "a cell's centroid");
-    const Points centroids =
-        combinations(merging.pieces(), k, middles(merging.pieces(), k), points);
-    return mean_over_cells(merging, centroids, volumes, k);
 }
 
 Points cell_centroids(const Discretization& discretization, int k) {

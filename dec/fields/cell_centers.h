@@ -5,26 +5,20 @@
 
 namespace polydec {
 
-/// Circumcenters of the merged k-cells, where dual (n-k)-forms of degree 0 have their values: one
-/// row of N coordinates per cell. Over a cell of several pieces, whose circumcenters differ if it
-/// is bent, their mean by volume. For k = 0 the vertices themselves.
-/// volumes are those of the simplices. Throws InvalidInput where only lengths are known.
-Points cell_centers(const Merging& merging, const Points& points, const CellVolumes& volumes,
-                    int k);
-
-/// Centroids (centers of mass) of the merged k-cells, the means by volume of those of their pieces:
-/// one row of N coordinates per cell. Where vector fields made from forms belong: the mean of a
-/// linear function over a cell is its value there. Arguments as above.
-Points cell_centroids(const Merging& merging, const Points& points, const CellVolumes& volumes,
-                      int k);
-
-/// The same on the cells of a bundle, in the units of the input; centers where only lengths are
-/// known have as many rows without coordinates. After intrinsic flips they are places on the
-/// triangles of the input, where centers and centroids of the flipped ones are found on the
-/// surface; centers beyond its boundary go on as the corners of the last triangle lie. Cells of a
-/// glued mesh are where one of the n-cells around them lies in the box, vertices at their first
-/// place there.
+/// Centers of the merged k-cells, where dual (n-k)-forms of degree 0 have their values, in the
+/// units of the input: one row of N coordinates per cell. Over a cell of several pieces, whose
+/// centers differ if it is bent, their mean by volume. For k = 0 the vertices themselves; where
+/// only lengths are known as many rows without coordinates.
+///
+/// After intrinsic flips they are places on the triangles of the input, where centers of the
+/// flipped ones are found on the surface; centers beyond its boundary go on as the corners of the
+/// last triangle lie. Cells of a glued mesh are where one of the n-cells around them lies in the
+/// box, vertices at their first place there.
 Points cell_centers(const Discretization& discretization, int k);
+
+/// Centroids (centers of mass) of the merged k-cells, the means by volume of those of their pieces,
+/// likewise. Where vector fields made from forms belong: the mean of a linear function over a cell
+/// is its value there. Throws InvalidInput where only lengths are known.
 Points cell_centroids(const Discretization& discretization, int k);
 
 /// Where values of dual 0-forms are, by the stars of a bundle: the centroids of the n-cells whose

@@ -16,11 +16,6 @@ void check_degree_of_contraction(int k, int largest) {
                                        k, largest));
 }
 
-PlacedSimplices between(const Pieces& complex, const Points& points) {
-    require_straight(complex, points, "a vector field");
-    return {points, complex.simplices(complex.dimension())};
-}
-
 void check_field(const Pieces& complex, Eigen::Index N, const Points& field) {
     if (field.rows() != complex.size(0) || field.cols() != N)
         throw InvalidInput(fmt::format("a vector field of {} x {} numbers is given: expected {} x "

@@ -18,9 +18,6 @@ void check_degree_of_contraction(int k, int largest);
 /// the vertex.
 void check_field(const Pieces& complex, Eigen::Index N, const Points& field);
 
-/// Simplices that are straight between points of the vertices. Throws like require_straight.
-PlacedSimplices between(const Pieces& complex, const Points& points);
-
 /// What a form is on the far side of an inflow boundary.
 enum class Beyond {
     the_same, ///< as if the nearest simplex went on

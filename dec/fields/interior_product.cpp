@@ -4,7 +4,6 @@
 #include "dec/fields/contraction.h"
 #include "dec/forms/derivative.h"
 #include "dec/input_units.h"
-#include "dec/merging/lift.h"
 
 namespace polydec {
 
@@ -74,20 +73,6 @@ SparseMatrix on_cells(const Discretization& mesh, const SparseMatrix& fine, int 
 }
 
 } // namespace
-
-SparseMatrix interior_product(const Pieces& complex, const Points& points, const Points& field,
-                              int k, Sampling sampling) {
-    return contraction(complex, between(complex, points), field, k, sampling, Beyond::the_same);
-}
-
-SparseMatrix lie_derivative(const Pieces& complex, const Points& points, const Points& field, int k,
-                            Sampling sampling) {
-    return lie_derivative(complex, between(complex, points), field, k, sampling);
-}
-
-SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& field, int k) {
-    return inflow(complex, between(complex, points), field, k);
-}
 
 SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
                               Sampling sampling) {

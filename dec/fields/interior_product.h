@@ -16,6 +16,10 @@ enum class Sampling {
 /// 0..n+1, with an empty matrix at both ends. field has a row of N numbers for each point, X at the
 /// vertices, linear between them. Units those of X over length times those of the form.
 ///
+/// On merged cells forms are lifted, carried back to the simplices of the input if edges were
+/// flipped, contracted there, and brought the other way again: dia i_X S. As exact as on simplices
+/// where the cells are flat.
+///
 /// (i_X a)(s) is -k times the mean over n-simplices t around s, weighted as the sampling says, of
 /// the sum over the other vertices q of t of (X . grad lambda_q) a(q, s), X the mean over s and
 /// a(q, s) the value on s with q put first. On curved complexes X counts by its tangential part in
@@ -29,12 +33,12 @@ enum class Sampling {
 /// incidences. Source: Bossavit 2003; Mullen et al. 2011 for upwinding. Throws InvalidInput for a
 /// field of another shape than points, for a vector that is not finite, naming the vertex, and for
 /// a degree outside 0..n+1.
-SparseMatrix interior_product(const Pieces& complex, const Points& points, const Points& field,
-                              int k, Sampling sampling);
+SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
+                              Sampling sampling);
 
 /// Lie derivative of primal k-forms by Cartan's formula i_X d + d i_X: size(k) x size(k), k = 0..n.
-/// Commutes with d; exact for constant forms where X is linear on the n-simplices. Units those of X
-/// over length. Throws like interior_product.
+/// Commutes with d, on merged cells too, since both maps do; exact for constant forms where X is
+/// linear on the n-simplices. Units those of X over length. Throws like interior_product.
 ///
 /// With upwind sampling it is made for transport, da/dt = -L_X a, which needs to be told what flows
 /// in through the boundary. This matrix lets nothing in: the form is 0 outside, and where no
@@ -43,7 +47,7 @@ SparseMatrix interior_product(const Pieces& complex, const Points& points, const
 /// size up to 1 over the largest diagonal entry they lie between the least and the largest of their
 /// values before and of g. On boundary simplices with inflow, and those that they are faces of, it
 /// is exact for neither constant nor linear forms; L_X - inflow(..) commutes with d.
-SparseMatrix lie_derivative(const Pieces& complex, const Points& points, const Points& field, int k,
+SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
                             Sampling sampling);
 
 /// The rate at which values of a k-form outside come in, for lie_derivative with upwind sampling:
@@ -52,17 +56,6 @@ SparseMatrix lie_derivative(const Pieces& complex, const Points& points, const P
 /// facets alone: of any degree, what i_X a is to be on the (k-1)-simplices with inflow is added as
 /// d_(k-1) of it. Outside, every simplex at the boundary is taken to be the mirror image of that
 /// inside. Throws like interior_product.
-SparseMatrix inflow(const Pieces& complex, const Points& points, const Points& field, int k);
-
-/// All three on merged cells: forms are lifted, carried back to the simplices of the input if edges
-/// were flipped, contracted there, and brought the other way again; dia i_X S. Cartan's formula
-/// holds with the derivative of the merged cells, since both maps commute with d. As exact as on
-/// simplices where the cells are flat. field has a row for each point of the discretization. They
-/// throw likewise.
-SparseMatrix interior_product(const Discretization& mesh, const Points& field, int k,
-                              Sampling sampling);
-SparseMatrix lie_derivative(const Discretization& mesh, const Points& field, int k,
-                            Sampling sampling);
 SparseMatrix inflow(const Discretization& mesh, const Points& field, int k);
 
 } // namespace polydec

@@ -13,20 +13,16 @@
 namespace polydec {
 
 struct LieDerivative::Parts {
-    std::optional<Discretization> mesh; // none: the simplices themselves
-    Pieces complex;
-    Eigen::Index N; // components of fields
+    Discretization mesh;
+    SimplicialComplex complex; // of the input
+    Eigen::Index N;            // components of fields
     int k;
     Sampling sampling;
     std::optional<Contraction> lower, upper; // of k-forms and of their derivatives
 
-    Parts(std::optional<Discretization> on, const Pieces& simplices, const PlacedSimplices& places,
-          int degree, Sampling how)
-        : mesh(std::move(on)),
-          complex(simplices),
-          N(places.points.cols()),
-          k(degree),
-          sampling(how) {
+    Parts(const Discretization& on, int degree, Sampling how)
+        : mesh(on), complex(mesh.input()), N(mesh.ambient_dimension()), k(degree), sampling(how) {
+        const PlacedSimplices places = mesh.places();
         check_degree_of_contraction(k, complex.dimension());
         require_points(N, "a vector field");
         if (k > 0)
@@ -36,9 +32,9 @@ struct LieDerivative::Parts {
     }
 
     Points checked(const Points& field) const {
-        const Points here = mesh ? Points(mesh->passage().back(0, field)) : field;
+        const Points here = mesh.passage().back(0, field);
         check_field(complex, N, here);
-        return mesh ? in_input_units(here, mesh->unit(), -1, "vectors") : here;
+        return in_input_units(here, mesh.unit(), -1, "vectors");
     }
 
     /// The values on the simplices.
@@ -47,15 +43,10 @@ struct LieDerivative::Parts {
             throw InvalidInput(fmt::format("a vector field is to act on a {} {}-form: this one "
                                            "acts on primal {}-forms",
                                            name(form.side), form.degree, k));
-        if (mesh)
-            return lifted(*mesh, form);
-        check(complex, form);
-        return form;
+        return lifted(mesh, form);
     }
 
-    Cochain on_cells(Cochain form) const {
-        return mesh && form.degree >= 0 ? to_merged(*mesh, form) : form;
-    }
+    Cochain on_cells(Cochain form) const { return form.degree >= 0 ? to_merged(mesh, form) : form; }
 
     Cochain contract(const Contraction& by, const Points& field, const Cochain& form,
                      Beyond beyond) const {
@@ -73,12 +64,8 @@ struct LieDerivative::Parts {
     }
 };
 
-LieDerivative::LieDerivative(const Pieces& complex, const Points& points, int k, Sampling sampling)
-    : parts_(
-          std::make_shared<Parts>(std::nullopt, complex, between(complex, points), k, sampling)) {}
-
 LieDerivative::LieDerivative(const Discretization& mesh, int k, Sampling sampling)
-    : parts_(std::make_shared<Parts>(mesh, mesh.input(), mesh.places(), k, sampling)) {}
+    : parts_(std::make_shared<Parts>(mesh, k, sampling)) {}
 
 Cochain LieDerivative::interior_product(const Points& field, const Cochain& form) const {
     const Points X = parts_->checked(field);

@@ -14,10 +14,7 @@ namespace polydec {
 /// A handle: copies cost nothing.
 class LieDerivative {
 public:
-    /// On simplices between points. Throws InvalidInput unless k is one of 0..n.
-    LieDerivative(const Pieces& complex, const Points& points, int k, Sampling sampling);
-
-    /// On merged cells, by the lift. Throws likewise, and where only lengths are known.
+    /// Throws InvalidInput unless k is one of 0..n, and where only lengths are known.
     LieDerivative(const Discretization& mesh, int k, Sampling sampling);
 
     /// i_X a, a (k-1)-form; empty for k = 0. They all throw InvalidInput for forms of another kind,

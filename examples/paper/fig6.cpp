@@ -27,10 +27,8 @@ void draw_edges(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint&
 
 /// Between circumcenters; at the boundary from a circumcenter to the middle of the edge.
 void draw_duals(SvgDrawing& drawing, const Discretization& mesh, const SvgPoint& shift) {
-    const Points centers =
-        cell_centers(mesh.merging(), mesh.points(), mesh.geometry().volumes(), 2);
-    const Points middles =
-        cell_centers(mesh.merging(), mesh.points(), mesh.geometry().volumes(), 1);
+    const Points centers = cell_centers(mesh, 2);
+    const Points middles = cell_centers(mesh, 1);
     const auto& P = mesh.complex();
     const IncidenceMatrix faces = P.boundary(2); // row e: the faces at edge e
     for (Index e = 0; e < P.size(1); ++e) {

@@ -102,10 +102,7 @@ private:
                     perturbation == 0 ? MergeCriterion::dual_length : MergeCriterion::none};
     }
 
-    Points centers(int k) const {
-        return cell_centers(original_.merging(), original_.points(), original_.geometry().volumes(),
-                            k);
-    }
+    Points centers(int k) const { return cell_centers(original_, k); }
 
     double error(PoissonSolver& solver, const Points& sites, const Points& boundary) const {
         try {

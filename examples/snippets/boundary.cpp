@@ -11,8 +11,7 @@ namespace {
 
 void mixed_poisson() {
     const auto mesh = polydec::discretize(polydec::hexagons(32));
-    const polydec::Points facets =
-        polydec::cell_centers(mesh.merging(), mesh.points(), mesh.geometry().volumes(), 1);
+    const polydec::Points facets = polydec::cell_centers(mesh, 1);
     const auto left_or_right = polydec::essential_where(
         facets, [](const auto& x) { return x[0] < 1e-9 || x[0] > 1 - 1e-9; });
 
@@ -40,9 +39,8 @@ void first_eigenvalues() {
     };
     print({polydec::BoundaryCondition::essential});
     print({polydec::BoundaryCondition::natural});
-    print(polydec::essential_where(
-        polydec::cell_centers(mesh.merging(), mesh.points(), mesh.geometry().volumes(), 1),
-        [](const auto& x) { return x[0] < 1e-9; }));
+    print(polydec::essential_where(polydec::cell_centers(mesh, 1),
+                                   [](const auto& x) { return x[0] < 1e-9; }));
     std::cout << "= first eigenvalues / pi^2: Dirichlet, Neumann, one side fixed\n";
 }
 
@@ -52,8 +50,7 @@ void dual_boundary_data() {
     const auto& P = mesh.complex();
     const auto f = [](const polydec::Vector& p) { return p[0] + 2 * p[1]; };
     const auto w = polydec::dual_de_rham(mesh, 0, polydec::function_form(f));
-    const polydec::Points facets =
-        polydec::cell_centers(mesh.merging(), mesh.points(), mesh.geometry().volumes(), 1);
+    const polydec::Points facets = polydec::cell_centers(mesh, 1);
     const polydec::Vector g = facets * polydec::Vector{{1, 2}};
 
     const polydec::Vector dw =

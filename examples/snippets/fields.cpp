@@ -77,8 +77,7 @@ double mean(const polydec::DenseMatrix& rows, const std::vector<bool>& inner) {
 std::vector<double> errors(const polydec::Mesh& input) {
     const auto mesh = polydec::discretize(input, {.tolerance = 1e-8});
     const auto& P = mesh.complex();
-    const polydec::Points centers =
-        polydec::cell_centers(mesh.merging(), mesh.points(), mesh.geometry().volumes(), 2);
+    const polydec::Points centers = polydec::cell_centers(mesh, 2);
     const auto smooth = polydec::circulation_form(gradient);
     const auto primal = polydec::de_rham(mesh, 1, smooth);
     const auto dual = polydec::dual_de_rham(mesh, 1, smooth);
@@ -101,8 +100,7 @@ std::vector<double> errors(const polydec::Mesh& input) {
     }
     const auto df = polydec::d(P, polydec::de_rham(mesh, 0, polydec::function_form(f)));
     const auto flux = polydec::de_rham(mesh, 1, polydec::flux_form(gradient));
-    const polydec::Points centroids =
-        polydec::cell_centroids(mesh.merging(), mesh.points(), mesh.geometry().volumes(), 2);
+    const polydec::Points centroids = polydec::cell_centroids(mesh, 2);
     // Pages show the orders of these three: vectors at vertices, at centroids, from fluxes.
     const polydec::DenseMatrix pp = polydec::sharp_pp(mesh, df);
     const polydec::DenseMatrix pd = polydec::sharp_pd(mesh, df);

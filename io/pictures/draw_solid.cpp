@@ -229,20 +229,18 @@ public:
         : mesh_(placed(given)), values_(values) {
         const Discretization& mesh = mesh_;
         const Index n_cells = given.complex().size(3);
-        require_points(mesh.measured_points().cols(), "a drawing");
-        if (mesh.dimension() != 3 || mesh.measured_points().cols() != 3)
+        require_points(mesh.points().cols(), "a drawing");
+        if (mesh.dimension() != 3 || mesh.points().cols() != 3)
             throw InvalidInput(fmt::format("cells of dimension {} in {} coordinates are no solid: "
                                            "expected 3 and 3",
-                                           mesh.dimension(), mesh.measured_points().cols()));
+                                           mesh.dimension(), mesh.points().cols()));
         if (values.size() != 0 && values.size() != n_cells)
             throw InvalidInput(fmt::format(
                 "{} values are given: expected one for each of the {} merged 3-cells, or none",
                 values.size(), n_cells));
         numbers_ = cells_of_places(given, 3);
-        centroids_ =
-            cell_centroids(mesh.merging(), mesh.measured_points(), mesh.geometry().volumes(), 3);
-        centers_ =
-            cell_centers(mesh.merging(), mesh.measured_points(), mesh.geometry().volumes(), 3);
+        centroids_ = cell_centroids(mesh, 3);
+        centers_ = cell_centers(mesh, 3);
         for (Index cell = 0; cell < mesh.complex().size(3); ++cell)
             if (keep(centroids_.row(cell).transpose()))
                 cells_.push_back(cell);
@@ -265,8 +263,8 @@ public:
     /// The corners of a cell's face, counterclockwise from outside.
     std::vector<Index> outward(Index cell, Index face) const {
         const auto ring = corners(mesh_.merging(), face);
-        const Place out = mean_of(mesh_.measured_points(), ring) - centroid(cell);
-        const bool turned = normal_of(mesh_.measured_points(), ring).dot(out) < 0;
+        const Place out = mean_of(mesh_.points(), ring) - centroid(cell);
+        const bool turned = normal_of(mesh_.points(), ring).dot(out) < 0;
         return turned ? std::vector<Index>(ring.rbegin(), ring.rend()) : ring;
     }
 
@@ -304,7 +302,7 @@ SolidFaces kept_faces(const Discretization& given,
     const Discretization& mesh = placed(given);
     const auto counts = kept.cell_counts();
     SolidFaces faces;
-    faces.polygons.points = mesh.measured_points();
+    faces.polygons.points = mesh.points();
     for (const Index cell : kept.cells())
         for (const SignedFace& f : mesh.complex().incidences(2)[cell])
             if (counts[f.face] == 1)
@@ -326,7 +324,7 @@ SolidFaces kept_cells(const Discretization& given,
         for (const SignedFace& f : mesh.complex().incidences(2)[cell]) {
             auto ring = kept.outward(cell, f.face);
             for (Index& v : ring) {
-                const Place corner = mesh.measured_points().row(v);
+                const Place corner = mesh.points().row(v);
                 v = static_cast<Index>(points.size());
                 points.push_back(corner + gap * (kept.centroid(cell) - corner));
             }

@@ -32,10 +32,7 @@ bool is_at_cells(Flat kind) {
 
 /// A field sampled where the flat wants it: at the points or at the circumcenters of merged cells.
 DenseMatrix sampled(const Discretization& mesh, Flat kind, const SmoothForm& field) {
-    const Points places = is_at_cells(kind)
-                              ? cell_centers(mesh.merging(), mesh.points(),
-                                             mesh.input_geometry().volumes(), mesh.dimension())
-                              : mesh.points();
+    const Points places = is_at_cells(kind) ? cell_centers(mesh, mesh.dimension()) : mesh.points();
     DenseMatrix result(places.rows(), places.cols());
     for (Index i = 0; i < places.rows(); ++i)
         result.row(i) = field(places.row(i));
@@ -157,8 +154,7 @@ TEST(FlatsOnBoxes, of_a_field_that_jumps_between_boxes_are_its_circulations_on_d
     for (const auto& name : equal_boxes) {
         const auto& mesh = discretized(name);
         const auto n = mesh.dimension();
-        const Points centers =
-            cell_centers(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(), n);
+        const Points centers = cell_centers(mesh, n);
         const DenseMatrix field =
             random_vector(static_cast<Index>(centers.size()), 2).reshaped(centers.rows(), n);
         const auto of_box = [&](const Vector& x) {

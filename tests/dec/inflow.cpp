@@ -2,6 +2,7 @@
 #include "complex/components.h"
 #include "dec/fields/interior_product.h"
 #include "dec/forms/derivative.h"
+#include "tests/dec/discretized.h"
 #include "tests/dec/products.h"
 #include "tests/support/matrices.h"
 
@@ -19,10 +20,11 @@ protected:
         const auto rows = mesh().points.rows(), columns = mesh().points.cols();
         return random_vector(static_cast<Index>(rows * columns), 7).reshaped(rows, columns);
     }
-    SparseMatrix L() const {
-        return lie_derivative(mesh().K(), mesh().points, field(), 0, Sampling::upwind);
+    const Discretization& simplices() const {
+        return discretized(GetParam(), MergeCriterion::none);
     }
-    SparseMatrix rates() const { return inflow(mesh().K(), mesh().points, field(), 0); }
+    SparseMatrix L() const { return lie_derivative(simplices(), field(), 0, Sampling::upwind); }
+    SparseMatrix rates() const { return inflow(simplices(), field(), 0); }
 };
 
 /// The largest size of values that begin with sizes up to 1, carried for many steps at the limit,
@@ -56,7 +58,7 @@ TEST_P(Inflow, keeps_what_is_the_same_inside_and_outside) {
 TEST_P(Inflow, is_on_the_boundary_alone) {
     const auto boundary = boundary_cells(mesh().K());
     for (int k = 0; k <= mesh().n(); ++k) {
-        const Vector rate = inflow(mesh().K(), mesh().points, field(), k).diagonal();
+        const Vector rate = inflow(simplices(), field(), k).diagonal();
         for (Index s = 0; s < rate.size(); ++s)
             EXPECT_TRUE(rate[s] == 0 || (rate[s] > 0 && boundary[k][s]));
     }
@@ -65,7 +67,7 @@ TEST_P(Inflow, is_on_the_boundary_alone) {
 /// Of n-forms that are nowhere negative, on coherently oriented cells.
 TEST_P(Inflow, never_makes_more_of_a_density) {
     const int n = mesh().n();
-    const SparseMatrix L = lie_derivative(mesh().K(), mesh().points, field(), n, Sampling::upwind);
+    const SparseMatrix L = lie_derivative(simplices(), field(), n, Sampling::upwind);
     const Vector gain = -(Eigen::RowVectorXd::Ones(L.rows()) * L).transpose();
     if (mesh().K().orientable() && is_flat(mesh_named(GetParam()))) {
         EXPECT_LE(gain.maxCoeff(), 1e-12 * largest(L));
@@ -80,8 +82,9 @@ TEST(InflowBroken, by_the_nearest_simplex_grows) {
         const auto& mesh = merged(name);
         Points wind = -mesh.points; // inwards from everywhere, and the faster the farther out
         wind.rowwise() += mesh.points.colwise().mean();
-        const SparseMatrix L = interior_product(mesh.K(), mesh.points, wind, 1, Sampling::upwind) *
-                               derivative(mesh.K(), 0);
+        const SparseMatrix L =
+            interior_product(discretized(name, MergeCriterion::none), wind, 1, Sampling::upwind) *
+            derivative(mesh.K(), 0);
         const SparseMatrix none(L.rows(), L.cols());
         EXPECT_GT(largest_ever(L, none, Vector::Zero(L.rows())), 1e9) << name;
     }

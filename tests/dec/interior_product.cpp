@@ -47,39 +47,30 @@ struct Transport {
     }
 };
 
+const Discretization& simplices(const std::string& mesh_name) {
+    return discretized(mesh_name, MergeCriterion::none);
+}
+
 /// On simplices and on merged cells, centered and upwind. field must outlive the result.
 std::vector<Transport> transports(const std::string& mesh_name, const Points& field) {
-    const auto& mesh = merged(mesh_name);
-    const auto& whole = discretized(mesh_name);
     std::vector<Transport> result;
-    for (const auto sampling : {Sampling::centered, Sampling::upwind}) {
-        const std::string how = sampling == Sampling::centered ? "centered" : "upwind";
-        result.push_back({"simplices, " + how, mesh.K(),
-                          [&mesh, &field, sampling](int k) {
-                              return interior_product(mesh.K(), mesh.points, field, k, sampling);
-                          },
-                          [&mesh, &field, sampling](int k) {
-                              return lie_derivative(mesh.K(), mesh.points, field, k, sampling);
-                          },
-                          [&mesh, &field, sampling](int k) {
-                              const auto size = mesh.K().size(k);
-                              return sampling == Sampling::upwind
-                                         ? inflow(mesh.K(), mesh.points, field, k)
-                                         : SparseMatrix(size, size);
-                          }});
-        result.push_back({"merged, " + how, mesh.P(),
-                          [&whole, &field, sampling](int k) {
-                              return interior_product(whole, field, k, sampling);
-                          },
-                          [&whole, &field, sampling](int k) {
-                              return lie_derivative(whole, field, k, sampling);
-                          },
-                          [&whole, &field, sampling](int k) {
-                              const auto size = whole.complex().size(k);
-                              return sampling == Sampling::upwind ? inflow(whole, field, k)
-                                                                  : SparseMatrix(size, size);
-                          }});
-    }
+    for (const auto sampling : {Sampling::centered, Sampling::upwind})
+        for (const auto* mesh : {&simplices(mesh_name), &discretized(mesh_name)}) {
+            const std::string what = mesh == &discretized(mesh_name) ? "merged" : "simplices";
+            const bool is_upwind = sampling == Sampling::upwind;
+            result.push_back({what + (is_upwind ? ", upwind" : ", centered"), mesh->complex(),
+                              [mesh, &field, sampling](int k) {
+                                  return interior_product(*mesh, field, k, sampling);
+                              },
+                              [mesh, &field, sampling](int k) {
+                                  return lie_derivative(*mesh, field, k, sampling);
+                              },
+                              [mesh, &field, is_upwind](int k) {
+                                  const auto size = mesh->complex().size(k);
+                                  return is_upwind ? inflow(*mesh, field, k)
+                                                   : SparseMatrix(size, size);
+                              }});
+        }
     return result;
 }
 
@@ -102,7 +93,9 @@ protected:
     }
 
     Vector on_cells_of(const Transport& transport, int k, const Vector& values) const {
-        return &transport.complex == &mesh().K() ? values : on_merged_cells(mesh(), k, values);
+        return &transport.complex == &simplices(GetParam()).complex()
+                   ? values
+                   : on_merged_cells(mesh(), k, values);
     }
 
     Vector integrals(const Transport& transport, int k, const Form& form) const {
@@ -307,8 +300,7 @@ POLYDEC_OVER_MESHES(InteriorProducts);
 TEST(InteriorProductsBroken, centered_transport_overshoots) {
     for (const char* name : {"segments4", "grid4", "wellcentred4", "bcc2"}) {
         const Points field = enclosed_field(merged(name));
-        const SparseMatrix L =
-            lie_derivative(merged(name).K(), merged(name).points, field, 0, Sampling::centered);
+        const SparseMatrix L = lie_derivative(simplices(name), field, 0, Sampling::centered);
         // the diagonal almost vanishes, so no step is short enough for it
         const double time = 0.5 / largest(L);
         const Vector f = (random_vector(L.rows(), 1).array() > 0).cast<double>();
@@ -371,13 +363,12 @@ TEST(InteriorProductErrors, name_the_shape_the_vertex_and_the_degree) {
     const auto& mesh = merged("grid4");
     Points field = Points::Ones(mesh.points.rows(), 2);
     const auto call = [&](int k) {
-        return refusal(
-            [&] { interior_product(mesh.K(), mesh.points, field, k, Sampling::upwind); });
+        return refusal([&] { interior_product(simplices("grid4"), field, k, Sampling::upwind); });
     };
     EXPECT_TRUE(says(call(-1), {"vector field", "-1-forms", "0", "3"}));
     EXPECT_TRUE(says(call(4), {"vector field", "4-forms", "0", "3"}));
     EXPECT_TRUE(
-        says(refusal([&] { lie_derivative(mesh.K(), mesh.points, field, 3, Sampling::centered); }),
+        says(refusal([&] { lie_derivative(simplices("grid4"), field, 3, Sampling::centered); }),
              {"vector field", "3-forms", "0", "2"}));
     field(3, 1) = NAN;
     EXPECT_TRUE(says(call(1), {"vector field", "vertex 3", "finite"}));

@@ -142,21 +142,11 @@ TEST(LengthMesh, says_what_needs_points) {
     EXPECT_TRUE(says(refusal([&] { sharp_pp(mesh, edges); }), needs("sharp")));
     EXPECT_TRUE(says(refusal([&] { sharp_pd(mesh, edges); }), needs("sharp")));
     EXPECT_TRUE(says(refusal([&] { flux_sharp(mesh, edges); }), needs("sharp")));
-    EXPECT_TRUE(says(refusal([&] {
-                         cell_centers(mesh.merging(), mesh.points(),
-                                      mesh.input_geometry().volumes(), 2);
-                     }),
-                     needs("cell's center")));
-    EXPECT_TRUE(says(refusal([&] {
-                         cell_centroids(mesh.merging(), mesh.points(),
-                                        mesh.input_geometry().volumes(), 2);
-                     }),
-                     needs("cell's centroid")));
+    EXPECT_TRUE(says(refusal([&] { cell_centroids(mesh, 2); }), needs("cell's centroid")));
     EXPECT_TRUE(says(refusal([&] { circumcenters(mesh.points(), K.simplices(2)); }),
                      needs("circumcenter")));
-    EXPECT_TRUE(says(
-        refusal([&] { interior_product(K, mesh.points(), Points(none), 1, Sampling::centered); }),
-        needs("vector field")));
+    EXPECT_TRUE(says(refusal([&] { interior_product(mesh, Points(none), 1, Sampling::centered); }),
+                     needs("vector field")));
     EXPECT_TRUE(
         says(refusal([&] {
                  whitney_at_centroids(K, mesh.points(), {Side::primal, 1, Vector::Ones(K.size(1))});

@@ -258,11 +258,6 @@ TEST(OnAFoldedSheetBroken, combinations_of_the_corners_lie_beside_the_surface) {
         EXPECT_GT(
             off_the_fold(cell_centroids(sheet, k), combinations(K, k, middles, bent.points())),
             0.01);
-        EXPECT_TRUE(says(refusal([&] {
-                             cell_centroids(bent.merging(), bent.points(),
-                                            bent.geometry().volumes(), k);
-                         }),
-                         {"glued", "lengths"}));
     }
 }
 

@@ -200,10 +200,7 @@ TEST_P(Sharps, belong_to_centroids_where_linear_functions_have_their_means) {
     if (!flat_mesh())
         return;
     for_merged_and_not(GetParam(), [](const Discretization& mesh) {
-        EXPECT_LE(
-            moment_defect(mesh, cell_centroids(mesh.merging(), mesh.points(),
-                                               mesh.input_geometry().volumes(), mesh.dimension())),
-            rounding);
+        EXPECT_LE(moment_defect(mesh, cell_centroids(mesh, mesh.dimension())), rounding);
     });
 }
 
@@ -246,11 +243,7 @@ TEST(SharpsBroken, without_weights_are_not_the_means_of_the_gradients) {
 TEST(SharpsBroken, circumcenters_are_no_centroids) {
     for (const auto& name : {"hex4", "well_centered3", "obtuse_solid"}) {
         const auto& mesh = discretized(name);
-        EXPECT_GT(
-            moment_defect(mesh, cell_centers(mesh.merging(), mesh.points(),
-                                             mesh.input_geometry().volumes(), mesh.dimension())),
-            1e-3)
-            << name;
+        EXPECT_GT(moment_defect(mesh, cell_centers(mesh, mesh.dimension())), 1e-3) << name;
     }
 }
 
@@ -288,10 +281,8 @@ TEST(SharpsBroken, of_fluxes_about_circumcenters_of_facets_are_wrong_in_space) {
     const auto& mesh = discretized("split_cubes", MergeCriterion::none);
     const Vector X = random_vector(3, 6);
     const Cochain flux = de_rham(mesh, 2, flux_form(constant_form(X)), 1);
-    const Points facets =
-        cell_centers(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(), 2);
-    const Points cells =
-        cell_centers(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(), 3);
+    const Points facets = cell_centers(mesh, 2);
+    const Points cells = cell_centers(mesh, 3);
     DenseMatrix result = DenseMatrix::Zero(cells.rows(), 3);
     for (Index P = 0; P < result.rows(); ++P)
         for (IncidenceMatrix::InnerIterator e(mesh.complex().coboundary(2), P); e; ++e)

@@ -35,8 +35,7 @@ double error(const Discretization& mesh, const Points& places, Counted counted) 
 }
 
 Points centroids(const Discretization& mesh) {
-    return cell_centroids(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(),
-                          mesh.dimension());
+    return cell_centroids(mesh, mesh.dimension());
 }
 
 bool all(Index) {
@@ -83,8 +82,7 @@ TEST(SharpsOfSmoothFunctions, are_of_order_1_on_irregular_triangles) {
 TEST(SharpsBroken, attached_to_circumcenters_have_larger_errors) {
     for (const auto& mesh :
          {exactly_merged(hexagons(16)), exactly_merged(perturbed(grid(16, 16), 0.2 / 16, 5))}) {
-        const Points circum =
-            cell_centers(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(), 2);
+        const Points circum = cell_centers(mesh, 2);
         EXPECT_GT(error(mesh, circum, all), 1.05 * error(mesh));
     }
 }

@@ -83,24 +83,17 @@ std::vector<Door> doors_of_the_metric(const Sample& s) {
     return {
         {"circumradii", 0, n,
          [=, &s, &mesh](int k) { circumradii(s.K(), mesh.geometry().metric(), k); }},
-        {"cell_centers", 0, n,
-         [=, &s, &mesh](int k) { cell_centers(mesh.merging(), mesh.points(), s.W(), k); }},
-        {"cell_centroids", 0, n,
-         [=, &s, &mesh](int k) { cell_centroids(mesh.merging(), mesh.points(), s.W(), k); }},
-        {"cell_centers of a bundle", 0, n, [&mesh](int k) { cell_centers(mesh, k); }},
+        {"cell_centers", 0, n, [&mesh](int k) { cell_centers(mesh, k); }},
+        {"cell_centroids", 0, n, [&mesh](int k) { cell_centroids(mesh, k); }},
         {"cell_centers after flips", 0, 2, [](int k) { cell_centers(sample("flipped").mesh, k); }},
         {"cell_vertices after flips", 0, 2,
          [](int k) { cell_vertices(sample("flipped").mesh, k, 0); }},
         {"de_rham", 0, n, [=, &mesh](int k) { de_rham(mesh, k, constant(k, N)); }},
         {"dual_de_rham", 0, n, [=, &mesh](int j) { dual_de_rham(mesh, j, constant(j, N)); }},
         {"interior_product", 0, n + 1,
-         [=, &s](int k) {
-             interior_product(s.K(), s.mesh.points(), field, k, Sampling::centered);
-         }},
+         [=, &s](int k) { interior_product(s.mesh, field, k, Sampling::centered); }},
         {"lie_derivative", 0, n,
-         [=, &s](int k) { lie_derivative(s.K(), s.mesh.points(), field, k, Sampling::upwind); }},
-        {"interior_product on cells", 0, n + 1,
-         [=, &s](int k) { interior_product(s.mesh, field, k, Sampling::upwind); }},
+         [=, &s](int k) { lie_derivative(s.mesh, field, k, Sampling::upwind); }},
     };
 }
 

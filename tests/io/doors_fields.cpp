@@ -133,9 +133,7 @@ Questions of_fields(const Sample& s, int k) {
          [&s, N, k](Inputs& in) { return fit(cell_centers(s.mesh, in.degree(k)), s.size(k), N); }},
         {"cell_centroids",
          [&s, N, k](Inputs& in) {
-             return fit(cell_centroids(s.mesh.merging(), in.points(s.pieces().size(0), N),
-                                       s.geometry().volumes(), in.degree(k)),
-                        s.size(k), N);
+             return fit(cell_centroids(s.mesh, in.degree(k)), s.size(k), N);
          }},
         {"circumradii",
          [&s, k](Inputs& in) {

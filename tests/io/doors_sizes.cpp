@@ -160,8 +160,6 @@ TEST(doors, volumes_and_points_of_another_mesh_are_refused) {
         }
         const Points few = s.mesh.points().topRows(2);
         for (int k = 0; k <= s.n(); ++k) {
-            EXPECT_EQ(outcome([&] { cell_centers(s.mesh.merging(), few, s.W(), k); }), "refused");
-            EXPECT_EQ(outcome([&] { cell_centroids(s.mesh.merging(), few, s.W(), k); }), "refused");
             EXPECT_EQ(outcome([&] { circumcenters(few, s.K().simplices(k)); }), "refused");
             EXPECT_EQ(outcome([&] { circumradii(few, s.K().simplices(k)); }), "refused");
         }

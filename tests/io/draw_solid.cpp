@@ -76,8 +76,7 @@ double enclosed_volume(const SolidFaces& faces) {
 }
 
 Vector kept_volumes(const Discretization& mesh, const Keep& keep) {
-    const Points centroids =
-        cell_centroids(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(), 3);
+    const Points centroids = cell_centroids(mesh, 3);
     Vector volumes = mesh.volumes().primal(3);
     for (Index cell = 0; cell < volumes.size(); ++cell)
         volumes[cell] *= keep(centroids.row(cell).transpose());
@@ -115,8 +114,7 @@ TEST(KeptFaces, are_those_with_one_kept_cell) {
 
 TEST(KeptFaces, have_the_values_of_the_cells_behind) {
     const auto mesh = discretize(fcc(2));
-    const Points centroids =
-        cell_centroids(mesh.merging(), mesh.points(), mesh.input_geometry().volumes(), 3);
+    const Points centroids = cell_centroids(mesh, 3);
     const Place slope(1, 2, 3);
     const auto faces = kept_faces(mesh, without_a_corner, centroids * slope);
     ASSERT_EQ(faces.values.size(), count(faces));

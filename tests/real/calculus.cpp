@@ -85,9 +85,10 @@ protected:
     }
 
     SparseMatrix i_on_simplices(int k, Sampling sampling) const {
-        const SparseMatrix i =
-            interior_product(mesh().input(), mesh().input_points(), input_field(), k, sampling);
-        return i.cwiseAbs();
+        const auto simplices =
+            discretize(Mesh{mesh().input_points(), mesh().input().simplices(mesh().dimension())},
+                       {.criterion = MergeCriterion::none});
+        return interior_product(simplices, input_field(), k, sampling).cwiseAbs();
     }
     SparseMatrix d_on_simplices(int k) const {
         return SparseMatrix(derivative(mesh().input(), k)).cwiseAbs();

@@ -144,8 +144,7 @@ TEST(MixedConditions, have_the_harmonic_forms_of_the_pair) {
     // a ring held at the outer circle is that circle times an interval held at one end
     const auto ring = circumcentric(annulus(12));
     const auto& P = ring.complex();
-    const Points sites =
-        cell_centers(ring.merging(), ring.points(), ring.input_geometry().volumes(), 1);
+    const Points sites = cell_centers(ring, 1);
     const double middle =
         0.5 * (sites.rowwise().norm().maxCoeff() + sites.rowwise().norm().minCoeff());
     const auto held =
