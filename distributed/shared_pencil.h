@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "backends/spectra/scaled_pencil.h"
 #include "distributed/petsc.h"
-#include "solvers/spectra/scaled_pencil.h"
 
 namespace polydec {
 

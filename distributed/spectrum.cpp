@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributed/spectrum.h"
 
+#include "backends/spectra/found_pairs.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
@@ -9,7 +10,6 @@
 #include "distributed/petsc_calls.h"
 #include "distributed/shared_lanczos.h"
 #include "distributed/shared_pencil.h"
-#include "solvers/spectra/found_pairs.h"
 
 #include <fmt/format.h>
 

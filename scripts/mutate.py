@@ -78,9 +78,9 @@ MUTANTS = {
     "cure_not_told": ("dec/advice.cpp", "    if (count == 0 ||", "    if (true ||"),
     "tolerance_of_all": ("dec/merging/facet_kinds.cpp", "count(cofaces.begin(), cofaces.end(), 2) / 10",
                          "count(cofaces.begin(), cofaces.end(), 2)"),
-    "groups_as_if_orthogonal": ("solvers/spectra/found_pairs.cpp",
+    "groups_as_if_orthogonal": ("backends/spectra/found_pairs.cpp",
                                 "                others_[i] += share;\n                others_[j] += share;\n", ""),
-    "zeros_searched": ("solvers/spectra/found_pairs.cpp", "    pairs.take(Y, pencil.enclose(Y));", ""),
+    "zeros_searched": ("backends/spectra/found_pairs.cpp", "    pairs.take(Y, pencil.enclose(Y));", ""),
     "sources_everywhere": ("dec/fields/chosen_vertices.cpp", "tag && of_cell == *tag", "tag && of_cell != 0"),
     "robin_one_for_all": ("dec/forms/boundary_conditions.cpp",
                           "result[f] = given.size() == 1 ? given[0] : given[f];",
@@ -217,7 +217,7 @@ MUTANTS = {
     "geodesic_gradient_half": ("solvers/surfaces/geodesic_distance.cpp",
                                "gradient.dot(hats[i]) / (2 * gradient.norm())",
                                "gradient.dot(hats[i]) / gradient.norm()"),
-    "inertia_hidden": ("solvers/spectra/inertia.cpp", "return *negative - matrices_.hidden;",
+    "inertia_hidden": ("backends/spectra/inertia.cpp", "return *negative - matrices_.hidden;",
                        "return *negative - matrices_.hidden + 1;"),
     # meshes/
     "diagonal_by_first_corner": ("meshes/polygon_splitter.cpp",
@@ -283,6 +283,7 @@ MUTANTS = {
 # The test programs that each folder's flaws are asked of, one after the other.
 PROGRAMS = {folder: (f"{folder}/test_{folder}",) for folder in ("io", "meshes", "solvers")}
 PROGRAMS["dec"] = ("dec/test_dec", "solvers/test_solvers")
+PROGRAMS["backends"] = ("solvers/test_solvers",)
 SECONDS = 600
 
 

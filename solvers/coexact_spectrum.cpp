@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/coexact_spectrum.h"
 
+#include "backends/spectra/found_pairs.h"
 #include "base/checks.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "complex/homology.h"
 #include "dec/forms/derivative.h"
 #include "dec/forms/star.h"
-#include "solvers/spectra/found_pairs.h"
 #include "solvers/spectra/laplacian_pencil.h"
 
 #include <fmt/format.h>

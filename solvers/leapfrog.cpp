@@ -2,13 +2,13 @@
 #include "solvers/leapfrog.h"
 
 #include "backends/registry.h"
+#include "backends/spectra/mass.h"
 #include "base/checks.h"
 #include "base/errors.h"
 #include "dec/advice.h"
 #include "dec/forms/star.h"
 #include "meshes/unit_of_length.h"
 #include "solvers/spectra/laplacian_pencil.h"
-#include "solvers/spectra/mass.h"
 #include "solvers/spectra/positive_mass.h"
 
 #include <fmt/format.h>

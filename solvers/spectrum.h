@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "backends/spectra/certified_eigensolver.h"
 #include "dec/discretization.h"
 #include "dec/forms/boundary_conditions.h"
 #include "dec/forms/side.h"
-#include "solvers/spectra/certified_eigensolver.h"
 
 namespace polydec {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "backends/spectra/certified_eigensolver.h"
 #include "python/bindings/calculus.h"
 #include "python/bindings/convert.h"
 #include "solvers/coexact_spectrum.h"
-#include "solvers/spectra/certified_eigensolver.h"
 #include "solvers/spectrum.h"
 
 #include <variant>

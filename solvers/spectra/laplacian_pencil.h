@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "backends/spectra/pencil.h"
 #include "complex/cell_complex.h"
 #include "dec/forms/star.h"
-#include "solvers/spectra/pencil.h"
 
 namespace polydec {
 

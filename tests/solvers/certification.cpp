@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "backends/registry.h"
+#include "backends/spectra/certified_eigensolver.h"
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
-#include "solvers/spectra/certified_eigensolver.h"
 #include "solvers/spectrum.h"
 #include "tests/solvers/dense_spectrum.h"
 #include "tests/support/circumcentric.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "backends/spectra/certified_eigensolver.h"
 #include "base/errors.h"
 #include "complex/simplicial_complex.h"
 #include "dec/forms/derivative.h"
@@ -7,7 +8,6 @@
 #include "meshes/generate.h"
 #include "meshes/rearrange.h"
 #include "solvers/coexact_spectrum.h"
-#include "solvers/spectra/certified_eigensolver.h"
 #include "solvers/spectrum.h"
 #include "tests/support/branches.h"
 #include "tests/support/hand_made.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Certified spectra whose inner products are matrices.
+#include "backends/spectra/inertia.h"
+#include "backends/spectra/scaled_pencil.h"
 #include "complex/homology.h"
 #include "dec/conditioned_complex.h"
 #include "dec/operators.h"
 #include "meshes/generate.h"
 #include "solvers/coexact_spectrum.h"
-#include "solvers/spectra/inertia.h"
 #include "solvers/spectra/laplacian_pencil.h"
-#include "solvers/spectra/scaled_pencil.h"
 #include "solvers/spectrum.h"
 #include "tests/support/branches.h"
 #include "tests/support/circumcentric.h"

@@ -3,7 +3,7 @@
 
 #include "backends/eigen_solver.h"
 #include "backends/linear_solver.h"
-#include "solvers/spectra/pencil.h"
+#include "backends/spectra/pencil.h"
 
 #include <functional>
 #include <memory>

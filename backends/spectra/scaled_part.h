@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solvers/spectra/mass.h"
-#include "solvers/spectra/pencil.h"
+#include "backends/spectra/mass.h"
+#include "backends/spectra/pencil.h"
 
 #include <memory>
 

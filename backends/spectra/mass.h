@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "backends/spectra/pencil.h"
 #include "base/types.h"
-#include "solvers/spectra/pencil.h"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backends/blas.h"
-#include "solvers/spectra/scaled_pencil.h"
+#include "backends/spectra/scaled_pencil.h"
 
 #include <functional>
 #include <vector>

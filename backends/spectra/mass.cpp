@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/mass.h"
+#include "backends/spectra/mass.h"
 
 #include "backends/linear/cholesky_root.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/found_pairs.h"
+#include "backends/spectra/found_pairs.h"
 
 #include "base/errors.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/certified_eigensolver.h"
+#include "backends/spectra/certified_eigensolver.h"
 
 #include "backends/registry.h"
+#include "backends/spectra/found_pairs.h"
+#include "backends/spectra/inertia.h"
+#include "backends/spectra/scaled_pencil.h"
 #include "base/decompositions.h"
 #include "base/errors.h"
 #include "base/random.h"
-#include "solvers/spectra/found_pairs.h"
-#include "solvers/spectra/inertia.h"
-#include "solvers/spectra/scaled_pencil.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/scaled_part.h"
+#include "backends/spectra/scaled_part.h"
 
 #include "base/errors.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/scaled_pencil.h"
+#include "backends/spectra/scaled_pencil.h"
 
 #include "base/block_matrix.h"
 #include "base/errors.h"

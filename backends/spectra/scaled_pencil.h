@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solvers/spectra/inertia.h"
-#include "solvers/spectra/mass.h"
-#include "solvers/spectra/pencil.h"
-#include "solvers/spectra/scaled_part.h"
+#include "backends/spectra/inertia.h"
+#include "backends/spectra/mass.h"
+#include "backends/spectra/pencil.h"
+#include "backends/spectra/scaled_part.h"
 
 #include <memory>
 #include <optional>

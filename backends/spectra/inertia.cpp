@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/spectra/inertia.h"
+#include "backends/spectra/inertia.h"
 
 #include "backends/registry.h"
 #include "base/memory.h"
