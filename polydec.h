@@ -107,6 +107,8 @@
 #include "meshes/unit_of_length.h"
 #include "meshes/unjoined_boundary.h"
 #include "meshes/weld.h"
+#include "shape/count_below.h"
+#include "shape/shape.h"
 #include "solvers/absorbing_layer.h"
 #include "solvers/boundary_forms.h"
 #include "solvers/coexact_spectrum.h"

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import sources
 
-CHAIN = ["base", "backends", "complex", "meshes", "dec", "solvers", "io", "distributed", "polydec.h", "python",
+CHAIN = ["base", "backends", "complex", "meshes", "dec", "shape", "solvers", "io", "distributed", "polydec.h", "python",
          "examples", "tools"]
 LAST = {"tests", "benchmarks"}
 WITHOUT_DIMENSION = {"complex", "dec"}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "shape/gluing.h"
+
+namespace polydec {
+
+/// Unknowns of facets, so many of each: those of simplex s at facet lacking corner i are the
+/// entries (width s + each i) and those behind it, width = each (n+1).
+struct FacetUnknowns {
+    Index count;
+    std::vector<Index> unknowns; ///< -1 where functions are 0
+    std::vector<std::int8_t> signs;
+};
+
+FacetUnknowns facet_unknowns(const Shape& shape, const std::vector<FacetSide>& sides, int each);
+
+/// The weights of a simplex: kappa and rho.
+double conductivity_of(const Shape& shape, Index simplex);
+double density_of(const Shape& shape, Index simplex);
+
+} // namespace polydec

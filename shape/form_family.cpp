@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "shape/form_family.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+constexpr double long_unit = static_cast<double>(std::numeric_limits<long double>::epsilon()) / 2;
+
+/// Errors of local matrices, as a share of their diagonal: of rounding them to doubles and adding
+/// them up, and of what went before.
+double local_error(double flatness) {
+    return 16 * unit + 256 * long_unit * flatness;
+}
+
+} // namespace
+
+FormFamily::FormFamily(Index count, std::vector<Index> unknowns, std::vector<std::int8_t> signs,
+                       Factors factors, Index simplices,
+                       const std::function<LocalForms(Index)>& local)
+    : count_(count),
+      width_(static_cast<Index>(unknowns.size()) / std::max<Index>(simplices, 1)),
+      unknowns_(std::move(unknowns)),
+      signs_(std::move(signs)),
+      factors_(std::move(factors)),
+      reach_(simplices),
+      errors_(simplices),
+      limit_(std::numeric_limits<double>::infinity()) {
+    parts_ = static_cast<Index>(factors_(0, 0).size());
+    const std::size_t entries = std::size_t(width_) * width_;
+    values_.resize(entries * parts_ * simplices);
+    std::vector<Cell> cells(simplices);
+    std::vector<DenseMatrix> robin(simplices);
+    for_each_part(simplices, 64, [&](Index begin, Index end) {
+        for (Index s = begin; s < end; ++s) {
+            const LocalForms forms = local(s);
+            double* values = values_.data() + entries * parts_ * s;
+            for (const LongMatrix& part : forms.parts) {
+                Eigen::Map<DenseMatrix>(values, width_, width_) = part.cast<double>();
+                values += entries;
+            }
+            reach_[s] = forms.reach;
+            errors_[s] = local_error(forms.flatness);
+            cells[s].mass = forms.mass;
+            if (forms.cell.size() > 0)
+                cells[s].column = Vector(forms.cell.col(0).cast<double>());
+            robin[s] = forms.robin.cast<double>();
+        }
+    });
+    if (simplices > 0 && cells[0].column.size() > 0)
+        cells_ = std::move(cells);
+    for (Index s = 0; s < simplices; ++s) {
+        first_robin_.push_back(static_cast<Index>(robin_.size()));
+        if (robin[s].size() > 0)
+            robin_.emplace_back(s, std::move(robin[s]));
+    }
+    first_robin_.push_back(static_cast<Index>(robin_.size()));
+    for (const double reach : reach_)
+        limit_ = std::min(limit_, 1 / reach);
+    make_pattern();
+}
+
+std::vector<Index> FormFamily::beyond(double s) const {
+    std::vector<Index> simplices;
+    for (std::size_t i = 0; i < reach_.size(); ++i)
+        if (!(s * reach_[i] < 1))
+            simplices.push_back(static_cast<Index>(i));
+    return simplices;
+}
+
+void FormFamily::make_pattern() {
+    std::vector<Eigen::Triplet<double, Index>> places;
+    std::vector<Index> summands(count_, 0);
+    const auto simplices = static_cast<Index>(reach_.size());
+    for (Index s = 0; s < simplices; ++s)
+        for (Index i = 0; i < width_; ++i) {
+            const Index row = unknowns_[std::size_t(width_) * s + i];
+            if (row < 0)
+                continue;
+            most_summands_ = std::max<double>(most_summands_, ++summands[row]);
+            for (Index j = 0; j < width_; ++j)
+                if (const Index column = unknowns_[std::size_t(width_) * s + j]; column >= 0)
+                    places.emplace_back(row, column, 0);
+        }
+    pattern_ = SparseMatrix(count_, count_);
+    pattern_.setFromTriplets(places.begin(), places.end());
+    slots_.assign(std::size_t(width_) * width_ * simplices, -1);
+    const Index* columns = pattern_.innerIndexPtr();
+    const Index* begins = pattern_.outerIndexPtr();
+    std::size_t slot = 0;
+    for (Index s = 0; s < simplices; ++s)
+        for (Index i = 0; i < width_; ++i)
+            for (Index j = 0; j < width_; ++j, ++slot) {
+                const Index row = unknowns_[std::size_t(width_) * s + i];
+                const Index column = unknowns_[std::size_t(width_) * s + j];
+                if (row >= 0 && column >= 0)
+                    slots_[slot] = static_cast<Index>(
+                        std::lower_bound(columns + begins[row], columns + begins[row + 1], column) -
+                        columns);
+            }
+}
+
+/// Q of one simplex, bounds of what is added up on its diagonal, and the error as a share of these.
+/// Returns in sizes[width] whether the cell's own entry is negative.
+void FormFamily::add_local(Index simplex, double s, DenseMatrix& Q, Vector& sizes,
+                           double& error) const {
+    const auto factors = factors_(s, s * reach_[simplex]);
+    const std::size_t entries = std::size_t(width_) * width_;
+    const double* values = values_.data() + entries * parts_ * simplex;
+    Q.setZero(width_, width_);
+    sizes.setZero(width_ + 1);
+    for (Index p = 0; p < parts_; ++p, values += entries) {
+        const Eigen::Map<const DenseMatrix> part(values, width_, width_);
+        Q += factors[p] * part;
+        sizes.head(width_) += std::abs(factors[p]) * part.diagonal().cwiseAbs();
+    }
+    error = errors_[simplex];
+    if (!cells_.empty()) {
+        const Cell& cell = cells_[simplex];
+        const Vector coupling = Q * cell.column;
+        const double stiffness = cell.column.dot(coupling);
+        const double pivot = stiffness - s * cell.mass;
+        Q -= coupling * coupling.transpose() / pivot;
+        sizes.head(width_) += coupling.cwiseAbs2() / std::abs(pivot);
+        sizes[width_] = pivot < 0 ? 1 : 0;
+        error *= std::max(1.0, (stiffness + s * cell.mass) / std::abs(pivot));
+    }
+    for (Index r = first_robin_[simplex]; r < first_robin_[simplex + 1]; ++r) {
+        Q += robin_[r].second;
+        sizes.head(width_) += robin_[r].second.diagonal();
+    }
+}
+
+CountedMatrix FormFamily::at(double s) const {
+    auto matrix = std::make_shared<SparseMatrix>(pattern_);
+    double* entries = matrix->valuePtr();
+    std::fill(entries, entries + matrix->nonZeros(), 0.0);
+    const auto simplices = static_cast<Index>(reach_.size());
+    CountedMatrix result;
+    result.doubt.sizes = Vector::Zero(count_);
+    std::vector<Vector> local_sizes(simplices);
+    Vector errors(simplices);
+    DenseMatrix Q;
+    Vector sizes;
+    const auto unknown = [&](Index simplex, Index i) {
+        return unknowns_[std::size_t(width_) * simplex + i];
+    };
+    std::size_t slot = 0;
+    for (Index t = 0; t < simplices; ++t) {
+        add_local(t, s, Q, sizes, errors[t]);
+        result.eliminated += static_cast<Index>(sizes[width_]);
+        const std::int8_t* signs = signs_.data() + std::size_t(width_) * t;
+        for (Index i = 0; i < width_; ++i)
+            for (Index j = 0; j < width_; ++j, ++slot)
+                if (slots_[slot] >= 0) // both triangles alike
+                    entries[slots_[slot]] +=
+                        signs[i] * signs[j] * Q(std::min(i, j), std::max(i, j));
+        for (Index i = 0; i < width_; ++i)
+            if (unknown(t, i) >= 0)
+                result.doubt.sizes[unknown(t, i)] += sizes[i];
+        local_sizes[t] = sizes;
+    }
+
+    // row sums of errors / sqrt(sizes_i sizes_j)
+    Vector sums = Vector::Zero(count_);
+    for (Index t = 0; t < simplices; ++t) {
+        double sum = 0;
+        const auto share = [&](Index i) {
+            const Index row = unknown(t, i);
+            return row < 0 || !(result.doubt.sizes[row] > 0)
+                       ? 0.0
+                       : std::sqrt(local_sizes[t][i] / result.doubt.sizes[row]);
+        };
+        for (Index i = 0; i < width_; ++i)
+            sum += share(i);
+        for (Index i = 0; i < width_; ++i)
+            if (unknown(t, i) >= 0)
+                sums[unknown(t, i)] += (errors[t] + most_summands_ * unit) * share(i) * sum;
+    }
+    result.doubt.share = count_ > 0 ? sums.maxCoeff() : 0;
+    result.matrix = std::move(matrix);
+    return result;
+}
+
+std::optional<Index> negative_eigenvalues(const FormFamily& family, double s,
+                                          const std::string& engine, int domain_dimension) {
+    CountedMatrix at = family.at(s);
+    if (family.size() == 0)
+        return at.eliminated;
+    const Index eliminated = at.eliminated;
+    InertiaCounter counter(ShiftedMatrices(at.matrix), engine, domain_dimension,
+                           std::move(at.doubt));
+    const auto count = counter.below(0, 1);
+    if (!count)
+        return std::nullopt;
+    return *count + eliminated;
+}
+
+} // namespace polydec

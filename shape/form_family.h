@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backends/spectra/inertia.h"
+#include "shape/barycentric.h"
+#include "shape/gluing.h"
+#include "shape/measured_simplex.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polydec {
+
+/// What one simplex adds to a family of quadratic forms Q(s): the positive semidefinite `parts`,
+/// with factors that depend on s, and `robin`, in unknowns of the simplex.
+struct LocalForms {
+    std::vector<LongMatrix> parts;
+    LongMatrix robin;    ///< 0 x 0: nothing
+    LongMatrix cell;     ///< a column, see FormFamily; 0 x 0: there is no unknown of the cell
+    double mass = 0;     ///< of the cell
+    double reach = 0;    ///< C^2 rho / kappa: factors are asked for with s reach
+    double flatness = 0; ///< by which rounding in the local matrices has grown
+};
+
+/// A symmetric matrix that counts, and how far it may be from the one meant.
+struct CountedMatrix {
+    std::shared_ptr<const SparseMatrix> matrix;
+    Doubt doubt;
+    Index eliminated = 0; ///< negative eigenvalues of what was eliminated
+};
+
+/// Quadratic forms Q(s) = sum over simplices of sum_p factor_p(s, s reach) P_p, which decrease as s
+/// grows, on unknowns that simplices share. The number of negative eigenvalues of Q(s) bounds the
+/// number of eigenvalues of a shape below s. With an unknown u of each cell the parts take
+/// y = m - u cell for the other unknowns m, so that constants are in the kernel, and - s mass u^2
+/// is added; u is eliminated.
+class FormFamily {
+public:
+    using Factors = std::function<std::vector<double>(double s, double s_reach)>;
+
+    /// `unknowns` and `signs` list those of each simplex, -1 where they are 0.
+    FormFamily(Index count, std::vector<Index> unknowns, std::vector<std::int8_t> signs,
+               Factors factors, Index simplices,
+               const std::function<LocalForms(Index simplex)>& local);
+
+    Index size() const { return count_; }
+
+    /// Forms are bounds for s below this; infinite where there is no limit.
+    double limit() const { return limit_; }
+
+    /// The simplices that have a limit below s.
+    std::vector<Index> beyond(double s) const;
+
+    /// Q(s), in time linear in its size.
+    CountedMatrix at(double s) const;
+
+private:
+    struct Cell {
+        Vector column;
+        double mass;
+    };
+
+    void add_local(Index simplex, double s, DenseMatrix& Q, Vector& sizes, double& error) const;
+    void make_pattern();
+
+    Index count_, width_, parts_ = 0;
+    std::vector<Index> unknowns_;
+    std::vector<std::int8_t> signs_;
+    Factors factors_;
+    std::vector<double> values_; // of parts, simplex by simplex
+    std::vector<Cell> cells_;    // empty: there are no unknowns of cells
+    std::vector<double> reach_, errors_;
+    std::vector<std::pair<Index, DenseMatrix>> robin_; // by simplex
+    std::vector<Index> first_robin_;
+    double limit_;
+    SparseMatrix pattern_;
+    std::vector<Index> slots_; // of local entries in the values of the pattern, -1: none
+    double most_summands_ = 0;
+};
+
+/// The number of negative eigenvalues of Q(s), if it can be trusted.
+std::optional<Index> negative_eigenvalues(const FormFamily& family, double s,
+                                          const std::string& engine, int domain_dimension);
+
+} // namespace polydec

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "base/decompositions.h"
+#include "shape/facet_unknowns.h"
+#include "shape/forms.h"
+
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+/// How the part of |grad w|^2, and the products of linear and other functions, are divided.
+constexpr double share_of_gradient = 0.5, share_of_linear = 0.3;
+
+/// What all simplices of dimension n have in common. Quadratic polynomials stand for their classes
+/// modulo constants, so one product of coordinates is left out.
+struct ReferenceSimplex {
+    explicit ReferenceSimplex(int dimension);
+
+    int n;
+    std::vector<Pair> pairs; // of the quadratic polynomials
+    std::vector<Pair> edges; // j < k: fields lambda_j lambda_k (x_k - x_j)
+    LongMatrix covariance;   // of the polynomials
+    LongMatrix linear_part;  // of a polynomial less its mean: coefficients of lambda_k
+    LongMatrix linear_mass;  // means of lambda_i lambda_j
+    LongMatrix divergences;  // means of (lambda_k - lambda_j) p: a row for each field
+    LongMatrix field_means;  // means of products of lambda_j lambda_k
+    LongMatrix fields;       // with - divergence sum q_k lambda_k, for q of sum 0
+    LongMatrix circulations; // fields without divergence
+};
+
+ReferenceSimplex::ReferenceSimplex(int dimension) : n(dimension) {
+    pairs = quadratic_pairs(n);
+    pairs.erase(pairs.begin());
+    for (const Pair& pair : pairs)
+        if (pair[0] < pair[1])
+            edges.push_back(pair);
+    const auto size = static_cast<Eigen::Index>(pairs.size());
+    const auto fields_size = static_cast<Eigen::Index>(edges.size());
+    covariance = quadratic_products(n, pairs);
+    linear_part.resize(n + 1, size);
+    divergences.resize(fields_size, size);
+    for (Eigen::Index p = 0; p < size; ++p) {
+        const auto [i, j] = pairs[p];
+        const long double mean = mean_of_product(n, {i, j});
+        for (Eigen::Index q = 0; q < size; ++q)
+            covariance(p, q) -= mean * mean_of_product(n, {pairs[q][0], pairs[q][1]});
+        for (int k = 0; k <= n; ++k)
+            linear_part(k, p) =
+                (n + 1) * (n + 2) * (mean_of_product(n, {i, j, k}) - mean / (n + 1));
+        for (Eigen::Index e = 0; e < fields_size; ++e)
+            divergences(e, p) =
+                mean_of_product(n, {i, j, edges[e][1]}) - mean_of_product(n, {i, j, edges[e][0]});
+    }
+    linear_mass.resize(n + 1, n + 1);
+    for (int i = 0; i <= n; ++i)
+        for (int j = 0; j <= n; ++j)
+            linear_mass(i, j) = mean_of_product(n, {i, j});
+    field_means = quadratic_products(n, edges);
+    fields = LongMatrix::Zero(fields_size, n + 1);
+    circulations = LongMatrix::Zero(fields_size, n * (n - 1) / 2);
+    for (Eigen::Index e = 0, cycle = 0; e < fields_size; ++e) {
+        const auto [j, k] = edges[e];
+        fields(e, k) = 1.0L / (n + 1);
+        fields(e, j) = -1.0L / (n + 1);
+        if (j == 0) // edges 0 k come first, in order
+            continue;
+        circulations(e, cycle) = circulations(j - 1, cycle) = 1;
+        circulations(k - 1, cycle) = -1;
+        ++cycle;
+    }
+}
+
+/// Products of the gradients of the polynomials.
+LongMatrix stiffness(const ReferenceSimplex& reference, const MeasuredSimplex& simplex) {
+    const auto size = static_cast<Eigen::Index>(reference.pairs.size());
+    LongMatrix S = LongMatrix::Zero(size, size);
+    for (Eigen::Index p = 0; p < size; ++p)
+        for (Eigen::Index q = 0; q <= p; ++q) {
+            for (const auto& [a, b] : gradient_terms(reference.pairs[p]))
+                for (const auto& [c, d] : gradient_terms(reference.pairs[q]))
+                    S(p, q) += reference.linear_mass(a, c) * simplex.gradients(b, d);
+            S(q, p) = S(p, q);
+        }
+    return simplex.volume * S;
+}
+
+/// The unknown of facet i at corner a, its mean times lambda_a.
+int moment(int n, int i, int a) {
+    return n * i + (a < i ? a : a - 1);
+}
+
+/// Integrals of grad u . grad p for the polynomials p, by moments of u less its mean in the cell.
+LongMatrix flux_products(const ReferenceSimplex& reference, const MeasuredSimplex& simplex) {
+    const int n = reference.n;
+    const auto size = static_cast<Eigen::Index>(reference.pairs.size());
+    LongMatrix B = LongMatrix::Zero(size, n * (n + 1));
+    for (Eigen::Index p = 0; p < size; ++p)
+        for (const auto& [a, b] : gradient_terms(reference.pairs[p]))
+            for (int i = 0; i <= n; ++i)
+                if (i != a)
+                    B(p, moment(n, i, a)) -= n * simplex.volume * simplex.gradients(i, b);
+    return B;
+}
+
+/// |G d|^2, G d the gradient of u projected on linear fields.
+LongMatrix gradient_square(int n, const MeasuredSimplex& simplex) {
+    LongMatrix K(n * (n + 1), n * (n + 1));
+    const long double factor = n * n * simplex.volume * (n + 1) * (n + 2);
+    for (int i = 0; i <= n; ++i)
+        for (int a = 0; a <= n; ++a)
+            for (int j = 0; j <= n; ++j)
+                for (int b = 0; b <= n; ++b)
+                    if (a != i && b != j)
+                        K(moment(n, i, a), moment(n, j, b)) =
+                            factor * simplex.gradients(i, j) * ((a == b) - 1.0L / (n + 2));
+    return K;
+}
+
+/// N with (q, w)^2 <= q^T N q |grad w|^2 for linear q of mean 0, by coefficients, and w with
+/// gradient orthogonal to those of quadratic polynomials: of the quadratic fields tau with
+/// - div tau = q and no flow through facets the one that is nearest to such gradients.
+LongMatrix flow_distance(const ReferenceSimplex& reference, const MeasuredSimplex& simplex,
+                         const Eigen::LDLT<LongMatrix>& stiffness) {
+    const auto size = static_cast<Eigen::Index>(reference.edges.size());
+    LongMatrix products(size, size);
+    for (Eigen::Index e = 0; e < size; ++e)
+        for (Eigen::Index f = 0; f < size; ++f) {
+            const auto [j, k] = reference.edges[e];
+            const auto [l, m] = reference.edges[f];
+            const auto& squares = simplex.squares;
+            products(e, f) = simplex.volume * reference.field_means(e, f) *
+                             (squares(k, l) + squares(j, m) - squares(k, m) - squares(j, l)) / 2;
+        }
+    const LongMatrix T = simplex.volume * reference.divergences;
+    const LongMatrix W = products - T * stiffness.solve(T.transpose());
+    LongMatrix tau = reference.fields;
+    if (const auto& Z = reference.circulations; Z.cols() > 0) {
+        const LongMatrix inner = Z.transpose() * W * Z;
+        tau -= Z * inner.ldlt().solve(Z.transpose() * W * tau);
+    }
+    LongMatrix N = tau.transpose() * W * tau;
+    const LongMatrix all = tau.transpose() * products * tau;
+    const long double rounding = 256 * std::numeric_limits<long double>::epsilon();
+    N.diagonal() += rounding * simplex.sensitivity * all.cwiseAbs().rowwise().sum();
+    return N;
+}
+
+/// Robin's part: the squares of the traces projected on linear functions.
+LongMatrix robin_part(int n, const MeasuredSimplex& simplex, const FacetSide* sides) {
+    LongMatrix result;
+    for (int i = 0; i <= n; ++i) {
+        if (!(sides[i].robin > 0))
+            continue;
+        if (result.size() == 0)
+            result = LongMatrix::Zero(n * (n + 1), n * (n + 1));
+        const long double factor = sides[i].robin * simplex.facet_volume(i) * n * (n + 1);
+        result.block(n * i, n * i, n, n) =
+            factor * (LongMatrix::Identity(n, n) - LongMatrix::Constant(n, n, 1.0L / (n + 1)));
+    }
+    return result;
+}
+
+LocalForms local_forms(const Shape& shape, const ReferenceSimplex& reference,
+                       const FacetSide* sides, Index s) {
+    const auto simplex = measured_simplex(shape, s);
+    const int n = reference.n;
+    const long double kappa = conductivity_of(shape, s), rho = density_of(shape, s);
+    const Eigen::LDLT<LongMatrix> S(stiffness(reference, simplex));
+    const LongMatrix B = flux_products(reference, simplex);
+    const LongMatrix R = S.solve(B);
+    const LongMatrix of_quadratic = B.transpose() * R;
+    const LongMatrix mass = simplex.volume * (R.transpose() * reference.covariance * R);
+    const LongMatrix q = reference.linear_part * R;
+    const LongMatrix linear = simplex.volume * (q.transpose() * reference.linear_mass * q);
+    const long double square = simplex.longest_square * (1 + 1e-15L) * poincare_square(n);
+    const LongMatrix doubt =
+        (1 + share_of_linear) * (q.transpose() * flow_distance(reference, simplex, S) * q) +
+        (1 + 1 / share_of_linear) * square * (mass - linear);
+    LocalForms forms;
+    forms.parts = {kappa * of_quadratic, kappa * (gradient_square(n, simplex) - of_quadratic),
+                   rho * mass, rho * rho / kappa * doubt};
+    for (LongMatrix& part : forms.parts)
+        part = LongMatrix((part + part.transpose()) / 2);
+    forms.robin = robin_part(n, simplex, sides);
+    forms.cell = LongMatrix::Constant(n * (n + 1), 1, 1.0L / n);
+    forms.mass = static_cast<double>(rho * simplex.volume);
+    forms.reach = static_cast<double>(square * rho / kappa) * (1 + 1e-15);
+    forms.flatness = simplex.sensitivity;
+    return forms;
+}
+
+} // namespace
+
+FormFamily hybrid_form(const Shape& shape) {
+    const int n = shape.pieces.dimension();
+    const auto sides = facet_sides(shape);
+    FacetUnknowns facets = facet_unknowns(shape, sides, n);
+    const ReferenceSimplex reference(n);
+    const auto factors = [](double s, double reach) {
+        const double eps = share_of_gradient;
+        return std::vector<double>{1, eps * (1 - reach), -s, -s * s / ((1 - eps) * (1 - reach))};
+    };
+    const auto local = [&](Index s) {
+        return local_forms(shape, reference, &sides[std::size_t(n + 1) * s], s);
+    };
+    return {facets.count, std::move(facets.unknowns), std::move(facets.signs),
+            factors,      shape.pieces.size(n),       local};
+}
+
+} // namespace polydec

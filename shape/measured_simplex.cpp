@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "shape/measured_simplex.h"
+
+#include "base/errors.h"
+#include "dec/metric/simplex_geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+LongMatrix squares_of(const Shape& shape, Index simplex) {
+    const int n = shape.pieces.dimension();
+    LongMatrix squares = LongMatrix::Zero(n + 1, n + 1);
+    for (int j = 1; j <= n; ++j)
+        for (int i = 0; i < j; ++i) {
+            const std::array<int, 2> corners{i, j};
+            const long double length = shape.lengths[face_at(shape.pieces, n, simplex, corners)];
+            squares(i, j) = squares(j, i) = length * length;
+        }
+    return squares;
+}
+
+/// Cholesky's factor of the products of the edges from corner 0; empty if there is none.
+LongMatrix edge_factor(const LongMatrix& squares) {
+    const auto n = squares.rows() - 1;
+    LongMatrix L = LongMatrix::Zero(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j <= i; ++j) {
+            long double rest = (squares(0, i + 1) + squares(0, j + 1) - squares(i + 1, j + 1)) / 2;
+            for (Eigen::Index k = 0; k < j; ++k)
+                rest -= L(i, k) * L(j, k);
+            if (i == j && !(rest > 0))
+                return {};
+            L(i, j) = i == j ? std::sqrt(rest) : rest / L(j, j);
+        }
+    return L;
+}
+
+std::string name_of(const Shape& shape, Index simplex) {
+    const int n = shape.pieces.dimension();
+    return fmt::format("simplex {} (vertices {})", simplex,
+                       fmt::join(shape.pieces.vertex_numbers(n, simplex), ", "));
+}
+
+} // namespace
+
+long double MeasuredSimplex::facet_volume(int omitted) const {
+    return dimension() * volume * std::sqrt(gradients(omitted, omitted));
+}
+
+MeasuredSimplex measured_simplex(const Shape& shape, Index simplex) {
+    MeasuredSimplex result;
+    result.squares = squares_of(shape, simplex);
+    const LongMatrix L = edge_factor(result.squares);
+    if (L.size() == 0)
+        throw InvalidInput(fmt::format("{} does not exist with the lengths of its edges, or has no "
+                                       "volume: lengths that make one are needed",
+                                       name_of(shape, simplex)));
+    const auto n = L.rows();
+    const LongMatrix inverse = L.triangularView<Eigen::Lower>().solve(LongMatrix::Identity(n, n));
+    LongMatrix inner = inverse.transpose() * inverse;
+    result.gradients.resize(n + 1, n + 1);
+    result.gradients.bottomRightCorner(n, n) = inner;
+    result.gradients.topRightCorner(1, n) = -inner.colwise().sum();
+    result.gradients.bottomLeftCorner(n, 1) = -inner.rowwise().sum();
+    result.gradients(0, 0) = inner.sum();
+    result.volume = 1;
+    for (Eigen::Index i = 0; i < n; ++i)
+        result.volume *= L(i, i) / (i + 1);
+    result.longest_square = static_cast<double>(result.squares.maxCoeff());
+    long double sensitivity = 0; // |v|^2 = -sum squares_ij v_i v_j, |v_i| <= |v| |grad lambda_i|
+    for (Eigen::Index j = 1; j <= n; ++j)
+        for (Eigen::Index i = 0; i < j; ++i)
+            sensitivity += 2 * result.squares(i, j) *
+                           std::sqrt(result.gradients(i, i) * result.gradients(j, j));
+    result.sensitivity = static_cast<double>(sensitivity);
+    return result;
+}
+
+double poincare_square(int n) {
+    return n == 2 ? 1 / 14.68 : 1 / 9.8696;
+}
+
+double metric_ratio(const Shape& shape) {
+    const int n = shape.pieces.dimension();
+    // lengths are squared, and gradients found, in long numbers
+    const double error =
+        shape.length_error + 8 * static_cast<double>(std::numeric_limits<long double>::epsilon());
+    double most = 0;
+    Index worst = 0;
+    for (Index s = 0; s < shape.pieces.size(n); ++s) {
+        const double d = measured_simplex(shape, s).sensitivity * error * (1 + error);
+        if (d > most) {
+            most = d;
+            worst = s;
+        }
+    }
+    if (!(most < 0.5))
+        throw InvalidInput(fmt::format(
+            "{} is so flat that the rounding of its edges' lengths changes its shape: flip edges, "
+            "or improve or remove flat simplices",
+            name_of(shape, worst)));
+    return (1 - most) * std::pow((1 - most) / (1 + most), n / 2.0);
+}
+
+} // namespace polydec

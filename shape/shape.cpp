@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "shape/shape.h"
+
+#include "base/checks.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polydec {
+
+namespace {
+
+void check_weights(const char* what, const Vector& weights, Index simplices) {
+    if (weights.size() == 0)
+        return;
+    check_as_many(what, weights.size(), simplices);
+    for (Index s = 0; s < simplices; ++s)
+        if (!(weights[s] > 0) || !std::isfinite(weights[s]))
+            throw InvalidInput(fmt::format("{} {} of simplex {}: expected a positive number", what,
+                                           weights[s], s));
+}
+
+/// The share by which the lengths of a flipped surface may be off.
+double error_of_flips(const IntrinsicDelaunay& flips) {
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    return rounding + 2 * flips.statistics.added_length / flips.lengths.minCoeff();
+}
+
+} // namespace
+
+Shape shape_of(const Discretization& mesh, const BoundaryConditions& conditions) {
+    const Pieces& pieces = mesh.pieces();
+    const int n = pieces.dimension();
+    if (!conditions.facets.empty() && mesh.complex().size(n) != pieces.size(n))
+        throw InvalidInput("conditions by facet on a mesh with merged cells: a shape consists of "
+                           "the simplices, so discretize it with the criterion none");
+    Shape shape{.pieces = pieces, .lengths = {}, .conditions = conditions};
+    const SimplexMetric metric = mesh.metric();
+    shape.lengths =
+        metric.points() != nullptr ? edge_lengths(pieces, *metric.points()) : *metric.lengths();
+    if (mesh.points().cols() > 0 || mesh.box()) // else the lengths are what is given
+        shape.length_error = 4 * std::numeric_limits<double>::epsilon();
+    if (!mesh.passage().is_identity())
+        shape.length_error = error_of_flips(mesh.passage().flips());
+    shape.lengths *= mesh.unit();
+    check(shape);
+    return shape;
+}
+
+void check(const Shape& shape) {
+    const Pieces& pieces = shape.pieces;
+    const int n = pieces.dimension();
+    SimplexMetric(pieces, shape.lengths); // throws for lengths that are none
+    check_weights("conductivity", shape.conductivity, pieces.size(n));
+    check_weights("density", shape.density, pieces.size(n));
+    const auto& fixed = shape.conditions.fixed_vertices;
+    if (std::find(fixed.begin(), fixed.end(), true) != fixed.end())
+        throw InvalidInput("a vertex with a given value: functions on a shape are not bound at "
+                           "points, so give conditions on facets");
+    if (!(shape.length_error >= 0 && shape.length_error < 0.1))
+        throw InvalidInput(fmt::format("lengths may be off by a share of {}: expected one from 0 "
+                                       "to 0.1",
+                                       shape.length_error));
+    robin_coefficients(pieces, shape.conditions);
+}
+
+} // namespace polydec

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "shape/trusted_count.h"
+
+#include "base/errors.h"
+#include "base/listed.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace polydec {
+
+Index trusted_count(const FormFamily& family, double s, Direction direction,
+                    const std::string& engine, int domain_dimension) {
+    for (const double step : {0.0, 1e-12, 1e-10, 1e-8, 1e-6}) {
+        const double at = s * (direction == Direction::up ? 1 + step : 1 - step);
+        if (const auto count = negative_eigenvalues(family, at, engine, domain_dimension))
+            return *count;
+    }
+    throw SolverFailure(fmt::format(
+        "the eigenvalues below {:.6g} cannot be counted: rounding hides the signs of pivots; flip "
+        "edges, or improve or remove cells that are very much smaller or flatter than others",
+        s));
+}
+
+void check_degree(int degree) {
+    if (degree != 1 && degree != 2)
+        throw InvalidInput(fmt::format("bounds of degree {}: expected 1 (linear and "
+                                       "Crouzeix-Raviart) or 2 (quadratic and hybrid)",
+                                       degree));
+}
+
+std::string warning_of_large(const Shape& shape, const std::vector<Index>& simplices, double s,
+                             double limit) {
+    return fmt::format(
+        "no lower bounds of eigenvalues above {:.6g}, where {:.6g} is wanted: {} of the {} "
+        "simplices are too large for it ({}); divide these",
+        limit, s, simplices.size(), shape.pieces.size(shape.pieces.dimension()),
+        listed(simplices, [](Index simplex) { return std::to_string(simplex); }));
+}
+
+} // namespace polydec

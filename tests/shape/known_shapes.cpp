@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "tests/shape/known_shapes.h"
+
+#include "dec/discretization.h"
+#include "meshes/generate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace polydec::test {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double uniform(std::mt19937& random, double low, double high) {
+    return low + (high - low) * (random() / 4294967296.0);
+}
+
+/// Points of a box, inner ones moved by up to `amplitude` cells.
+void shake(Mesh& mesh, std::mt19937& random, const std::vector<int>& cells,
+           const std::vector<double>& sides, double amplitude) {
+    for (Index v = 0; v < mesh.points.rows(); ++v) {
+        bool inner = true;
+        for (Eigen::Index c = 0; c < mesh.points.cols(); ++c)
+            inner = inner && mesh.points(v, c) > 1e-9 && mesh.points(v, c) < sides[c] - 1e-9;
+        for (Eigen::Index c = 0; inner && c < mesh.points.cols(); ++c)
+            mesh.points(v, c) += uniform(random, -amplitude, amplitude) * sides[c] / cells[c];
+    }
+}
+
+std::vector<double> repeated(std::vector<double> values, int times) {
+    std::vector<double> result;
+    for (const double value : values)
+        result.insert(result.end(), times, value);
+    return result;
+}
+
+} // namespace
+
+Shape unmerged(const Mesh& mesh, const BoundaryConditions& conditions) {
+    return shape_of(discretize(mesh, {.criterion = MergeCriterion::none}), conditions);
+}
+
+Shape unmerged(const PeriodicMesh& mesh) {
+    return shape_of(discretize(mesh, {.criterion = MergeCriterion::none}));
+}
+
+BoundaryConditions conditions_of(const Mesh& mesh, const std::vector<PartOfBoundary>& parts) {
+    const auto pieces = SimplicialComplex(mesh.simplices);
+    const int n = pieces.dimension();
+    const auto& facets = pieces.simplices(n - 1);
+    BoundaryConditions conditions;
+    for (Index f = 0; f < facets.rows(); ++f) {
+        Eigen::RowVectorXd centroid = Eigen::RowVectorXd::Zero(mesh.points.cols());
+        for (int i = 0; i < n; ++i)
+            centroid += mesh.points.row(pieces.vertex_number(facets(f, i))) / n;
+        conditions.facets.push_back(BoundaryCondition::natural);
+        conditions.coefficients.push_back(1);
+        for (const PartOfBoundary& part : parts)
+            if (part.where(centroid)) {
+                conditions.facets.back() = part.condition;
+                conditions.coefficients.back() = part.coefficient;
+            }
+    }
+    return conditions;
+}
+
+std::vector<double> sums(const std::vector<std::vector<double>>& lists, double limit) {
+    std::vector<double> result{0};
+    for (const auto& list : lists) {
+        std::vector<double> next;
+        for (const double before : result)
+            for (const double value : list)
+                if (before + value < limit)
+                    next.push_back(before + value);
+        result = std::move(next);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+std::vector<double> interval_eigenvalues(double length, double left, double right, double limit) {
+    std::vector<double> result;
+    for (int k = 0;; ++k) { // root of mu length - k pi = atan(left / mu) + atan(right / mu)
+        double low = k * pi / length, high = (k + 1) * pi / length;
+        if (left == 0 && right == 0)
+            high = low;
+        for (int step = 0; step < 200 && low < high; ++step) {
+            const double mu = (low + high) / 2;
+            const bool is_below =
+                mu * length - k * pi < std::atan2(left, mu) + std::atan2(right, mu);
+            (is_below ? low : high) = mu;
+        }
+        if (!(high * high < limit))
+            return result;
+        result.push_back(high * high);
+    }
+}
+
+KnownShape random_box(std::mt19937& random, const std::vector<int>& cells) {
+    const auto n = static_cast<Eigen::Index>(cells.size());
+    std::vector<double> sides;
+    for (Eigen::Index c = 0; c < n; ++c)
+        sides.push_back(uniform(random, 0.5, 1.5));
+    Mesh mesh = kuhn(cells, sides);
+    shake(mesh, random, cells, sides, 0.3);
+    const double limit = 2000;
+    std::vector<std::vector<double>> lists;
+    std::vector<PartOfBoundary> parts;
+    for (Eigen::Index c = 0; c < n; ++c) {
+        double coefficients[2];
+        for (int end = 0; end < 2; ++end) {
+            const auto kind = random() % 3;
+            coefficients[end] = kind == 0 ? 0 : kind == 1 ? infinity : uniform(random, 0.1, 10);
+            const double at = end == 0 ? 0 : sides[c];
+            if (kind != 0)
+                parts.push_back(
+                    {[c, at](const Eigen::RowVectorXd& p) { return std::abs(p[c] - at) < 1e-9; },
+                     kind == 1 ? BoundaryCondition::essential : BoundaryCondition::robin,
+                     kind == 1 ? 1 : coefficients[end]});
+        }
+        lists.push_back(interval_eigenvalues(sides[c], coefficients[0], coefficients[1], limit));
+    }
+    return {"box", unmerged(mesh, conditions_of(mesh, parts)), sums(lists, limit)};
+}
+
+KnownShape random_torus(std::mt19937& random) {
+    const std::vector<int> cells{static_cast<int>(3 + random() % 3),
+                                 static_cast<int>(3 + random() % 3)};
+    const double a = uniform(random, 0.7, 1.4), b = uniform(random, 0.7, 1.4);
+    const double shear = uniform(random, -2, 2);
+    Mesh mesh = kuhn(cells, {a, b});
+    shake(mesh, random, cells, {a, b}, 0.2);
+    mesh.points.col(0) += shear * mesh.points.col(1);
+    const double limit = 2000;
+    std::vector<double> values; // 4 pi^2 |w|^2, w.(a, 0) and w.(shear b, b) integers
+    for (int i = -60; i <= 60; ++i)
+        for (int j = -60; j <= 60; ++j) {
+            const double x = i / a, y = (j - i * shear * b / a) / b;
+            if (const double value = 4 * pi * pi * (x * x + y * y); value < limit)
+                values.push_back(value);
+        }
+    std::sort(values.begin(), values.end());
+    const Vector first = (Vector(2) << a, 0).finished();
+    const Vector second = (Vector(2) << shear * b, b).finished();
+    return {"torus", unmerged(periodic(mesh, {first, second})), values};
+}
+
+KnownShape klein_bottle(std::mt19937& random, ShapeFunctions functions) {
+    const std::vector<int> cells{static_cast<int>(4 + 2 * (random() % 2)), 4};
+    const double a = uniform(random, 0.7, 1.4), b = uniform(random, 0.7, 1.4);
+    Mesh mesh = split_boxes(cells, {a, b});
+    shake(mesh, random, cells, {a, b}, 0.2);
+    const Isometry across = [a](const Vector& p) {
+        return Vector((Vector(2) << p[0] + a, p[1]).finished());
+    };
+    const Isometry turned = [a, b](const Vector& p) {
+        return Vector((Vector(2) << a - p[0], p[1] + b).finished());
+    };
+    KnownShape result{"Klein bottle", unmerged(glue(mesh, {across, turned})), {}};
+    result.shape.functions = functions;
+    const double limit = 2000;
+    const bool is_twisted = functions == ShapeFunctions::twisted;
+    for (int m = 0; m < 20; ++m)     // cos (m > = 0) and sin (m > 0) of 2 pi m (x - a / 2) / a
+        for (int k = 0; k < 40; ++k) // times cos and sin of pi k y / b
+            for (const bool is_cosine : {true, false}) {
+                const bool is_periodic = is_cosine != is_twisted;
+                if ((m == 0 && !is_cosine) || (k % 2 == 0) != is_periodic)
+                    continue;
+                const double value = pi * pi * (4.0 * m * m / (a * a) + 1.0 * k * k / (b * b));
+                if (value < limit)
+                    result.eigenvalues.insert(result.eigenvalues.end(), k == 0 ? 1 : 2, value);
+            }
+    std::sort(result.eigenvalues.begin(), result.eigenvalues.end());
+    return result;
+}
+
+KnownShape book(std::mt19937& random, int pages, int cells) {
+    const double a = uniform(random, 0.7, 1.4), b = uniform(random, 0.7, 1.4);
+    const Mesh page = kuhn({cells, cells}, {a, b});
+    Mesh mesh;
+    std::map<std::vector<double>, Index> numbers;
+    std::vector<Eigen::RowVector3d> points;
+    std::vector<std::vector<Index>> triangles;
+    for (int p = 0; p < pages; ++p)
+        for (Index t = 0; t < page.simplices.rows(); ++t) {
+            triangles.emplace_back();
+            for (int i = 0; i < 3; ++i) {
+                const auto at = page.points.row(page.simplices(t, i));
+                const double angle = 2 * pi * p / pages;
+                const std::vector<double> key{at[0], at[1], at[0] == 0 ? 0.0 : p};
+                const auto [entry, is_new] =
+                    numbers.emplace(key, static_cast<Index>(points.size()));
+                if (is_new)
+                    points.emplace_back(at[0] * std::cos(angle), at[0] * std::sin(angle), at[1]);
+                triangles.back().push_back(entry->second);
+            }
+        }
+    mesh.points.resize(std::ssize(points), 3);
+    for (Index v = 0; v < std::ssize(points); ++v)
+        mesh.points.row(v) = points[v];
+    mesh.simplices.resize(std::ssize(triangles), 3);
+    for (Index t = 0; t < std::ssize(triangles); ++t)
+        for (int i = 0; i < 3; ++i)
+            mesh.simplices(t, i) = triangles[t][i];
+    const double limit = 2000;
+    auto across = interval_eigenvalues(a, 0, 0, limit);
+    const auto odd = repeated(interval_eigenvalues(a, infinity, 0, limit), pages - 1);
+    across.insert(across.end(), odd.begin(), odd.end());
+    return {"book", unmerged(mesh), sums({across, interval_eigenvalues(b, 0, 0, limit)}, limit)};
+}
+
+namespace {
+
+/// Copies of a triangulated part of the plane, each taken to space; points nearer than 1e-9 join.
+Mesh patched(const Mesh& part,
+             const std::vector<std::function<Eigen::RowVector3d(double, double)>>& places) {
+    std::map<std::array<long, 3>, Index> numbers;
+    Mesh mesh;
+    mesh.points.resize(part.points.rows() * std::ssize(places), 3);
+    mesh.simplices.resize(part.simplices.rows() * std::ssize(places), 3);
+    Index triangle = 0, count = 0;
+    for (const auto& place : places)
+        for (Index t = 0; t < part.simplices.rows(); ++t, ++triangle)
+            for (int i = 0; i < 3; ++i) {
+                const auto at = part.points.row(part.simplices(t, i));
+                const Eigen::RowVector3d p = place(at[0], at[1]);
+                const auto [entry, is_new] = numbers.emplace(
+                    std::array<long, 3>{std::lround(p[0] * 1e7), std::lround(p[1] * 1e7),
+                                        std::lround(p[2] * 1e7)},
+                    count);
+                if (is_new)
+                    mesh.points.row(count++) = p;
+                mesh.simplices(triangle, i) = entry->second;
+            }
+    mesh.points.conservativeResize(count, 3);
+    return mesh;
+}
+
+} // namespace
+
+Mesh cube_surface(int n) {
+    std::vector<std::function<Eigen::RowVector3d(double, double)>> places;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double level : {0.0, 1.0})
+            places.push_back([axis, level](double x, double y) {
+                Eigen::RowVector3d p;
+                p[axis] = level;
+                p[(axis + 1) % 3] = x;
+                p[(axis + 2) % 3] = y;
+                return p;
+            });
+    return patched(kuhn({n, n}), places);
+}
+
+Mesh tetrahedron_surface(int n) {
+    // half of a grid of squares, the other half mirrored to it by hand
+    Mesh half;
+    half.points.resize((n + 1) * (n + 2) / 2, 2);
+    half.simplices.resize(n * n, 3);
+    std::map<std::pair<int, int>, Index> numbers;
+    Index count = 0, triangle = 0;
+    for (int i = 0; i <= n; ++i)
+        for (int j = 0; i + j <= n; ++j) {
+            half.points.row(count) << double(i) / n, double(j) / n;
+            numbers[{i, j}] = count++;
+        }
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; i + j < n; ++j) {
+            half.simplices.row(triangle++) << numbers[{i, j}], numbers[{i + 1, j}],
+                numbers[{i, j + 1}];
+            if (i + j + 1 < n)
+                half.simplices.row(triangle++) << numbers[{i + 1, j}], numbers[{i + 1, j + 1}],
+                    numbers[{i, j + 1}];
+        }
+    const double s = 1 / std::sqrt(8.0);
+    const std::vector<Eigen::RowVector3d> corners{{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}};
+    std::vector<std::function<Eigen::RowVector3d(double, double)>> places;
+    for (int without = 0; without < 4; ++without)
+        places.push_back([corners, without](double x, double y) {
+            const auto& a = corners[(without + 1) % 4];
+            const auto& b = corners[(without + 2) % 4];
+            const auto& c = corners[(without + 3) % 4];
+            return Eigen::RowVector3d(a + x * (b - a) + y * (c - a));
+        });
+    return patched(half, places);
+}
+
+Mesh l_shape(int n) {
+    Mesh mesh = kuhn({2 * n, 2 * n}, {2, 2});
+    std::vector<bool> out(mesh.simplices.rows());
+    for (Index t = 0; t < mesh.simplices.rows(); ++t) {
+        Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(2);
+        for (int i = 0; i < 3; ++i)
+            sum += mesh.points.row(mesh.simplices(t, i)) / 3;
+        out[t] = sum[0] > 1 && sum[1] < 1;
+    }
+    keep_rows(mesh, out);
+    return mesh;
+}
+
+Mesh icosahedron() {
+    return icosphere(1);
+}
+
+} // namespace polydec::test

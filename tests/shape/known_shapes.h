@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "meshes/mesh.h"
+#include "meshes/periodic.h"
+#include "shape/shape.h"
+
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace polydec::test {
+
+/// A shape with eigenvalues in closed form, ascending and all there are below some number.
+struct KnownShape {
+    std::string name;
+    Shape shape;
+    std::vector<double> eigenvalues;
+};
+
+constexpr double pi = 3.14159265358979323846;
+
+/// The shape of the simplices of a mesh, none merged.
+Shape unmerged(const Mesh& mesh,
+               const BoundaryConditions& conditions = {BoundaryCondition::natural});
+Shape unmerged(const PeriodicMesh& mesh);
+
+/// Conditions by facet: at facets whose centroid fulfills a predicate these, elsewhere natural.
+struct PartOfBoundary {
+    std::function<bool(const Eigen::RowVectorXd& centroid)> where;
+    BoundaryCondition condition;
+    double coefficient = 0;
+};
+BoundaryConditions conditions_of(const Mesh& mesh, const std::vector<PartOfBoundary>& parts);
+
+/// All sums below `limit` of one number from each ascending list.
+std::vector<double> sums(const std::vector<std::vector<double>>& lists, double limit);
+
+/// Eigenvalues of -u'' on an interval below `limit`, with - u' + left u = 0 and u' + right u = 0;
+/// infinity: u = 0.
+std::vector<double> interval_eigenvalues(double length, double left, double right, double limit);
+
+/// A box of Kuhn's simplices, inner vertices moved at random, each pair of sides with conditions of
+/// its own: natural, essential, Robin's or two of them.
+KnownShape random_box(std::mt19937& random, const std::vector<int>& cells);
+
+/// A flat torus of three to five cells each way, sheared and perturbed.
+KnownShape random_torus(std::mt19937& random);
+
+/// A Klein bottle, functions or twisted 2-forms.
+KnownShape klein_bottle(std::mt19937& random, ShapeFunctions functions);
+
+/// Pages, rectangles that share a side, natural conditions.
+KnownShape book(std::mt19937& random, int pages, int cells);
+
+/// Surfaces: the unit cube's, of n x n squares a side, and the regular tetrahedron's of edge 1.
+Mesh cube_surface(int n);
+Mesh tetrahedron_surface(int n);
+
+/// Three squares of side 1 around the corner of an L, of 2 n^2 triangles each.
+Mesh l_shape(int n);
+
+/// The surface of a regular icosahedron in the unit sphere.
+Mesh icosahedron();
+
+} // namespace polydec::test
