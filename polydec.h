@@ -109,6 +109,7 @@
 #include "meshes/weld.h"
 #include "shape/count_below.h"
 #include "shape/shape.h"
+#include "shape/shape_spectrum.h"
 #include "solvers/absorbing_layer.h"
 #include "solvers/boundary_forms.h"
 #include "solvers/coexact_spectrum.h"

@@ -109,9 +109,9 @@ void FormFamily::make_pattern() {
 
 /// Q of one simplex, bounds of what is added up on its diagonal, and the error as a share of these.
 /// Returns in sizes[width] whether the cell's own entry is negative.
-void FormFamily::add_local(Index simplex, double s, DenseMatrix& Q, Vector& sizes,
-                           double& error) const {
-    const auto factors = factors_(s, s * reach_[simplex]);
+void FormFamily::add_local(const Factors& factors_at, Index simplex, double s, DenseMatrix& Q,
+                           Vector& sizes, double& error) const {
+    const auto factors = factors_at(s, s * reach_[simplex]);
     const std::size_t entries = std::size_t(width_) * width_;
     const double* values = values_.data() + entries * parts_ * simplex;
     Q.setZero(width_, width_);
@@ -138,7 +138,7 @@ void FormFamily::add_local(Index simplex, double s, DenseMatrix& Q, Vector& size
     }
 }
 
-CountedMatrix FormFamily::at(double s) const {
+CountedMatrix FormFamily::sum(const Factors& factors, double s) const {
     auto matrix = std::make_shared<SparseMatrix>(pattern_);
     double* entries = matrix->valuePtr();
     std::fill(entries, entries + matrix->nonZeros(), 0.0);
@@ -154,7 +154,7 @@ CountedMatrix FormFamily::at(double s) const {
     };
     std::size_t slot = 0;
     for (Index t = 0; t < simplices; ++t) {
-        add_local(t, s, Q, sizes, errors[t]);
+        add_local(factors, t, s, Q, sizes, errors[t]);
         result.eliminated += static_cast<Index>(sizes[width_]);
         const std::int8_t* signs = signs_.data() + std::size_t(width_) * t;
         for (Index i = 0; i < width_; ++i)

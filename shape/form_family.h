@@ -55,7 +55,10 @@ public:
     std::vector<Index> beyond(double s) const;
 
     /// Q(s), in time linear in its size.
-    CountedMatrix at(double s) const;
+    CountedMatrix at(double s) const { return sum(factors_, s); }
+
+    /// The same with other factors.
+    CountedMatrix sum(const Factors& factors, double s) const;
 
 private:
     struct Cell {
@@ -63,7 +66,8 @@ private:
         double mass;
     };
 
-    void add_local(Index simplex, double s, DenseMatrix& Q, Vector& sizes, double& error) const;
+    void add_local(const Factors& factors, Index simplex, double s, DenseMatrix& Q, Vector& sizes,
+                   double& error) const;
     void make_pattern();
 
     Index count_, width_, parts_ = 0;

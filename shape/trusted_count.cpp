@@ -23,6 +23,21 @@ Index trusted_count(const FormFamily& family, double s, Direction direction,
         s));
 }
 
+CountBelow enclosed_count(const Shape& shape, const FormFamily& conforming, const FormFamily& lower,
+                          double s, double ratio, const std::string& engine) {
+    const int n = shape.pieces.dimension();
+    CountBelow result;
+    result.at_least = trusted_count(conforming, s * ratio, Direction::down, engine, n);
+    const double above = s / ratio * (1 + 1e-15);
+    if (above * (1 + 1e-6) < lower.limit()) {
+        result.at_most = trusted_count(lower, above, Direction::up, engine, n);
+    } else {
+        result.too_large = lower.beyond(above * (1 + 1e-6));
+        result.warnings = {warning_of_large(shape, result.too_large, above, lower.limit())};
+    }
+    return result;
+}
+
 void check_degree(int degree) {
     if (degree != 1 && degree != 2)
         throw InvalidInput(fmt::format("bounds of degree {}: expected 1 (linear and "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "shape/count_below.h"
 #include "shape/forms.h"
 
 #include <string>
@@ -14,6 +15,10 @@ enum class Direction { down, up };
 /// higher at most. Throws SolverFailure if none of them can.
 Index trusted_count(const FormFamily& family, double s, Direction direction,
                     const std::string& engine, int domain_dimension);
+
+/// The eigenvalues below s of a shape with these forms, `ratio` as of metric_ratio.
+CountBelow enclosed_count(const Shape& shape, const FormFamily& conforming, const FormFamily& lower,
+                          double s, double ratio, const std::string& engine);
 
 /// The degrees that there are: 1 and 2. Throws InvalidInput for others.
 void check_degree(int degree);

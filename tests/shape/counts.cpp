@@ -20,26 +20,6 @@ int tries() {
     return given == nullptr ? 120 : std::max(1, std::atoi(given));
 }
 
-KnownShape random_shape(std::mt19937& random) {
-    switch (random() % 8) {
-    case 0:
-    case 1:
-        return random_torus(random);
-    case 2:
-        return klein_bottle(random, ShapeFunctions::ordinary);
-    case 3:
-        return klein_bottle(random, ShapeFunctions::twisted);
-    case 4:
-        return book(random, static_cast<int>(3 + random() % 2), 2);
-    case 5:
-        return random_box(random, {2, 2, static_cast<int>(1 + random() % 2)});
-    case 6:
-        return random_box(random, {static_cast<int>(3 + random() % 3)});
-    default:
-        return random_box(random, {3, static_cast<int>(2 + random() % 3)});
-    }
-}
-
 Index below(const std::vector<double>& eigenvalues, double s) {
     return static_cast<Index>(std::count_if(eigenvalues.begin(), eigenvalues.end(),
                                             [s](double value) { return value < s; }));

@@ -302,8 +302,61 @@ Mesh l_shape(int n) {
     return mesh;
 }
 
-Mesh icosahedron() {
-    return icosphere(1);
+Mesh pillow(int n) {
+    const auto side = [n](double sign) { // inner points keep apart
+        return [sign, n](double x, double y) {
+            const bool inner = std::min({x, y, 1 - x, 1 - y}) > 0.5 / n;
+            return Eigen::RowVector3d(sign > 0 ? x : 1 - x, y, inner ? 1e-5 * sign : 0);
+        };
+    };
+    Mesh mesh = patched(kuhn({n, n}), {side(1), side(-1)}); // diagonals are mirrored
+    mesh.points.col(2).setZero();
+    return mesh;
+}
+
+Mesh divided(const Mesh& mesh) {
+    const SimplicialComplex pieces(mesh.simplices);
+    const auto& edges = pieces.simplices(1);
+    const auto& triangles = pieces.simplices(2);
+    const Index vertices = pieces.size(0);
+    Mesh result;
+    result.points.resize(vertices + edges.rows(), mesh.points.cols());
+    for (Index v = 0; v < vertices; ++v)
+        result.points.row(v) = mesh.points.row(pieces.vertex_number(v));
+    for (Index e = 0; e < edges.rows(); ++e)
+        result.points.row(vertices + e) =
+            (result.points.row(edges(e, 0)) + result.points.row(edges(e, 1))) / 2;
+    result.simplices.resize(4 * triangles.rows(), 3);
+    for (Index t = 0; t < triangles.rows(); ++t) {
+        Index middle[3];
+        for (int i = 0; i < 3; ++i)
+            middle[i] = vertices + pieces.face(2, t, i);
+        for (int i = 0; i < 3; ++i)
+            result.simplices.row(4 * t + i) << triangles(t, i), middle[(i + 1) % 3],
+                middle[(i + 2) % 3];
+        result.simplices.row(4 * t + 3) << middle[0], middle[1], middle[2];
+    }
+    return result;
+}
+
+KnownShape random_shape(std::mt19937& random) {
+    switch (random() % 8) {
+    case 0:
+    case 1:
+        return random_torus(random);
+    case 2:
+        return klein_bottle(random, ShapeFunctions::ordinary);
+    case 3:
+        return klein_bottle(random, ShapeFunctions::twisted);
+    case 4:
+        return book(random, static_cast<int>(3 + random() % 2), 2);
+    case 5:
+        return random_box(random, {2, 2, static_cast<int>(1 + random() % 2)});
+    case 6:
+        return random_box(random, {static_cast<int>(6 + random() % 3)});
+    default:
+        return random_box(random, {3, static_cast<int>(2 + random() % 3)});
+    }
 }
 
 } // namespace polydec::test

@@ -61,7 +61,13 @@ Mesh tetrahedron_surface(int n);
 /// Three squares of side 1 around the corner of an L, of 2 n^2 triangles each.
 Mesh l_shape(int n);
 
-/// The surface of a regular icosahedron in the unit sphere.
-Mesh icosahedron();
+/// Two unit squares of 2 n^2 triangles, glued along their boundaries.
+Mesh pillow(int n);
+
+/// Each triangle divided into four: the same surface.
+Mesh divided(const Mesh& mesh);
+
+/// One of those with eigenvalues in closed form: tori, Klein bottles, books, boxes.
+KnownShape random_shape(std::mt19937& random);
 
 } // namespace polydec::test

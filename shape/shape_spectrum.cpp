@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "shape/shape_spectrum.h"
+
+#include "backends/spectra/certified_eigensolver.h"
+#include "base/errors.h"
+#include "dec/metric/simplex_geometry.h"
+#include "shape/lower_guesses.h"
+#include "shape/trusted_count.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace polydec {
+
+namespace {
+
+class Enclosing {
+public:
+    Enclosing(const Shape& shape, const ShapeSpectrumOptions& options)
+        : shape_(shape),
+          options_(options),
+          ratio_(metric_ratio(shape)),
+          conforming_(shape, options.degree),
+          lower_(lower_form(shape, options.degree)) {
+        result_.zeros = std::min(zero_eigenvalues(shape), options.count);
+    }
+
+    ShapeSpectrum enclose() {
+        find_upper();
+        take_modes();
+        prove_lower();
+        count_all();
+        warn();
+        return std::move(result_);
+    }
+
+private:
+    void tell(std::string_view what) const {
+        if (options_.progress)
+            options_.progress(what);
+    }
+    int dimension() const { return shape_.pieces.dimension(); }
+
+    void find_upper();
+    void take_modes();
+    void prove_lower();
+    void prove(const Vector& guesses, Index j);
+    bool may_prove(double s, Index j) const;
+    void count_all();
+    void warn();
+
+    const Shape& shape_;
+    const ShapeSpectrumOptions& options_;
+    double ratio_; // of eigenvalues computed and meant
+    ConformingForm conforming_;
+    FormFamily lower_;
+    CertifiedEigenpairs pairs_;
+    std::vector<std::pair<double, Index>> counts_; // s, and at most so many below
+    ShapeSpectrum result_;
+};
+
+/// Ritz values, and what their radii and the rounding of the matrices add.
+void Enclosing::find_upper() {
+    const FormFamily& family = conforming_.family();
+    if (options_.count > family.size())
+        throw InvalidInput(fmt::format("{} eigenvalues of a shape: the mesh has {} functions of "
+                                       "degree {}, so 1 to {} can be had; refine it for more",
+                                       options_.count, family.size(), options_.degree,
+                                       family.size()));
+    tell("upper bounds");
+    const auto one = [&](double a, double b) {
+        return family.sum([=](double, double) { return std::vector<double>{a, b}; }, 0);
+    };
+    const CountedMatrix K = one(1, 0), M = one(0, 1);
+    CertifiedEigensolver solver(Pencil{.C = *K.matrix,
+                                       .M = SparseMatrix(*M.matrix),
+                                       .mass_uncertainty = 16 * M.doubt.share},
+                                {.linear_solver = options_.linear_solver,
+                                 .eigen_solver = options_.eigen_solver,
+                                 .domain_dimension = dimension(),
+                                 .definiteness = Definiteness::semidefinite,
+                                 .zeros = result_.zeros,
+                                 .progress = options_.progress});
+    pairs_ = solver.smallest(options_.count);
+    const Vector energies =
+        (pairs_.vectors.cwiseAbs2().transpose() * K.doubt.sizes) * K.doubt.share;
+    result_.upper = (pairs_.values + pairs_.radii + energies) * ((1 + 1e-15) / ratio_);
+    result_.upper.head(result_.zeros).setZero();
+    for (Index j = result_.zeros; j < options_.count; ++j)
+        result_.upper[j] = std::max(result_.upper[j], j > 0 ? result_.upper[j - 1] : 0.0);
+}
+
+void Enclosing::take_modes() {
+    const Pieces& pieces = shape_.pieces;
+    const auto& pairs = conforming_.pairs();
+    const GluedPoints& points = conforming_.points();
+    result_.modes = DenseMatrix::Zero(pieces.size(0), options_.count);
+    if (options_.degree == 2)
+        result_.edge_modes = DenseMatrix::Zero(pieces.size(1), options_.count);
+    const int n = dimension();
+    std::size_t entry = 0;
+    for (Index s = 0; s < pieces.size(n); ++s)
+        for (const auto& [i, j] : pairs) {
+            const Index unknown = points.unknowns[entry];
+            const int sign = points.signs[entry++];
+            const std::array<int, 2> corners{i, j};
+            const bool is_vertex = i == j;
+            const Index row =
+                is_vertex ? pieces.simplices(n)(s, i) : face_at(pieces, n, s, corners);
+            if (unknown >= 0)
+                (is_vertex ? result_.modes : result_.edge_modes).row(row) =
+                    sign * pairs_.vectors.row(unknown);
+        }
+}
+
+/// Counts grow with s: whether none said that more than j lie below s.
+bool Enclosing::may_prove(double s, Index j) const {
+    return std::none_of(counts_.begin(), counts_.end(),
+                        [&](const auto& count) { return count.first <= s && count.second > j; });
+}
+
+/// The lower bound of eigenvalue j, and of what follows it closely.
+void Enclosing::prove(const Vector& guesses, Index j) {
+    const double upper = result_.upper[j], guess = std::min(guesses[j], upper * ratio_);
+    const double width = std::max(upper - guess, 1e-11 * upper);
+    for (const double share : {1e-4, 1e-2, 0.1, 1.0 / 3, 1.0, 3.0, 9.0}) {
+        const double s = guess - share * width;
+        if (!(s > 0))
+            return;
+        if (!may_prove(s, j))
+            continue;
+        ++result_.factorizations;
+        const auto count = negative_eigenvalues(lower_, s, options_.linear_solver, dimension());
+        if (!count)
+            continue;
+        counts_.emplace_back(s, *count);
+        for (Index i = *count; i < options_.count; ++i)
+            result_.lower[i] = std::max(result_.lower[i], s * ratio_ * (1 - 1e-15));
+        if (*count <= j)
+            return;
+    }
+}
+
+void Enclosing::prove_lower() {
+    tell("lower bounds");
+    const Index count = options_.count;
+    result_.lower = Vector::Zero(count);
+    const DenseMatrix moments = facet_moments(shape_, options_.degree, conforming_, pairs_.vectors);
+    const Vector guesses =
+        lower_guesses(lower_, moments, result_.upper * ratio_, options_.linear_solver, dimension());
+    constexpr double cluster = 1e-2; // of the width
+    for (Index j = count - 1; j >= result_.zeros; --j) {
+        const double width = cluster * (result_.upper[j] - guesses[j]);
+        if (result_.lower[j] >= guesses[j] - 2 * width)
+            continue;
+        Index first = j;
+        while (first > result_.zeros && guesses[j] - guesses[first - 1] <= width)
+            --first;
+        tell("a lower bound");
+        prove(guesses, first);
+    }
+    for (Index j = 1; j < count; ++j)
+        result_.lower[j] = std::max(result_.lower[j], result_.lower[j - 1]);
+}
+
+/// How many eigenvalues lie below the gap behind them.
+void Enclosing::count_all() {
+    result_.count_at =
+        std::max(pairs_.certificate.shift / ratio_, result_.upper[options_.count - 1]);
+    result_.count = enclosed_count(shape_, conforming_.family(), lower_, result_.count_at, ratio_,
+                                   options_.linear_solver);
+    result_.factorizations += result_.count.at_most ? 2 : 1;
+}
+
+void Enclosing::warn() {
+    const double top = result_.upper[options_.count - 1] / ratio_;
+    if (const auto too_large = lower_.beyond(top); !too_large.empty())
+        result_.warnings.push_back(warning_of_large(shape_, too_large, top, lower_.limit()));
+    const Vector wide = widths(result_);
+    const auto rough = (wide.array() > options_.width).count();
+    if (options_.width > 0 && rough > 0)
+        result_.warnings.push_back(
+            fmt::format("{} of {} enclosures are wider than the share of {:.3g} that is asked for, "
+                        "the widest {:.3g}: refine the mesh",
+                        rough, options_.count, options_.width, wide.maxCoeff()));
+}
+
+} // namespace
+
+ShapeSpectrum shape_spectrum(const Shape& shape, const ShapeSpectrumOptions& options) {
+    check(shape);
+    check_degree(options.degree);
+    if (options.count < 1)
+        throw InvalidInput(
+            fmt::format("{} eigenvalues of a shape: expected 1 at least", options.count));
+    if (!(options.width >= 0))
+        throw InvalidInput(
+            fmt::format("enclosures of width {}: expected a share of at least 0", options.width));
+    return Enclosing(shape, options).enclose();
+}
+
+Vector widths(const ShapeSpectrum& spectrum) {
+    Vector result = Vector::Zero(spectrum.upper.size());
+    for (Index j = spectrum.zeros; j < result.size(); ++j)
+        result[j] = (spectrum.upper[j] - spectrum.lower[j]) / spectrum.upper[j];
+    return result;
+}
+
+} // namespace polydec
